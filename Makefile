@@ -1,9 +1,10 @@
-# make solve: install into .venv and solve a problem.  make test: everything that must hold.  make bench: speed and error.
+# make solve: install into .venv and solve a problem.  make quick: tests without sweeps over many scenes, in two minutes.
+# make test: everything that must hold, as CI runs it.  make lint: style and types.  make bench: speed and error.
 PYTHON ?= python3
 BIN := .venv/bin
 PROBLEM ?= problems/6_two_degrees/cart_with_pendulum.yaml
 
-.PHONY: solve test lint bench clean
+.PHONY: solve quick test lint bench clean
 
 $(BIN)/vibcli: pyproject.toml
 	$(PYTHON) -m venv .venv
@@ -20,6 +21,10 @@ solve: $(BIN)/vibcli
 
 lint: $(BIN)/pytest
 	$(BIN)/ruff check vibcli tests
+	$(BIN)/mypy
+
+quick: lint
+	$(BIN)/pytest -q -n 2 -m "not sweep"
 
 test: lint
 	$(BIN)/pytest -q -n 2

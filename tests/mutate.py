@@ -22,52 +22,30 @@ from typing import NamedTuple
 PROJECT = Path(__file__).resolve().parent.parent
 TOOLS = ("vibcli/bench", "vibcli/manual")       # measured by being run, and texts
 PICTURES = ("vibcli/drawing", "vibcli/plots")
-SCENES = ("wrong_nodes", "places", "springs", "scene", "driven", "constraints", "named_places", "trials", "bad")
-EVERYTHING = ("derivations", "kane", "linearisation", "odd")    # all problem files, or many random scenes
-ROOMS = {       # the files of a room: its tests, the quick ones first; the longest prefix counts
-    "vibcli/symbolic": ("expressions", "algebra", "jumps", "bounded", "lagrange", "proof", "pulses", "formulas",
-                        "units", "cycles", "zeros", "closed_forms", "trials", "bad"),
-    "vibcli/numerics": ("bounds", "zeros", "modal", "circulatory", "flutter", "gyroscopic", "degenerate", "decay",
-                        "without_inertia", "massless", "damped", "insight", "closed_forms", "printed_digits",
-                        "inverse_margin", "inverse", "curves", "trials"),
-    "vibcli/notation": ("formulas", "reports", "printed_digits", "at_rest_with_friction", "closed_forms",
-                        "degenerate", "responses_in_letters", "massless", "insight", "readme", "curves", "trials",
-                        "json", "responses_everywhere"),
-    "vibcli/analyses/excitation": ("jumps", "pulses", "forcing", "records", "massless", "signal_table",
-                                   "response_answers", "trials", "curves", "response"),
-    "vibcli/analyses/transient": ("states", "precise_motion", "massless", "decay", "signal_table", "response_answers",
-                                  "curves", "trials", "response", "motion_routes", "printed_digits"),
-    "vibcli/analyses/frequency_response": ("frequency", "outputs", "signal_table", "responses_in_letters",
-                                           "response_answers", "curves", "plots", "trials"),
-    "vibcli/analyses/closed_form": ("closed_forms", "responses_in_letters", "inverse_in_letters", "decay", "json",
-                                    "derivations"),
-    "vibcli/analyses/time_integration": ("period", "stiff", "states", "work", "chaos", "sticking", "trajectory",
-                                         "laws", "driven", "trials", "motion_routes", "signal_table"),
-    "vibcli/analyses": ("bounds", "zeros", "modal", "circulatory", "flutter", "gyroscopic", "degenerate", "decay",
-                        "without_inertia", "massless", "damped", "insight", "closed_forms", "printed_digits",
-                        "inverse_margin", "inverse", "curves", "trials"),
-    "vibcli/elements": (*SCENES, "laws", "records", "manual", "cycles", "inverse", *EVERYTHING),
-    "vibcli/scene": (*SCENES, "laws", "cycles", "without_units", "degenerate", *EVERYTHING),
-    "vibcli/mechanics": ("lagrange", "springs", "laws", "forces_along", "equilibrium", "nearest", "degenerate",
-                         "jumps", "at_rest_with_friction", "sticking", "without_inertia", "left_out",
-                         "special_equilibria", "states", "proof", "stages", "equilibria", "outputs", "massless",
-                         "constraints", "driven", "insight", "trials", "closed_forms", "inverse_folds",
-                         "printed_digits", *EVERYTHING),
-    "vibcli/inverse": ("inverse_regimes", "inverse_folds", "inverse_in_letters", "inverse_margin", "inverse",
-                       "trials", "bad", "responses_in_letters", "inverse_planted"),
-    "vibcli/drawing": ("mode_pictures", "drawing"),
-    "vibcli/plots": ("plots",),
-    "vibcli/report": ("formulas", "reports", "printed_digits", "at_rest_with_friction", "closed_forms", "degenerate",
-                      "responses_in_letters", "massless", "insight", "readme", "curves", "trials", "json",
-                      "responses_everywhere"),
-    "vibcli/cli": ("hints", "written_files", "interrupt", "check", "reports", "curves", "plots", "drawing", "work",
-                   "bad", "readme", "streams", "json", "hostile"),
-    "vibcli": ("document", "wrong_nodes", "expressions", "units", "cycles", "check", "records", "without_units",
-               "outputs", "states", "signal_table", "named_places", "jumps", "stages", "response_answers", "bad",
-               "trials", "json", "document_fuzz", "insight", "inverse", "curves", "motion_routes", "manual",
-               "derivations"),
+SCENES = ("bad", "trials", "fuzz/test_wrong_nodes.py", "routes", "derivations", "fuzz/test_odd.py")
+MODES = ("rooms/analyses/modal", "trials", "rooms/inverse", "rooms/analyses/closed_form")
+MOTIONS = ("rooms/quantities", "trials", "routes/test_motion_routes.py", "commands/test_curves.py")
+BESIDE = {      # a room: what else tests it beside the folder of its name under rooms/; the longest prefix counts
+    "vibcli/symbolic": ("rooms/notation", "rooms/mechanics/equilibrium", *SCENES),
+    "vibcli/numerics": (*MODES, "rooms/mechanics/equilibrium", *MOTIONS),
+    "vibcli/notation": ("rooms/symbolic", "rooms/analyses/closed_form", "commands"),
+    "vibcli/analyses": MODES,
+    "vibcli/analyses/excitation": ("rooms/analyses/transient", *MOTIONS),
+    "vibcli/analyses/transient": ("rooms/results", *MOTIONS),
+    "vibcli/analyses/frequency_response": ("rooms/mechanics/test_outputs.py", *MOTIONS),
+    "vibcli/analyses/closed_form": ("rooms/inverse", "commands/test_json.py", "derivations"),
+    "vibcli/analyses/time_integration": ("rooms/elements", "rooms/scene", *MOTIONS),
+    "vibcli/elements": SCENES,
+    "vibcli/scene": ("rooms/elements", "rooms/reader", *SCENES),
+    "vibcli/mechanics": ("rooms/elements", "rooms/scene", *MODES, *SCENES),
+    "vibcli/inverse": ("trials", "bad"),
+    "vibcli/drawing": (),
+    "vibcli/plots": ("commands/test_plots.py",),
+    "vibcli/report": ("rooms/notation", "rooms/drawing", "commands"),
+    "vibcli/cli": ("bad", "commands", "fuzz/test_hostile.py"),
+    "vibcli": ("rooms/symbolic", "rooms/base", "rooms/language", "rooms/reader", *MOTIONS, "bad", "commands",
+               "rooms/inverse", *SCENES),
 }
-NO_ROOM = ("fuzz", "fuzz_responses", "imports", "mujoco")       # nothing gets lost in them that others do not notice
 COMPARED = {ast.Lt: ">=", ast.LtE: ">", ast.Gt: "<=", ast.GtE: "<", ast.Eq: "!=", ast.NotEq: "==",
             ast.In: "not in", ast.NotIn: "in", ast.Is: "is not", ast.IsNot: "is"}
 QUICK = {"OPENBLAS_NUM_THREADS": "1", "PYTHONDONTWRITEBYTECODE": ""}     # one thread; modules are compiled once
@@ -88,8 +66,8 @@ class Change(NamedTuple):
 
 
 def room_of(file):
-    """The longest prefix in ROOMS."""
-    return max((room for room in ROOMS if file.startswith(room + "/")), key=len)
+    """The longest prefix in BESIDE."""
+    return max((room for room in BESIDE if file.startswith(room + "/")), key=len)
 
 
 def changes(file):
@@ -151,26 +129,36 @@ def chosen(count, seed, room=None):
 
 
 def _changed_together():
-    """{file: {test: weight}} of the commits that changed both, a large commit weighing little."""
+    """{file: {name of a test: weight}} of the commits that changed both, a large commit weighing little."""
     log = subprocess.run(["git", "log", "--name-only", "--format=format:#"], cwd=PROJECT, capture_output=True).stdout
     found = {}
     for files in map(str.split, log.decode().split("#")):
-        for file, test in product(files, [file for file in files if file.startswith("tests/test_")]):
-            weights = found.setdefault(file, {})
-            weights[test] = weights.get(test, 0.0) + 1 / len(files)
+        for file, test in product(files, [file for file in files if "/test_" in file]):
+            weights, name = found.setdefault(file, {}), Path(test).name
+            weights[name] = weights.get(name, 0.0) + 1 / len(files)
     return found
 
 
+def _own(file):
+    """[the folder of tests/rooms/ that is named as the file's, or as the nearest folder above it that has one]."""
+    folders = [PROJECT / "tests" / "rooms" / folder for folder in Path(file).relative_to("vibcli").parents]
+    return [folder for folder in folders[:-1] if folder.is_dir()][:1]
+
+
 def tests_of(file, together):
-    """The tests of a file's room; those first that import it by its name, then those that changed together with it."""
+    """The tests in the folder of the file's room, then those beside them; of each first those that import the file by
+    its name, then those that changed together with it."""
     package, _, module = file.removesuffix(".py").replace("/", ".").rpartition(".")
     imported = re.compile(rf"{re.escape(package)}(\.{module}\b| import .*\b{module}\b)")
 
     def rank(test):
-        names = imported.search((PROJECT / test).read_text(encoding="utf-8"))
-        return not names, -together.get(file, {}).get(test, 0.0)
+        names = imported.search(test.read_text(encoding="utf-8"))
+        return not names, -together.get(file, {}).get(test.name, 0.0)
 
-    return sorted((f"tests/test_{name}.py" for name in ROOMS[room_of(file)]), key=rank)
+    found = {}
+    for folder in (*_own(file), *(PROJECT / "tests" / name for name in BESIDE[room_of(file)])):
+        found |= dict.fromkeys(sorted([folder] if folder.suffix else folder.rglob("test_*.py"), key=rank))
+    return [test.relative_to(PROJECT).as_posix() for test in found]
 
 
 def noticed(change, copy, tests, seconds):
@@ -197,12 +185,10 @@ def main():
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("--count", type=int, default=100)
     options.add_argument("--seed", type=int, default=1)
-    options.add_argument("--room", choices=sorted(ROOMS))
+    options.add_argument("--room", choices=sorted(BESIDE))
     options.add_argument("--jobs", type=int, default=2)
     options.add_argument("--seconds", type=float, default=900, help="after which the tests of a change count as hung")
     asked = options.parse_args()
-    rooms = {f"test_{name}.py" for tests in (*ROOMS.values(), NO_ROOM) for name in tests}
-    assert rooms == {path.name for path in (PROJECT / "tests").glob("test_*.py")}, "each test file has a room, or none"
     with tempfile.TemporaryDirectory() as folder:
         copies = Queue()
         for k in range(asked.jobs):

@@ -5,7 +5,8 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))       # run as a script it finds what lies beside it
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))       # run as a script it finds the tree that it is in
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from house.uses import Uses
 
@@ -17,6 +18,7 @@ FLOORS = (      # from the ground up; a room imports rooms of lower floors only
 FLOOR = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
 GROUND = 3          # floors that serve everyone: what is called there counts as no visit
 TREES = ("tree", "quantity", "literal")
+NODES = "vibcli.symbolic.expression"
 
 
 def module_of(path, package=PACKAGE):
@@ -133,14 +135,21 @@ class House:
                 and isinstance(node.slice.value, int) and _last_name(node.value) in TREES]
 
     def set_from_outside(self):
-        """Attributes of other objects that are assigned."""
+        """Attributes of other objects that are assigned, but for the nodes of the table that shares them."""
         found = []
         for module, tree in self.trees.items():
+            if module == NODES:
+                continue
             for node in ast.walk(tree):
                 if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store) and not (
                         isinstance(node.value, ast.Name) and node.value.id in ("self", "cls")):
                     found.append(f"{module}:{node.lineno}")
         return found
+
+    def with_several_bases(self):
+        """Classes that are put together of several."""
+        return [f"{module}.{node.name}" for module, tree in self.trees.items() for node in ast.walk(tree)
+                if isinstance(node, ast.ClassDef) and len(node.bases) > 1]
 
     def annotated(self):
         """The share of parameters with a type, `self` and `cls` left out."""
@@ -224,6 +233,7 @@ def main():
         ("subscripts of syntax trees", len(house.subscripts())),
         ("attributes set on an object from outside it", f"{len(house.set_from_outside())} in "
          f"{len({place.split(':')[0] for place in house.set_from_outside()})} files"),
+        ("classes with more than one base", len(house.with_several_bases())),
         ("annotated parameters", f"{house.annotated():.0%}"),
         ("class names that mean several things", len(house.class_names())),
         ("names that nothing in vibcli uses", len(house.unused())),
@@ -233,5 +243,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.path.insert(0, str(PACKAGE.parent))
     main()

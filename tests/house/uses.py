@@ -8,8 +8,10 @@ loaded by name offer (`FACES`) may be taken of anything, and named by a text: `g
 import ast
 import re
 
-FACES = ("bench", "cli", "elements", "language.sections", "quantities", "reader.sections", "report.formats",
-         "report.sections")
+from vibcli.analyses import ANALYSES
+
+FACES = ("bench", "cli", "drawing.symbols", "elements", "language.sections", "quantities", "reader.sections",
+         "report.formats", "report.sections", *("analyses." + row[0].replace("/", ".") for row in ANALYSES.values()))
 ANY = r"\w+"
 FUNCTION = (ast.FunctionDef, ast.AsyncFunctionDef)
 

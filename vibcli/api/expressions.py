@@ -2,13 +2,13 @@
 
 from typing import TYPE_CHECKING
 
-from vibcli.symbolic.expression import Node
+from vibcli.symbolic.node import Node
 
 if TYPE_CHECKING:
     from sympy import Eq, Expr
 
     from vibcli.results.problem import Problem
-    from vibcli.scene.build import Scene
+    from vibcli.scene.scene import Scene
 
 
 class SymbolicExpression:
@@ -78,14 +78,15 @@ class MotionEquation:
 
 def equations_of(problem: "Problem") -> dict[str, MotionEquation]:
     """{coordinate: its equation}."""
-    from vibcli.report.sections.data import equations_data
+    from vibcli.report.sections.equations_of_motion import equation_rows
 
-    equations, found = problem.equations, {}
-    for i, row in enumerate(equations_data(problem)):
+    equations, found = problem.symbolic.equations, {}
+    for i, row in enumerate(equation_rows(problem)):
         name = row["coordinate"]
         linear = None
         if equations.in_letters and name in problem.scene.coordinates:
             k = problem.scene.coordinates.index(name)
             linear = equations.linear[k] - equations.drive.get(k, problem.scene.table.zero)
-        found[name] = MotionEquation(problem.loose, row, equations.full[i] if equations.full else None, linear)
+        scene = problem.system.scene_with_multipliers
+        found[name] = MotionEquation(scene, row, equations.full[i] if equations.full else None, linear)
     return found

@@ -1,11 +1,13 @@
 """What is given beside the scene, as text: values, cases, signals, sizes. ValueError: what is wrong with it."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Where
+from vibcli.base.spelling import nearest
 from vibcli.language.document.nodes import Mapping, Scalar
-from vibcli.language.reader import Expression, nearest
-from vibcli.symbolic.parser import ExpressionError, parse, plain_name
+from vibcli.language.reader import Expression
+from vibcli.symbolic.parser import parse, plain_name
+from vibcli.symbolic.syntax import ExpressionError
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
@@ -48,16 +50,17 @@ def parsed(text: str, option: str) -> tuple[object, Scalar]:
 def expression(text: str, option: str) -> Expression:
     """A signal or quantity as an Expression."""
     tree, scalar = parsed(text, option)
-    return Expression(scalar, tree, None, None)
+    return Expression(scalar, tree)
 
 
-def size(text: str, unit: str, wants: str, exact: bool = False) -> object:
+def size(text: str, unit: str, wants: str, exact: bool = False) -> Any:
     """A positive quantity in SI units; a bare number is one of `unit`, cycles are 2π. `exact`: as a Fraction, where it
     may be zero."""
     from math import tau
 
     from vibcli.base.units import parse_unit
-    from vibcli.symbolic.semantics import literal_unit, whole_literal
+    from vibcli.symbolic.semantics import literal_unit
+    from vibcli.symbolic.syntax import whole_literal
 
     try:
         literal = whole_literal(parse(text))

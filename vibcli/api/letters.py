@@ -3,19 +3,17 @@
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError
-from vibcli.inverse.symbolic_quantity_conditions import quantity_in_letters
-from vibcli.inverse.symbolic_response_conditions import response_of, size_of
-from vibcli.mechanics.virtual_work import generalised_force_at_rest
+from vibcli.inverse.symbolic_quantity_conditions import quantity_in_letters, response_of, size_of
 from vibcli.quantities.expression import lowered
 from vibcli.quantities.matrices import coordinate_number
-from vibcli.symbolic.semantics import quantities_in
-from vibcli.symbolic.syntax import QuantityRef
+from vibcli.quantities.quantity import declared
+from vibcli.symbolic.syntax import QuantityRef, parts_of
 
 if TYPE_CHECKING:
     from vibcli.analyses.closed_form.closed_forms import ClosedMode
     from vibcli.language.reader import Expression
     from vibcli.results.problem import Problem
-    from vibcli.symbolic.expression import Node
+    from vibcli.symbolic.node import Node
 
 OF_MODES = ("omega", "frequency", "period", "growth_rate", "mode", "zeta", "omega_d", "decay")
 GIVE_VALUES = "give the letters values: with_values(…), or --set"
@@ -27,7 +25,7 @@ def expression_in_letters(problem: "Problem", expression: "Expression") -> "Node
     response = response_of(problem, tree)
     if response is not None:
         return size_of(problem, response)
-    found = {part.text: _quantity(problem, part) for part in quantities_in(tree)}
+    found = {part.text: _quantity(problem, part) for part in parts_of(tree).quantities}
     return lowered(expression, scene.table, lambda name, primes, part: found[part.text]
                    if isinstance(part, QuantityRef) else scene.parameters.nodes[name])
 
@@ -35,11 +33,11 @@ def expression_in_letters(problem: "Problem", expression: "Expression") -> "Node
 def state_function(problem: "Problem", tree: QuantityRef) -> "Node":
     """T, V, Phi or Q[q], or the left side of an equation of motion, as a function of coordinates and velocities."""
     if tree.head in ("T", "V", "Phi"):
-        return problem.energies[tree.head]
-    i = coordinate_number(problem, tree.indices[0])
+        return problem.symbolic.energies[tree.head]
     if tree.head == "Q":
-        return generalised_force_at_rest(problem, i)
-    equations, name = problem.equations, problem.scene.coordinates[i]
+        return declared(tree).symbolic(problem, tree)
+    i = coordinate_number(problem, tree.indices[0])
+    equations, name = problem.symbolic.equations, problem.scene.coordinates[i]
     if tree.head == "motion" and equations.full:
         return equations.full[equations.names.index(name)]
     if tree.head == "equation" and equations.refusal is not None:

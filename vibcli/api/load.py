@@ -5,12 +5,7 @@ from collections.abc import Mapping
 
 from vibcli.api.mapping import document_of
 from vibcli.api.model import Model
-from vibcli.api.source import SceneSource, file_source, problem_of
-from vibcli.base.decoding import MAX_BYTES, too_long
-from vibcli.base.errors import SpecError
-from vibcli.language.document.document import read
-
-UNNAMED = "scene"       # of a text: diagnostics name it before line and column
+from vibcli.api.source import UNNAMED, SceneSource, file_source, problem_of, text_source
 
 
 def load(scene: str | os.PathLike[str] | Mapping[str, object]) -> Model:
@@ -23,11 +18,7 @@ def load(scene: str | os.PathLike[str] | Mapping[str, object]) -> Model:
 
 def loads(text: str, folder: str | os.PathLike[str] = ".") -> Model:
     """The Model of the text of a scene; `folder`: where its records lie."""
-    file = os.path.normpath(os.path.join(os.fspath(folder), UNNAMED))
-    data = text.encode("utf-8", "surrogatepass")
-    if len(data) > MAX_BYTES:
-        raise SpecError([too_long(file, len(data))])
-    return _model(SceneSource(file, *read(data, file), text.splitlines()))
+    return _model(text_source(text, folder))
 
 
 def _model(source: SceneSource) -> Model:

@@ -49,7 +49,7 @@ class _Reading:
             value = value.tolist()
         if isinstance(value, PythonSequence) and not isinstance(value, (str, bytes, bytearray)):
             found = Sequence(self._place(path, depth))
-            found.items += [self._node(item, f"{path}[{i}]", depth + 1) for i, item in enumerate(value)]
+            found.items.extend(self._node(item, f"{path}[{i}]", depth + 1) for i, item in enumerate(value))
             return found
         where = self._place(path, depth)
         text = text_of(value)

@@ -65,28 +65,28 @@ class Model:
     def omega(self) -> "ndarray | list[SymbolicExpression]":
         """Natural angular frequencies [rad/s], an array of n ascending ones, the dampers left out; NaN of a mode that
         grows."""
-        if self._problem.symbolic:
+        if self._problem.numeric.has_free_symbols:
             return [self._letters(mode.omega) for mode in self._closed_modes(stable=True)]
         import numpy as np
 
-        return np.array([nan if mode.omega is None else float(mode.omega) for mode in self._problem.modes])
+        return np.array([nan if mode.omega is None else float(mode.omega) for mode in self._problem.modal.modes])
 
     @property
     def zeta(self) -> "ndarray | list[SymbolicExpression]":
         """Damping ratios, an array in the order of the damped modes, none where nothing damps; NaN of a mode that has
         none."""
-        if self._problem.symbolic:
+        if self._problem.numeric.has_free_symbols:
             return [self._letters(mode.zeta) for mode in self._closed_modes() if mode.zeta is not None]
         import numpy as np
 
-        found = {mode.index: mode.zeta for mode in reversed(self._problem.damped or ())}
+        found = {mode.index: mode.zeta for mode in reversed(self._problem.modal.damped or ())}
         return np.array([nan if found[index] is None else float(found[index]) for index in sorted(found)])
 
     @property
     def modes(self) -> "ndarray | list[list[SymbolicExpression]]":
         """Mode shapes, the first coordinate that moves being 1: an array of n coordinates × m modes, complex where
         phases differ; in letters a list of modes, each a list of amplitudes."""
-        if self._problem.symbolic:
+        if self._problem.numeric.has_free_symbols:
             from vibcli.api.letters import GIVE_VALUES
             from vibcli.base.errors import NotInLetters
 
@@ -96,7 +96,7 @@ class Model:
             return [[self._letters(part) for part in mode.shape] for mode in modes]
         import numpy as np
 
-        shapes = [[complex(part) for part in self._problem.shape(mode)] for mode in self._problem.modes]
+        shapes = [[complex(part) for part in self._problem.modal.shape(mode)] for mode in self._problem.modal.modes]
         found = np.array(shapes, dtype=complex).reshape(len(shapes), len(self.coordinates)).T
         return found if found.imag.any() else found.real
 
@@ -110,11 +110,9 @@ class Model:
     @property
     def equilibrium(self) -> "dict[str, float] | dict[str, SymbolicExpression]":
         """{coordinate: its value in equilibrium}."""
-        if self._problem.symbolic:
-            from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
-
-            return {name: self._letters(node) for name, node in equilibrium_in_letters(self._problem).items()}
-        return {name: float(self._problem.equilibrium.values[name]) for name in self.coordinates}
+        if self._problem.numeric.has_free_symbols:
+            return {name: self._letters(node) for name, node in self._problem.symbolic.equilibrium_position.items()}
+        return {name: float(self._problem.configuration.equilibrium.values[name]) for name in self.coordinates}
 
     def __getitem__(self, quantity: str) -> "QuantityValue":
         """Any quantity that `answers` of a scene may ask for, or an expression of some."""

@@ -1,4 +1,4 @@
-"""The scene as a figure, or a mode shape on it."""
+"""The scene as a figure, a mode shape on it, or either moving."""
 
 from os import PathLike
 from typing import TYPE_CHECKING, NamedTuple
@@ -45,3 +45,12 @@ class SceneDrawing(NamedTuple):
 
     def _repr_svg_(self) -> str:
         return self.data("svg").decode()
+
+
+def animated(problem: "Problem", mode: int | None, title: str, kind: str) -> bytes:
+    """The bytes of a gif or an html page of a mode, or of the motion in time where none is named."""
+    from vibcli.drawing.animation import data, of_mode, of_response
+
+    problem = settled(problem)
+    frames = of_response(problem) if mode is None else of_mode(problem, mode)
+    return data(*frames, title=title, kind=kind)

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import Inertless, Kinked, NotInLetters, PhysicsError
-from vibcli.quantities.quantity import INSIGHT, ON_REQUEST, RESPONSES
+from vibcli.reader.sections.find import INSIGHT, OF_MODES, ON_REQUEST, RESPONSES
 from vibcli.report.blocks import paragraph, section
 from vibcli.report.document import EVERYTHING, Report
 from vibcli.report.wanted import Wanted
@@ -12,7 +12,7 @@ from vibcli.report.wanted import Wanted
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
-SLOPES = ("frequencies", "modes", "damping", *INSIGHT)         # what needs a slope of the forces
+SLOPES = ("frequencies", "modes", "damping", *OF_MODES)       # what needs a slope of the forces
 FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",),
             "equilibrium": ("equilibrium", "virtual_work"), "frequencies": ("frequencies",), "modes": ("modes",),
             "damping": ("damping",), "virtual_work": ("virtual_work",)} | {word: (word,) for word in ON_REQUEST}
@@ -36,49 +36,54 @@ def illustrated(sections: Sequence[str]) -> list[str]:
 def data(problem: "Problem", parts: Sequence[str], normalise: str, digits: int | None, sections: Sequence[str],
          wanted: Wanted | None = None) -> dict[str, object]:
     """The results with the keys of --json: those of its `parts`, and what is asked for among the sections."""
-    from vibcli.report.sections.data import energies_data, equations_data, matrices_data, sticking_data
+    from vibcli.report import keys
 
     if digits is not None:
         _require_numbers(problem)
     found = {"title": problem.spec.get("title"), "coordinates": list(problem.scene.coordinates)}
-    if problem.chosen is not None:
-        from vibcli.report.sections.design_parameters import chosen_data
+    if problem.choice is not None:
+        from vibcli.report.sections.design_parameters import CHOSEN
 
-        found["chosen"] = chosen_data(problem)
+        found |= keys.data([CHOSEN], problem)
     if "frequencies" in parts:
         found |= _frequencies(problem, parts, normalise, digits, sections)
     if "equilibria" in sections:
-        from vibcli.report.sections.equilibria import equilibria_data
+        from vibcli.report.sections.equilibria import EQUILIBRIA, SEARCH
 
-        found |= equilibria_data(problem)
+        found |= keys.data([EQUILIBRIA, SEARCH], problem)
     if "equations" in parts:
-        refusal = problem.equations.refusal
+        refusal = problem.symbolic.equations.refusal
         if refusal and not (isinstance(refusal, NotInLetters) or _without_slope(problem, refusal, sections)
                             or _listed_alone(problem, sections)):
             raise refusal
-        if problem.sticking is not None:
-            found["sticking"] = sticking_data(problem)
-        found["energies"] = energies_data(problem)
-        found["equations"] = equations_data(problem)
+        from vibcli.report.sections.equations_of_motion import ENERGY, EQUATIONS, MATRICES
+        from vibcli.report.sections.equilibrium import STICKING
+
+        found |= keys.data([*[STICKING] * (problem.system.sticking is not None), ENERGY, EQUATIONS], problem)
         if "frequencies" not in parts:
             known = not refusal or isinstance(refusal, NotInLetters)
-            found["matrices"] = matrices_data(problem) if known else None
+            found |= keys.data([MATRICES], problem) if known else {"matrices": None}
     if asked := [word for word in sections if word in RESPONSES]:
-        from vibcli.report.sections import response_data
+        from vibcli.report.sections import frequency_response, response
 
         for word in asked:
-            beside = word not in parts and problem.symbolic     # of letters `find` asks formulas, which texts have
-            found[word] = None if beside else getattr(response_data, word + "_data")(problem, wanted or Wanted())
-    if words := [word for word in sections if word in INSIGHT]:
+            # of letters `find` asks formulas, which texts have
+            beside = word not in parts and problem.numeric.has_free_symbols
+            write = response.response_data if word == "response" else frequency_response.frequency_response_data
+            found[word] = None if beside else write(problem, wanted or Wanted())
+    if words := [word for word in sections if word in OF_MODES]:
         found["insight"] = _insight(problem, words, sections)
     return found
 
 
 def _insight(problem, words, sections):
-    from vibcli.report.sections.insight_data import insight_data
+    from vibcli.report import keys
+    from vibcli.report.sections.insight import insight, require_numbers
 
     try:
-        return insight_data(problem, words)
+        for word in words:
+            require_numbers(problem, word)
+        return keys.data(insight(words), problem)
     except PhysicsError as error:
         if not _without_slope(problem, error, sections):
             raise
@@ -87,7 +92,8 @@ def _insight(problem, words, sections):
 
 def _frequencies(problem, parts, normalise, digits, sections):
     """Equilibrium, matrices and modes; null with a remark where the other parts stand without them."""
-    from vibcli.report.sections.data import equilibrium_data, frequencies_data, matrices_data
+    from vibcli.report import keys
+    from vibcli.report.sections.spectrum import frequencies_data
 
     try:
         return frequencies_data(problem, normalise, digits)
@@ -97,13 +103,16 @@ def _frequencies(problem, parts, normalise, digits, sections):
             raise
         found = dict.fromkeys(("equilibrium", "matrices", "modes", "damped")) | {"remark": error.message}
         if isinstance(error, Inertless):
-            found |= {"equilibrium": equilibrium_data(problem), "matrices": matrices_data(problem)}
+            from vibcli.report.sections.equations_of_motion import MATRICES
+            from vibcli.report.sections.equilibrium import EQUILIBRIUM
+
+            found |= keys.data([EQUILIBRIUM, MATRICES], problem)
         return found
 
 
 def _without_slope(problem, refusal, sections):
     """Is there no slope, for friction or a kink, or no inertia, where nothing that needs them is asked by name?"""
-    if not isinstance(refusal, (Kinked, Inertless)) and problem.sticking is None:
+    if not isinstance(refusal, (Kinked, Inertless)) and problem.system.sticking is None:
         return False
     asked = problem.spec.get("find") or ()
     beside = "equations" in sections or "frequencies" not in sections
@@ -123,20 +132,20 @@ def report(problem: "Problem", sections: Sequence[str], normalise: str = "first"
     for name in sections:
         made.add(name)
         if name not in RESPONSES and made.refusal and _without_slope(problem, made.refusal, sections):
-            beside, made.refusal = beside or made.refusal, None     # it is said beside the equations
+            refusal = made.without_refusal()        # it is said beside the equations
+            beside = beside or refusal
     if isinstance(made.refusal, NotInLetters) and "equations" in sections:
-        remark = paragraph(f"{made.refusal.message}: {made.refusal.hint}", hang=0)
-        made.sections += section("Not found in letters", remark)
-        made.refusal = None
+        refusal = made.without_refusal()
+        made.append(section("Not found in letters", paragraph(f"{refusal.message}: {refusal.hint}", hang=0)))
     if isinstance(beside, Inertless):
-        made.sections += section("Natural frequencies", paragraph("none: nothing in the scene has inertia", hang=0))
+        made.append(section("Natural frequencies", paragraph("none: nothing in the scene has inertia", hang=0)))
     if digits is not None:
         _digits(made, problem, digits)
     return made
 
 
 def _digits(made, problem, digits):
-    from vibcli.report.sections.data import frequencies_data
+    from vibcli.report.sections.spectrum import frequencies_data
 
     _require_numbers(problem)
     found = frequencies_data(problem, digits=digits)
@@ -147,11 +156,11 @@ def _digits(made, problem, digits):
         lines.append(f"mode {mode['index']}:  {', '.join(values)}")
     for mode in found["damped"] or ():
         lines.append(f"damped mode {mode['index']}:  λ = {mode['eigenvalue'][0]} {_signed(mode['eigenvalue'][1])} i")
-    made.sections += section(f"With {digits} digits", *(paragraph(line, hang=None) for line in lines))
+    made.append(section(f"With {digits} digits", *(paragraph(line, hang=None) for line in lines)))
 
 
 def _require_numbers(problem):
-    if problem.symbolic:
+    if problem.numeric.has_free_symbols:
         raise PhysicsError("--digits needs numbers, and this scene has symbols without value", "give them with --set")
 
 

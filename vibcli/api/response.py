@@ -9,7 +9,7 @@ from vibcli.api.values import given_expression
 from vibcli.base.errors import Diagnostic, SpecError, Where
 from vibcli.reader.sections.find import RESPONSE
 from vibcli.report.sections.requested_signals import curves_asked, trees_asked
-from vibcli.report.sections.response_data import unknown
+from vibcli.report.sections.response import unknown
 from vibcli.report.sections.sampled_series import sampled
 from vibcli.report.wanted import Wanted
 
@@ -53,13 +53,13 @@ class SampledResponse(Mapping):
     def unknown(self) -> str | None:
         """Why the motion is not known up to the end asked for; None where it is."""
         refusal = unknown(self._problem, Wanted())
-        return refusal and refusal.message
+        return refusal.message if refusal else None
 
 
 def response(problem: "Problem", until: float | str | None = None, points: int = 1001) -> SampledResponse:
     """The motion up to an instant: seconds, or a text with its unit."""
     if until is not None:
-        problem = problem.ending(instant(until))
+        problem = problem.until(instant(until))
     return SampledResponse(problem, points)
 
 

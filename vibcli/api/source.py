@@ -4,13 +4,17 @@ import os
 from time import perf_counter
 from typing import TYPE_CHECKING, NamedTuple
 
+from vibcli.base.decoding import MAX_BYTES, too_long
 from vibcli.base.errors import Diagnostic, SpecError
 from vibcli.base.work import Work
-from vibcli.language.document.document import read_file
+from vibcli.language.document.document import read, read_file
 from vibcli.language.document.nodes import Mapping
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
+
+
+UNNAMED = "scene"       # of a text or a mapping: diagnostics name it before line and column
 
 
 class SceneSource(NamedTuple):
@@ -29,6 +33,30 @@ def file_source(path: "str | os.PathLike[str]") -> SceneSource:
     start = perf_counter()
     node, diagnostics, lines = read_file(path)
     return SceneSource(os.fsdecode(path), node, diagnostics, lines, perf_counter() - start)
+
+
+def shown_lines(file: str) -> list[str]:
+    """The lines of a record beside a scene, for a message; none where it cannot be read."""
+    from vibcli.language import data_columns
+
+    return data_columns.shown_lines(file)
+
+
+def stage_costs(problem: "Problem") -> "dict[str, float | None]":
+    """{stage: seconds that it took, None where it was skipped}, of reading those alone that were timed."""
+    from vibcli.results.problem import STAGES
+
+    read = {stage: problem.timings[stage] for stage in ("read", "spec") if stage in problem.timings}
+    return read | {stage: problem.timings.get(stage) for stage in STAGES}
+
+
+def text_source(text: str, folder: "str | os.PathLike[str]" = ".") -> SceneSource:
+    """The text of a scene as it is read; `folder`: where its records lie. SpecError where it is too long."""
+    file = os.path.normpath(os.path.join(os.fspath(folder), UNNAMED))
+    data = text.encode("utf-8", "surrogatepass")
+    if len(data) > MAX_BYTES:
+        raise SpecError([too_long(file, len(data))])
+    return SceneSource(file, *read(data, file), text.splitlines())
 
 
 def problem_of(source: SceneSource, settings: dict | None = None, work: Work | None = None) -> "Problem":

@@ -9,18 +9,17 @@ from vibcli.api.expressions import SymbolicExpression
 from vibcli.base import units
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError, Where
 from vibcli.language.reader import Reader
+from vibcli.quantities import FAMILIES
+from vibcli.quantities.dimensions import asked_dimension, dimension_of
 from vibcli.quantities.expression import evaluated, measure, value_of
 from vibcli.quantities.frequency_response import ERROR
-from vibcli.quantities.quantity import IN_FREQUENCY, ROUNDING, SIGNAL, STATE_FUNCTIONS, declared, is_choice
-from vibcli.quantities.size import size_of
-from vibcli.reader.answer_check import check_question, dimension_of, unit_asked
-from vibcli.reader.quantity_dimensions import asked_dimension
-from vibcli.symbolic.semantics import quantities_in
-from vibcli.symbolic.syntax import QuantityRef
+from vibcli.quantities.quantity import OF_STATE, ROUNDING, SIGNAL, declared, kind_of, quantity_of
+from vibcli.reader.answer_check import check_question
+from vibcli.symbolic.syntax import QuantityRef, parts_of
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression
-    from vibcli.reader.read import Spec
+    from vibcli.language.spec import Spec
     from vibcli.results.problem import Problem
 
 
@@ -37,17 +36,17 @@ class QuantityValue(NamedTuple):
     def __float__(self) -> float:
         if self.value is None:
             raise TypeError(f"'{self.text}' is an expression: {self.expression}")
-        return float(self.value)
+        return float(self.value)  # type: ignore[arg-type]
 
 
 def quantity_value(problem: "Problem", text: str) -> QuantityValue:
     """What a scene answers to a quantity, or to an expression of some."""
     asked = quantity_asked(problem.spec, text)
     tree, unit = asked.tree, unit_of(problem.spec, asked)
-    if problem.symbolic or (isinstance(tree, QuantityRef) and tree.head in STATE_FUNCTIONS):
+    of_state = kind_of(problem.spec, tree) in OF_STATE
+    if problem.numeric.has_free_symbols or of_state:
         from vibcli.api.letters import expression_in_letters, state_function
 
-        of_state = isinstance(tree, QuantityRef) and tree.head in STATE_FUNCTIONS
         node = state_function(problem, tree) if of_state else expression_in_letters(problem, asked)
         return QuantityValue(text, None, unit, 0.0, SymbolicExpression(node, tuple(problem.scene.coordinates)))
     value, error = bounded(problem, asked)
@@ -57,7 +56,7 @@ def quantity_value(problem: "Problem", text: str) -> QuantityValue:
 def quantity_asked(spec: "Spec", text: str) -> "Expression":
     """The text as a quantity of this scene; SpecError where it is none."""
     asked, reader = given_expression(text, "the quantity"), Reader()
-    check_question(spec, reader, asked)
+    asked = check_question(spec, reader, asked)
     if reader.diagnostics:
         raise SpecError(reader.diagnostics)
     return asked
@@ -74,14 +73,14 @@ def given_expression(text: str, place: str) -> "Expression":
 def unit_of(spec: "Spec", asked: "Expression") -> str:
     """The SI unit of the value of a quantity: 1 of a pure number, nothing where the scene has no units."""
     tree = asked.tree
-    whole = isinstance(tree, QuantityRef) and not is_choice(spec, tree)
-    if whole and unit_asked(tree):
-        return unit_asked(tree)
-    dimension = asked_dimension(spec, tree) if whole else dimension_of(spec, asked)
+    quantity = quantity_of(spec, tree)
+    if quantity is not None and quantity.own_unit is not None:
+        return quantity.unit
+    dimension = asked_dimension(spec, tree) if quantity is not None else dimension_of(spec, asked)
     if dimension is None:
         return ""
     found = spec.dimensions.resolve(dimension)
-    angle = whole and (declared(tree).unit == SIGNAL or tree.head == "equilibrium")
+    angle = quantity is not None and (quantity.unit == SIGNAL or tree.head == "equilibrium")
     return ("rad" if angle else "1") if found == {} else units.text(found)
 
 
@@ -91,8 +90,8 @@ def bounded(problem: "Problem", asked: "Expression") -> tuple[float | complex | 
     if isinstance(tree, QuantityRef):
         return _measured(problem, tree)
     value, _ = value_of(problem, asked)
-    found = {part.text: _measured(problem, part) for part in quantities_in(tree)}
-    values = problem.floats | {text: number for text, (number, _) in found.items()}
+    found = {part.text: _measured(problem, part) for part in parts_of(tree).quantities}
+    values = problem.numeric.floats | {text: number for text, (number, _) in found.items()}
     error = ROUNDING * abs(value)
     for text, (number, doubt) in found.items():
         for step in (doubt, 1j * doubt) if isinstance(number, complex) else (doubt,):
@@ -112,8 +111,8 @@ def _measured(problem, tree):
 def _rounding(problem, tree):
     """What a number of a motion that is found in closed form may be off near zero: by the size of its signal; where a
     signal is largest it is flat, and its instant is known to the root of rounding."""
-    if not tree.args or tree.head in IN_FREQUENCY or problem.motion.KIND == "full":
+    if not tree.args or FAMILIES.get(tree.head) == "frequency_response" or problem.response.KIND == "full":
         return 0.0
     with suppress(PhysicsError):
-        return (sqrt(ROUNDING) if tree.head in ("argmax", "argmin") else ERROR) * size_of(problem, tree)
+        return (sqrt(ROUNDING) if tree.head in ("argmax", "argmin") else ERROR) * declared(tree).size(problem, tree)
     return 0.0

@@ -1,6 +1,7 @@
-"""From the bytes of a scene file to its text: UTF-8, no control, bidirectional or invisible characters."""
+"""From the bytes of a scene file to its text: UTF-8, without characters that could steer a terminal or a reader."""
 
 import re
+from typing import Any
 
 from vibcli.base.errors import Diagnostic, Where
 
@@ -15,7 +16,7 @@ FORBIDDEN = re.compile(f"[{CONTROL}{BIDI}{INVISIBLE}]")
 STAND_IN = "\ufffd"  # takes the place of a forbidden character, so that reading goes on with all columns kept
 
 
-def decode(data, file):
+def decode(data: bytes, file: str) -> tuple[str, list[Any]]:
     """The text of the bytes, or None where they are not text, and the diagnostics so far."""
     if len(data) > MAX_BYTES:
         return None, [too_long(file, len(data))]
@@ -33,30 +34,40 @@ def decode(data, file):
     return _without_forbidden(text.removeprefix("\ufeff"), file)
 
 
-def lines(data):
+def lines(data: bytes) -> list[str]:
     """The source lines for display, whatever the bytes are; line and column agree with every diagnostic."""
     return split(data[:MAX_BYTES].decode("utf-8", "replace").removeprefix("\ufeff"))
 
 
-def split(text):
+def split(text: str) -> list[str]:
     """The lines of a text, at the breaks that YAML counts."""
     return text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
 
 
-def place(text, index, file, width=1):
+def place(text: Any, index: int, file: str, width: int = 1) -> Where:
     """The line and column of a character of the text."""
     line = 1 + text.count("\n", 0, index) + text.count("\r", 0, index) - text.count("\r\n", 0, index)
     start = 1 + max(text.rfind("\n", 0, index), text.rfind("\r", 0, index))
     return Where(file, line, index - start + 1, width)
 
 
-def too_long(file, size):
+def cleaned(text: str) -> str:
+    """The text with a stand-in for every control, bidirectional and invisible character; lines stay."""
+    return FORBIDDEN.sub(STAND_IN, text).replace("\r", STAND_IN)
+
+
+def on_one_line(text: str) -> str:
+    """The same with its white space as single spaces."""
+    return re.sub(r"\s+", " ", cleaned(text))
+
+
+def too_long(file: str, size: int) -> Diagnostic:
     return Diagnostic(Where(file, 1, 1, 0), f"the file holds {size} bytes, expected at most {MAX_BYTES}",
                       "a scene takes a few kilobytes: is this the right file?")
 
 
-def name_of(char):
-    """What a forbidden character is, for a message."""
+def name_of(char: str) -> str:
+    """The kind and number of a forbidden character, for a message."""
     kinds = (("bidirectional", BIDI), ("invisible", INVISIBLE))
     kind = next((kind for kind, members in kinds if re.match(f"[{members}]", char)), "control")
     return f"the {kind} character U+{ord(char):04X}"

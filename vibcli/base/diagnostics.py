@@ -1,26 +1,30 @@
 """Diagnostics as plain text: place, source line with a caret, hint; nothing in it can steer a terminal."""
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from vibcli.base.errors import Diagnostic
+
 ROOM = 100  # columns of a source line that are shown; longer lines are cut around the caret
 LONGEST = 500  # characters of a message
 
 
-def escaped(text):
+def escaped(text: str) -> str:
     """The text with every character that does not print (controls, bidi, no-break spaces …) spelt out."""
     if text.isprintable():
         return text
     return "".join(map(_cell, text))
 
 
-def quoted(text, room=40):
+def quoted(text: str, room: int = 40) -> str:
     """The text for use inside a message: in single quotes, escaped, cut where it is long."""
     return f"'{escaped(text if len(text) <= room else text[: room - 1] + '…')}'"
 
 
-def render(diagnostic, lines, color=False):
-    """`file:line:column: error: message`, the source line, a caret line, the hint.
-
-    A place of width 0 means the file as a whole: neither line nor column is named then.
-    """
+def render(diagnostic: "Diagnostic", lines: Sequence[str], color: bool = False) -> str:
+    """`file:line:column: error: message`, the source line, a caret line, the hint. A place of width 0 means the file as
+    a whole: neither line nor column is named then."""
     bold, red, blue, plain = ("\x1b[1m", "\x1b[1;31m", "\x1b[36m", "\x1b[0m") if color else ("", "", "", "")
     where, parts = diagnostic.where, []
     if where:

@@ -1,6 +1,7 @@
-"""What can go wrong, and where: places in a file, diagnostics, physical refusals, outcomes."""
+"""Errors and where they are: places in a file, diagnostics, physical refusals."""
 
-from typing import NamedTuple
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
 
 
 class Where(NamedTuple):
@@ -11,7 +12,7 @@ class Where(NamedTuple):
     column: int
     width: int = 1
 
-    def shifted(self, offset, width=1):
+    def shifted(self, offset: int, width: int = 1) -> "Where":
         """The place `offset` characters further along the same line."""
         return Where(self.file, self.line, self.column + offset, width)
 
@@ -21,10 +22,10 @@ class Diagnostic:
 
     __slots__ = ("hint", "message", "where")
 
-    def __init__(self, where, message, hint=None):
+    def __init__(self, where: Where | None, message: str, hint: str | None = None):
         self.where, self.message, self.hint = where, message, hint
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         where = self.where
         place = "-" if not where else f"{where.line}:{where.column}" if where.width else where.file
         return f"{place}: {self.message}" + (f" (hint: {self.hint})" if self.hint else "")
@@ -33,7 +34,7 @@ class Diagnostic:
 class SpecError(Exception):
     """The input is invalid; carries every diagnostic that was found. Exit code 3."""
 
-    def __init__(self, diagnostics):
+    def __init__(self, diagnostics: Sequence[Diagnostic]):
         super().__init__("\n".join(map(repr, diagnostics)))
         self.diagnostics = list(diagnostics)
 
@@ -41,28 +42,27 @@ class SpecError(Exception):
 class PhysicsError(Exception):
     """The scene is well written but has no such answer, for a physical cause. Exit code 4."""
 
-    def __init__(self, message, hint=None, where=None):
+    def __init__(self, message: str, hint: str | None = None, where: Any = None):
         super().__init__(message)
         self.message, self.hint, self.where = message, hint, where
 
     @property
-    def diagnostics(self):
+    def diagnostics(self) -> list[Diagnostic]:
         """The refusal as what is wrong with an input is told: the same for both kinds of errors."""
         return [Diagnostic(self.where, self.message, self.hint)]
 
-    def told(self, where=None, hint=None):
+    def told(self, where: Where | None = None, hint: str | None = None) -> "PhysicsError":
         """The same refusal at a place, if it has none, or with another hint: one that is kept is met at many."""
         found = type(self).__new__(type(self), *self.args)
-        found.__dict__.update(self.__dict__)
-        found.where, found.hint = self.where or where, hint or self.hint
+        PhysicsError.__init__(found, self.message, hint or self.hint, self.where or where)
         return found
 
 
 class NotFixed(PhysicsError):
     """A force that is one of several which share a load in any proportion: its name is told."""
 
-    def __init__(self, text, cause="the scene is supported by more than it needs",
-                 hint="take a redundant support out"):
+    def __init__(self, text: str, cause: str = "the scene is supported by more than it needs",
+                 hint: str = "take a redundant support out"):
         super().__init__(f"statics alone does not fix '{text}': {cause}", hint)
 
 
@@ -85,8 +85,8 @@ class Inertless(PhysicsError):
         super().__init__("nothing in the scene has inertia: nothing can vibrate", "give a mass")
 
 
-def defined_as_drawn(function, *args):
-    """What the function gives; a refusal where an expression divides by zero in the drawn position."""
+def defined_as_drawn(function: Callable, *args: Any) -> tuple[Any, dict[str, Any]]:
+    """The result of a function; a refusal where an expression divides by zero in the drawn position."""
     try:
         return function(*args)
     except ZeroDivisionError:

@@ -2,12 +2,13 @@
 
 import os
 import secrets
+from collections.abc import Sequence
 from pathlib import Path
 
 from vibcli.base.errors import PhysicsError
 
 
-def refuse_unwritable(path, suffixes=None):
+def refuse_unwritable(path: Path, suffixes: Sequence[str] | None = None) -> None:
     """A refusal, before anything is computed, where a file of these suffixes (None: any) cannot be written there."""
     path = Path(path)
     if suffixes is not None and path.suffix.lower() not in suffixes:
@@ -35,7 +36,7 @@ def _unwritable(path, error):
     return PhysicsError(f"{path} cannot be written: {getattr(error, 'strerror', None) or error}", "name another file")
 
 
-def write_whole(path, data, new=False):
+def write_whole(path: Path | str, data: bytes, new: bool = False) -> None:
     """Write the bytes to a new file beside `path` and rename it: what was there is replaced at once, links are not
     followed. `new`: FileExistsError where anything is there."""
     path = Path(path)

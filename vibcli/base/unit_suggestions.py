@@ -1,9 +1,9 @@
-"""What is meant by a word that stands where a unit is due and is none: kgs, Nm, hours, t."""
+"""Units meant by words that stand where one is due and are none: kgs, Nm, hours, t."""
 
 from vibcli.base.units import UNITS
 
 
-def unit_meant(word):
+def unit_meant(word: str) -> str:
     """The unit, or product of units, that a word most likely stands for; None where it is like none."""
     from difflib import get_close_matches
 

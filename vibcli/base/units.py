@@ -1,31 +1,85 @@
 """Units: text such as `kN/m` to an exact factor and a dimension, and back. SI everywhere inside.
 
-A dimension is a dict of exponents of kg, m, s and of the still unknown dimensions of symbols (`?k`), zeros left out.
+A dimension is a dict of exponents of kg, m, s and of the still unknown dimensions of symbols (`?k`), zeros left out. No
+unit is a word of the language: `2 mm/s*t` keeps its time and `800 N/m*d` its deflection, so a tonne is not `t`.
 """
 
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import lru_cache
+from typing import Any
 
-from vibcli.base.errors import Diagnostic
-from vibcli.base.unit_table import (
-    AREA,
-    ENERGY,
-    FORCE,
-    LENGTH,
-    MASS,
-    NONE,
-    POWER,
-    PRESSURE,
-    RATE,
-    SPEED,
-    TIME,
-    UNITS,
-    Unit,
-    si,
-)
+NONE, LENGTH, MASS, TIME = {}, {"m": 1}, {"kg": 1}, {"s": 1}
 
 
-def times(a, b, power=1):
+def si(kg: int = 0, m: int = 0, s: int = 0) -> dict[str, int]:
+    """The dimension kg^kg·m^m·s^s."""
+    return {base: e for base, e in (("kg", kg), ("m", m), ("s", s)) if e}
+
+
+class Unit:
+    """value·πᵖ·Π bᵉ in SI, the last of `roots` (b, e) with fractional e; a dimension, and the powers in which it counts
+    cycles (1 of Hz) and radians (1 of rpm)."""
+
+    __slots__ = ("cycles", "dimension", "pi", "radians", "roots", "value")
+
+    def __init__(self, value: Any, dimension: Mapping[str, Fraction | int], pi: Fraction | int = 0, cycles: int = 0,
+                 radians: int = 0, roots: Any = ()):
+        self.value, self.dimension, self.pi = Fraction(value), dimension, pi
+        self.cycles, self.radians, self.roots = cycles, radians, roots
+
+    def in_si(self, number: Fraction | int) -> float:
+        """So many of this unit in SI, as a float."""
+        found = float(number * self.value) * 3.141592653589793**self.pi
+        for base, exponent in self.roots:
+            found *= float(base) ** float(exponent)
+        return found
+
+
+RATE, SPEED, AREA = si(s=-1), si(m=1, s=-1), si(m=2)
+FORCE, ENERGY, POWER, PRESSURE = si(1, 1, -2), si(1, 2, -2), si(1, 2, -3), si(1, -1, -2)
+_PREFIXES = {"n": "1e-9", "u": "1e-6", "µ": "1e-6", "m": "1e-3", "c": "1e-2", "d": "0.1", "da": "10", "k": "1e3",
+             "M": "1e6", "G": "1e9"}
+_POUND, _INCH, _GRAVITY = Fraction("0.45359237"), Fraction("0.0254"), Fraction("9.80665")     # exact by definition
+_POUND_FORCE, _FOOT, _MILE = _POUND * _GRAVITY, 12 * _INCH, 63360 * _INCH
+_HOUR = 3600
+
+
+def _prefixed(name, prefixes, dimension, value=1, **counts):
+    """{name: Unit} of a unit with each of some prefixes, and without."""
+    return {prefix + name: Unit(Fraction(_PREFIXES.get(prefix, 1)) * value, dimension, **counts)
+            for prefix in ("", *prefixes.split())}
+
+
+UNITS = {
+    "kg": Unit(1, MASS), "g": Unit("1e-3", MASS), "mg": Unit("1e-6", MASS), "Mg": Unit(1000, MASS),
+    "tonne": Unit(1000, MASS), "lb": Unit(_POUND, MASS), "lbm": Unit(_POUND, MASS), "oz": Unit(_POUND / 16, MASS),
+    "slug": Unit(_POUND_FORCE / _FOOT, MASS),
+    **_prefixed("m", "k d c m u µ n", LENGTH),
+    "in": Unit(_INCH, LENGTH), "ft": Unit(_FOOT, LENGTH), "yd": Unit(3 * _FOOT, LENGTH), "mi": Unit(_MILE, LENGTH),
+    **_prefixed("s", "m u µ n", TIME),
+    "min": Unit(60, TIME), "h": Unit(_HOUR, TIME), "day": Unit(24 * _HOUR, TIME),
+    "mph": Unit(_MILE / _HOUR, SPEED), "knot": Unit(Fraction(1852, _HOUR), SPEED),
+    **_prefixed("N", "u µ m da k M G", FORCE),
+    "dyn": Unit("1e-5", FORCE), "kgf": Unit(_GRAVITY, FORCE), "lbf": Unit(_POUND_FORCE, FORCE),
+    "kip": Unit(1000 * _POUND_FORCE, FORCE),
+    **_prefixed("J", "m k M", ENERGY),
+    "erg": Unit("1e-7", ENERGY), "Wh": Unit(_HOUR, ENERGY), "kWh": Unit(1000 * _HOUR, ENERGY),
+    **_prefixed("W", "m k M", POWER),
+    "hp": Unit(550 * _FOOT * _POUND_FORCE, POWER),
+    **_prefixed("Pa", "m k M G", PRESSURE),
+    "bar": Unit(10**5, PRESSURE), "mbar": Unit(100, PRESSURE), "atm": Unit(101325, PRESSURE),
+    "psi": Unit(_POUND_FORCE / _INCH**2, PRESSURE), "ksi": Unit(1000 * _POUND_FORCE / _INCH**2, PRESSURE),
+    "psf": Unit(_POUND_FORCE / _FOOT**2, PRESSURE),
+    "rad": Unit(1, NONE, radians=1), "mrad": Unit("1e-3", NONE, radians=1),
+    "deg": Unit(Fraction(1, 180), NONE, pi=1, radians=1), "°": Unit(Fraction(1, 180), NONE, pi=1, radians=1),
+    "rev": Unit(2, NONE, pi=1, radians=1), "%": Unit("0.01", NONE),
+    **_prefixed("Hz", "m k M G", RATE, cycles=1),
+    "rpm": Unit(Fraction(1, 30), RATE, pi=1, radians=1),
+}
+
+
+def times(a: Mapping[str, Fraction | int], b: Any, power: Fraction | int = 1) -> dict[str, Fraction | int]:
     """The dimension a·b^power."""
     found = dict(a)
     for base, exponent in b.items():
@@ -37,12 +91,12 @@ def times(a, b, power=1):
     return found
 
 
-def raised(a, power):
+def raised(a: Any, power: Any) -> dict[str, Fraction]:
     return {base: exponent * power for base, exponent in a.items()} if power else NONE
 
 
 @lru_cache(maxsize=256)
-def combine(chain):
+def combine(chain: Sequence[tuple[str, Fraction | int]]) -> Unit:
     """The unit of ((name, power), …), e.g. (("N", 1), ("m", -1))."""
     value, dimension, pi, cycles, radians, roots = Fraction(1), {}, 0, 0, 0, ()
     for name, power in chain:
@@ -65,7 +119,7 @@ _NAMED = (("N/m", si(1, 0, -2)), ("N·s/m", si(1, 0, -1)), ("N", FORCE), ("N·m"
 _SUPERSCRIPT = str.maketrans("0123456789-/", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᐟ")
 
 
-def text(dimension):
+def text(dimension: Any) -> str:
     """The SI unit of a dimension as it is printed: 'N/m', 'kg·m²', '' for a pure number."""
     for name, named in _NAMED:
         if dimension == named:
@@ -88,8 +142,8 @@ def _powered(base, exponent):
     return base if exponent == 1 else base + str(exponent).translate(_SUPERSCRIPT)
 
 
-def wanted(unit, dimension):
-    """What a field of this unit expects, in words for messages; `unit` None or unknown: by the dimension alone."""
+def wanted(unit: str | None, dimension: Mapping[str, int]) -> str:
+    """The words for what a field of this unit expects; `unit` None or unknown: by the dimension alone."""
     return _WANTED.get(unit) or name(dimension)
 
 
@@ -97,7 +151,7 @@ _WANTED = {"rad": "an angle (rad)", "J": "an energy (J)", "N*m": "a moment or to
            "Hz": "a frequency (Hz)", "1/s": "a rate (1/s)", "W": "a power (W)"}
 
 
-def name(dimension):
+def name(dimension: Mapping[str, Fraction | int]) -> str:
     """A dimension in words for messages: 'a stiffness (N/m)' reads better than its exponents."""
     if not dimension:
         return "a pure number"
@@ -121,10 +175,10 @@ class Dimensions:
     def __init__(self):
         self._solved = {}
 
-    def unknown(self, name):
+    def unknown(self, name: str) -> dict[str, int]:
         return {"?" + name: 1}
 
-    def resolve(self, dimension):
+    def resolve(self, dimension: Mapping[str, Fraction | int]):
         """`dimension` with every unknown that has been solved replaced."""
         while any(base in self._solved for base in dimension):
             found = {}
@@ -133,10 +187,10 @@ class Dimensions:
             dimension = found
         return dimension
 
-    def of(self, name):
+    def of(self, name: str) -> dict[str, Fraction | int]:
         return self.resolve(self.unknown(name))
 
-    def equate(self, a, b):
+    def equate(self, a: Mapping[str, Fraction | int], b: Mapping[str, Fraction | int]) -> bool:
         """Make a and b the same dimension by solving for an unknown; False if they cannot be."""
         ratio = self.resolve(times(a, b, -1))
         if not ratio:
@@ -151,7 +205,8 @@ class Dimensions:
         return True
 
 
-def parse_unit(text, where=None):
+@lru_cache(maxsize=256)
+def parse_unit(text: str) -> Unit:
     """The unit of a text such as 'kg*m^2' (for the declarations of fields); raises ValueError."""
     import re
 
@@ -160,6 +215,6 @@ def parse_unit(text, where=None):
         sign = -1 if sep == "/" else 1
         if word != "1":
             if word not in UNITS:
-                raise ValueError(Diagnostic(where, f"unknown unit '{word}'"))
+                raise ValueError(f"unknown unit '{word}'")
             chain.append((word, sign * int(power or 1)))
     return combine(tuple(chain))

@@ -3,6 +3,7 @@
 import json
 import sys
 import tempfile
+from typing import Any
 
 import click
 
@@ -16,7 +17,7 @@ from vibcli.bench.rows import HEAD, aligned
 @click.option("--only", type=click.Choice(["startup", "growth", "linkage", "files", "accuracy", "responses",
                                            "trajectories"]), multiple=True, help="Only these measurements.")
 @click.option("--sympy", "slow", is_flag=True, help="Also SymPy's LagrangesMethod on the pendulum; takes seconds.")
-def main(quick, as_json, only, slow):
+def main(quick: Any, as_json: bool, only: Any, slow: complex):
     """Processor time, memory, growth and accuracy of vibcli against baselines measured in the same run."""
     runs = 3 if quick else 11
     with tempfile.TemporaryDirectory() as folder:

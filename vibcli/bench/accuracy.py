@@ -7,6 +7,7 @@ The pendulum of n links has ω² = g/L times the roots of the Laguerre polynomia
 import json
 from statistics import median
 from time import process_time
+from typing import Any
 
 from vibcli.bench import scenes
 from vibcli.bench.processes import answer
@@ -18,7 +19,7 @@ DIGITS = 60
 CHAIN_GATE, PENDULUM_GATE = 1e-14, 1e-13
 
 
-def rows(runs):
+def rows(runs: Any):
     """Errors as rows: ours, with that of the best of the assembled methods as the baseline."""
     found = json.loads(answer("from vibcli.bench.accuracy import main; main()", runs))
     result = []
@@ -114,7 +115,7 @@ def _ours(text, exact, runs):
     for _ in range(min(runs, 5)):
         problem, middle, whole = solve(text)
         spent.append(whole - middle)
-    return [_error([mode.omega for mode in problem.modes], exact), 1e3 * median(spent)]
+    return [_error([mode.omega for mode in problem.modal.modes], exact), 1e3 * median(spent)]
 
 
 def _measured(solved, exact, runs):

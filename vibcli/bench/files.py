@@ -3,16 +3,21 @@
 import json
 import os
 import shutil
+from glob import glob
+from typing import TYPE_CHECKING, Any
 
 from vibcli.bench import scenes
 from vibcli.bench.processes import answer, costs, vibcli
 from vibcli.bench.rows import Timing
 
+if TYPE_CHECKING:
+    from pathlib import Path
+
 PROBLEMS = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), "problems")
 FILES = 200
 
 
-def rows(runs, folder):
+def rows(runs: Any, folder: "Path | str"):
     """Milliseconds a file, start-up shared out among them."""
     place = os.path.join(folder, "many")
     os.mkdir(place)
@@ -42,14 +47,15 @@ def _copy(original, place, number):
 
 def main():
     """Child process: print the problem files whose scenes have numbers and search for nothing."""
-    from vibcli.cli.check import _files
-    from vibcli.cli.common import load
+    from vibcli.api.source import file_source, problem_of
 
     def searches(spec):
         found = spec.get("find")
         return bool(spec.choices or (found and found.search) or any(a.asked.text == "equilibria" for a in spec.answers))
 
     def plain(problem):
-        return not problem.symbolic and not any(map(searches, (problem.spec, *problem.spec.cases.values())))
+        specs = (problem.spec, *problem.spec.cases.values())
+        return not problem.numeric.has_free_symbols and not any(map(searches, specs))
 
-    print(json.dumps([file for file in _files(PROBLEMS) if plain(load(file))]))
+    files = sorted(glob(os.path.join(PROBLEMS, "**", "*.yaml"), recursive=True))
+    print(json.dumps([file for file in files if plain(problem_of(file_source(file)))]))

@@ -8,6 +8,7 @@ import json
 from math import log
 from statistics import median
 from time import process_time
+from typing import Any
 
 from vibcli.bench import scenes
 from vibcli.bench.processes import answer
@@ -19,7 +20,7 @@ CUBIC = 3.0     # of dense linear algebra
 LONGEST = 6.0   # seconds of runs for one size
 
 
-def rows(runs):
+def rows(runs: Any):
     """The rows of all families."""
     found = []
     for family, (words, budgets) in FAMILIES.items():
@@ -46,18 +47,15 @@ def main():
     print(json.dumps(times))
 
 
-def solve(text):
+def solve(text: str):
     """The solved Problem of a scene's text, and the seconds to its element data and to its modes."""
-    from vibcli.language.document.document import read
-    from vibcli.reader.read import read_spec
-    from vibcli.results.problem import Problem
+    from vibcli.api.source import problem_of, text_source
 
     start = process_time()
-    node, diagnostics = read(text.encode(), "scene.yaml")
-    problem = Problem(read_spec(node, "scene.yaml", diagnostics))
-    _ = problem.elements
+    problem = problem_of(text_source(text))
+    _ = problem.configuration.linear_system
     middle = process_time() - start
-    _ = problem.modes
+    _ = problem.modal.modes
     return problem, middle, process_time() - start
 
 

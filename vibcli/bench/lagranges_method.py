@@ -1,6 +1,7 @@
 """The n-link pendulum by SymPy's LagrangesMethod and its linearisation, for comparison; it takes seconds to minutes."""
 
 import json
+from typing import Any
 
 from vibcli.bench.processes import answer
 from vibcli.bench.rows import Timing
@@ -8,7 +9,7 @@ from vibcli.bench.rows import Timing
 LINKS = (2, 5)
 
 
-def rows(runs):
+def rows(runs: Any):
     """Ours, from the text to the frequencies, against SymPy's forming and linearising alone."""
     found = []
     ours = json.loads(answer("from vibcli.bench.lagranges_method import ours; ours()"))

@@ -8,6 +8,7 @@ import json
 from math import log
 from statistics import median
 from time import process_time
+from typing import Any
 
 from vibcli.bench.processes import answer
 from vibcli.bench.rows import Timing
@@ -15,7 +16,7 @@ from vibcli.bench.rows import Timing
 BUDGETS = {4: None, 10: None, 20: 200.0, 40: None}
 
 
-def rows(runs):
+def rows(runs: Any):
     """Milliseconds for each number of bars, and the exponent of their growth."""
     times = json.loads(answer("from vibcli.bench.linkage import main; main()", runs))
     found = [Timing(f"deriving a linkage of {bars} bars", median(times[str(bars)]), "ms", budget, absolute=True)
@@ -35,18 +36,15 @@ def main():
 
 def _derivation(bars):
     """Processor seconds from the spec to the linearised expressions."""
-    from vibcli.language.document.document import read
-    from vibcli.reader.read import read_spec
-    from vibcli.results.problem import Problem
+    from vibcli.api.source import problem_of, text_source
 
-    node, diagnostics = read(tongs(bars // 2).encode(), "scene.yaml")
-    problem = Problem(read_spec(node, "scene.yaml", diagnostics))
+    problem = problem_of(text_source(tongs(bars // 2)))
     start = process_time()
-    _ = problem.form
+    _ = problem.system.linearisation
     return process_time() - start
 
 
-def tongs(cells):
+def tongs(cells: Any):
     """Lazy tongs: crossed bars a and b pinned at their middles c, their ends joined to those of the next cell; the
     first bar turns about its lower end, and the upper end of the other one runs along a wall."""
     bodies, points, constraints = [], [], ["guide: {point: high0, surface: wall}"]

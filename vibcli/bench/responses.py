@@ -9,6 +9,7 @@ import json
 import math
 from statistics import median
 from time import process_time
+from typing import Any
 
 from vibcli.bench.processes import answer
 from vibcli.bench.rows import Timing
@@ -19,7 +20,7 @@ GATE, ERROR = 15.0, 1e-12
 PIECES = 4000
 
 
-def rows(runs):
+def rows(runs: Any):
     """Run times as rows, the integrator's as the baseline, and errors."""
     found = json.loads(answer("from vibcli.bench.responses import main; main()", runs))
     result = []

@@ -1,12 +1,19 @@
 """One line of the table: what was measured, against what, and the budget that it has to keep."""
 
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
+
 
 class Timing:
     """`ours` and `against` in `unit`; the budget bounds their ratio, or `ours` alone where `absolute`."""
 
     __slots__ = ("absolute", "against", "baseline", "budget", "case", "ours", "unit")
 
-    def __init__(self, case, ours, unit, budget, baseline="", against=None, absolute=False):
+    def __init__(self, case: str | None, ours: "float | Node", unit: str, budget: Any, baseline: str = "",
+                 against: Any = None, absolute: bool = False):
         self.case, self.ours, self.unit, self.budget = case, ours, unit, budget
         self.baseline, self.against, self.absolute = baseline, against, absolute
 
@@ -42,7 +49,7 @@ def _short(value):
     return f"{value:.1e}" if 0 < abs(value) < 0.005 else f"{value:.3g}" if abs(value) < 100 else f"{value:.0f}"
 
 
-def aligned(lines):
+def aligned(lines: Iterable):
     """Lines of cells as text with columns of equal width."""
     widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
     return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)).rstrip()

@@ -1,5 +1,10 @@
 """The scenes that are measured, as texts."""
 
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
+
 BROKEN = """\
 title: A bracket that is never closed
 bodies:
@@ -31,7 +36,7 @@ bodies:
 """
 
 
-def pendulum(n):
+def pendulum(n: int):
     """n equal links, each hung on the one before; ω² = (g/L)·(the roots of the Laguerre polynomial of degree n)."""
     lines = ["parameters: {L: 1 m, m: 1 kg, g: 9.81 m/s^2}", "gravity: g", "bodies:"]
     for i in range(1, n + 1):
@@ -40,7 +45,7 @@ def pendulum(n):
     return "\n".join(lines) + "\n"
 
 
-def chain(n, stiffnesses=None, mass="1 kg"):
+def chain(n: int, stiffnesses: Any = None, mass: "str | Node" = "1 kg"):
     """n masses in a row, the first tied to the ground; equal springs unless `stiffnesses` (in N/m) says otherwise."""
     stiffnesses = stiffnesses or ["1000"] * n
     lines = ["bodies:"] + [f"  b{i}: {{mass: {mass}, slide: x{i}}}" for i in range(1, n + 1)] + ["springs:"]

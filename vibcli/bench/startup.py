@@ -1,15 +1,21 @@
-"""Cold starts: commands as whole processes against the imports that they cannot do without."""
+"""Cold starts: commands as whole processes against the imports that they cannot do without, and the import alone."""
 
 import os
+from statistics import median
+from typing import TYPE_CHECKING, Any
 
 from vibcli.bench import scenes
-from vibcli.bench.processes import costs, python, vibcli
+from vibcli.bench.processes import answer, costs, python, vibcli
 from vibcli.bench.rows import Timing
 
+if TYPE_CHECKING:
+    from pathlib import Path
+
 READ, NUMBERS, LETTERS = "import click, yaml", "import click, yaml, numpy", "import sympy"
+IMPORT = "from time import process_time\nstart = process_time()\nimport vibcli\nprint(process_time() - start)"
 
 
-def rows(runs, folder):
+def rows(runs: Any, folder: "Path | str"):
     """The rows of the start-up budgets."""
     broken, numeric, letters = (_written(folder, name, text) for name, text in (
         ("broken.yaml", scenes.BROKEN), ("numeric.yaml", scenes.TWO_DEGREES), ("letters.yaml", scenes.TWO_SYMBOLIC)))
@@ -24,6 +30,7 @@ def rows(runs, folder):
         return Timing(case, found[ours].time, "ms", budget, baseline, found[baseline].time)
 
     return [
+        Timing("import vibcli", 1e3 * median(float(answer(IMPORT)) for _ in range(runs)), "ms", 2, absolute=True),
         row("vibcli --help", "help", READ, 1.5),
         row("vibcli check, a file with a slip", "broken", READ, 1.5),
         row("vibcli frequencies, two degrees", "frequencies", NUMBERS, 1.5),

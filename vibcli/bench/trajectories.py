@@ -1,13 +1,14 @@
 """Motion in time: error against time of the full equations, beside LSODA and DOP853 on hand-written equations.
 
 The double pendulum of unit masses and lengths starts from 0.3 and 0.5 rad at rest; its state at 100 s is known from
-Taylor series of 26 digits (tests/motions.py). A pendulum of 1000 periods is compared with elliptic functions.
+Taylor series of 26 digits (tests/support/motions.py). A pendulum of 1000 periods is compared with elliptic functions.
 """
 
 import json
 from math import cos, sin
 from statistics import median
 from time import process_time
+from typing import Any
 
 from vibcli.bench.processes import answer
 from vibcli.bench.rows import Timing
@@ -30,7 +31,7 @@ ACCURACIES, TOLERANCES = (1e-11, 1e-12), (1e-12, 1e-13)
 ERROR_GATE, PHASE_GATE, DRIFT_GATE = 1e-9, 1e-8, 1e-12
 
 
-def rows(runs):
+def rows(runs: Any):
     """Errors and times as rows; LSODA at a similar time as the baseline."""
     found = json.loads(answer("from vibcli.bench.trajectories import main; main()", runs))
     result = []
@@ -56,7 +57,7 @@ def main():
     from vibcli.analyses.time_integration.integrate import simulate
 
     runs, start = min(int(sys.argv[1]), 5), [0.3, 0.5, 0.0, 0.0]
-    scene = _problem(DOUBLE)
+    scene = _problem(DOUBLE).configuration
 
     def ours(accuracy):
         q, v, _ = simulate(scene, 100.0, accuracy, {"p": 0.3, "r": 0.5}).at([100.0])
@@ -74,13 +75,10 @@ def main():
 
 
 def _problem(text):
-    from vibcli.language.document.document import read
-    from vibcli.reader.read import read_spec
-    from vibcli.results.problem import Problem
+    from vibcli.api.source import problem_of, text_source
 
-    node, diagnostics = read(text.encode(), "scene.yaml")
-    problem = Problem(read_spec(node, "scene.yaml", diagnostics))
-    _ = problem.scene, problem.drawn_floats
+    problem = problem_of(text_source(text))
+    _ = problem.scene, problem.numeric.drawn_floats
     return problem
 
 
@@ -112,7 +110,7 @@ def _thousand():
         omega, k = mpmath.sqrt(mpmath.mpf("9.81")), mpmath.sin(mpmath.mpf(1) / 2)
         time = float(4 * mpmath.ellipk(k * k) / omega * mpmath.mpf("999.63"))
         exact = float(2 * mpmath.asin(k * mpmath.ellipfun("cd", omega * time, m=k * k)))
-    scene = _problem(PENDULUM)
+    scene = _problem(PENDULUM).configuration
     start = process_time()
     found = simulate(scene, time, initial={"p": 1.0})
     spent = process_time() - start

@@ -1,78 +1,66 @@
 """Instances of a scene with values for its free symbols and for what it chooses: the same at every run."""
 
-from fractions import Fraction
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.results.random_states import random_instances
 
-DRAWS, CANDIDATES = 3, 40
-FAILURES = 8        # draws without a solution after which the search for what is chosen is given up
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+
+ENOUGH = 3
+FAILURES = 8        # instances without a solution after which the search for what is chosen is given up
 
 
-class Draws:
+class Instances:
     """Numeric Problems of a scene: itself, or with random values for its symbols for which the drawing fits together;
-    with values for what it chooses.
+    with values for what it chooses. Made when they are asked for and kept; `wanted` is how many of them a comparison
+    takes."""
 
-    Made when they are asked for and kept; `wanted` is how many of them a comparison takes.
-    """
-
-    def __init__(self, problem):
-        symbolic = bool(problem.letters)
-        self.wanted = DRAWS if symbolic else 1
-        self._known = [] if symbolic else [_settled(problem)]
+    def __init__(self, problem: "Problem"):
+        symbolic = bool(problem.symbolic.letters)
+        self.wanted = ENOUGH if symbolic else 1
+        self._known = [] if symbolic else [_with_choices(problem)]
         self._candidates = _candidates(problem) if symbolic else iter(())
 
-    def __iter__(self):
+    def __iter__(self) -> "Iterator[Problem]":
         yield from self._known
         for problem in self._candidates:
             self._known.append(problem)
             yield problem
 
 
-def drawn(problem):
-    """The problem with random values for its letters, whenever the drawing fits together."""
-    from vibcli.scene.build import sample_values
-
-    for attempt in range(CANDIDATES):
-        values = sample_values(problem.letters, attempt)
-        given = {name: Fraction(value).limit_denominator(1000) for name, value in values.items()}
-        candidate = problem.with_values(given)
-        try:
-            candidate.draw()
-        except (SpecError, PhysicsError):
-            continue
-        yield candidate
-
-
 def _candidates(problem):
     """Those for which what the scene chooses can be found; its refusal where that is so for none."""
     found, failed, refusal = 0, 0, None
-    for candidate in _for_choices(problem) or drawn(problem):
+    for candidate in _for_choices(problem) or random_instances(problem):
         try:
-            settled = _settled(candidate)
+            chosen = _with_choices(candidate)
         except (SpecError, PhysicsError) as error:
             refusal, failed = refusal or error, failed + 1
             if failed >= FAILURES and not found:
                 break
             continue
         found += 1
-        yield settled
+        yield chosen
     if not found and refusal is not None:
         raise refusal
 
 
 def _for_choices(problem):
-    """Draws at which the first solution in letters of what a scene chooses is the first one; None without such."""
+    """Instances at which the first solution in letters of what a scene chooses is the first one; None without such."""
     if not problem.spec.choices:
         return None
     from vibcli.inverse import settled
 
     try:
-        return settled(problem).chosen.draws
+        return settled(problem).choice.draws
     except PhysicsError:
         return None
 
 
-def _settled(problem):
+def _with_choices(problem):
     """The problem with values for what it chooses."""
     if not problem.spec.choices:
         return problem

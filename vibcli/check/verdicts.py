@@ -7,59 +7,61 @@ checked at several sets of random values of its symbols.
 
 import math
 import re
+from typing import TYPE_CHECKING, NamedTuple
 
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
-from vibcli.base.units import LENGTH
-from vibcli.check.instances import Draws
-from vibcli.language.signals import coordinate_name, signal_dimension
-from vibcli.mechanics.energies import dissipation, kinetic, potential
-from vibcli.mechanics.virtual_work import generalised_force_at_rest
+from vibcli.check.instances import Instances
 from vibcli.quantities.expression import lowered, measure, value_of
 from vibcli.quantities.matrices import coordinate_number
-from vibcli.results.random_states import at_states, reach, states
-from vibcli.symbolic.semantics import quantities_in, whole_literal
-from vibcli.symbolic.syntax import QuantityRef
+from vibcli.quantities.quantity import EQUATION, OF_STATE, TRUTH, declared, kind_of, quantity_of
+from vibcli.results.random_states import at_states, states
 
-EXACT, WIDEST, ROUNDING, EPSILON = 1e-9, 0.005, 1e-13, 2.0**-52
+if TYPE_CHECKING:
+    from vibcli.reader.sections.answer import Answer
+    from vibcli.results.problem import Problem
 
-
-class Verdict:
-    """One answer compared: expected and found (numbers or None), whether they agree, and a remark."""
-
-    __slots__ = ("agrees", "answer", "case", "expected", "found", "refusal", "remark")
-
-    def __init__(self, answer, agrees, expected=None, found=None, remark=None, case=None):
-        self.answer, self.agrees, self.expected, self.found = answer, agrees, expected, found
-        self.remark, self.case, self.refusal = remark, case, None
+EXACT, WIDEST, SMALL, ROUNDING, EPSILON = 1e-9, 0.005, 1e-12, 1e-13, 2.0**-52
 
 
-def check(problem):
+class Verdict(NamedTuple):
+    """One answer compared: expected and found (numbers or None), whether they agree, and a remark; the refusal of a
+    scene that has no such answer."""
+
+    answer: "Answer"
+    agrees: bool
+    expected: float | bool | None = None
+    found: float | bool | None = None
+    remark: str | None = None
+    case: str | None = None
+    refusal: PhysicsError | None = None
+
+
+def check(problem: "Problem") -> list[Verdict]:
     """The Verdicts of a problem and of its cases; SpecError where the geometry of one contradicts itself."""
     problem.draw()
     verdicts = []
     for case in (None, *problem.spec.cases):
         part = problem if case is None else problem.case(case)
-        draws = Draws(part)
-        verdicts += [_verdict(draws, answer, case) for answer in part.spec.answers]
+        instances = Instances(part)
+        verdicts += [_verdict(instances, answer, case) for answer in part.spec.answers]
     return verdicts
 
 
-def _verdict(draws, answer, case):
-    """Compare at every draw; of a scene with symbols, draws of a regime that has no such answer are passed over."""
+def _verdict(instances, answer, case):
+    """Compare at every instance; of a scene with symbols, those of a regime that has no such answer are passed over."""
     verdict, compared = None, 0
-    for draw in draws:
+    for instance in instances:
         try:
-            found = _compare(draw, answer)
+            found = _compare(instance, answer)
         except PhysicsError as error:
             if verdict is None:
-                verdict = Verdict(answer, False, remark="no such answer: " + error.message)
-                verdict.refusal = error.told(answer.asked.where)
+                verdict = Verdict(answer, False, remark="no such answer: " + error.message,
+                                  refusal=error.told(answer.asked.where))
             continue
         verdict, compared = found, compared + 1
-        if not verdict.agrees or compared == draws.wanted:
+        if not verdict.agrees or compared == instances.wanted:
             break
-    verdict.case = case
-    return verdict
+    return verdict._replace(case=case)
 
 
 def _worst(wanted, found, groups, rounding=0.0):
@@ -74,15 +76,13 @@ def _worst(wanted, found, groups, rounding=0.0):
 
 def _compare(problem, answer):
     tree = answer.asked.tree
-    head = tree.head if isinstance(tree, QuantityRef) else None
-    if head in ("equation", "motion"):
-        return _compare_equation(problem, answer, head)
-    if head in ("T", "V", "Phi", "Q"):
-        return _compare_energy(problem, answer, head)
-    if head == "stable":
-        stable = measure(problem, tree)[0]
-        wanted = answer.expected.text == "true"
-        return Verdict(answer, stable == wanted, wanted, stable)
+    kind = kind_of(problem.spec, tree)
+    head = None if kind is None else tree.head
+    if kind in OF_STATE:
+        return (_compare_equation if kind == EQUATION else _compare_function)(problem, answer, head)
+    if kind == TRUTH:
+        wanted, found = answer.expected.text == "true", measure(problem, tree)[0]
+        return Verdict(answer, found == wanted, wanted, found)
     found, error = value_of(problem, answer.asked)
     expected, _ = value_of(problem, answer.expected)
     doubt = error * abs(found)      # absolute: of a number near zero it may be any part of what is expected
@@ -114,7 +114,7 @@ def _tolerance(problem, answer, expected):
             raise SpecError([Diagnostic(answer.rtol.where, f"the tolerance is {rtol:.6g}, expected 0 to 1",
                                         "write for example rtol: 0.5 %")])
         return (rtol * abs(expected), 0) if expected else (rounding, 0)
-    literal = whole_literal(answer.expected.tree)
+    literal = answer.expected.parts.whole
     if literal is None:
         return rounding, 4
     written = re.match(r"\s*[-+]?\s*(\d*)\.?(\d*)(?:[eE]([-+]?\d+))?", answer.expected.text)
@@ -129,37 +129,10 @@ def _tolerance(problem, answer, expected):
 def _small(problem, answer):
     """What counts as zero: rounding beside the largest number of its kind."""
     tree = answer.asked.tree
-    head = tree.head if isinstance(tree, QuantityRef) else None
-    if head is not None and tree.args:
-        from vibcli.quantities.size import size_of
-
-        return EXACT * size_of(problem, tree)
-    if head in ("M", "C", "G", "K"):
-        matrices = dict(zip("MCGK", problem.elements.matrices(), strict=True))
-        return 1e-12 * max((abs(float(value)) for value in matrices[head].values()), default=0.0)
-    if head == "equilibrium":
-        return _small_signal(problem, tree.indices[0])
-    if head in ("mode", "zeta"):
-        return 1e-11
-    if head in ("omega", "frequency", "omega_d", "decay", "growth_rate"):
-        return 1e-12 * max((float(mode.omega or mode.growth_rate or 0.0) for mode in problem.modes), default=0.0)
-    size = problem.figure_size
-    if head in ("J", "centre"):
-        body = problem.scene.bodies[tree.indices[0]]
-        mass = problem.scene.number(body.mass) if head == "J" and body.mass is not None else 1.0
-        return 1e-12 * (mass * size * size if head == "J" else size)
-    return 1e-12 * max((float(abs(measure(problem, quantity)[0])) for quantity in quantities_in(tree)), default=0.0)
-
-
-def _small_signal(problem, text):
-    """What counts as zero of a coordinate, place, turn or force in equilibrium."""
-    name = coordinate_name(problem.spec, text)
-    if name is not None:
-        return 1e-12 * reach(problem, name)
-    dimension = signal_dimension(problem.spec, text)
-    if dimension in ({}, LENGTH):
-        return 1e-12 * (problem.figure_size or 1.0) if dimension else 1e-12
-    return 1e-11 * max((abs(reaction.value) for reaction in problem.reactions if reaction.value), default=0.0)
+    quantity = quantity_of(problem.spec, tree)
+    if quantity is not None and quantity.size is not None:
+        return (EXACT if tree.args else SMALL) * quantity.size(problem, tree)
+    return SMALL * max((float(abs(measure(problem, part)[0])) for part in answer.asked.parts.quantities), default=0.0)
 
 
 def _expected_node(problem, expression):
@@ -171,12 +144,13 @@ def _expected_node(problem, expression):
     return lowered(expression, scene.table, symbol)
 
 
-def _compare_energy(problem, answer, head):
-    scene = problem.scene
-    if head == "Q":
-        ours = generalised_force_at_rest(problem, coordinate_number(problem, answer.asked.tree.indices[0]))
-    else:
-        ours = {"T": kinetic, "V": potential, "Phi": dissipation}[head](scene)
+def _symbolic(problem, answer):
+    """The expression that is asked for."""
+    return declared(answer.asked.tree).symbolic(problem, answer.asked.tree)
+
+
+def _compare_function(problem, answer, head):
+    scene, ours = problem.scene, _symbolic(problem, answer)
     verdict = _at_states(problem, answer, head, ours)
     if not verdict.agrees and head in ("T", "V") and ours.mask & scene.time.mask:
         left = scene.terms_with(ours, ~scene.time.mask)     # Lagrange's equations do not need the others
@@ -208,14 +182,12 @@ def _compare_equation(problem, answer, head):
     expected = _expected_node(problem, answer.expected)
     at, groups = states(problem)
     if head == "equation":
-        at = {name: value - problem.drawn_floats.get(name, 0.0) for name, value in at.items()}
-        drive = problem.excitation.get(i, scene.table.zero) if scene.timed else scene.table.zero
+        at = {name: value - problem.numeric.drawn_floats.get(name, 0.0) for name, value in at.items()}
+        drive = problem.symbolic.excitation.get(i, scene.table.zero) if scene.timed else scene.table.zero
         wanted, load = at_states(problem, [expected, drive], at)
         found = _small_oscillation(problem, i, at) - load
     else:
-        from vibcli.mechanics.lagrange import equation_of
-
-        wanted, found = at_states(problem, [expected, equation_of(scene, i)], at)
+        wanted, found = at_states(problem, [expected, _symbolic(problem, answer)], at)
     factor = float(wanted @ found / (found @ found)) if found.any() else 0.0
     worst = _worst(wanted, factor * found, groups)
     agrees = factor != 0.0 and worst is None
@@ -225,7 +197,7 @@ def _compare_equation(problem, answer, head):
 
 def _small_oscillation(problem, i, at):
     """The left side of the linear equation of coordinate i at all states."""
-    M, C, G, K = problem.elements.matrices()
+    M, C, G, K = problem.configuration.linear_system.matrices()
     total = 0.0
     for j, name in enumerate(problem.scene.coordinates):
         total = total + (M.get((i, j), 0.0) * at[name + "''"] + K.get((i, j), 0.0) * at[name]
@@ -248,7 +220,7 @@ MISTAKES = (
 )
 
 
-def likely_mistake(head, expected, found):
+def likely_mistake(head: str, expected: float, found: float) -> str | None:
     """A known mistake that explains the ratio, else the ratio."""
     if not found or not expected:
         return None

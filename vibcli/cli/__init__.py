@@ -7,6 +7,7 @@ collected · 101 our own fault · 130 interrupted.
 import os
 import sys
 from importlib import import_module
+from typing import Any
 
 import click
 
@@ -31,17 +32,17 @@ COMMANDS = {
 class Commands(click.Group):
     """Commands by name, imported when they are called."""
 
-    def list_commands(self, context):
+    def list_commands(self, context: click.Context):
         return list(COMMANDS)
 
-    def get_command(self, context, name):
+    def get_command(self, context: click.Context, name: str) -> click.Command:
         if name not in COMMANDS:
             return None
         return import_module(f"vibcli.cli.{name}").command
 
-    def resolve_command(self, context, args):
+    def resolve_command(self, context: click.Context, args: list[str]) -> tuple[str, click.Command, list[str]]:
         if args and args[0] not in COMMANDS and not args[0].startswith("-"):
-            from vibcli.language.fields import nearest
+            from vibcli.base.spelling import nearest
 
             hint = nearest(args[0], COMMANDS)
             if os.path.exists(args[0]):
@@ -49,7 +50,7 @@ class Commands(click.Group):
             raise click.UsageError(f"there is no command '{args[0]}'; {hint}")
         return super().resolve_command(context, args)
 
-    def format_commands(self, context, formatter):
+    def format_commands(self, context: click.Context, formatter: Any):
         with formatter.section("Commands"):
             formatter.write_dl(list(COMMANDS.items()))
 
@@ -57,16 +58,16 @@ class Commands(click.Group):
 @click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"]},
              epilog="A scene to start from: vibcli new > scene.yaml; vibcli solve scene.yaml")
 @click.version_option(__version__, prog_name="vibcli")
-def group():
+def group() -> None:
     """Mechanical vibration problems: from a scene in YAML to its equations, frequencies and motions."""
 
 
-def main(args=None):
+def main(args: list[str] | None = None):
     """Run the command line and leave with its exit code."""
     sys.exit(run(args))
 
 
-def run(args=None):
+def run(args: list[str] | None = None) -> int:
     """Run the command line; returns the exit code."""
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):

@@ -1,5 +1,8 @@
 """`vibcli animate FILE`: a mode, or the motion in time, moving."""
 
+from collections.abc import Sequence
+from typing import Any
+
 import click
 
 from vibcli.cli.common import load
@@ -14,7 +17,8 @@ SUFFIXES = (".gif", ".html")
               help="Which mode, by ascending frequency (1 unless given).")
 @click.option("--response", is_flag=True, help="The motion in time instead of a mode.")
 @click.option("--until", metavar="TIME", help="With --response: its end, as 2 (seconds) or '500 ms'.")
-def command(file, settings, case, output, force, patience, index, response, until):
+def command(file: str, settings: Sequence[Any], case: Any, output: str | None, force: bool, patience: int,
+            index: int | None, response: bool, until: str | None) -> None:
     """A mode shape or the motion in time, moving: a gif, or an html page with play, pause and a slider."""
     if response and index is not None:
         raise click.UsageError("--response and --mode exclude each other")
@@ -23,13 +27,10 @@ def command(file, settings, case, output, force, patience, index, response, unti
     problem = one(load(file, settings, patience), case)
     path = target(file, output, SUFFIXES, force, case, "response" if response else f"mode{index or 1}")
     if until is not None:
-        from vibcli.cli.response import set_end
+        from vibcli.cli.response import ending
 
-        set_end([(None, problem)], until)
-    from vibcli.api.source import settled
-    from vibcli.drawing.animation import data, of_mode, of_response
+        (_, problem), = ending([(None, problem)], until)
+    from vibcli.api.pictures import animated
 
     title = problem.spec.get("title") or path.stem
-    problem = settled(problem)
-    frames = of_response(problem) if response else of_mode(problem, index or 1)
-    write(path, data(*frames, title=title, kind=path.suffix[1:].lower()), force)
+    write(path, animated(problem, None if response else index or 1, title, path.suffix[1:].lower()), force)

@@ -1,7 +1,8 @@
 """`vibcli check PATH…`: the answers in problem files against the results."""
 
-import json
 import os
+from collections.abc import Sequence
+from typing import Any
 
 import click
 
@@ -20,7 +21,7 @@ GRAVEST = (3, 4, 1, 0)
 @click.option("--quiet", "-q", is_flag=True, help="Print only what differs.")
 @patience_option
 @color_option
-def command(paths, settings, as_json, quiet, patience):
+def command(paths: Sequence[str], settings: Sequence[Any], as_json: bool, quiet: bool, patience: int) -> int:
     """Compare the answers in scene files (and in folders of them) with the results.
 
     Exit code: 0 all agree, 1 an answer differs, 3 a file is invalid, 4 a scene cannot be solved (of several the
@@ -41,6 +42,8 @@ def command(paths, settings, as_json, quiet, patience):
         else:
             _print(file, verdicts, quiet, code in (3, 4))
     if as_json:
+        import json
+
         click.echo(json.dumps(data, ensure_ascii=False, allow_nan=False, indent=1))
     else:
         click.echo(_summary(counts))

@@ -2,22 +2,25 @@
 
 import os
 import sys
+from collections.abc import Callable, Sequence
 from functools import reduce
 from math import ceil
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from vibcli.api.source import file_source, problem_of
-from vibcli.base.errors import SpecError
-from vibcli.base.work import Work
+from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
 
 MOST = 600      # steps of a million products, for --digits
 _sources = {}
 
 
-def scene_options(function):
+def scene_options(function: Any) -> Callable:
     """Options of every command that reads one scene."""
-    options = [
+    options: list[Callable] = [
         click.argument("file", type=click.Path(), shell_complete=None),
         click.option("--set", "settings", multiple=True, metavar="NAME=VALUE",
                      help="Give a parameter another value, in every case: k=500 in the file's unit, or 'k=0.5 N/mm'."),
@@ -30,19 +33,19 @@ def scene_options(function):
     return reduce(lambda f, option: option(f), reversed(options), function)
 
 
-def patience_option(function):
+def patience_option(function: Callable) -> Callable:
     return click.option("--patience", type=click.IntRange(1, 1_000_000), default=1, metavar="N",
                         help="Let long work take N times as many steps before it is given up.")(function)
 
 
-def color_option(function):
+def color_option(function: Callable) -> Callable:
     option = click.option("--color", type=click.Choice(["auto", "always", "never"]), default="auto",
                           callback=_set_color, expose_value=False,
                           help="Colour in the output (NO_COLOR and FORCE_COLOR are honoured).")
     return option(function)
 
 
-def number_options(function):
+def number_options(function: Callable) -> Callable:
     """Options of the commands that print frequencies."""
     digits = click.option("--digits", type=click.IntRange(1, 1000), metavar="N",
                           help="Recompute with N correct digits in arbitrary precision.")
@@ -63,9 +66,13 @@ def _set_color(context, parameter, value):
     context.color = wanted
 
 
-def load(file, settings=(), patience=1):
+def load(file: Any, settings: Sequence[str] = (), patience: int = 1) -> "Problem":
     """The Problem of a file, with its reading timed; SpecError or a usage error where it cannot be read. patience:
     the factor of what its long work may take."""
+    from vibcli.api.source import file_source, problem_of
+    from vibcli.base.work import Work
+    from vibcli.cli.progress import teller
+
     try:
         source = file_source(file)
     except FileNotFoundError:
@@ -74,8 +81,6 @@ def load(file, settings=(), patience=1):
     _sources[source.file] = source.lines
     if source.node is None:
         raise SpecError(source.diagnostics)
-    from vibcli.cli.progress import teller
-
     return problem_of(source, _settings(settings, source.node), Work(patience, teller()))
 
 
@@ -108,7 +113,7 @@ def _settings(settings, node):
     return found
 
 
-def chosen(problem, case):
+def chosen(problem: "Problem", case: str | None) -> "list[tuple[str | None, Problem]]":
     """[(case name or None, Problem)] that a command is to treat: one case, or the scene and all its cases."""
     if case is None:
         return [(None, problem)] + [(name, problem.case(name)) for name in problem.spec.cases]
@@ -120,7 +125,7 @@ def chosen(problem, case):
         raise click.UsageError(str(error)) from None
 
 
-def show_diagnostics(diagnostics):
+def show_diagnostics(diagnostics: Sequence[Diagnostic]) -> None:
     """Diagnostics on stderr, each with its line and a caret."""
     from vibcli.base.diagnostics import render
 
@@ -135,13 +140,13 @@ def show_diagnostics(diagnostics):
 def _lines(where):
     """The lines of the file of a place: of a scene, or of a record beside it."""
     if where.file not in _sources and where.width:
-        from vibcli.language.data_columns import shown_lines
+        from vibcli.api.source import shown_lines
 
         return shown_lines(where.file)
     return _sources.get(where.file, ())
 
 
-def show_refusal(error, file=None):
+def show_refusal(error: PhysicsError, file: str | None = None) -> None:
     """A physical refusal on stderr."""
     from vibcli.base.errors import Diagnostic, Where
 
@@ -159,27 +164,21 @@ def _color(stream):
     return bool(os.environ.get("FORCE_COLOR")) or stream.isatty()
 
 
-def show_timings(problems):
+def show_timings(problems: "Sequence[tuple[str | None, Problem]]"):
     """What each stage cost, on stderr."""
-    from vibcli.results.problem import STAGES
+    from vibcli.api.source import stage_costs
 
     for name, problem in problems:
-        click.echo("stage          ms" + (f"   (case {name})" if name else ""), err=True)
-        for stage in ("read", "spec", *STAGES):
-            cost = problem.costs.get(stage)
-            if cost is not None or stage not in ("read", "spec"):
-                click.echo(f"{stage:<12} {'skipped' if cost is None else f'{1e3 * cost:7.2f}'}", err=True)
+        click.echo("stage            ms" + (f"   (case {name})" if name else ""), err=True)
+        for stage, cost in stage_costs(problem).items():
+            click.echo(f"{stage:<14} {'skipped' if cost is None else f'{1e3 * cost:7.2f}'}", err=True)
 
 
-def require_quick(problem, digits):
+def require_quick(problem: "Problem", digits: int | None) -> None:
     """Refuse --digits where it would take long, by an estimate of the steps."""
     if digits is None:
         return
-    from vibcli.numerics.precision import estimated_steps
-
-    spec = problem.spec
-    damped = any(section in spec.sections for section in ("dampers", "energies", "matrices"))
-    steps, limit = estimated_steps(len(spec.coordinates), digits, damped), MOST * problem.work.patience
+    steps, limit = problem.modal.steps_to_digits(digits), MOST * problem.work.patience
     if steps > limit:
         raise click.UsageError(f"--digits {digits} for {len(problem.scene.coordinates)} coordinates would take about "
                                f"{steps:.0f} steps of a million products each; the limit is {limit}: ask for fewer "

@@ -1,5 +1,8 @@
 """`vibcli draw FILE`: the scene as a figure."""
 
+from collections.abc import Sequence
+from typing import Any
+
 import click
 
 from vibcli.cli.common import load
@@ -13,7 +16,8 @@ SUFFIXES = (".png", ".svg", ".pdf")
 @click.option("--mode", "index", type=click.IntRange(1), metavar="I",
               help="The shape of mode I over the scene at rest.")
 @click.option("--both", is_flag=True, help="With --mode: displaced the other way as well, dashed.")
-def command(file, settings, case, output, force, patience, index, both):
+def command(file: str, settings: Sequence[Any], case: str | None, output: str | None, force: bool, patience: int,
+            index: int | None, both: bool) -> None:
     """The scene as a textbook figure, or a mode shape on it: png, svg or pdf by the suffix of the file."""
     if both and index is None:
         raise click.UsageError("--both belongs to --mode")

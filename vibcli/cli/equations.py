@@ -1,5 +1,8 @@
 """`vibcli equations FILE`: energies and equations of motion."""
 
+from collections.abc import Sequence
+from typing import Any
+
 import click
 
 from vibcli.cli.common import chosen, load, scene_options
@@ -10,7 +13,8 @@ from vibcli.cli.reports import output_of, report_options
 @click.command("equations")
 @scene_options
 @report_options
-def command(file, settings, case, as_json, patience, timings, **report):
+def command(file: str, settings: Sequence[Any], case: Any, as_json: bool, patience: int, timings: bool,
+            **report: Any) -> int:
     """Energies and equations of motion, full and for small oscillations."""
     output = output_of(file, as_json, **report)
     problems = chosen(load(file, settings, patience), case)

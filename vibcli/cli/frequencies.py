@@ -1,12 +1,15 @@
 """`vibcli frequencies FILE`: equilibrium, frequencies, damping, modes."""
 
+from collections.abc import Sequence
+from typing import Any
+
 import click
 
 from vibcli.cli.common import chosen, load, number_options, scene_options
 from vibcli.cli.output import print_scenes
 from vibcli.cli.pictures import FILE
 from vibcli.cli.reports import output_of, report_options
-from vibcli.cli.sampled import cases_to_show, plot_width, refuse_targets, save_to
+from vibcli.cli.sampled import cases_to_show, refuse_targets, show_curves
 
 PICTURES = (".png", ".svg", ".pdf")
 
@@ -18,7 +21,8 @@ PICTURES = (".png", ".svg", ".pdf")
 @click.option("--plot", is_flag=True, help="Plot the eigenvalues in the complex plane, in the terminal.")
 @click.option("--save", "saves", multiple=True, metavar="FILE", type=FILE,
               help="Write that picture (.png, .svg, .pdf).")
-def command(file, settings, case, as_json, patience, timings, digits, normalise, plot, saves, **report):
+def command(file: str, settings: Sequence[str], case: Any, as_json: bool, patience: int, timings: bool,
+            digits: int | None, normalise: str, plot: bool, saves: Sequence[str], **report: Any) -> int:
     """Equilibrium, natural frequencies, damping and mode shapes."""
     refuse_targets(saves, report["force"], PICTURES)
     if plot and as_json:
@@ -37,9 +41,4 @@ def _shown(problem, plot, saves, force):
     from vibcli.report.sections.sampled_series import eigenvalue_figure
 
     figure = eigenvalue_figure(problem)
-    if plot:
-        from vibcli.plots.braille import braille
-
-        click.echo("\n" + braille(figure, width=plot_width()))
-    for path in saves:
-        save_to(path, force, problem.spec.get("title") or "", lambda: figure, None)
+    show_curves(plot, saves, force, problem.spec.get("title") or "", lambda: figure)

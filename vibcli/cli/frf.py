@@ -1,20 +1,14 @@
 """`vibcli frf FILE`: frequency responses."""
 
+from collections.abc import Sequence
+from typing import Any
+
 import click
 
 from vibcli.cli.common import chosen, load, scene_options
 from vibcli.cli.output import print_scenes
 from vibcli.cli.reports import output_of, report_options
-from vibcli.cli.sampled import (
-    asked,
-    cases_to_show,
-    curve_options,
-    plot_width,
-    refuse_targets,
-    require_curves,
-    save_to,
-    size,
-)
+from vibcli.cli.sampled import asked, cases_to_show, curve_options, refuse_targets, require_curves, show_curves, size
 
 
 @click.command("frf")
@@ -29,8 +23,9 @@ from vibcli.cli.sampled import (
 @click.option("--up-to", "high", metavar="FREQUENCY", help="Where they end.")
 @click.option("--nyquist", is_flag=True, help="Plot the response in the complex plane.")
 @curve_options
-def command(file, settings, case, as_json, patience, timings, signals, driver, low, high, nyquist, plot, saves,
-            **report):
+def command(file: str, settings: Sequence[Any], case: Any, as_json: bool, patience: int, timings: bool, signals: Any,
+            driver: Any, low: str | None, high: str | None, nyquist: bool, plot: bool, saves: Sequence[str],
+            **report: Any) -> int:
     """Frequency responses: amplitude and phase lag, peaks, antiresonances, half-power points; plotted, or saved.
 
     Each is that of a signal to one unit of an input: vibcli explain frf.
@@ -41,7 +36,7 @@ def command(file, settings, case, as_json, patience, timings, signals, driver, l
     require_curves(plot, saves, as_json, {"--nyquist": nyquist, "--from": low, "--up-to": high})
     output = output_of(file, as_json, **report)
     problems = cases_to_show(chosen(load(file, settings, patience), case), saves)
-    ends = [text and size(text, option, "rad/s", "a frequency, as in 10 or '2 Hz'")
+    ends: list = [text and size(text, option, "rad/s", "a frequency, as in 10 or '2 Hz'")
             for text, option in ((low, "--from"), (high, "--up-to"))]
     if None not in ends and not ends[0] < ends[1]:
         raise click.UsageError(f"--from {low} is not below --up-to {high}")
@@ -57,10 +52,5 @@ def _shown(problem, wanted, nyquist, plot, saves, force):
     from vibcli.report.sections.sampled_series import frequency_columns, frequency_figure, sampled_curves
 
     curves = sampled_curves(problem, wanted)
-    if plot:
-        from vibcli.plots.braille import braille
-
-        click.echo("\n" + braille(frequency_figure(problem, curves, nyquist), width=plot_width()))
-    for path in saves:
-        save_to(path, force, problem.spec.get("title") or "", lambda: frequency_figure(problem, curves, nyquist),
-                lambda: frequency_columns(curves))
+    show_curves(plot, saves, force, problem.spec.get("title") or "",
+                lambda: frequency_figure(problem, curves, nyquist), lambda: frequency_columns(curves))

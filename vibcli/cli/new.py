@@ -20,7 +20,7 @@ def _complete(context, parameter, incomplete):
 @click.argument("template", default=DEFAULT, shell_complete=_complete)
 @click.option("-o", "--output", metavar="FILE", type=FILE, help="Write the scene to a new file.")
 @click.option("--list", "listing", is_flag=True, help="What there is to start from.")
-def command(template, output, listing):
+def command(template: str, output: str | None, listing: bool) -> None:
     """A commented scene to start from: a TEMPLATE (mass_spring if none is named) or an example of the manual.
 
     `vibcli new pendulum -o pendulum.yaml` writes it to a file, which must not exist yet.
@@ -32,7 +32,7 @@ def command(template, output, listing):
         return
     name = template.removesuffix(".yaml")
     if scenes.path(name) is None:
-        from vibcli.language.fields import near
+        from vibcli.base.spelling import near
 
         found = near(name, [*scenes.names("templates"), *scenes.names("examples")])
         hint = f"did you mean '{found}'?" if found else "templates: " + ", ".join(scenes.names("templates"))

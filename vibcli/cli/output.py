@@ -1,6 +1,7 @@
 """Printing the results of one file: as a report in some format, or as one JSON document."""
 
-import json
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -13,11 +14,16 @@ from vibcli.report.blocks import Document, Refusal
 from vibcli.report.document import title_of
 from vibcli.report.formats.text import render
 
+if TYPE_CHECKING:
+    from vibcli.report.wanted import Wanted
+    from vibcli.results.problem import Problem
+
 FLOAT_DIGITS = 12
 
 
-def print_scenes(problems, sections, output, timings, digits=None, normalise="first", data=(), question=False,
-                 wanted=None, curves=None):
+def print_scenes(problems: "Sequence[tuple[str | None, Problem]]", sections: Callable, output: Any, timings: bool,
+                 digits: int | None = None, normalise: str = "first", data: Sequence[str] = (), question: Any = False,
+                 wanted: "Wanted | None" = None, curves: Callable | None = None) -> int:
     """Print the scene and its cases, or write them; `sections(problem)` names the sections of the report, `data` the
     parts of the JSON; `curves(problem)` plots and saves what belongs to each.
 
@@ -25,7 +31,8 @@ def print_scenes(problems, sections, output, timings, digits=None, normalise="fi
     """
     for _, problem in problems:
         require_quick(problem, digits)
-    found, solved, refused = {}, [], False
+    found: dict = {}
+    solved, refused = [], False
     for case, problem in problems:
         try:
             if problem.spec.choices:
@@ -65,7 +72,7 @@ def _told_unknown(problem, case, data, wanted):
     """Is a part of the motion not known? Then it is said on stderr too."""
     if not (data.get("response") or {}).get("unknown"):
         return False
-    from vibcli.report.sections.response_data import unknown
+    from vibcli.report.sections.response import unknown
     from vibcli.report.wanted import Wanted
 
     show_refusal(unknown(problem, wanted or Wanted()), problem.spec.file + (f", case {case}" if case else ""))
@@ -91,13 +98,15 @@ def _refused(document, spec, case, error):
 def _settled(problem, thorough, digits):
     """The problem with what it chooses, known in closed form where more digits are asked for."""
     found = settled(problem, thorough)
-    if digits is not None and digits > FLOAT_DIGITS and not found.chosen.exact:
+    if digits is not None and digits > FLOAT_DIGITS and not found.choice.exact:
         raise PhysicsError(f"--digits {digits} needs a closed form of what is chosen, and none was found",
                            f"ask for at most {FLOAT_DIGITS} digits")
     return found
 
 
 def _print_json(found, output):
+    import json
+
     first, *cases = found
     if cases:
         found[first]["cases"] = {case: found[case] for case in cases}

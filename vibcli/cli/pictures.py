@@ -1,13 +1,18 @@
 """What the commands that write a picture share: options, the name of the file, what is said of it."""
 
 import re
+from collections.abc import Callable, Sequence
 from functools import reduce
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from vibcli.base.errors import PhysicsError
 from vibcli.cli.common import chosen, color_option, patience_option
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
 
 LONGEST = 80
 
@@ -15,7 +20,7 @@ LONGEST = 80
 class File(click.Path):
     """The name of a file to write."""
 
-    def convert(self, value, parameter, context):
+    def convert(self, value: Any, parameter: Any, context: Any):
         if not str(value).strip():
             self.fail("a file has a name, and this is empty", parameter, context)
         return super().convert(value, parameter, context)
@@ -24,7 +29,7 @@ class File(click.Path):
 FILE = File()
 
 
-def picture_options(suffixes):
+def picture_options(suffixes: Sequence[str]) -> Callable:
     """Options of a command that writes a picture of one scene."""
     options = [
         click.argument("file", type=click.Path(), shell_complete=None),
@@ -40,19 +45,20 @@ def picture_options(suffixes):
     return lambda function: reduce(lambda f, option: option(f), reversed(options), function)
 
 
-def one(problem, case):
+def one(problem: "Problem", case: str | None) -> "Problem":
     """The scene, or its case if one is named."""
     return chosen(problem, case)[0][1]
 
 
-def target(file, output, suffixes, force, *parts):
+def target(file: str | None, output: Path | str | None, suffixes: Sequence[str], force: bool,
+           *parts: str | None) -> Path:
     """The Path to write to, before anything is computed; a usage error where that cannot be."""
     path = Path(output) if output else Path(slug(Path(file).stem, *parts) + suffixes[0])
     refuse(path, suffixes, force)
     return path
 
 
-def refuse(path, suffixes, force):
+def refuse(path: Path, suffixes: Sequence[str] | None, force: bool) -> None:
     """A usage error where a file cannot be written, or is there already."""
     from vibcli.base.output_files import refuse_unwritable
 
@@ -64,17 +70,17 @@ def refuse(path, suffixes, force):
         raise exists(path)
 
 
-def exists(path):
+def exists(path: Path | str) -> click.UsageError:
     return click.UsageError(f"'{path}' exists already and is left as it is: name another file, or --force")
 
 
-def slug(*parts):
+def slug(*parts: str | None) -> str:
     """A plain name for a file: letters, digits, - and _."""
     text = "-".join(re.sub(r"[^A-Za-z0-9_]+", "-", part).strip("-") for part in parts if part)
     return text[:LONGEST].strip("-") or "scene"
 
 
-def write(path, data, force):
+def write(path: Path | str, data: bytes, force: bool) -> None:
     """Write a file, and say so."""
     if force:
         from vibcli.base.output_files import write_whole
@@ -85,7 +91,7 @@ def write(path, data, force):
     click.echo(f"wrote {path}", err=True)
 
 
-def write_new(path, data):
+def write_new(path: Path | str, data: bytes) -> None:
     """Write a file that is not there; a usage error where somebody else was faster."""
     from vibcli.base.output_files import write_whole
 

@@ -20,7 +20,7 @@ class Progress:
     def __init__(self):
         self.started, self.told, self.shown = None, 0.0, False
 
-    def __call__(self, what, part, known):
+    def __call__(self, what: str | None, part: float, known: bool) -> None:
         now = monotonic()
         if what is None:
             self.started = None
@@ -38,7 +38,7 @@ class Progress:
         self.shown = bool(text)
 
 
-def words(what, part, known, spent):
+def words(what: str, part: float, known: bool, spent: float) -> str:
     """How far the work is: `part` of all of it, or, where that is not `known`, of what it may take at most."""
     if part < LEAST:
         return f"{what}: {spent:.0f} s"
@@ -47,6 +47,6 @@ def words(what, part, known, spent):
     return f"{what}: {at_most and 'up to '}{100 * part:.3g} % done, {at_most}{duration(left)} left"
 
 
-def duration(seconds):
+def duration(seconds: float) -> str:
     return f"{seconds:.0f} s" if seconds < 100 else f"{seconds / 60:.0f} min" if seconds < 6000 else (
         f"{seconds / 3600:.0f} h")

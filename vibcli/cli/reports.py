@@ -1,15 +1,19 @@
 """Reports as files and in other formats: their options, and writing documents and the pictures beside them."""
 
+from collections.abc import Callable, Sequence
 from functools import reduce
 from importlib import import_module
 from pathlib import Path
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
 from vibcli.base.enumeration import listed
 from vibcli.cli.pictures import FILE
 from vibcli.report.formats import FORMATS, WITHIN
+
+if TYPE_CHECKING:
+    from vibcli.report.blocks import Document
 
 SUFFIXES = {name: suffixes for name, (suffixes, _, _) in FORMATS.items()} | {"json": (".json",)}
 ILLUSTRATED = {name: where for name, (_, where, _) in FORMATS.items() if where}
@@ -24,7 +28,7 @@ class Output(NamedTuple):
     force: bool = False
 
 
-def report_options(function):
+def report_options(function: Callable) -> Callable:
     """Options of the commands that print a report."""
     options = [
         click.option("--format", "kind", type=click.Choice(list(FORMATS)),
@@ -37,7 +41,7 @@ def report_options(function):
     return reduce(lambda f, option: option(f), reversed(options), function)
 
 
-def output_of(file, as_json, kind, output, force, pictures):
+def output_of(file: str, as_json: bool, kind: Any, output: Any, force: bool, pictures: bool) -> Output:
     """The Output that the options ask for, before anything is computed; a usage error where that cannot be."""
     if as_json and kind:
         raise click.UsageError("--json does not go with --format")
@@ -61,7 +65,7 @@ def _by_suffix(output):
     return next((kind for kind, suffixes in SUFFIXES.items() if suffix in suffixes), "text")
 
 
-def write_text(text, output):
+def write_text(text: str, output: Output) -> None:
     """Print a report, or write its file."""
     if output.path is None:
         click.echo(text)
@@ -71,7 +75,7 @@ def write_text(text, output):
     write(output.path, (text + "\n").encode("utf-8", "replace"), output.force)
 
 
-def write_documents(documents, output):
+def write_documents(documents: "Sequence[Document]", output: Output) -> None:
     """Render documents and write them, the pictures first."""
     placed = []
 

@@ -1,20 +1,17 @@
 """`vibcli response FILE`: the motion in time."""
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
 import click
 
 from vibcli.cli.common import chosen, load, scene_options
 from vibcli.cli.output import print_scenes
 from vibcli.cli.reports import output_of, report_options
-from vibcli.cli.sampled import (
-    asked,
-    cases_to_show,
-    curve_options,
-    plot_width,
-    refuse_targets,
-    require_curves,
-    save_to,
-    size,
-)
+from vibcli.cli.sampled import asked, cases_to_show, curve_options, refuse_targets, require_curves, show_curves, size
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
 
 INSTANT = "a time, as in 2.5 or '40 ms'"
 
@@ -37,8 +34,9 @@ INSTANT = "a time, as in 2.5 or '40 ms'"
 @click.option("--steady", is_flag=True, help="Plot or save the steady part as well.")
 @click.option("--transient", is_flag=True, help="Plot or save the transient part as well.")
 @curve_options
-def command(file, settings, case, as_json, patience, timings, signals, until, instants, digits, points, phase, steady,
-            transient, plot, saves, **report):
+def command(file: str, settings: Sequence[Any], case: Any, as_json: bool, patience: int, timings: bool,
+            signals: Sequence[str], until: str | None, instants: Sequence[str], digits: int | None, points: int,
+            phase: str, steady: bool, transient: bool, plot: bool, saves: Sequence[str], **report: bool | None) -> int:
     """The motion in time, free or forced: its formula, steady state and extremes; plotted, or saved as numbers.
 
     It starts as `initial` in the file says, else at rest: vibcli explain response.
@@ -55,27 +53,26 @@ def command(file, settings, case, as_json, patience, timings, signals, until, in
     if digits and not instants:
         raise click.UsageError("--digits belongs to --at")
     if until is not None:
-        set_end(problems, until)
+        problems = ending(problems, until)
     for _, problem in problems:
         refuse_parts(problem, parts)
     return print_scenes(problems, lambda problem: ("chosen", "response"), output, timings, data=("response",),
                         wanted=wanted, curves=lambda problem: _shown(problem, wanted, plot, saves, report["force"]))
 
 
-def refuse_parts(problem, parts):
+def refuse_parts(problem: "Problem", parts: Sequence[str]) -> None:
     """PhysicsError, before anything is integrated, where a motion has no such parts."""
     from vibcli.base.errors import PhysicsError
-    from vibcli.results.full_signals import FullSignal
 
     if parts and problem.spec.get("motion") == "full":
-        raise PhysicsError(f"{FullSignal.KIND} has no {parts[0]} part that is found", f"leave --{parts[0]} out")
+        raise PhysicsError(f"a motion that is integrated has no {parts[0]} part that is found",
+                           f"leave --{parts[0]} out")
 
 
-def set_end(problems, text):
-    """Let the motions end as given; a usage error where that is no time."""
+def ending(problems: "Sequence[tuple[Any, Problem]]", text: str) -> "list[tuple[Any, Problem]]":
+    """The same with motions that end as given; a usage error where that is no time."""
     end = size(text, "--until", "s", "a time, as in 2 or '500 ms'")
-    for _, problem in problems:
-        problem.end = end
+    return [(case, problem.until(end)) for case, problem in problems]
 
 
 def _shown(problem, wanted, plot, saves, force):
@@ -84,9 +81,5 @@ def _shown(problem, wanted, plot, saves, force):
     from vibcli.report.sections.sampled_series import columns, response_figure, sampled
 
     series = sampled(problem, wanted)
-    if plot:
-        from vibcli.plots.braille import braille
-
-        click.echo("\n" + braille(response_figure(problem, series), width=plot_width()))
-    for path in saves:
-        save_to(path, force, problem.motion.title, lambda: response_figure(problem, series), lambda: columns(series))
+    show_curves(plot, saves, force, problem.response.title, lambda: response_figure(problem, series),
+                lambda: columns(series))

@@ -1,17 +1,22 @@
 """What the commands that plot and save curves share: options, signals given as text, the files that they write."""
 
-import shutil
+from collections.abc import Callable, Mapping, Sequence
 from functools import reduce
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from vibcli.cli.pictures import FILE, refuse, write
 
+if TYPE_CHECKING:
+    from vibcli.language.reader import Expression
+    from vibcli.results.problem import Problem
+
 WIDEST = 120
 
 
-def curve_options(function):
+def curve_options(function: Callable) -> Callable:
     """Options of a command that shows curves."""
     options = [
         click.option("--plot", is_flag=True, help="Plot in the terminal."),
@@ -22,7 +27,7 @@ def curve_options(function):
     return reduce(lambda f, option: option(f), reversed(options), function)
 
 
-def asked(text, option):
+def asked(text: str, option: str) -> "Expression":
     """A signal given on the command line as an Expression."""
     from vibcli.api.given import expression
 
@@ -32,7 +37,7 @@ def asked(text, option):
         raise click.UsageError(f"{option} {text}: {error}") from None
 
 
-def size(text, option, unit, wants, exact=False):
+def size(text: str, option: str, unit: str, wants: str, exact: bool = False):
     """A positive quantity given on the command line, in SI units: see vibcli/api/given.py."""
     from vibcli.api import given
 
@@ -42,18 +47,14 @@ def size(text, option, unit, wants, exact=False):
         raise click.UsageError(f"{option} {text}: {error}") from None
 
 
-def plot_width():
-    """Columns of a plot in this terminal."""
-    return min(shutil.get_terminal_size().columns, WIDEST)
-
-
-def refuse_targets(paths, force, suffixes=(".png", ".svg", ".pdf", ".csv", ".npz", ".json")):
+def refuse_targets(paths: Sequence[str], force: Any,
+                   suffixes: Sequence[str] = (".png", ".svg", ".pdf", ".csv", ".npz", ".json")) -> None:
     """A usage error, before anything is computed, where one of the files cannot be written."""
     for path in map(Path, paths):
         refuse(path, suffixes, force)
 
 
-def require_curves(plot, saves, as_json, options):
+def require_curves(plot: bool, saves: Sequence[str], as_json: bool, options: Mapping[str, bool | str | None]) -> None:
     """A usage error where an option would do nothing, or a plot would break the JSON."""
     idle = next((option for option, given in options.items() if given), None)
     if idle and not (plot or saves):
@@ -62,20 +63,19 @@ def require_curves(plot, saves, as_json, options):
         raise click.UsageError("--plot does not go with --json: save the numbers with --save FILE")
 
 
-def cases_to_show(problems, saves):
+def cases_to_show(problems: "Sequence[tuple[str | None, Problem]]", saves: Sequence[str]):
     """The scene and its cases; the scene alone where its curves are saved, for they are saved to one file."""
     return problems[:1] if saves else problems
 
 
-def save_to(path, force, title, figure, columns):
-    """Write the figure or the columns, under a title, as the suffix says."""
-    from vibcli.report.formats.data_files import DATA, data
+def show_curves(plot: bool, saves: Sequence[str], force: bool, title: str, figure: Callable,
+                columns: Callable | None = None) -> None:
+    """Plot what `figure()` gives in the terminal; write it, or what `columns()` gives, to files under a title."""
+    from vibcli.report.formats.curves import curve_file, in_terminal
 
-    suffix = Path(path).suffix.lower()
-    if suffix in DATA:
-        found = data(suffix, title, columns())
-    else:
-        from vibcli.plots.picture import picture
+    if plot:
+        import shutil
 
-        found = picture(figure(), suffix[1:])
-    write(path, found, force)
+        click.echo("\n" + in_terminal(figure(), min(shutil.get_terminal_size().columns, WIDEST)))
+    for path in saves:
+        write(path, curve_file(Path(path).suffix.lower(), title, figure, columns), force)

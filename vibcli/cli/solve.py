@@ -1,5 +1,8 @@
 """`vibcli solve FILE`: the whole solution."""
 
+from collections.abc import Sequence
+from typing import Any
+
 import click
 
 from vibcli.cli.common import chosen, load, number_options, scene_options
@@ -13,7 +16,8 @@ from vibcli.cli.reports import output_of, report_options
 @number_options
 @click.option("--insight", is_flag=True, help="Also whose energy each mode has, what its frequency depends on, and "
               "estimates of the lowest one.")
-def command(file, settings, case, as_json, patience, timings, digits, normalise, insight, **report):
+def command(file: str, settings: Sequence[str], case: str | None, as_json: bool, patience: int, timings: bool,
+            digits: int | None, normalise: str, insight: bool, **report: Any) -> int:
     """The solution of a scene: equilibrium, energies, equations of motion, frequencies, damping, modes; or what `find`
     in the file asks, responses too."""
     from vibcli.api.reports import solution

@@ -8,6 +8,7 @@ written to stderr nobody can be told.
 import io
 import os
 import sys
+from typing import Any
 
 from vibcli.base.errors import PhysicsError
 
@@ -15,7 +16,7 @@ from vibcli.base.errors import PhysicsError
 class Stream(io.RawIOBase):
     """The bytes of a standard stream; `descriptor` None: it is closed."""
 
-    def __init__(self, descriptor, refuses):
+    def __init__(self, descriptor: Any, refuses: Any):
         self.descriptor, self.refuses, self.lost = descriptor, refuses, False
 
     def writable(self):
@@ -29,7 +30,7 @@ class Stream(io.RawIOBase):
             raise io.UnsupportedOperation("stdout is closed")
         return self.descriptor
 
-    def write(self, data):
+    def write(self, data: Any):
         if not self.lost:
             try:
                 return os.write(self.fileno(), data)

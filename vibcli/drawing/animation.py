@@ -1,6 +1,8 @@
 """The frames of a mode, or of any motion given in time, as a GIF or a page."""
 
+from collections.abc import Sequence
 from math import ceil, tau
+from typing import Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.drawing.layout import compose
@@ -11,44 +13,47 @@ FRAMES, PACE = 36, 45               # of one period; milliseconds
 PERIODS, SEEN, MOST = 8, 12, 240    # of the slowest mode; frames in a period of the fastest; frames
 
 
-def of_mode(problem, index, normalise="first"):
+def of_mode(problem: Any, index: int, normalise: str = "first") -> tuple[list[list[Any]], str, list[str]]:
     """(frames, caption, names of the frames) of one period of a mode."""
     found = mode(problem, index)
     stage = compose.Scenery(problem.scene)
     vibration = Vibration(problem, index, stage, normalise)
-    frames = [mode_shape.frame(stage, vibration.at(theta), vibration.unit) for theta in phases(FRAMES)]
+    frames = [mode_shape.frame(stage, vibration.at(theta), vibration.unit, vibration.room)
+              for theta in phases(FRAMES)]
     return frames, caption(found), [f"{i / FRAMES:.2f} T" for i in range(FRAMES)]
 
 
-def of_response(problem):
+def of_response(problem: Any) -> tuple[list[list[Any]], str, list[str]]:
     """The same of the motion that the scene asks for: a few of the slowest periods unless it is said until when."""
     import numpy as np
 
     from vibcli.symbolic.parser import parse
 
-    times = np.linspace(0.0, *_span(problem, problem.motion.known))
+    times = np.linspace(0.0, *_span(problem, problem.response.known))
     names = problem.scene.coordinates
-    values = [problem.motion.signal(parse(name)).values(times).tolist() for name in names]
+    values = [problem.response.signal(parse(name)).values(times).tolist() for name in names]
     return of_positions(problem, [dict(zip(names, one, strict=True)) for one in zip(*values, strict=True)],
                          times.tolist())
 
 
-def of_positions(problem, positions, times):
+def of_positions(problem: Any, positions: Sequence[dict[str, float]],
+                 times: Sequence[float]) -> tuple[list[list[Any]], str, list[str]]:
     """The same of a motion given as {coordinate: value} at each of the times in seconds.
 
     What could not be seen, and is not driven, is magnified about its mean.
     """
     stage = compose.Scenery(problem.scene)
-    sketches, unit = response(stage, positions, times)
+    sketches, unit, room = response(stage, positions, times)
     if all(one == positions[0] for one in positions) and not problem.scene.driven:
         raise PhysicsError("this scene stays at rest", "say under `initial` how it starts, or give it a load")
     middle = {name: sum(one[name] for one in positions) / len(positions) for name in positions[0]}
     factor = 1.0 if problem.scene.driven else magnification(stage, stage.at(middle), sketches)
     if factor > 1:
         positions = [{name: middle[name] + factor * (x - middle[name]) for name, x in one.items()} for one in positions]
-        sketches, unit = response(stage, positions, times)
+        sketches, unit, room = response(stage, positions, times)
     words = f"{times[0]:.4g} s to {times[-1]:.4g} s" + (f", displacements × {factor:g}" if factor > 1 else "")
-    return [mode_shape.frame(stage, sketch, unit) for sketch in sketches], words, [f"{t:.4g} s" for t in times]
+    frames = [mode_shape.frame(stage, sketch, unit, room) for sketch in sketches]
+    return frames, words, [f"{t:.4g} s" for t in times]
 
 
 def _span(problem, until):
@@ -63,12 +68,13 @@ def _span(problem, until):
 
 def _modes(problem):
     try:
-        return problem.modes
+        return problem.modal.modes
     except PhysicsError:
         return ()
 
 
-def data(frames, words, names, title, kind, milliseconds=PACE):
+def data(frames: Sequence[list[Any]], words: str, names: Sequence[str], title: str, kind: str,
+         milliseconds: int = PACE) -> bytes:
     """The bytes of an animation as gif or html."""
     if kind == "gif":
         from vibcli.drawing.canvas.pillow_canvas import gif

@@ -1,15 +1,19 @@
 """A problem as a drawing in the style of a textbook figure."""
 
+from collections.abc import Mapping
+from typing import Any
+
 from vibcli.drawing.canvas.primitives import extent
 from vibcli.drawing.layout import captions, compose, lettering, letters, lumped, notes, plane
 from vibcli.drawing.layout.space import Space
 from vibcli.drawing.symbols import abstract, arrow, coordinate, dimension, load, path
+from vibcli.drawing.symbols.connection import symbol
 
 GRAVITY = 30.0
 SLENDER = ("rod", "arm", "bob", "bar", "ring", "hoop", "rim", "arch")
 
 
-def draw(problem):
+def draw(problem: Any) -> list[Any]:
     """The primitives of a scene as drawn, with its names."""
     stage = letters.pleasing(problem, compose.Scenery)
     if not stage.scene.bodies:
@@ -20,7 +24,8 @@ def draw(problem):
     return found + annotations(stage, found, where)
 
 
-def annotations(stage, found, where):
+def annotations(stage: Any, found: Any,
+                where: Mapping[str, tuple[tuple[float, float], tuple[float, float]]]) -> list[Any]:
     """Arrows of coordinates, motions and loads, the names of everything, gravity and notes."""
     sketch, space, made = stage.sketch, Space(found), []
 
@@ -55,7 +60,8 @@ def annotations(stage, found, where):
         if runs:
             made.append(space.put(runs, places, "driven"))
     for name, (middle, normal) in where.items():
-        made.append(space.put(_element(name, sketch), _beside(middle, normal)))
+        beside = [plane.plus(middle, normal, side) for side in (7.0, -7.0)]
+        made.append(space.put(_element(name, sketch), beside))
     for length in dimension.lengths(sketch):
         drawn = dimension.draw(length, space)
         if drawn is not None:
@@ -75,7 +81,7 @@ def _shaken(stage):
         direction = (1.0, 0.0) if fields and fields[0] is record["moves"][0] else (0.0, 1.0)
         start = plane.plus(at, plane.left(direction), -20.0)
         ends = [plane.plus(start, direction, side * 13.0) for side in (-1, 1)]
-        parts = arrow.straight(*ends, "driven", both=True)
+        parts = arrow.straight(*ends, "driven", both=True)  # type: ignore[misc]
         words = captions.expression(fields[0], stage.sketch, 18) if len(fields) == 1 else None
         text = fields[0].text if fields else name
         runs = (words or lettering.named(name)) if text not in named else None
@@ -84,16 +90,9 @@ def _shaken(stage):
     return found
 
 
-def _beside(middle, normal):
-    return [plane.plus(middle, normal, 7.0), plane.plus(middle, normal, -7.0)]
-
-
 def _element(name, sketch):
-    for section, keys in (("springs", ("k", "torsion")), ("dampers", ("c", "torsion"))):
-        record = (sketch.spec.get(section) or {}).get(name)
-        if record is not None:
-            return captions.quantity(record, keys, sketch)
-    return lettering.named(name)
+    record = sketch.spec.connection(name)
+    return lettering.named(name) if record is None else captions.quantity(record, symbol(record).NAMED_BY, sketch)
 
 
 def _bodies(stage):
@@ -124,13 +123,8 @@ def _spots(name, look, sketch):
         points = [sketch.frames[name].point(p) for p in look.pieces[0].points]
         return [points[len(points) * i // 8] for i in (3, 1, 5, 7)]
     part = max((part for part in look.outlines if part.fill != "paper"), default=look.pieces[-1],
-               key=lambda part: plane.distance(*_corners(part)))
-    return [plane.middle(*_corners(part))]
-
-
-def _corners(part):
-    left, bottom, right, top = plane.bounds(part.points)
-    return (left, bottom), (right, top)
+               key=lambda part: plane.distance(*plane.corners(part.points)))
+    return [plane.middle(*plane.corners(part.points))]
 
 
 def _gravity(sketch, box):

@@ -5,19 +5,25 @@ largest displacement is a readable part of the figure, and smaller where the loo
 """
 
 from cmath import exp, phase
+from collections.abc import Sequence
 from math import pi, tau
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.drawing.layout import plane
 from vibcli.notation.numbers import figure as printed
 
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.compose import Scenery
+    from vibcli.drawing.layout.sketch import Sketch
+
 READABLE, LUMPED, VISIBLE, SWING, SMALL, FARTHEST = 30.0, 22.0, 12.0, 0.7, 1e-4, 0.9
 SQUEEZED, ROUNDS = 0.4, 24
 
 
-def mode(problem, index):
+def mode(problem: Any, index: int):
     """The Mode of a number; PhysicsError where there is none."""
-    modes = problem.modes
+    modes = problem.modal.modes
     if not 1 <= index <= len(modes):
         if not modes:
             raise PhysicsError(f"this scene has no mode {index}: without its dampers nothing would hold what has no "
@@ -27,7 +33,7 @@ def mode(problem, index):
     return modes[index - 1]
 
 
-def caption(found):
+def caption(found: Any) -> str:
     """What a mode is called: its number and its frequency."""
     head = f"mode {found.index}: "
     if found.rigid:
@@ -41,21 +47,21 @@ def caption(found):
 
 class Vibration:
     """A mode about the equilibrium: `at(theta)` is the Sketch at a phase, `unit` the points for one metre of lumped
-    bodies, `rest` the equilibrium."""
+    bodies, `room` that in which bodies slide on the ground, `rest` the equilibrium."""
 
-    def __init__(self, problem, index, stage, normalise="first"):
+    def __init__(self, problem: Any, index: int, stage: "Scenery", normalise: str = "first"):
         if not stage.scene.bodies:
             raise PhysicsError("this scene has no bodies, so no mode can be drawn on it",
                                "`vibcli frequencies` prints the shapes in numbers")
         self.stage, self.names = stage, problem.scene.coordinates
-        self.base = problem.equilibrium.values
-        shape = [complex(value) for value in problem.shape(mode(problem, index), normalise)]
+        self.base = problem.configuration.equilibrium.values
+        shape = [complex(value) for value in problem.modal.shape(mode(problem, index), normalise)]
         turn = exp(-1j * _lead(max(shape, key=abs)))
         self.shape = [value * turn for value in shape]
         self.rest = self._required(0.0, 0.0)
         self._scale()
 
-    def at(self, theta):
+    def at(self, theta: float) -> "Sketch":
         """The Sketch at a phase, 0 being that of the largest displacement."""
         return self._required(self.amplitude, theta)
 
@@ -87,7 +93,7 @@ class Vibration:
         for _ in range(ROUNDS):
             both = [self._sketch(sign * self.amplitude, 0.0) for sign in (1, -1)]
             if None not in both and shortest(self.rest, both, self.stage) > SQUEEZED:
-                self.stage.room = room(self.stage, [self.rest, *both])
+                self.room = sliding_room(self.stage, [self.rest, *both])
                 return
             self.amplitude *= 0.7
         raise PhysicsError("the loops of this scene cannot follow this mode", "ask for another mode")
@@ -100,13 +106,13 @@ def _lead(amplitude):
     return lead - pi if lead > pi / 2 else lead + pi if lead <= -pi / 2 else lead
 
 
-def largest_displacement(rest, moved, stage):
+def largest_displacement(rest: "Sketch", moved: "Sketch", stage: "Scenery") -> float:
     """The largest displacement of a place of a body, in points."""
     return max((plane.distance(rest.frames[name].point(p), moved.frames[name].point(p))
                 for name, look in stage.looks.items() for part in look.pieces for p in part.points), default=0.0)
 
 
-def lumped_displacements(rest, moved, stage):
+def lumped_displacements(rest: "Sketch", moved: "Sketch", stage: "Scenery") -> list[float]:
     """The largest displacement in metres and the largest angle of lumped bodies."""
     found = [0.0, 0.0]
     for layout in stage.rows:
@@ -115,14 +121,14 @@ def lumped_displacements(rest, moved, stage):
     return found
 
 
-def shortest(rest, sketches, stage):
+def shortest(rest: "Sketch", sketches: "Sequence[Sketch]", stage: "Scenery") -> float:
     """The least part of its length at rest that a spring or damper keeps."""
     parts = [plane.distance(sketch.now(bunch.one), sketch.now(bunch.two)) / length for bunch in stage.bunches
              if (length := plane.distance(rest.now(bunch.one), rest.now(bunch.two))) > 1.0 for sketch in sketches]
     return min(parts, default=1.0)
 
 
-def room(stage, sketches):
+def sliding_room(stage: "Scenery", sketches: "Sequence[Sketch]") -> dict[str, tuple[float, float]]:
     """{body: (how far back, how far on)} of what slides on the ground, from the drawn position."""
     found = {}
     for name in stage.looks:
@@ -132,14 +138,16 @@ def room(stage, sketches):
     return found
 
 
-def phases(count):
+def phases(count: int) -> list[float]:
     """Phases of one period from rest on: 0 the largest displacement."""
     return [tau * i / count - pi / 2 for i in range(count)]
 
 
-def response(stage, positions, times=None, unit=None):
-    """(Sketches, unit) of a motion: `positions` are {coordinate: value} of all or only the independent coordinates, one
-    for each frame, `times` the instants for what is driven; PhysicsError where the loops of the scene cannot follow."""
+def response(stage: "Scenery", positions: Sequence[dict[str, float]],
+             times: Sequence[float] | None = None) -> "tuple[list[Sketch], float, dict[str, tuple[float, float]]]":
+    """(Sketches, unit, room) of a motion: `positions` are {coordinate: value} of all or only the independent
+    coordinates, one for each frame, `times` the instants for what is driven; PhysicsError where the loops of the scene
+    cannot follow."""
     positions = list(positions)
     sketches = []
     for position, time in zip(positions, times or [0.0] * len(positions), strict=True):
@@ -147,12 +155,11 @@ def response(stage, positions, times=None, unit=None):
         if found is None:
             raise PhysicsError("the loops of this scene cannot follow this motion", "ask for a smaller one")
         sketches.append(found)
-    stage.room = room(stage, [stage.sketch, *sketches])
     slides = max((lumped_displacements(stage.sketch, sketch, stage)[0] for sketch in sketches), default=0.0)
-    return sketches, unit or (LUMPED / slides if slides else 1.0)
+    return sketches, LUMPED / slides if slides else 1.0, sliding_room(stage, [stage.sketch, *sketches])
 
 
-def magnification(stage, middle, sketches):
+def magnification(stage: "Scenery", middle: "Sketch", sketches: "Sequence[Sketch]") -> float:
     """1, or a round number by which a motion about the Sketch `middle` is to be magnified so that it can be seen."""
     size = max((largest_displacement(middle, sketch, stage) for sketch in sketches if middle), default=0.0)
     if not 0 < size < VISIBLE:

@@ -5,11 +5,21 @@ A placed body contributes ½ m (ẋ_C² + ẏ_C²) + ½ J_C θ̇² and its weigh
 parallel axis theorem; a part with `cut: true` counts negative.
 """
 
-from vibcli.elements import body_checks, rim
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from vibcli.elements import ELEMENTS, body_checks
 from vibcli.elements.shapes import LAWS, NEEDS
-from vibcli.language.fields import Choice, Element, Field, Flag, Lazy, Many, Quantity, load
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import Choice, Flag, Many, Quantity
+from vibcli.language.named_elements import Lazy, load
 from vibcli.language.named_place import DRAWN
 
+if TYPE_CHECKING:
+    from vibcli.language.reader import Record
+    from vibcli.symbolic.node import Node
+
+_LENGTH, _ANGLE = Quantity("m"), Quantity("rad")
 _SHAPE = {
     "shape": Field(Choice(*NEEDS), "what it is (default: particle)"),
     "mass": Field(Quantity("kg"), "its mass; massless without it"),
@@ -18,21 +28,23 @@ _SHAPE = {
                 "circle"),
     "from": Field(DRAWN, "one end of a rod"),
     "to": Field(DRAWN, "the other end of a rod"),
-    "angle": Field(Quantity("rad"), "how the shape is turned as drawn: the axis of a sector or arch, the width of a "
+    "angle": Field(_ANGLE, "how the shape is turned as drawn: the axis of a sector or arch, the width of a "
                    "rectangle, a of an ellipse; 0 is along +x"),
-    "radius": Field(Quantity("m"), "radius of a disc, ring, sector or arch"),
-    "half_angle": Field(Quantity("rad"), "half the opening angle of a sector or arch"),
-    "width": Field(Quantity("m"), "width of a rectangle, along its angle"),
-    "height": Field(Quantity("m"), "height of a rectangle"),
-    "a": Field(Quantity("m"), "semi-axis of an ellipse, along its angle"),
-    "b": Field(Quantity("m"), "the other semi-axis of an ellipse"),
+    "radius": Field(_LENGTH, "radius of a disc, ring, sector or arch"),
+    "half_angle": Field(_ANGLE, "half the opening angle of a sector or arch"),
+    "width": Field(_LENGTH, "width of a rectangle, along its angle"),
+    "height": Field(_LENGTH, "height of a rectangle"),
+    "a": Field(_LENGTH, "semi-axis of an ellipse, along its angle"),
+    "b": Field(_LENGTH, "the other semi-axis of an ellipse"),
 }
 
 PART = Element("part", "One of several shapes welded into a body.",
                {**_SHAPE, "cut": Field(Flag(), "`true`: a hole of this shape")},
                exclusive=(("mass", "density"), ("at", "from")), needs=(("mass", "density"), ("at", "from")),
                settle=body_checks.part, example="welded_parts")
-MOTIONS = ("slide", "pin", "roll", "move", "weld", "turn")
+ROUND = tuple(shape for shape, sizes in NEEDS.items() if "radius" in sizes)
+CLOSE = 1e-9
+MOTIONS = tuple(name for name, (section, _) in ELEMENTS.items() if section is None)
 ELEMENT = Element(
     "body",
     "A rigid body or particle: its shape and mass, where it is drawn, and the one key that says how it may move; "
@@ -41,14 +53,9 @@ ELEMENT = Element(
     {
         **_SHAPE,
         "inertia": Field(Quantity("kg*m^2"), "moment of inertia about the mass centre, overriding the shape's"),
-        "gyration": Field(Quantity("m"), "radius of gyration about the mass centre, overriding the shape's"),
+        "gyration": Field(_LENGTH, "radius of gyration about the mass centre, overriding the shape's"),
         "parts": Field(Many(PART, 1, 50, "a list of parts"), "several shapes welded into this body"),
-        "slide": Field(Lazy("slide"), "translates along a direction"),
-        "pin": Field(Lazy("pin"), "turns about a point"),
-        "roll": Field(Lazy("roll"), "rolls without slip on a surface"),
-        "move": Field(Lazy("move"), "general plane motion [x, y, phi]"),
-        "weld": Field(Lazy("weld"), "carried rigidly by another body"),
-        "turn": Field(Lazy("turn"), "rotation of a body without a place"),
+        **{name: Field(Lazy(name), ELEMENTS[name][1]) for name in MOTIONS},
     },
     exclusive=(("mass", "density", "parts"), ("at", "from"), ("at", "to"), ("inertia", "gyration"), MOTIONS,
                ("shape", "parts")),
@@ -57,64 +64,127 @@ ELEMENT = Element(
 )
 
 
-class Body:
+class Body(NamedTuple):
     """A body as built: mass centre as drawn, mass and J_C (nodes), frame, or its lumped motion.
 
     pieces: (mass, centre, J_C) of the welded parts where T is the sum of theirs, else None. rims: the centres as drawn
     of its round shapes, and rolling_radius their radius, None of none or several. normal: the unit vector from the
-    surface that it rolls or slides on to the body.
+    surface that it rolls or slides on to the body; reach: from the first of two contacts to the centre, along it.
     """
 
-    __slots__ = ("centre", "frame", "inertia", "lumped", "mass", "name", "normal", "pieces", "record", "rims",
-                 "rolling_radius")
-
-    def __init__(self, name, record):
-        self.name, self.record = name, record
-        self.centre = self.frame = self.lumped = self.rolling_radius = self.normal = None
-        self.mass = self.inertia = self.pieces = None
-        self.rims = []
+    name: str
+    record: Any
+    mass: Any = None
+    inertia: Any = None
+    centre: tuple = None
+    pieces: list = None
+    rims: tuple = ()
+    rolling_radius: Any = None
+    frame: Any = None
+    lumped: tuple = None
+    normal: tuple = None
+    reach: Any = None
 
     @property
-    def moves(self):
+    def moves(self) -> bool:
+        """Has it a motion of its own?"""
         return any(key in self.record for key in MOTIONS)
 
+    @property
+    def touched(self):
+        """Names of the surfaces that it rolls or slides on."""
+        return [reference.text for reference in touched(self.record)]
 
-def build(record, scene):
+    @property
+    def nodes(self) -> "list[Node]":
+        """The expressions of the coordinates that it is made of."""
+        frame = self.frame.nodes if self.frame is not None else []
+        return [*frame, *(self.lumped or ())[1:], *(self.normal or ())]
+
+    def over(self, new: "Mapping[Node, Node]") -> "Body":
+        """Itself with its expressions replaced, {node: node}."""
+        return self._replace(frame=self.frame and self.frame.over(new),
+                             lumped=self.lumped and (self.lumped[0], new[self.lumped[1]]),
+                             normal=self.normal and tuple(new[node] for node in self.normal))
+
+
+def touched(record: "Record"):
+    """References to the surfaces that a body of this record rolls or slides on."""
+    motion = next((record[key] for key in ("roll", "slide") if key in record), {})
+    return [motion["surface"]] if "surface" in motion else list(motion.get("between", ()))
+
+
+def build(record: "Record", scene: Any) -> Body:
     """The body of a record, its frame included; its energies are added to the scene."""
     body = Body(record.name, record)
     placed = any(key in record for key in ("at", "from", "parts"))
+    motion = next((key for key in MOTIONS if key in record), None)
     try:
-        _inertia(body, record, scene, placed)
-        motion = next((key for key in MOTIONS if key in record), None)
-        if placed:
-            _place(body, motion, scene)
+        body = _with_inertia(body, scene, placed)
+        if not placed:
+            body = body._replace(lumped=load(motion).lump(record[motion], scene))
+        elif motion is None:
+            body = body._replace(frame=scene.still(body.centre))
         else:
-            _lump(body, motion, scene)
+            body = scene.supported(load(motion).build(record[motion], body, scene))
+            if "between" in record.get("roll", ()) and not scene.diagnostics:
+                load("roll").tie(record["roll"], body, scene)
+        _add_energies(body, motion, scene)
     except ZeroDivisionError:
         scene.report(record.where, f"the geometry of '{record.name}' divides by zero as drawn",
                      "look for a length or a mass that vanishes")
     return body
 
 
-def _inertia(body, record, scene, placed):
-    """Set mass, J_C, mass centre and circle."""
+def _with_inertia(body, scene, placed):
+    """The body with its mass, J_C, mass centre and circles."""
+    record = body.record
     if "parts" in record:
         pieces = [_piece(part, scene, part.get("cut", False)) for part in record["parts"]]
         mass, centre, inertia = _welded(pieces)
         if not scene.number(mass) > 0 or not scene.number(inertia) >= 0:
             scene.report(record.place("parts"), f"the parts of '{body.name}' do not leave a positive mass and inertia",
                          "a hole lies within the shape that it is cut from")
-        if not any(part.get("cut") for part in record["parts"]) and not {"inertia", "gyration"} & set(record.values):
-            body.pieces = [piece[:3] for piece in pieces]
-        body.rims, body.rolling_radius = rim.of_parts(record, pieces, scene)
+        if not any(part.get("cut") for part in record["parts"]) and not {"inertia", "gyration"} & set(record):
+            body = body._replace(pieces=[piece[:3] for piece in pieces])
+        rims, radius = _rims_of_parts(record, pieces, scene)
     else:
-        mass, centre, inertia, drawn, body.rolling_radius = _piece(record, scene, False, placed)
-        body.rims = [drawn] if body.rolling_radius is not None else []
+        mass, centre, inertia, drawn, radius = _piece(record, scene, False, placed)
+        rims = [] if radius is None else [drawn]
     if "inertia" in record:
         inertia = scene.positive(record["inertia"], f"the inertia of '{body.name}'", zero=True)
     elif "gyration" in record:
         inertia = mass * scene.positive(record["gyration"], f"the radius of gyration of '{body.name}'", zero=True) ** 2
-    body.mass, body.inertia, body.centre = mass, inertia, centre
+    return body._replace(mass=mass, inertia=inertia, centre=centre, rims=rims, rolling_radius=radius)
+
+
+def _rims_of_parts(record, pieces, scene):
+    """(centres as drawn, radius) of the circles of a body of parts, its holes where nothing else is round; `at` of the
+    body names the centre outright. The radius is None where the circles are of several sizes."""
+    rims = [(piece[3], piece[4], part.get("cut", False)) for part, piece in zip(record["parts"], pieces, strict=True)
+            if part.get("shape") in ROUND]
+    rims = [rim for rim in rims if not rim[2]] or rims
+    if "at" in record:
+        at = scene.pair(record["at"])
+        rims, centres = [rim for rim in rims if _same(rim[0], at, scene)], [at]
+    else:
+        centres = _different([rim[0] for rim in rims], scene)
+    radii = _different([(rim[1], scene.table.zero) for rim in rims], scene)
+    return centres, radii[0][0] if len(radii) == 1 else None
+
+
+def _different(places, scene):
+    found = []
+    for place in places:
+        if not any(_same(place, other, scene) for other in found):
+            found.append(place)
+    return found
+
+
+def _same(one, two, scene):
+    near, far = (sum(abs(scene.number(part)) for part in parts)
+                 for parts in ([a - b for a, b in zip(one, two, strict=True)], [*one, *two]))
+    return near <= CLOSE * far
 
 
 def _piece(record, scene, cut, placed=True):
@@ -137,39 +207,31 @@ def _piece(record, scene, cut, placed=True):
         angle = scene.lower(record["angle"]) if "angle" in record else table.zero
         centre = (drawn[0] + uniform.offset * table.call("cos", angle),
                   drawn[1] + uniform.offset * table.call("sin", angle))
-    mass = _mass(record, scene, uniform)
-    if mass is not None and cut:
-        mass = -mass
-    inertia = None if mass is None else mass * uniform.gyration2
-    return mass, centre, inertia, drawn, uniform.radius
-
-
-def _mass(record, scene, uniform):
     if "mass" in record:
-        return scene.positive(record["mass"], "the mass", zero=True)
-    if "density" not in record:
-        return None
-    return scene.positive(record["density"], "the density", zero=True) * uniform.measure
+        mass = scene.positive(record["mass"], "the mass", zero=True)
+    elif "density" in record:
+        mass = scene.positive(record["density"], "the density", zero=True) * uniform.measure
+    else:
+        return None, centre, None, drawn, uniform.radius
+    mass = -mass if cut else mass
+    return mass, centre, mass * uniform.gyration2, drawn, uniform.radius
 
 
 def _welded(pieces):
     """Mass, mass centre and J_C of several pieces."""
-    mass = sum((piece[0] for piece in pieces[1:]), pieces[0][0])
-    x = sum((piece[0] * piece[1][0] for piece in pieces[1:]), pieces[0][0] * pieces[0][1][0]) / mass
-    y = sum((piece[0] * piece[1][1] for piece in pieces[1:]), pieces[0][0] * pieces[0][1][1]) / mass
-    inertia = None
-    for m, (px, py), own, _, _ in pieces:
-        term = own + m * ((px - x) ** 2 + (py - y) ** 2)
-        inertia = term if inertia is None else inertia + term
+    mass = sum(m for m, *_ in pieces)
+    x, y = (sum(m * centre[i] for m, centre, *_ in pieces) / mass for i in (0, 1))
+    inertia = sum(own + m * ((px - x) ** 2 + (py - y) ** 2) for m, (px, py), own, _, _ in pieces)
     return mass, (x, y), inertia
 
 
-def _place(body, motion, scene):
-    """Give a placed body its frame, then its energies."""
-    record = body.record
-    body.frame = load(motion).build(record[motion], body, scene) if motion else scene.still(body.centre)
-    if scene.releasing and motion and motion != "weld":
-        body.frame = scene.release(body)
+def _add_energies(body, motion, scene):
+    """½ m (ẋ_C² + ẏ_C²) + ½ J_C θ̇² and the weight; of a lumped body ½ m u̇² or ½ J φ̇²."""
+    if body.frame is None:
+        weight = body.mass if motion == "slide" else body.inertia
+        if weight is not None:
+            scene.add_inertia(weight, body.lumped[1])
+        return
     for mass, centre, inertia in body.pieces or ((body.mass, body.centre, body.inertia),):
         if mass is not None:
             x, y = body.frame.point(*centre)
@@ -178,11 +240,3 @@ def _place(body, motion, scene):
             scene.add_weight(mass, x, y)
         if inertia is not None:
             scene.add_inertia(inertia, body.frame.angle)
-
-
-def _lump(body, motion, scene):
-    record = body.record
-    body.lumped = load(motion).lump(record[motion], scene)
-    weight = body.mass if motion == "slide" else body.inertia
-    if weight is not None:
-        scene.add_inertia(weight, body.lumped[1])

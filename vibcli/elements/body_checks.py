@@ -1,8 +1,7 @@
 """Which keys of a body go together: sizes with their shape, a motion with a place, an inertia with what turns."""
 
-from vibcli.base.units import parse_unit
 from vibcli.elements.shapes import NEEDS
-from vibcli.language.fields import article
+from vibcli.language.reader import Reader, Record, article
 
 SIZES = ("radius", "half_angle", "width", "height", "a", "b", "from", "to", "angle")
 SLENDER = ("rod", "ring", "arch")
@@ -10,31 +9,31 @@ TURNED = ("rectangle", "ellipse", "sector", "arch")
 NO_PLACE = "say where it is drawn with `at: [x, y]`, or lump it: `slide: x` or `turn: phi`"
 
 
-def part(record, reader):
+def part(record: Record, reader: Reader) -> None:
     """A part of a body: its density is per length of a rod, ring or arch, per area of the rest."""
     shape = record.get("shape", "particle")
     if "density" in record:
-        record["density"].dimension = parse_unit("kg/m" if shape in SLENDER else "kg/m^2").dimension
+        reader.measured(record, "density", "kg/m" if shape in SLENDER else "kg/m^2")
         if shape == "particle":
             reader.report(record.place("density"), "a particle has no area or length", "give its mass, or its shape")
     missing = [key for key in NEEDS[shape] if key not in record]
     if missing:
         reader.report(record.where, f"{article(shape)} needs " + " and ".join(f"'{key}'" for key in missing),
                       "; ".join(f"{key}: {record.element.fields[key].about}" for key in missing[:2]))
-    for key in record.keys:
+    for key in record.places:
         if key in SIZES and key not in NEEDS[shape] and not (key == "angle" and shape in TURNED):
             reader.report(record.place(key), f"'{key}' says nothing about {article(shape)}",
                           "leave it out, or name another `shape`")
 
 
-def body(record, reader):
+def body(record: Record, reader: Reader) -> None:
     """A body: as its shape, and with a motion that fits whether it has a place."""
     if "parts" not in record:
         part(record, reader)
     for key in SIZES if "parts" in record else ():
         if key in record:
             reader.report(record.place(key), f"'{key}' belongs to a part", "write it in the part that it describes")
-    if "gyration" in record and not {"mass", "density", "parts"} & set(record.keys):
+    if "gyration" in record and not {"mass", "density", "parts"} & set(record.places):
         reader.report(record.place("gyration"), f"'{record.name}' has a radius of gyration but no mass",
                       "give its mass too, or `inertia` instead")
     if any(key in record for key in ("at", "from", "to", "parts")):
@@ -57,11 +56,7 @@ def _lumped(record, reader):
             reader.report(record.where, f"'{record.name}' turns: it needs an inertia, not only a mass",
                           "give `inertia: J`, `gyration: i` or a shape")
         return
-    if "carrier" in record["slide"]:
-        reader.report(record["slide"].place("carrier"), f"'{record.name}' slides in a carrier but has no place",
-                      "say where both are drawn with `at: [x, y]`, or write its whole displacement as a sum, as in "
-                      "`coordinates: [x1, u]` and `slide: x1 + u`")
-    elif not set(record["slide"].values) <= {"by"}:
+    if not set(record["slide"]) <= {"by", "carrier"}:
         reader.report(record.place("slide"), f"'{record.name}' slides along something but has no place",
                       "say where it is drawn with `at: [x, y]`")
     for key in ("inertia", "gyration"):

@@ -5,10 +5,17 @@
     belt   r₁(φ₁ − φ_c) = ± r₂(φ₂ − φ_c)            rope   its length is constant (elements/rope.py)
 """
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.elements import rope
-from vibcli.language.fields import BODY, PLACE, Element, EquationField, Field, Flag, Many, NameOf, Quantity
+from vibcli.elements.ends import angle_of
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import BODY, PLACE, EquationField, Flag, Many, NameOf, Quantity
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.normal_form import is_zero, textbook
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Record
 
 _TWO_BODIES = Many(BODY, 2, 2, "two bodies [one, two]")
 _TWO_PLACES = Many(PLACE, 2, 2, "two points [A, B]")
@@ -19,14 +26,14 @@ _GOES_WITH = {"surface": ("point",), "radii": ("gear", "belt"), "carrier": ("gea
 
 def _settle(record, reader):
     for key, kinds in _GOES_WITH.items():
-        if key in record.keys and not any(kind in record.keys for kind in kinds):
+        if key in record.places and not any(kind in record.places for kind in kinds):
             reader.report(record.place(key), f"'{key}' goes with " + " or ".join(f"'{kind}'" for kind in kinds),
                           f"write `{kinds[0]}:`, or leave it out")
     for kind in ("gear", "belt", "join", "link"):
         ends = [getattr(end, "text", None) for end in record.get(kind, ())]
         if ends and ends[0] is not None and ends[0] == ends[1]:
             reader.report(record.place(kind), f"'{kind}' ties '{ends[0]}' to itself", "name two different ones")
-    if "point" in record.keys and "surface" not in record.keys:
+    if "point" in record.places and "surface" not in record.places:
         reader.report(record.where, "a point on a surface needs 'surface'", "surface: the name of a surface")
 
 
@@ -35,7 +42,8 @@ ELEMENT = Element(
     "What ties motions together: a rope, a pair of gears, a belt, two points pinned together, a rigid massless link, a "
     "point kept on a surface, or a plain equation between coordinates such as `x2 = 2*x1`.",
     {
-        "equation": Field(EquationField(), "an equation between coordinates and the time, true as drawn"),
+        "equation": Field(EquationField(equation="x2 = 2*x1"),
+                          "an equation between coordinates and the time, true as drawn"),
         "rope": Field(rope.KIND, rope.ABOUT),
         "gear": Field(_TWO_BODIES, "two bodies whose pitch circles roll on each other"),
         "belt": Field(_TWO_BODIES, "two bodies with a belt around them"),
@@ -57,7 +65,7 @@ ELEMENT = Element(
 )
 
 
-def build(record, scene):
+def build(record: "Record", scene: Any) -> None:
     """Add the conditions of a constraint to the scene."""
     kind = next(kind for kind in KINDS if kind in record)
     {"equation": _equation, "rope": rope.build, "gear": _gear, "belt": _gear, "join": _join, "link": _link,
@@ -156,7 +164,7 @@ def _gear(record, scene):
     """Equal velocities at the pitch point, or of the belt."""
     belt = "belt" in record
     names = record["belt" if belt else "gear"]
-    angles = [scene.angle_of(name) for name in names]
+    angles = [angle_of(name, scene) for name in names]
     if None in angles:
         return
     before = len(scene.diagnostics)

@@ -1,8 +1,15 @@
 """Dampers between two ends: Φ = ½ c ḋ², the integral of a law, or R |ḋ| of dry friction, d being their distance."""
 
+from typing import TYPE_CHECKING, Any
+
+from vibcli.elements import ends
 from vibcli.elements.torsion import Torsion, settle_torsion
-from vibcli.language.fields import ENDS, Element, Field, Quantity
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import ENDS, Quantity
 from vibcli.symbolic.rationals import HALF
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Record
 
 
 def _settle(record, reader):
@@ -33,21 +40,22 @@ ELEMENT = Element(
     settle=_settle,
     instead={"series": "c: c1*c2/(c1 + c2)", "parallel": "write two dampers with the same ends, or c: c1 + c2"},
     example="mass_spring_damper",
+    signals={"stretch": ("m", "rad"), "force": ("N", "N*m"), "power": ("W", "W")},
 )
 
 
-def build(record, scene):
+def build(record: "Record", scene: Any) -> None:
     """Add the dissipation function of a damper to the scene."""
     torsion = record.get("torsion")
     given = record.get("c", torsion)
     c = None if given in (None, True) else scene.lower(given)
-    stretch = scene.stretch(record, torsion is not None)
+    stretch = ends.stretch(record, scene, torsion is not None)
     if stretch is None:
         return
     if "law" not in record and "friction" not in record:
         scene.add_damper(c, stretch)
         return
-    v = scene.law_variable(damper=True)
+    v = scene.table.variable("the rate")
     energy = scene.table.zero if c is None else c * v * v * HALF
     if "law" in record:
         found = scene.integrated(scene.lower(record["law"], ("v", v)), v, record["law"].where)

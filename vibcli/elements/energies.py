@@ -1,6 +1,12 @@
 """Energies written out: what no element says."""
 
-from vibcli.language.fields import Element, Field, Quantity
+from typing import TYPE_CHECKING, Any
+
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import Quantity
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Record
 
 ELEMENT = Element(
     "set of energies",
@@ -15,7 +21,7 @@ ELEMENT = Element(
 )
 
 
-def build(record, scene):
+def build(record: "Record", scene: Any) -> None:
     for key in ("T", "V", "Phi"):
         if key in record:
             scene.add_energy(key, scene.lower(record[key]))

@@ -4,22 +4,29 @@ A force with a `carrier` keeps its direction in that body (a follower force). An
 acts as the pure force m₀ e Ω² (cos Ωt, sin Ωt).
 """
 
-from vibcli.language.fields import BODY, Element, Field, Load, NameOf, OneOf, Quantity, vector
+from typing import TYPE_CHECKING, Any
+
+from vibcli.elements.ends import angle_of
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import BODY, Load, NameOf, OneOf, Quantity, vector
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Record
 
 _AT = OneOf("the name of a point or body (name a place under `points`)",
             scalar=NameOf("the name of a point or body", "points", "bodies"))
 
 
 def _settle(record, reader):
-    if "speed" in record.keys and "unbalance" not in record.keys:
+    if "speed" in record.places and "unbalance" not in record.places:
         reader.report(record.place("speed"), "'speed' is that of an unbalance, and there is none", "leave it out")
     for first, others in (("force", ("at",)), ("moment", ("body",)), ("value", ("coordinate",)),
                           ("unbalance", ("at", "speed"))):
-        for key in others if first in record.keys else ():
-            if key not in record.keys:
+        for key in others if first in record.places else ():
+            if key not in record.places:
                 reader.report(record.where, f"a force with '{first}' needs '{key}'",
                               f"{key}: {ELEMENT.fields[key].about}")
-    if "carrier" in record and "force" not in record.keys:
+    if "carrier" in record and "force" not in record.places:
         reader.report(record.place("carrier"), "'carrier' turns a force with a body: here is no `force`",
                       "leave it out")
 
@@ -47,12 +54,12 @@ ELEMENT = Element(
 )
 
 
-def build(record, scene):
+def build(record: "Record", scene: Any) -> None:
     """Add the virtual work of a load to the scene."""
     if "value" in record:
         scene.add_force(*scene.load(record["value"]), scene.symbol(record["coordinate"].text))
     elif "moment" in record:
-        angle = scene.angle_of(record["body"], "write `at:` and `force:`")
+        angle = angle_of(record["body"], scene, "write `at:` and `force:`")
         if angle is not None:
             scene.add_force(*scene.load(record["moment"]), angle)
     elif "unbalance" in record:

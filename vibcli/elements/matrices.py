@@ -1,6 +1,12 @@
 """Matrices given outright: M q̈ + C q̇ + K q = 0, the rows in the order of the coordinates."""
 
-from vibcli.language.fields import Element, Field, Many, Quantity
+from typing import TYPE_CHECKING, Any
+
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import Many, Quantity
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Record
 
 _MATRIX = Many(Many(Quantity(), 1, 2000, "a row of entries"), 1, 2000, "a list of rows [[…], […]]")
 ELEMENT = Element(
@@ -16,10 +22,10 @@ ELEMENT = Element(
 )
 
 
-def build(record, scene):
+def build(record: "Record", scene: Any) -> None:
     """Add the entries of the matrices to the scene, after checking shape and symmetry."""
     n = len(scene.spec.coordinates)         # a scene that is opened has further ones, after these
-    for key, rows in record.values.items():
+    for key, rows in record.items():
         wrong = next((i for i, row in enumerate(rows) if len(row) != n), None)
         if len(rows) != n or wrong is not None:
             found = f"rows: {len(rows)}" if len(rows) != n else f"entries in row {wrong + 1}: {len(rows[wrong])}"

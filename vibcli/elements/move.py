@@ -1,7 +1,14 @@
 """General plane motion: displacement of the mass centre and rotation, each a coordinate or an expression."""
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.language.document.document import Sequence
-from vibcli.language.fields import BODY, Element, Field, Kind, MotionField
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import BODY, Kind, MotionField
+
+if TYPE_CHECKING:
+    from vibcli.elements.body import Body
+    from vibcli.language.reader import Record
 
 _LENGTH, _ANGLE = MotionField("m"), MotionField("rad")
 
@@ -9,7 +16,7 @@ _LENGTH, _ANGLE = MotionField("m"), MotionField("rad")
 class _Displacements(Kind):
     wants = "three displacements [x, y, phi]"
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         if not isinstance(node, Sequence) or len(node.items) != 3:
             return reader.expected(node, self.wants, "of a body that does not turn, phi is 0")
         kinds = (_LENGTH, _LENGTH, _ANGLE)
@@ -33,9 +40,10 @@ ELEMENT = Element(
 )
 
 
-def build(move, body, scene):
-    """The frame of a body moved by (Δx, Δy, Δφ) in its carrier."""
+def build(move: "Record", body: "Body", scene: Any) -> "Body":
+    """The body with its frame, moved by (Δx, Δy, Δφ) in its carrier."""
     dx, dy, turn = map(scene.change, move["by"], (".x", ".y", ".moment"))
     carrier = scene.carrier(move)
     x0, y0 = body.centre
-    return scene.new_frame((x0, y0), carrier.point(x0 + dx, y0 + dy), carrier.angle + turn)
+    frame = scene.new_frame((x0, y0), carrier.point(x0 + dx, y0 + dy), carrier.angle + turn)
+    return body._replace(frame=frame)

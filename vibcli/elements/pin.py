@@ -1,6 +1,13 @@
 """Rotation about a pin, which may be carried by another body."""
 
-from vibcli.language.fields import BODY, PLACE, Element, Field, Flag, MotionField
+from typing import TYPE_CHECKING, Any
+
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import BODY, PLACE, Flag, MotionField
+
+if TYPE_CHECKING:
+    from vibcli.elements.body import Body
+    from vibcli.language.reader import Record
 
 ELEMENT = Element(
     "pin",
@@ -17,8 +24,8 @@ ELEMENT = Element(
 )
 
 
-def build(pin, body, scene):
-    """The frame of a pinned body: the pin moves with its carrier, the body turns about it by φ."""
+def build(pin: "Record", body: "Body", scene: Any) -> "Body":
+    """A pinned body with its frame: the pin moves with its carrier, the body turns about it by φ."""
     pivot, place, carrier = scene.pivot(pin, body)
     angle = scene.change(pin["by"])
     if pin.get("relative"):
@@ -26,4 +33,4 @@ def build(pin, body, scene):
             scene.report(pin.place("relative"), "'relative' needs a carrier",
                          "name the body that carries the pin, or leave it out")
         angle = angle + carrier.angle
-    return scene.new_frame(pivot, place, angle)
+    return body._replace(frame=scene.new_frame(pivot, place, angle))

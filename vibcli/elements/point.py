@@ -1,7 +1,15 @@
 """Points: fixed in the plane, or carried by a body from the place where they are drawn."""
 
-from vibcli.language.fields import BODY, Element, Field, Many, MotionField
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import BODY, Many, MotionField
 from vibcli.language.named_place import DRAWN
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Record
+    from vibcli.symbolic.node import Node
 
 ELEMENT = Element(
     "point",
@@ -18,13 +26,10 @@ ELEMENT = Element(
 )
 
 
-def build(point, scene):
-    """(drawn place, present place) of a point."""
-    x, y = drawn = scene.pair(point["at"])
-    if "moves" in point:
-        if not any(scene.lower(part).mask for part in point["moves"]):
-            scene.report(point.place("moves"), f"'{point.name}' never moves: its displacement is constant",
-                         "let `at` say where it is")
-        x, y = (place + scene.driven_by(scene.lower(part), f"{point.name}.{axis}", f"{point.name}.drive.{axis}")
-                for axis, place, part in zip("xy", drawn, point["moves"], strict=True))
-    return drawn, scene.frame(point["body"]).point(x, y) if "body" in point else (x, y)
+def driven(point: "Record", drawn: "Sequence[Node]", scene: Any) -> "tuple[Node, Node]":
+    """Where a point is that is driven, `drawn` being its place as drawn."""
+    if not any(scene.lower(part).mask for part in point["moves"]):
+        scene.report(point.place("moves"), f"'{point.name}' never moves: its displacement is constant",
+                     "let `at` say where it is")
+    return tuple(place + scene.driven_by(scene.lower(part), f"{point.name}.{axis}", f"{point.name}.drive.{axis}")
+                 for axis, place, part in zip("xy", drawn, point["moves"], strict=True))

@@ -12,9 +12,16 @@ all sides as an eyelet does.
 """
 
 from itertools import pairwise
+from math import atan2, hypot, pi, sqrt, tau
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from vibcli.language.fields import PLACE, Element, Field, Many, NameOf, OneOf, Quantity, vector
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import PLACE, Many, NameOf, OneOf, Quantity, vector
 from vibcli.symbolic.normal_form import root_of_square, textbook
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Record
+    from vibcli.symbolic.node import Node
 
 SIDES = {"over": (0, 1), "under": (0, -1), "left_of": (-1, 0), "right_of": (1, 0)}
 ABOUT = ("a rope of constant length: [A, {under: drum}, {over: top, radius: r}, B]. Its ends are points or bodies, or "
@@ -33,35 +40,35 @@ KIND = Many(OneOf("a point, a body, or a pulley such as {over: drum}",
                   sequence=vector("m", "a place [x, y]"), mapping=PULLEY), 2, 50, "a list of two or more stops")
 
 
-class Stop:
-    """A place that a rope passes or ends at: the centre of its circle now, its radius, its sense σ, how far its rim
-    turns."""
+class Stop(NamedTuple):
+    """A place that a rope passes or ends at: the centre of its circle now, its radius, on which side the rope passes,
+    how far its rim turns, its sense σ."""
 
-    __slots__ = ("centre", "radius", "sense", "side", "turn")
-
-    def __init__(self, centre, radius, side, turn):
-        self.centre, self.radius, self.side, self.turn, self.sense = centre, radius, side, turn, 0
+    centre: tuple
+    radius: Any
+    side: tuple
+    turn: Any
+    sense: int = 0
 
     @property
-    def contact(self):
+    def contact(self) -> "tuple[Node, Node]":
         """Where the rope about passes."""
         nx, ny = self.side or (0, 0)
         return self.centre[0] + self.radius * nx, self.centre[1] + self.radius * ny
 
     @property
-    def reach(self):
+    def reach(self) -> "Node":
         """σ r."""
         return self.radius * self.sense
 
 
-def build(record, scene):
+def build(record: "Record", scene: Any) -> None:
     """One condition for each stretch of rope between bodies on which it does not slip."""
     stops = [_stop(item, scene) for item in record["rope"]]
     if None in stops:
         return
-    for i, stop in enumerate(stops):
-        if stop.side is not None:
-            stop.sense = _sense(record, scene, stops, i)
+    stops = [stop if stop.side is None else stop._replace(sense=_sense(record, scene, stops, i))
+             for i, stop in enumerate(stops)]
     if not (_sides_are_named(record, scene) and _touches(record, scene, stops)):
         return
     groups, total = [], scene.table.zero
@@ -87,21 +94,20 @@ def _sides_are_named(record, scene):
 
 def _touches(record, scene, stops):
     """Does the taut rope lie against every pulley on the side that is named, as drawn?"""
-    from math import atan2, hypot, pi, sqrt, tau
-
     directions = []
     for one, two in pairwise(stops):
         x, y = (scene.number(b - a) for a, b in zip(one.centre, two.centre, strict=True))
         offset = scene.number(one.reach - two.reach)
         length = sqrt(max(hypot(x, y) ** 2 - offset**2, 0.0))
         directions.append(atan2(y, x) + atan2(offset, length))
-    for (arriving, leaving), stop, item in zip(pairwise(directions), stops[1:-1], record["rope"][1:-1], strict=True):
+    for i, (arriving, leaving) in enumerate(pairwise(directions), 1):
+        stop = stops[i]
         if stop.side is None:
             continue
-        sense = stop.sense or _sense(record, scene, stops, stops.index(stop), peg=True)
+        sense = stop.sense or _sense(record, scene, stops, i, peg=True)
         wrap = (leaving - arriving) * sense % tau
         if 1.25 * pi < wrap < tau - 1e-9:
-            scene.report(item.where, f"the rope '{record.name}', drawn taut, does not touch this pulley",
+            scene.report(record["rope"][i].where, f"the rope '{record.name}', drawn taut, does not touch this pulley",
                          "name the other side, or draw the pulley where the rope bends round it")
             return False
     return True
@@ -130,7 +136,7 @@ def _sense(record, scene, stops, i, peg=False):
     if not (peg or scene.number(stops[i].radius)):
         return 0
     before, after = stops[max(i - 1, 0)], stops[min(i + 1, len(stops) - 1)]
-    if stops[i] in (before, after):
+    if i in (0, len(stops) - 1):
         dx, dy = (scene.number(b - a) for a, b in zip(before.centre, after.centre, strict=True))
     else:
         dx, dy = (scene.number(b - a) for a, b in zip(before.contact, after.contact, strict=True))
@@ -184,6 +190,4 @@ def _direction(scene, ex, ey):
 def _root(scene, square):
     """√square, without a root where it is a perfect square."""
     root = root_of_square(square)
-    if root is None:
-        return square.table.sqrt(square)
-    return root if scene.sign(root) > 0 else -root
+    return square.table.sqrt(square) if root is None else scene.absolute(root)

@@ -9,27 +9,22 @@ With R the radius, α the half angle, O the centre of a sector's or arch's circl
     rod        J_C = m l²/12                    particle J_C = 0
 """
 
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
 NEEDS = {"particle": (), "disc": ("radius",), "ring": ("radius",), "rod": ("from", "to"),
          "rectangle": ("width", "height"), "ellipse": ("a", "b"), "sector": ("radius", "half_angle"),
          "arch": ("radius", "half_angle")}
 
 
-class Uniform:
+class Uniform(NamedTuple):
     """What a shape gives: the square of its radius of gyration about C, the offset OC along its axis, its measure
     (area or length; None for a particle), and the radius it rolls on (None where it is not round)."""
 
-    __slots__ = ("gyration2", "measure", "offset", "radius")
-
-    def __init__(self, gyration2, measure, radius=None, offset=None):
-        self.gyration2, self.measure, self.radius, self.offset = gyration2, measure, radius, offset
-
-
-def _disc(table, radius):
-    return Uniform(radius * radius / 2, table.pi * radius * radius, radius)
-
-
-def _ring(table, radius):
-    return Uniform(radius * radius, 2 * table.pi * radius, radius)
+    gyration2: Any
+    measure: Any
+    radius: Any = None
+    offset: Any = None
 
 
 def _sector(table, radius, half):
@@ -42,21 +37,13 @@ def _arch(table, radius, half):
     return Uniform(radius * radius - offset * offset, 2 * half * radius, radius, offset)
 
 
-def _rectangle(table, width, height):
-    return Uniform((width * width + height * height) / 12, width * height)
-
-
-def _ellipse(table, a, b):
-    return Uniform((a * a + b * b) / 4, table.pi * a * b)
-
-
-def _rod(table, length):
-    return Uniform(length * length / 12, length)
-
-
-def _particle(table):
-    return Uniform(table.zero, None)
-
-
-LAWS = {"particle": _particle, "disc": _disc, "ring": _ring, "rod": _rod, "rectangle": _rectangle,
-        "ellipse": _ellipse, "sector": _sector, "arch": _arch}
+LAWS: dict[str, Callable] = {
+    "particle": lambda table: Uniform(table.zero, None),
+    "disc": lambda table, radius: Uniform(radius * radius / 2, table.pi * radius * radius, radius),
+    "ring": lambda table, radius: Uniform(radius * radius, 2 * table.pi * radius, radius),
+    "rod": lambda table, length: Uniform(length * length / 12, length),
+    "rectangle": lambda table, width, height: Uniform((width * width + height * height) / 12, width * height),
+    "ellipse": lambda table, a, b: Uniform((a * a + b * b) / 4, table.pi * a * b),
+    "sector": _sector,
+    "arch": _arch,
+}

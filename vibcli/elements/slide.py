@@ -1,6 +1,15 @@
 """Translation along a direction or a smooth curve, the orientation kept in the carrier."""
 
-from vibcli.language.fields import BODY, Element, Field, MotionField, NameOf, vector
+from typing import TYPE_CHECKING, Any
+
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import BODY, MotionField, NameOf, vector
+from vibcli.symbolic.derivatives import gradient
+
+if TYPE_CHECKING:
+    from vibcli.elements.body import Body
+    from vibcli.language.reader import Record
+    from vibcli.symbolic.node import Node
 
 ELEMENT = Element(
     "slide",
@@ -13,7 +22,8 @@ ELEMENT = Element(
         "surface": Field(NameOf("the name of a surface", "surfaces"), "the surface that it slides on: `by` is then the "
                          "length of its path on a line (from its first place) or circle (counter-clockwise), and the "
                          "horizontal displacement on a curve"),
-        "carrier": Field(BODY, "the body relative to which it slides; a carried direction turns with it"),
+        "carrier": Field(BODY, "the body relative to which it slides; a carried direction turns with it. Of a body "
+                         "without a place one that slides along the same axis"),
     },
     exclusive=(("along", "surface"), ("carrier", "surface")),
     short="by",
@@ -21,20 +31,22 @@ ELEMENT = Element(
 )
 
 
-def build(slide, body, scene):
-    """The frame of a sliding body: x = x₀ + u·e, turned and displaced with the carrier."""
+def build(slide: "Record", body: "Body", scene: Any) -> "Body":
+    """A sliding body with its frame: x = x₀ + u·e, turned and displaced with the carrier."""
     x0, y0 = body.centre
     if "surface" in slide:
         return _on_surface(slide, body, scene)
     carrier = scene.carrier(slide)
-    ex, ey = scene.direction(slide["along"]) if "along" in slide else (scene.table.one, scene.table.zero)
+    ex, ey = scene.table.one, scene.table.zero
+    if "along" in slide:
+        ex, ey = scene.unit(*scene.pair(slide["along"]), slide["along"][0].where)
     u = scene.change(slide["by"])
     x, y = carrier.point(x0 + u * ex, y0 + u * ey)
-    return scene.new_frame((x0, y0), (x, y), carrier.angle)
+    return body._replace(frame=scene.new_frame((x0, y0), (x, y), carrier.angle))
 
 
 def _on_surface(slide, body, scene):
-    """The frame of a particle on a surface."""
+    """A particle on a surface with its frame and the normal of the surface."""
     surface, (x0, y0) = scene.surfaces[slide["surface"].text], body.centre
     carrier, u = scene.carrier(surface, "body"), scene.change(slide["by"])
     if "line" in surface:
@@ -50,13 +62,23 @@ def _on_surface(slide, body, scene):
     else:
         off, x = y0 - scene.height_of(surface, x0), x0 + u
         y = scene.height_of(surface, x)
-        normal = scene.unit_normal(y, u)
-    off = off if scene.sign(off) > 0 else -off
-    scene.require_equal(off, scene.table.zero, slide.where, f"'{body.name}' is {{}} m off its surface as drawn",
-                        "draw it on the surface", size=1e-9 * (abs(scene.number(x0)) + abs(scene.number(y0))))
-    body.normal = carrier.turned(*normal)
-    return scene.new_frame((x0, y0), carrier.point(x, y), carrier.angle)
+        normal = _upward_normal(y, u)
+    scene.require_equal(scene.absolute(off), scene.table.zero, slide.where,
+                        f"'{body.name}' is {{}} m off its surface as drawn", "draw it on the surface",
+                        size=1e-9 * (abs(scene.number(x0)) + abs(scene.number(y0))))
+    normal = carrier.turned(*normal)
+    return body._replace(normal=normal, frame=scene.new_frame((x0, y0), carrier.point(x, y), carrier.angle))
 
 
-def lump(slide, scene):
-    return "slide", scene.change(slide["by"])
+def _upward_normal(y, u):
+    """(−y′, 1)/√(1 + y′²) of a curve, y being a function of the displacement u."""
+    slope = y.table.zero
+    for x, partial in gradient(y).items():
+        if x in gradient(u):
+            slope = partial / gradient(u)[x]
+    length = y.table.sqrt(slope * slope + 1)
+    return -slope / length, 1 / length
+
+
+def lump(slide: "Record", scene: Any) -> "tuple[str, Node]":
+    return "slide", scene.along_axis(slide, "slide") + scene.change(slide["by"])

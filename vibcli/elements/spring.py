@@ -5,9 +5,17 @@ counts: N + k (d − d_drawn). Stretch, tension and preload are positive in leng
 beyond their gap g alone: through max(d − g, 0) where they pull, min(d + g, 0) where they push.
 """
 
+from typing import TYPE_CHECKING, Any
+
+from vibcli.elements import ends
 from vibcli.elements.torsion import Torsion, settle_torsion
-from vibcli.language.fields import ENDS, Choice, Element, Field, Kind, OneOf, Quantity
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import ENDS, Choice, Kind, Quantity
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.rationals import HALF
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Record
 
 
 class _Preload(Kind):
@@ -15,14 +23,13 @@ class _Preload(Kind):
 
     wants = "a force, or the word static"
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         if getattr(node, "text", None) == "static":
             return "static"
         return Quantity().read(node, reader)
 
     def schema(self):
-        return OneOf(self.wants, scalar=Choice("static")).schema() | {"anyOf": [{"const": "static"}, {"type": [
-            "string", "number"]}]}
+        return {"anyOf": [{"const": "static"}, {"type": ["string", "number"]}]}
 
 
 def _settle(record, reader):
@@ -58,10 +65,11 @@ ELEMENT = Element(
     settle=_settle,
     instead={"series": "k: k1*k2/(k1 + k2)", "parallel": "write two springs with the same ends, or k: k1 + k2"},
     example="preloaded_spring",
+    signals={"stretch": ("m", "rad"), "force": ("N", "N*m"), "energy": ("J", "J")},
 )
 
 
-def build(record, scene):
+def build(record: "Record", scene: Any) -> None:
     """Add the potential energy of a spring to the scene."""
     torsion = "torsion" in record
     nonlinear = any(key in record for key in ("law", "acts", "gap"))
@@ -69,16 +77,16 @@ def build(record, scene):
     preload = _preload(record, scene)
     if "free_length" in record and "between" in record:
         free = scene.positive(record["free_length"], "the free length", zero=True)
-        dx, dy = scene.span(record)
-        if dx is None or scene.moving(record, dx if dx.mask else dy) is None:
+        dx, dy = ends.span(record, scene)
+        if dx is None or ends.moving(record, scene, dx if dx.mask else dy) is None:
             return
         if free.is_zero and not nonlinear:
             scene.add_spring(k, preload, dx)
             scene.add_spring(k, preload, dy)
-        elif (length := scene.length(record, dx, dy)) is not None:
+        elif (length := ends.length(record, scene, dx, dy)) is not None:
             _add(record, scene, k, preload, length - free)
         return
-    stretch = scene.stretch(record, torsion)
+    stretch = ends.stretch(record, scene, torsion)
     if stretch is None:
         return
     if "preload" in record and "stretch" in record:
@@ -90,7 +98,7 @@ def _add(record, scene, k, preload, stretch):
     if k is not None and "acts" not in record and "gap" not in record:
         scene.add_spring(k, preload, stretch)
         return
-    d, zero = scene.law_variable(), scene.table.zero
+    d, zero = scene.table.variable("the deflection"), scene.table.zero
     if k is not None:
         energy = k * d * d * HALF
         stretch = stretch + preload / k     # of a cable or stop under load: where its tension would vanish
@@ -99,12 +107,12 @@ def _add(record, scene, k, preload, stretch):
         energy = scene.integrated(law, d, record["law"].where)
         if energy is None:
             return
-        if ("acts" in record or "gap" in record) and scene.number(scene.value_at(law, d)):
+        if ("acts" in record or "gap" in record) and scene.number(*substitute([law], {d: zero})):
             scene.report(record["law"].where, f"the law of '{record.name}' begins with a force at d = 0",
                          "a one-sided law starts from zero force; a cable under load has a `preload`")
             return
     if "acts" in record or "gap" in record:
-        energy = sum((scene.value_at(energy, d, u) for u in _beyond_the_gap(record, scene, d)), zero)
+        energy = sum((substitute([energy], {d: u})[0] for u in _beyond_the_gap(record, scene, d)), zero)
     scene.add_law(stretch, d, energy)
 
 

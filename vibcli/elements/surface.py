@@ -1,7 +1,7 @@
 """Surfaces that bodies roll or slide on: lines, circles and curves, fixed or carried by a body."""
 
-from vibcli.base import units
-from vibcli.language.fields import BODY, Choice, Element, Field, Many, NewName, Quantity
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import BODY, Choice, Many, NewName, Quantity
 from vibcli.language.named_place import DRAWN
 
 
@@ -11,7 +11,7 @@ def _settle(record, reader):
     if "curve" in record and "in" not in record:
         reader.report(record.where, "a curve needs 'in': the name of its abscissa", "as in {curve: x^2/(2*p), in: x}")
     elif "curve" in record:
-        reader.local_names[id(record["curve"])] = record["in"], units.LENGTH
+        reader.name_within(record["curve"], record["in"], "m")
 
 
 ELEMENT = Element(

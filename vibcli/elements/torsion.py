@@ -1,42 +1,42 @@
 """Whether a spring or damper acts between rotations, and what that makes of its other keys."""
 
-from vibcli.base import units
-from vibcli.language.fields import Choice, Kind, OneOf, Quantity
-from vibcli.language.reader import Expression
+from collections.abc import Sequence
+from typing import Any
+
+from vibcli.language.kinds import Kind, Quantity
+from vibcli.language.reader import Expression, Reader, Record
 
 
 class Torsion(Kind):
     """A torsional coefficient, or the word true where something else says how large the moment is."""
 
-    def __init__(self, unit):
+    def __init__(self, unit: str):
         self.kind = Quantity(unit)
 
     @property
     def wants(self):
         return self.kind.wants + ", or the word true"
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         return True if getattr(node, "text", None) == "true" else self.kind.read(node, reader)
 
     def schema(self):
-        return {"anyOf": [{"const": True}, *OneOf(self.wants, scalar=Choice("true")).schema()["anyOf"],
-                          {"type": ["string", "number"]}]}
+        return {"anyOf": [{"const": True}, {"enum": ["true"]}, {"type": ["string", "number"]}]}
 
 
-def settle_torsion(record, reader, forces, local, rate):
+def settle_torsion(record: Record, reader: Reader, forces: Sequence[str], local: str, rate: bool) -> None:
     """The dimensions of what is a force, or of torsion a moment; `forces`: such keys, the law included, in which
     `local` is the deflection, or its rate."""
     torsion = "torsion" in record
-    length = units.NONE if torsion else units.LENGTH
+    length, force = ("rad", "N*m") if torsion else ("m", "N")
     for key in ("stretch", "gap"):
         if key in record:
-            record[key].dimension = length
+            reader.measured(record, key, length)
     for key in forces:
         if isinstance(record.get(key), Expression):
-            record[key].unit = "N*m" if torsion else "N"
-            record[key].dimension = units.parse_unit(record[key].unit).dimension
+            reader.measured(record, key, force, said=True)
     if "law" in record:
-        reader.local_names[id(record["law"])] = local, units.times(length, units.TIME, -1) if rate else length
+        reader.name_within(record["law"], local, f"{length}/s" if rate else length)
     said = [key for key in ("law", "friction") if key in record]
     if record.get("torsion") is True and not said:
         reader.report(record.place("torsion"), "`torsion: true` stands beside what says how large the moment is",

@@ -1,10 +1,17 @@
 """A body fixed rigidly to another one."""
 
-from vibcli.language.fields import BODY
+from typing import TYPE_CHECKING, Any
+
+from vibcli.language.kinds import BODY
+
+if TYPE_CHECKING:
+    from vibcli.elements.body import Body
+    from vibcli.language.reader import Reference
 
 ELEMENT = BODY
 ABOUT = "The body is carried rigidly by another one: `weld: rod`."
 
 
-def build(weld, body, scene):
-    return scene.frame(weld)
+def build(weld: "Reference", body: "Body", scene: Any) -> "Body":
+    """The body with the frame of the one that carries it."""
+    return body._replace(frame=scene.frame(weld))

@@ -8,29 +8,30 @@ substituted into a scene built anew; solutions of scenes with letters at several
 """
 
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from vibcli.base.enumeration import listed
 from vibcli.base.errors import PhysicsError
 from vibcli.inverse import infeasible
 from vibcli.inverse.conditions import ConditionSystem
 from vibcli.inverse.search import solve
-from vibcli.inverse.solution import choosing, defined, in_numbers, stable_in_floats, with_chosen
+from vibcli.inverse.solution import Chosen, choosing, defined, in_numbers, stable_in_floats
 from vibcli.inverse.substitution import forms_of, held_by_balance, tried
 from vibcli.inverse.symbolic_conditions import balanced
-from vibcli.reader.sections.choose import BALANCE
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
 
 MOST = 30_000       # places at which the scene is looked at, and steps of its motions there
 
 
-def settled(problem, thorough=False):
-    """The problem with the first solution for its chosen parameters; itself where nothing is chosen.
-
-    `thorough`: SymPy may look for closed forms that the project's own algebra does not find.
-    """
-    if not problem.spec.choices or problem.chosen is not None:
+def settled(problem: "Problem", thorough: bool = False) -> "Problem":
+    """The problem with the first solution for its chosen parameters; itself where nothing is chosen. `thorough`: SymPy
+    may look for closed forms that the project's own algebra does not find."""
+    if not problem.spec.choices or problem.choice is not None:
         return problem
     rest = _balanced_first(problem)
-    if problem.letters:
+    if problem.symbolic.letters:
         from vibcli.inverse.symbolic_solutions import solved
 
         with problem.work.task("the search for closed forms"):
@@ -40,9 +41,9 @@ def settled(problem, thorough=False):
 
 def _balanced_first(problem):
     """The problem with the parameters chosen for equilibrium defined in letters, where that is possible."""
-    if not any(record["so"].word == BALANCE for record in problem.spec.choices.values()):
+    if not any(record["so"].is_balance for record in problem.spec.choices.values()):
         return problem
-    if all(node.is_zero for terms in problem.drawn_residual for node in terms):
+    if all(node.is_zero for terms in problem.system.drawn_residual for node in terms):
         raise infeasible.undetermined(problem)
     forms = balanced(problem)
     found = defined(problem, forms) if forms is not None else None
@@ -68,7 +69,9 @@ def _in_numbers(problem, rest, thorough):
         nodes = list(first.forms.values())
         if not system.limits and stable_in_floats(rest, nodes, [first.values[name] for name in first.forms]):
             found = defined(problem, first.forms)
-    return with_chosen(system.numeric(list(first.values.values())) if found is None else found, problem, solutions)
+    if found is None:
+        found = system.instance(list(first.values.values()))
+    return found.with_choice(Chosen(problem.spec.choices, solutions), problem)
 
 
 def _all_values(problem, rest, values):

@@ -1,15 +1,25 @@
 """Where a chosen parameter is looked for: its admissible range, and a grid over it about the natural scale."""
 
 import math
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base import units
 from vibcli.base.errors import PhysicsError
-from vibcli.language.reader import Expression, Record
+from vibcli.language.reader import Expression
 from vibcli.quantities.expression import lowered
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.semantics import literal_unit, literals_in
+from vibcli.symbolic.semantics import literal_unit
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    import mpmath
+
+    from vibcli.language.spec import Spec
+    from vibcli.results.problem import Problem
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 DECADES, DENSE, FINE, COARSE, EVEN = 9, 3, 6, 2, 48
 TURNING = ("sin", "cos", "tan")
@@ -24,21 +34,21 @@ class Range(NamedTuple):
     high_given: bool
     scale: float
 
-    def holds(self, x):
+    def holds(self, x: "float | Fraction") -> bool:
         above = x >= self.low if self.low_given else x > self.low
         return above and (x <= self.high if self.high_given else x < self.high)
 
     @property
-    def closed(self):
+    def closed(self) -> tuple[bool, bool]:
         return self.low_given, self.high_given
 
 
-def admissible(problem, name):
+def admissible(problem: "Problem", name: str) -> Range:
     """The Range of a chosen parameter: between its bounds, of one sign where it is positive; angles within a turn."""
     return Range(*ends(problem, name, turns(problem, name)), natural_scale(problem.spec, name))
 
 
-def ends(problem, name, turning):
+def ends(problem: "Problem", name: str, turning: bool) -> tuple[float, float, bool, bool]:
     """(low, high, whether the scene gives each) of a Range; `turning`: is it an angle?"""
     record, parameter = problem.spec.choices[name], problem.spec.parameters[name]
     low, high = -math.inf if parameter.get("sign") == "any" else 0.0, math.inf
@@ -66,13 +76,13 @@ def _bound(problem, expression):
                            expression.where) from None
 
 
-def known(problem, arithmetic):
+def known(problem: "Problem", arithmetic: Any) -> "dict[str, float | mpmath.mpf]":
     """The parameters of a problem that have a value, in an arithmetic."""
-    given = {name: arithmetic.number(value) for name, value in problem.given.items()}
+    given = {name: arithmetic.number(value) for name, value in problem.numeric.given.items()}
     return problem.scene.parameters.values(arithmetic, given)
 
 
-def turns(problem, name):
+def turns(problem: "Problem", name: str) -> bool:
     """Is a parameter without dimension an angle, the argument of a sine, cosine or tangent?"""
     if problem.spec.dimensions.of(name):
         return False
@@ -81,13 +91,13 @@ def turns(problem, name):
     return any(node in reachable([call]) for call in calls)
 
 
-def geometry(scene):
+def geometry(scene: "Scene") -> "list[Node]":
     """The expressions that say where everything is, moves and pulls."""
     terms = (*scene.inertias, *scene.springs, *scene.dampers, *scene.weights, *scene.forces)
     return [*(node for term in terms for node in term.nodes), *scene.drawn.values(), *scene.energies.values()]
 
 
-def natural_scale(spec, name):
+def natural_scale(spec: "Spec", name: str) -> float:
     """A value of the size that the other values of the file suggest: M^a L^b T^c with the mass, length and time that
     fit them best, in logarithms."""
     import numpy as np
@@ -112,7 +122,7 @@ def natural_scale(spec, name):
 def _values(spec):
     """(size, dimension) of every number of the scene that is not zero."""
     for expression in _expressions([value for key, value in spec.sections.items() if key != "answers"]):
-        for literal in literals_in(expression.tree):
+        for literal in expression.parts.numbers:
             unit = literal_unit(literal.units)
             if literal.value and (literal.units or spec.free_numbers):
                 yield unit.in_si(abs(literal.value)), unit.dimension
@@ -125,8 +135,6 @@ def _expressions(whole):
         part = pending.pop()
         if isinstance(part, Expression):
             yield part
-        elif isinstance(part, Record):
-            pending.extend(part.values.values())
         elif isinstance(part, dict):
             pending.extend(part.values())
         elif isinstance(part, (list, tuple)):
@@ -135,7 +143,7 @@ def _expressions(whole):
             pending.extend(part.sides)
 
 
-def grid(span):
+def grid(span: Range) -> list[float]:
     """Ascending points over a Range: by ratio about the natural scale, and evenly where both ends are known."""
     points = set()
     for sign in (-1, 1):

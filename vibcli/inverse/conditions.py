@@ -6,18 +6,24 @@ along a coordinate; at the limit of stability those that restore and those that 
 the margin to flutter and divergence (margin.py).
 """
 
+from collections.abc import Sequence
 from fractions import Fraction
 from math import isfinite
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.inverse.admissible_ranges import admissible
 from vibcli.inverse.stability_margin import free_roots, margin
 from vibcli.quantities.expression import value_of
-from vibcli.reader.sections.choose import BALANCE
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import ONE
 from vibcli.symbolic.syntax import Number
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+    from vibcli.results.shared_friction import SharedFriction
+    from vibcli.symbolic.node import Node
 
 HOLDS = 1e-8
 
@@ -25,27 +31,30 @@ HOLDS = 1e-8
 class ConditionSystem:
     """Conditions on the parameters `names` of a problem in which nothing else is without value."""
 
-    def __init__(self, problem, limits=None):
+    refusal: Any
+    free: int
+
+    def __init__(self, problem: "Problem", limits: dict[Any, Any] | None = None):
         self.problem, self.names = problem, list(problem.spec.choices)
         self.conditions = [record["so"] for record in problem.spec.choices.values()]
         self.ranges = [admissible(problem, name) for name in self.names]
         self.shares = not in_geometry(problem, self.names)
         self.refusal, self._measured, self.rigid, self.free = None, {}, None, None
         self.scales = [0.0] * len(self.conditions)
-        self.rest, self.ends = {}, []                               # equilibria as found, and where following them ends
+        self.rest, self.ends = {}, []                               # Configurations; where following them ends
         self.limits = {} if limits is None else limits              # {value: Limit} that was followed to (folds.py)
 
-    def measured(self, values):
+    def measured(self, values: Sequence[float | Fraction]) -> list[list[tuple[float, float]]]:
         """[[(L, R), …] of each condition] at numbers for the parameters, None where the scene has no such answer."""
         key = tuple(values)
         if key not in self._measured:
-            numeric = self.numeric(values, self.shares)
-            self._measured[key] = self._measure(numeric)
-            if "equilibrium" in vars(numeric):
-                self.rest[key] = numeric
+            instance = self.instance(values, self.shares)
+            self._measured[key] = self._measure(instance)
+            if "equilibrium" in vars(instance.configuration):
+                self.rest[key] = instance.configuration
         return self._measured[key]
 
-    def numeric(self, values, shared=False):
+    def instance(self, values: Any, shared: "bool | SharedFriction | None" = False):
         given = {name: Fraction(value) for name, value in zip(self.names, values, strict=True)}
         found = self.problem.sharing(given) if shared else self.problem.with_values(given)
         limit = self.limit(values)
@@ -53,44 +62,50 @@ class ConditionSystem:
             return found
         from vibcli.mechanics.equilibrium.degenerate import at_limit
 
-        return at_limit(found, limit.position, limit.felt)
+        return found.about(at_limit(found.configuration, limit.position, limit.felt))
 
-    def limit(self, values):
+    def know(self, limits: Any, ends: Any):
+        """Keep the Limits to which equilibria were followed, and the ends of those ways."""
+        self.ends = ends
+        self.limits.update({Fraction(limit.value): limit for limit in limits})
+
+    def limit(self, values: Sequence[float | Fraction]):
         """The Limit that was followed to at these values; None elsewhere."""
         return self.limits.get(Fraction(values[0])) if len(values) == 1 else None
 
-    def _measure(self, numeric):
+    def _measure(self, instance):
         import numpy as np
 
         self.problem.work.step()
         try:
             with np.errstate(all="ignore"):
-                if any(condition.word != BALANCE for condition in self.conditions):
-                    _roughly(numeric)
-                found = [self._pairs(numeric, condition, True) for condition in self.conditions]
+                if not all(condition.is_balance for condition in self.conditions):
+                    instance = _roughly(instance)
+                signed = instance.with_signs()
+                found = [self._pairs(signed if _vanishing(condition) else instance, condition)
+                         for condition in self.conditions]
         except (SpecError, PhysicsError, ArithmeticError, np.linalg.LinAlgError) as error:
             self.refusal = self.refusal or error
             return None
         return found if all(isfinite(x) for pairs in found for pair in pairs for x in pair) else None
 
-    def _pairs(self, numeric, condition, searching=False):
-        if condition.word == BALANCE:
-            return balance(numeric)
+    def _pairs(self, instance, condition):
+        if condition.is_balance:
+            return balance(instance)
         if condition.word:
-            return [self._slowest(numeric)]
-        numeric.signed = searching and any(is_nothing(side.tree) for side in condition.sides)
-        return [(value_of(numeric, condition.left)[0], value_of(numeric, condition.right)[0])]
+            return [self._slowest(instance)]
+        return [(value_of(instance, condition.left)[0], value_of(instance, condition.right)[0])]
 
-    def _slowest(self, numeric):
+    def _slowest(self, instance):
         """What restores and what drives away, in the unstable mode that grows fastest or else the slowest one; with
         loads or damping that may drive a mode, its margin to flutter and divergence."""
-        free = free_roots(numeric.elements)
+        free = free_roots(instance.configuration.linear_system)
         self.free = free if self.free is None else min(free, self.free)
-        found = margin(numeric.elements, self.free)
+        found = margin(instance.configuration.linear_system, self.free)
         if found is not None:
             value, size = found
             return 0.5 * (size + value), 0.5 * (size - value)
-        modes = numeric.modes
+        modes = instance.modal.modes
         rigid = sum(mode.rigid for mode in modes)
         self.rigid = rigid if self.rigid is None else min(rigid, self.rigid)
         if rigid > self.rigid:
@@ -99,17 +114,17 @@ class ConditionSystem:
         if mode is None:
             raise PhysicsError("nothing holds this scene: it has no limit of stability", "add a spring")
         value = float(mode.omega) ** 2 if mode.omega is not None else -(float(mode.growth_rate) ** 2)
-        size = _stiffness_size(numeric.elements, mode.shape)
+        size = _stiffness_size(instance.configuration.linear_system, mode.shape)
         return 0.5 * (size + value), 0.5 * (size - value)
 
-    def misfits(self, values):
+    def misfits(self, values: Sequence[float]) -> list[float]:
         """(L − R)/(|L| + |R|) of each condition, None where the scene has no such answer."""
         found = self.measured(values)
         if found is None:
             return None
         return [misfit(pair, scale) for pairs, scale in zip(found, self.scales, strict=True) for pair in pairs]
 
-    def settle_scales(self, places):
+    def settle_scales(self, places: Sequence[list[float]]) -> None:
         """Where one side is always zero, the misfit is relative to the usual size of the other."""
         found = [measured for measured in map(self.measured, places) if measured is not None]
         for i in range(len(self.conditions)):
@@ -118,25 +133,21 @@ class ConditionSystem:
                 sizes = sorted(abs(left) + abs(right) for left, right in pairs)
                 self.scales[i] = sizes[len(sizes) // 2]
 
-    def settle_about(self, values):
-        """The scales from a few places near a solution."""
-        self.settle_scales([[float(x) * factor for x in values] for factor in (0.4, 0.9, 1.7)])
-
-    def residual(self, values):
+    def residual(self, values: Sequence[Fraction]) -> float:
         """The largest misfit in a scene built anew with these values; PhysicsError where it has no such answer."""
         limit = self.limit(values)
         if limit is not None and self.conditions[0].word:
             return limit.residual
-        found = [self._pairs(self.numeric(values), condition) for condition in self.conditions]
+        found = [self._pairs(self.instance(values), condition) for condition in self.conditions]
         return max(abs(misfit(pair, scale)) for pairs, scale in zip(found, self.scales, strict=True) for pair in pairs)
 
-    def holds(self, values):
+    def holds(self, values: Sequence[Fraction]) -> tuple[bool, float]:
         """(whether all conditions hold, residual) by substitution; a limit of stability has to be passed."""
         try:
             residual = self.residual(values)
         except (SpecError, PhysicsError, ArithmeticError):
             return False, None
-        limits = [i for i, condition in enumerate(self.conditions) if condition.word and condition.word != BALANCE]
+        limits = [i for i, condition in enumerate(self.conditions) if condition.word and not condition.is_balance]
         followed = self.limit(values) is not None
         return residual <= HOLDS and (followed or all(self._passed(i, values) for i in limits)), residual
 
@@ -150,36 +161,40 @@ class ConditionSystem:
             signs.append(found is not None and misfit(found[i][0], 0.0))
         return signs[0] * signs[1] < 0
 
-    def admits(self, values):
+    def admits(self, values: Sequence[Fraction]) -> bool:
         return all(isfinite(x) and span.holds(x) for x, span in zip(values, self.ranges, strict=True))
 
 
-def is_nothing(tree):
-    """Is this side of an equation written as 0?"""
-    return isinstance(tree, Number) and not tree.value
+def _vanishing(condition):
+    """Is a condition an equation of which one side is written as 0?"""
+    return not condition.word and any(
+        isinstance(side.tree, Number) and not side.tree.value for side in condition.sides)
 
 
-def _roughly(numeric):
-    """Element data about an equilibrium that is not drawn, in floats: for a first look, not to the last digit."""
+def _roughly(instance):
+    """The same with element data about an equilibrium that is not drawn, in floats: for a first look, not to the last
+    digit."""
     from vibcli.mechanics.numeric_linearisation import in_numbers
 
-    scene = numeric.scene
+    scene, system, configuration = instance.scene, instance.system, instance.configuration
     plain = scene.loops is None and not scene.timed and "atan2" not in scene.table.called
-    if plain and not numeric.is_linear and not numeric.equilibrium.drawn:
-        numeric.elements = in_numbers(numeric.form, Floats, numeric.at_rest).elements
+    if not plain or system.is_linear or configuration.equilibrium.drawn:
+        return instance
+    elements = in_numbers(system.linearisation, Floats, configuration.at_rest).elements
+    return instance.about(configuration.about(configuration.equilibrium, elements))
 
 
-def misfit(pair, scale):
+def misfit(pair: tuple[float, float], scale: float) -> float:
     left, right = pair
     size = abs(left) + abs(right) + scale
     return (left - right) / size if size else 0.0
 
 
-def balance(numeric):
+def balance(instance: Any) -> list[tuple[float, float]]:
     """(forces along, forces against) each coordinate in the drawn position."""
     found = []
-    place = {**numeric.floats, numeric.scene.time.name: 0.0, **numeric.drawn_floats}
-    for terms in numeric.drawn_residual:
+    place = {**instance.numeric.floats, instance.scene.time.name: 0.0, **instance.numeric.drawn_floats}
+    for terms in instance.system.drawn_residual:
         values = evaluate(terms, Floats, place)
         found.append((sum(x for x in values if not x < 0), -sum(x for x in values if x < 0)))
     return found
@@ -193,7 +208,7 @@ def _stiffness_size(elements, shape):
                        for pair, value in elements.K.items())
 
 
-def in_geometry(problem, names):
+def in_geometry(problem: "Problem", names: Sequence[str]) -> bool:
     """Does the place or motion of anything depend on these parameters?"""
     scene, parameters = problem.scene, problem.scene.parameters
     symbols = {parameters.nodes[name] for name in names}
@@ -205,5 +220,5 @@ def in_geometry(problem, names):
     return bool(symbols & set(reachable([*places, *scene.drawn.values(), *scene.dependent.values()])))
 
 
-def summed(table, terms):
+def summed(table: Any, terms: "Sequence[Node]"):
     return table.sum(*((term, ONE) for term in terms))

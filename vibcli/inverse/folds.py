@@ -1,11 +1,17 @@
 """Limits of stability that no change of sign between two values tells: the equilibrium is followed from one value to
 the next, to a limit point (fold) where it meets an unstable one and both vanish, to a branching, or to its end."""
 
+from collections.abc import Sequence
 from itertools import pairwise
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from vibcli.mechanics.equilibrium.continuation import Branch
 from vibcli.numerics.root_finding import bracketed
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.inverse.conditions import ConditionSystem
 
 SAME = 1e-6
 FARTHER = 1.3       # growth over the second half of the steps of a way that vanish: what ends at a place grows by 1
@@ -31,7 +37,7 @@ class End(NamedTuple):
     runs: str
 
 
-def followed(system, places):
+def followed(system: "ConditionSystem", places: Sequence[list[float]]):
     """([Limit], [End]) of the stable equilibria of a ConditionSystem with one parameter,
     from each of the ascending places to its neighbours."""
     limits, ends = [], []
@@ -52,11 +58,11 @@ def _same(a, b):
 def _between(system, one, other):
     """(limits, ends) on the way from one value to another; None where the equilibria of both are on one branch."""
     here, there = (system.rest.get((value,)) for value in (one, other))
-    if here is None or here.is_linear or here.equilibrium.drawn:
+    if here is None or here.system.is_linear or here.equilibrium.drawn:
         return None if here is not None and there is not None and there.equilibrium.drawn else ([], [])
-    branch = Branch(here, system.names[0])
+    branch = Branch(here.numeric, system.names[0])
     start = branch.start(one, here.equilibrium.values)
-    if start is None or not stable(start.K):
+    if start is None or not lowest(start.K) > 0:
         return [], []
     found = branch.followed(start, other)
     if found.arrived and there is not None and branch.alike(found.place.position, there.equilibrium.values):
@@ -77,12 +83,7 @@ def _limit(branch, place, fold):
     return Limit(place.value, place.position, fold, abs(lowest(place.K)) / branch.size, felt)
 
 
-def stable(K):
-    """Has a stiffness matrix no eigenvalue that lets go?"""
-    return lowest(K) > 0
-
-
-def lowest(K):
+def lowest(K: "np.ndarray"):
     import numpy as np
 
     return float(np.linalg.eigvals(K).real.min())

@@ -1,21 +1,30 @@
 """Why a parameter cannot be chosen, in words."""
 
+from collections.abc import Sequence
 from math import inf, isfinite, pi, tau
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.base.enumeration import listed
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.base.work import longer
-from vibcli.inverse.conditions import misfit
+from vibcli.inverse.conditions import ConditionSystem, misfit
 from vibcli.notation.numbers import figure
 from vibcli.notation.plain import plain
-from vibcli.reader.sections.choose import BALANCE, LIMIT
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.inverse.admissible_ranges import Range
+    from vibcli.numerics.root_finding import Scan
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 
-def undetermined(problem, tried=None):
+def undetermined(problem: "Problem", tried: Sequence[float] | None = None) -> PhysicsError:
     """The conditions hold whatever is chosen, as letters prove; or at all the values that were `tried` in a range."""
     names, where = listed(problem.spec.choices), _where(problem)
-    if [record["so"].word for record in problem.spec.choices.values()] == [BALANCE]:
+    if [record["so"].is_balance for record in problem.spec.choices.values()] == [True]:
         return PhysicsError(f"the drawn position is in equilibrium whatever {names} is: that does not determine it",
                             "ask for another condition", where)
     reach = f"whatever {names} is"
@@ -31,18 +40,20 @@ def _where(problem):
     return next(iter(problem.spec.choices.values())).where
 
 
-def texts(problem):
+def texts(problem: "Problem") -> str:
     """The conditions in words."""
-    words = {BALANCE: "equilibrium as drawn", LIMIT: "a limit of stability"}
-    conditions = [record["so"] for record in problem.spec.choices.values()]
-    return listed(list(dict.fromkeys(words.get(condition.word, condition.text) for condition in conditions)))
+    return listed(list(dict.fromkeys(_in_words(record["so"]) for record in problem.spec.choices.values())))
 
 
-def none_found(system, scan, proven=False):
-    """No solution: what the quantity does at the values that were tried, or why it is never defined.
+def _in_words(condition):
+    if condition.word is None:
+        return condition.text
+    return "equilibrium as drawn" if condition.is_balance else "a limit of stability"
 
-    `proven`: do letters tell that there is none? Else none was found where it was looked for.
-    """
+
+def none_found(system: ConditionSystem, scan: "Scan | None", proven: bool = False) -> PhysicsError | SpecError:
+    """No solution: what the quantity does at the values that were tried, or why it is never defined. `proven`: do
+    letters tell that there is none? Else none was found where it was looked for."""
     where, condition = _where(system.problem), system.conditions[0]
     if scan is None:
         return _of_several(system, proven)
@@ -55,7 +66,7 @@ def none_found(system, scan, proven=False):
             return error
         message = error.message if error is not None else "nothing there has a finite value"
         return PhysicsError(f"{gives}: {message}", getattr(error, "hint", None), where)
-    if condition.word == BALANCE:
+    if condition.is_balance:
         return PhysicsError(f"{none} keeps the drawn position in equilibrium",
                             "look at the forces that act as drawn: does one depend on it, in the right sense?", where)
     if condition.word:
@@ -70,7 +81,7 @@ class NotHeld(PhysicsError):
     """The conditions do not hold where the scene comes to rest with the values that they ask for."""
 
 
-def not_held(system):
+def not_held(system: ConditionSystem) -> NotHeld:
     """No solution is left once those in letters are tried in the scene."""
     if len(system.names) > 1:
         error = _of_several(system, False)
@@ -82,12 +93,10 @@ def not_held(system):
 def _of_several(system, proven):
     """No common solution of several conditions."""
     names, where = listed(system.names), _where(system.problem)
-    if proven:
-        return PhysicsError(f"no admissible values of {names} give {texts(system.problem)}",
-                            "is each of these within reach of the scene? try one of them alone", where)
-    return PhysicsError(f"no admissible values of {names} were found that give {texts(system.problem)}",
-                        "is each of these within reach of the scene? try one of them alone, or give the range of each "
-                        "with from and to", where)
+    found = "" if proven else "were found that "
+    return PhysicsError(f"no admissible values of {names} {found}give {texts(system.problem)}",
+                        "is each of these within reach of the scene? try one of them alone" + (
+                            "" if proven else ", or give the range of each with from and to"), where)
 
 
 def _stability(system, scan, proven):
@@ -163,7 +172,7 @@ def _within(system, span):
     return f"in {left}{end(span.low)}, {end(span.high)}{right}"
 
 
-def not_admissible(problem, name, node, value, span):
+def not_admissible(problem: "Problem", name: str, node: "Node", value: "Fraction", span: "Range") -> PhysicsError:
     """The only solution lies outside the range of its parameter."""
     record = problem.spec.choices[name]
     unit = units.text(problem.spec.dimensions.of(name))
@@ -178,14 +187,15 @@ def not_admissible(problem, name, node, value, span):
                         "widen its range", record.where)
 
 
-def unbalanced(problem, numeric, pairs):
+def unbalanced(problem: "Problem", instance: Any, pairs: Sequence[tuple[float, float]]) -> PhysicsError:
     """Conditions of equilibrium that are left over, at the values that the other conditions ask for."""
-    names = [name for name, record in problem.spec.choices.items() if record["so"].word == BALANCE]
+    names = [name for name, record in problem.spec.choices.items() if record["so"].is_balance]
     errors = [abs(misfit(pair, 0.0)) for pair in pairs]
     i = errors.index(max(errors))
     left = pairs[i][0] - pairs[i][1]
-    coordinate = numeric.scene.coordinates[i]
-    others = [_valued(problem, name, numeric.floats[name]) for name in problem.spec.choices if name not in names]
+    coordinate = instance.scene.coordinates[i]
+    others = [_valued(problem, name, instance.numeric.floats[name])
+              for name in problem.spec.choices if name not in names]
     given = f"with {listed(others)}, as is chosen, " if others else ""
     return PhysicsError(f"{given}no value of {listed(names)} makes the drawn position an equilibrium: the condition "
                         f"for '{coordinate}' is left with {figure(left)}",
@@ -197,13 +207,13 @@ def _valued(problem, name, value):
     return f"{name} = {figure(value)} {units.text(problem.spec.dimensions.of(name))}".rstrip()
 
 
-def no_closed_form(problem):
+def no_closed_form(problem: "Problem") -> PhysicsError:
     hint = "give the other parameters values in the file or with --set: then it is found in numbers"
     return PhysicsError(f"no closed form of {listed(problem.spec.choices)} was found",
                         f"{hint}; {longer(problem.work)}" if problem.work.cut else hint, _where(problem))
 
 
-def never_in_letters(problem):
+def never_in_letters(problem: "Problem"):
     return PhysicsError(f"no admissible value of {listed(problem.spec.choices)} was found that gives {texts(problem)}, "
                         "at any of the values of the letters that were tried",
                         "give the other parameters values with --set, to see what is possible", _where(problem))

@@ -3,6 +3,7 @@ be, else a search over the admissible range; each is tried by substitution."""
 
 from fractions import Fraction
 from math import asinh, atanh, exp, isfinite, log, sinh
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.inverse import infeasible
@@ -11,15 +12,18 @@ from vibcli.inverse.conditions import ConditionSystem
 from vibcli.inverse.folds import followed
 from vibcli.inverse.solution import choosing, in_numbers
 from vibcli.inverse.symbolic_conditions import candidates, determined_alone, independent
-from vibcli.language.reader import Record
-from vibcli.numerics.newton_systems import common_zeros
 from vibcli.numerics.root_finding import holds_everywhere, longest_plateau, zeros
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 SAME, ALIKE, NEARLY, SHORT, DECADES, SPARSE = 1e-6, 1e-11, 1.0 - 1e-15, 10, 3, 8
 PLACES = (1e-2, 0.13, 1.0, 7.0, 1e2)
 
 
-def solve(problem, thorough=False, limits=None):
+def solve(problem: "Problem", thorough: bool = False,
+          limits: dict[Any, Any] | None = None) -> "list[tuple[list[Fraction], tuple[Node | None, ...]]]":
     """[(values, closed forms, None where unknown)], ascending, of what a problem with numbers chooses; `limits` takes
     up the Limits that equilibria were followed to."""
     system = ConditionSystem(problem, limits)
@@ -46,7 +50,7 @@ def solve(problem, thorough=False, limits=None):
 
 def _in_place(problem):
     """Is the equilibrium the same one for all values, so that conditions in letters are those of the scene?"""
-    return problem.is_linear or problem.balanced_as_drawn
+    return problem.system.is_linear or problem.symbolic.balanced_as_drawn
 
 
 def _form_of(problem, letters, values):
@@ -66,18 +70,15 @@ def _new(values, accepted):
 
 
 def _one_by_one(problem, system, thorough):
-    """The solutions where one condition determines one parameter alone; None where none does.
-
-    The others are solved for at each of its values, the conditions given to the parameters that are left in order.
-    """
+    """The solutions where one condition determines one parameter alone; None where none does. The others are solved for
+    at each of its values, the conditions given to the parameters that are left in order."""
     alone = determined_alone(problem)
     if alone is None:
         return None
     name, found, entry = alone
     left = [other for other in system.names if other != name]
     records = [record for key, record in problem.spec.choices.items() if key != entry]
-    pairs = {other: Record(None, other, problem.spec.choices[other].where,
-                           {**problem.spec.choices[other].values, "so": record["so"]}, {})
+    pairs = {other: problem.spec.choices[other].with_values({**problem.spec.choices[other], "so": record["so"]})
              for other, record in zip(left, records, strict=True)}
     accepted = []
     for node, in found.tuples:
@@ -105,7 +106,7 @@ def _looked_for(system, always):
         if plateau and (not found or any(plateau[0] <= x <= plateau[1] for x in found)):
             tried = [x for x, _ in scan.defined() if plateau[0] <= x <= plateau[1]]
             raise infeasible.undetermined(system.problem, tried)
-        places = [*_followed_to(system, scan), *([x] for x in found)]
+        places: list = [*_followed_to(system, scan), *([x] for x in found)]
     else:
         places = _newton(system)
     return [values for values in (_shortened(system, place) for place in places) if values is not None]
@@ -115,8 +116,8 @@ def _followed_to(system, scan):
     """The limits of an equilibrium that moves with the parameter, followed from value to value."""
     if _in_place(system.problem):
         return []
-    limits, system.ends = followed(system, [x for x in grid(system.ranges[0]) if x in scan.points])
-    system.limits.update({Fraction(limit.value): limit for limit in limits})
+    limits, ends = followed(system, [x for x in grid(system.ranges[0]) if x in scan.points])  # type: ignore[misc]
+    system.know(limits, ends)
     return [[limit.value] for limit in limits if system.admits([limit.value])]
 
 
@@ -173,8 +174,9 @@ def _newton(system):
     def start(point):
         return [_start(span, p) for span, p in zip(spans, point, strict=True)]
 
-    found = common_zeros(function, start, len(spans))
-    return sorted(values(u) for u in found)
+    from vibcli.numerics.newton_systems import common_zeros
+
+    return sorted(values(u) for u in common_zeros(function, start, len(spans)))
 
 
 def _start(span, p):

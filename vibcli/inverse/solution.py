@@ -1,31 +1,38 @@
 """What was chosen: the solutions, and the scene with the first of them."""
 
-from copy import copy
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from math import isclose
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.inverse.admissible_ranges import known
 from vibcli.language.document.document import Scalar
 from vibcli.language.reader import Expression, Record
 from vibcli.notation.scene_language import language
-from vibcli.results.problem import Problem
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.parser import LONGEST, ExpressionError, parse
+from vibcli.symbolic.parser import LONGEST, parse
+from vibcli.symbolic.syntax import ExpressionError
 
-DIGITS, READABLE, TRACE = 60, 70, 1e-20
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
+
+DIGITS, READABLE = 60, 70
+TRACE = 1e-20       # of an imaginary part, by the rounding of a double root
 
 
-class Solution:
+class Solution(NamedTuple):
     """values: {name: number, None in letters}; forms: {name: closed form or None}; residual of the substitution; fold:
     is this a limit point, at which the equilibrium and an unstable one vanish? counts: in letters, the Conditions
     under which it is a solution."""
 
-    __slots__ = ("counts", "fold", "forms", "residual", "values")
-
-    def __init__(self, values, forms, residual, fold=False, counts=()):
-        self.values, self.forms, self.residual, self.fold, self.counts = values, forms, residual, fold, counts
+    values: dict
+    forms: dict
+    residual: float
+    fold: bool = False
+    counts: tuple = ()
 
 
 class Chosen:
@@ -34,12 +41,12 @@ class Chosen:
 
     __slots__ = ("conditions", "draws", "solutions")
 
-    def __init__(self, choices, solutions, draws=()):
+    def __init__(self, choices: Mapping[str, Record], solutions: Sequence[Solution], draws: "Sequence[Problem]" = ()):
         self.draws = draws
         self.conditions = {name: record["so"].text for name, record in choices.items()}
         self.solutions = solutions
 
-    def value(self, name, number):
+    def value(self, name: str, number: int) -> float:
         """The number of the solution with this number, from 1."""
         if not 1 <= number <= len(self.solutions):
             raise PhysicsError(f"there is no solution {number} for {name}: there "
@@ -53,45 +60,31 @@ class Chosen:
         return all(form is not None for form in self.solutions[0].forms.values())
 
 
-def defined(problem, forms, sample=None):
+def defined(problem: "Problem", forms: "Mapping[str, Node]", sample: Mapping[str, Fraction] | None = None) -> "Problem":
     """The problem with parameters defined by closed forms ({name: node}); None where one is too long to write.
     `sample`: values of the letters at which these count, where it is drawn."""
-    spec = copy(problem.spec)
-    spec.sample = {name: float(value) for name, value in (sample or {}).items()}
-    spec.parameters = dict(spec.parameters)
+    spec, parameters = problem.spec, dict(problem.spec.parameters)
     for name, node in forms.items():
-        text, old = language(node), spec.parameters[name]
+        text, old = language(node), parameters[name]
         if len(text) > LONGEST or len(reachable([node])) > READABLE:
             return None
         try:
             tree = parse(text)
         except ExpressionError:
             return None
-        value = Expression(Scalar(text, spec.choices[name].where), tree, None, None)
-        spec.parameters[name] = Record(old.element, name, old.where, {**old.values, "value": value}, old.keys)
-    spec.sections = {**spec.sections, "parameters": spec.parameters}
-    found = Problem(spec, problem.given, work=problem.work)
-    found.costs = problem.costs
-    return found
+        value = Expression(Scalar(text, spec.choices[name].where), tree)
+        parameters[name] = old.with_values({**old, "value": value})
+    spec = spec.with_parameters(parameters)._replace(
+        sample={name: float(value) for name, value in (sample or {}).items()})
+    return problem.with_spec(spec)
 
 
-def with_chosen(found, problem, solutions, draws=()):
-    """A scene with the first of the solutions as what its problem chose."""
-    found.costs, found.end = problem.costs, problem.end
-    found.chosen = Chosen(problem.spec.choices, solutions, draws)
-    return found
-
-
-def choosing(problem, choices):
+def choosing(problem: Any, choices: Any) -> "Problem":
     """The problem with these to choose instead, {name: record}."""
-    spec = copy(problem.spec)
-    spec.choices = choices
-    found = Problem(spec, problem.given, work=problem.work)
-    found.costs = problem.costs
-    return found
+    return problem.with_spec(problem.spec._replace(choices=choices))
 
 
-def in_numbers(problem, nodes):
+def in_numbers(problem: "Problem", nodes: "Sequence[Node]"):
     """The values of closed forms to DIGITS digits, as Fractions; None where one is no finite number."""
     import mpmath
 
@@ -101,14 +94,10 @@ def in_numbers(problem, nodes):
             found = evaluate(nodes, arithmetic, known(problem, arithmetic))
         except (KeyError, ZeroDivisionError, ValueError, OverflowError, TypeError):
             return None
-        return None if any(map(_unreal, found)) else [_fraction(mpmath.re(value)) for value in found]
-
-
-def _unreal(value):
-    """Not a finite real number; a trace of an imaginary part is the rounding of a double root."""
-    import mpmath
-
-    return not mpmath.isfinite(value) or abs(mpmath.im(value)) > TRACE * abs(mpmath.re(value))
+        for value in found:
+            if not mpmath.isfinite(value) or abs(mpmath.im(value)) > TRACE * abs(mpmath.re(value)):
+                return None
+        return [_fraction(mpmath.re(value)) for value in found]
 
 
 def _fraction(value):
@@ -117,7 +106,7 @@ def _fraction(value):
     return (-1) ** sign * Fraction(int(mantissa)) * Fraction(2) ** exponent
 
 
-def stable_in_floats(problem, nodes, values):
+def stable_in_floats(problem: "Problem", nodes: "Sequence[Node]", values: Sequence[Fraction]) -> bool:
     """Do floats give these closed forms the same values but for rounding?"""
     try:
         found = evaluate(nodes, Floats, known(problem, Floats))

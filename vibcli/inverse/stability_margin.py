@@ -4,10 +4,12 @@ With C, or loads that follow velocities: 鈭抦ax Re 位. Without: of the 渭 = 鈭捨
 which is negative where two have met and left the real axis (flutter).
 """
 
+from typing import Any
+
 ZERO, FREE = 1e-9, 1e-13
 
 
-def margin(elements, free):
+def margin(elements: Any, free: int) -> tuple[float, float] | None:
     """(margin, its size), `free` roots that are always zero left out; None of a conservative system without gyroscopic
     terms."""
     damped = bool(elements.dampers) or any(elements.C.values()) or any(elements.drag.values())
@@ -26,11 +28,11 @@ def margin(elements, free):
     return min(real + apart, default=size), size
 
 
-def free_roots(elements):
+def free_roots(elements: Any) -> int:
     """The number of roots 位 = 0 of motion that nothing holds: K v = 0, twice where (C + G) v = 0 too."""
     import numpy as np
 
-    _, C, G, K = _matrices(elements)
+    _, C, G, K = elements.arrays()
     values, directions = np.linalg.svd(K)[1:]
     along = directions[values <= FREE * values.max()].T
     resisted = np.linalg.svd((C + G) @ along)[1] if along.size else np.array([])
@@ -38,22 +40,15 @@ def free_roots(elements):
     return 2 * along.shape[1] - int((resisted > FREE * size).sum())
 
 
-def _matrices(elements):
-    import numpy as np
-
-    n = elements.n
-    return [np.array([[float(matrix.get((i, j), 0)) for j in range(n)] for i in range(n)])
-            for matrix in elements.matrices()]
-
-
 def _eigenvalues(elements, damped):
     """All 位 of 位虏M + 位(C + G) + K, in floats."""
     import numpy as np
 
-    n = elements.n
-    M, C, G, K = _matrices(elements)
+    from vibcli.numerics.state_space import first_order
+
+    M, C, G, K = elements.arrays()
     if not damped and not G.any():
         roots = np.sqrt(-np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex))
         return [complex(sign * root) for root in roots for sign in (1, -1)]
-    lower = np.hstack([-np.linalg.solve(M, K), -np.linalg.solve(M, C + G)])
-    return list(map(complex, np.linalg.eigvals(np.vstack([np.eye(n, 2 * n, n), lower]))))
+    A = first_order(np.linalg.solve(M, K), np.linalg.solve(M, C + G))
+    return list(map(complex, np.linalg.eigvals(A)))

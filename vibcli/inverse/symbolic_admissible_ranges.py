@@ -5,16 +5,21 @@ Values are spread about the natural scale of the other numbers of the file, less
 all of them is not told.
 """
 
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from math import isfinite, pi
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.inverse.admissible_ranges import ends, known, natural_scale, turns
+from vibcli.language.parameter_samples import sample_values
 from vibcli.quantities.expression import lowered
-from vibcli.scene.build import sample_values
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 MANY, SPREADS, DIGITS = 400, (0.0, 0.5, 1.5, 3.0), 6
 
@@ -23,10 +28,10 @@ class Bound(NamedTuple):
     """A radicand `node`, or the parameter `name`, stands in a relation to a bound; a name alone has to be real, and
     words alone have to be true."""
 
-    node: object = None
+    node: Any = None
     name: str = None
     relation: str = ""
-    bound: object = None
+    bound: Any = None
     words: str = None
 
 
@@ -34,23 +39,23 @@ class Letters:
     """Values for the letters of a problem, and what solutions {name: node} are there; `rest`: the problem in whose
     letters they are written."""
 
-    def __init__(self, problem, rest, solutions):
+    def __init__(self, problem: "Problem", rest: "Problem", solutions: "Sequence[dict[str, Node]]"):
         self.problem, self.rest, self.solutions = problem, rest, solutions
         self.turning = {name: turns(problem, name) for name in problem.spec.choices}
-        self.scales = {name: natural_scale(problem.spec, name) for name in problem.letters}
+        self.scales = {name: natural_scale(problem.spec, name) for name in problem.symbolic.letters}
         self.zero = rest.scene.table.zero
         self.told = [{} for _ in solutions]
         self.radicands = [_radicands(rest.scene.table, forms) for forms in solutions]
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[tuple[dict[str, Fraction], list[int]]]:
         """({letter: Fraction}, numbers of the solutions that are real and admissible there)."""
         for attempt in range(MANY):
             given = self.values(attempt)
             yield given, [i for i in range(len(self.solutions)) if self._counts(i, given)]
 
-    def values(self, attempt):
+    def values(self, attempt: int) -> dict[str, Fraction]:
         """Positive values for the letters, others at each attempt: as they are for drawings, or about their scales."""
-        spread, plain = SPREADS[attempt % len(SPREADS)], sample_values(self.problem.letters, attempt)
+        spread, plain = SPREADS[attempt % len(SPREADS)], sample_values(self.problem.symbolic.letters, attempt)
         if not spread:
             return {name: Fraction(value).limit_denominator(1000) for name, value in plain.items()}
         powers = {name: spread * (2 * (value - 0.6) / 1.7 - 1) for name, value in plain.items()}
@@ -94,7 +99,7 @@ class Letters:
             return lowered(bound, scene.table, lambda part, *_: scene.parameters.nodes[part])
         return scene.table.pi * round(value / pi) if value else self.zero
 
-    def conditions(self, i):
+    def conditions(self, i: int) -> list[Any]:
         """The Conditions under which a solution counts, those of its roots first."""
         for attempt in range(MANY):
             self._counts(i, self.values(attempt))

@@ -4,28 +4,35 @@ A frequency of one mode is put into det(K − ω² M) = 0, a limit of stability 
 degree into C² = 4 ζ² K M. These also hold for another mode, or with another sign: candidates are tried afterwards.
 """
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.inverse.conditions import summed
-from vibcli.inverse.symbolic_quantity_conditions import one_degree, side
-from vibcli.inverse.symbolic_response_conditions import equal_heights, response_is, response_of
+from vibcli.inverse.symbolic_quantity_conditions import equal_heights, response_is, response_of, side
 from vibcli.mechanics.static_preload import pivots, solve_linear
-from vibcli.reader.sections.choose import BALANCE
+from vibcli.quantities.modal import one_degree
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.equations.elimination import solve_equations
-from vibcli.symbolic.equations.univariate import depends, polynomial, solve_equation
+from vibcli.symbolic.equations.univariate import Candidates, depends, polynomial, solve_equation
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.quadratic_roots import determinant
 from vibcli.symbolic.rationals import ONE, ZERO
-from vibcli.symbolic.semantics import quantities_in
 from vibcli.symbolic.syntax import QuantityRef
+
+if TYPE_CHECKING:
+    from vibcli.reader.sections.choose import Condition
+    from vibcli.results.problem import Problem
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 LARGEST = 4
 SQUARES = {"omega": lambda x, pi: x * x, "frequency": lambda x, pi: 4 * pi * pi * x * x,
            "period": lambda x, pi: 4 * pi * pi / (x * x), "growth_rate": lambda x, pi: -(x * x)}
 
 
-def candidates(problem, thorough):
+def candidates(problem: "Problem", thorough: bool) -> Candidates | None:
     """The Candidates in letters for all chosen parameters of a problem; None where there are none."""
     scene = problem.scene
     unknowns = [scene.parameters.nodes[name] for name in problem.spec.choices]
@@ -40,7 +47,7 @@ def candidates(problem, thorough):
     return solve_equations(nodes, unknowns, scene, thorough) if len(nodes) >= len(unknowns) else None
 
 
-def independent(problem):
+def independent(problem: "Problem") -> bool:
     """Do letters prove that the conditions do not depend on what is chosen? Only of one degree of freedom: of several,
     what is a property of one mode may become that of another."""
     scene = problem.scene
@@ -55,7 +62,7 @@ def independent(problem):
     return not any(depends(node, unknowns) for node in substitute(nodes, meant))
 
 
-def determined_alone(problem):
+def determined_alone(problem: "Problem") -> tuple[str, Candidates, str]:
     """(chosen name, its Candidates, name of the entry) of a condition in letters that holds one unknown, to which all
     solutions are known; None of none."""
     scene = problem.scene
@@ -63,7 +70,7 @@ def determined_alone(problem):
     meant = definitions(scene, unknowns)
     for entry, record in problem.spec.choices.items():
         try:
-            nodes = [] if record["so"].word == BALANCE else _vanishing(problem, record["so"])
+            nodes = [] if record["so"].is_balance else _vanishing(problem, record["so"])
         except (NotInLetters, PhysicsError, ZeroDivisionError):
             continue
         for node in substitute(nodes, meant):
@@ -74,7 +81,7 @@ def determined_alone(problem):
     return None
 
 
-def definitions(scene, unknowns):
+def definitions(scene: "Scene", unknowns: "Sequence[Node]") -> "dict[Node, Node]":
     """{node: expression} of the parameters that are defined by the unknowns, these alone standing in it."""
     found = {}
     for name in scene.parameters.order:
@@ -86,14 +93,14 @@ def definitions(scene, unknowns):
     return found
 
 
-def balanced(problem):
+def balanced(problem: "Problem") -> "dict[str, Node] | None":
     """({name: expression} of the parameters chosen for equilibrium, in which its conditions are linear); None where
     they are not. PhysicsError where the conditions leave one of them open."""
     scene = problem.scene
-    names = [name for name, record in problem.spec.choices.items() if record["so"].word == BALANCE]
+    names = [name for name, record in problem.spec.choices.items() if record["so"].is_balance]
     unknowns = [scene.parameters.nodes[name] for name in names]
     meant = definitions(scene, unknowns)
-    sums = substitute([summed(scene.table, terms) for terms in problem.drawn_residual], meant)
+    sums = substitute([summed(scene.table, terms) for terms in problem.system.drawn_residual], meant)
     rows = [_row(node, unknowns) for node in sums if depends(node, unknowns)]
     if not all(rows):
         return None
@@ -121,18 +128,19 @@ def _row(node, unknowns):
 
 def _vanishing(problem, condition):
     """Expressions that vanish where a condition holds."""
-    if condition.word == BALANCE:
-        return [summed(problem.scene.table, terms) for terms in problem.drawn_residual]
-    if "equilibrium" in problem.spec.sections or not problem.linear_in_letters:
+    if condition.is_balance:
+        return [summed(problem.scene.table, terms) for terms in problem.system.drawn_residual]
+    if "equilibrium" in problem.spec.sections or not problem.symbolic.linearisable:
         require_no_modes(condition)
     if condition.word:
         return [_limit(problem)]
     for one, other in ((condition.left, condition.right), (condition.right, condition.left)):
-        head = one.tree.head if isinstance(one.tree, QuantityRef) and _of_one_equilibrium(one.tree) else None
-        heights = equal_heights(problem, one.tree, other.tree)
+        tree = one.tree     # of a mode about the only equilibrium: omega[1], neither omega[1, 2] nor period(x)
+        head = tree.head if isinstance(tree, QuantityRef) and len(tree.indices) == 1 and not tree.args else None
+        heights = equal_heights(problem, tree, other.tree)
         if heights is not None:
             return [heights]
-        response = response_of(problem, one.tree)
+        response = response_of(problem, tree)
         if response is not None:
             return response_is(problem, response, side(problem, other))
         if head in SQUARES:
@@ -149,15 +157,10 @@ def _vanishing(problem, condition):
     return [side(problem, condition.left) - side(problem, condition.right)]
 
 
-def _of_one_equilibrium(tree):
-    """Is this a quantity of a mode about the only equilibrium: omega[1], neither omega[1, 2] nor period(x)?"""
-    return len(tree.indices) == 1 and not tree.args
-
-
 def _limit(problem):
     """det K, and of two degrees under follower forces also the discriminant of det(K − λM), which vanishes where
     flutter begins."""
-    M, C, _, K = problem.matrices_in_letters
+    M, C, _, K = problem.symbolic.matrices
     still = _characteristic(problem, problem.scene.table.zero)
     follows = any(K.get(pair[::-1]) is not node for pair, node in K.items())
     if not follows and not any(term.weight.mask for term in problem.scene.forces):
@@ -170,16 +173,16 @@ def _limit(problem):
     return still * textbook(mixed * mixed - 4 * (a[0] * d[0] - b[0] * c[0]) * still)
 
 
-def require_no_modes(condition):
+def require_no_modes(condition: "Condition"):
     """Without the matrices in letters only what is read off the drawing is known."""
     if condition.word or any(tree.head not in ("J", "centre") for side in condition.sides
-                             for tree in quantities_in(side.tree)):
+                             for tree in side.parts.quantities):
         raise NotInLetters("the small oscillations of this scene are not known in letters")
 
 
 def _characteristic(problem, square):
     """det(K − λ M) in letters."""
-    M, _, G, K = problem.matrices_in_letters
+    M, _, G, K = problem.symbolic.matrices
     n, zero = len(problem.scene.q), problem.scene.table.zero
     if n > LARGEST or G:
         raise NotInLetters(f"frequencies are chosen in letters for {LARGEST} degrees that no gyroscopic terms couple")

@@ -1,83 +1,111 @@
-"""Quantities in letters, as sides of conditions: omega[1] of one degree, K[x, x], equilibrium[s.stretch], J[disc]."""
+"""Quantities in letters, as sides of conditions: omega[1] of one degree, K[x, x], equilibrium[s.stretch], J[disc], and
+amplitudes of responses: amplitude(x), abs(frf[x, F](Ω)), transmissibility[x, base](Ω)."""
+
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters
-from vibcli.inverse.symbolic_response_conditions import response_of, size_of
-from vibcli.language.signals import coordinate_name
-from vibcli.mechanics.inputs_outputs.displacements import displacement
-from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
+from vibcli.quantities.cycle_count import counts_cycles
 from vibcli.quantities.expression import lowered
-from vibcli.quantities.matrices import centre_node, inertia_node
-from vibcli.symbolic.derivatives import substitute
-from vibcli.symbolic.normal_form import textbook
-from vibcli.symbolic.radicals import root
-from vibcli.symbolic.semantics import quantities_in
-from vibcli.symbolic.syntax import QuantityRef
+from vibcli.quantities.quantity import OF_STATE, declared
+from vibcli.symbolic.equations.univariate import polynomial
+from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.syntax import Call, NameRef, QuantityRef, parts_of
+from vibcli.symbolic.transfer_between_tables import copied
+
+if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.frequency_response import Formula
+    from vibcli.language.reader import Expression
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 
-def side(problem, expression):
+def side(problem: "Problem", expression: "Expression") -> "Node":
     """A side of a condition as an expression of the parameters."""
     scene = problem.scene
-    found = {tree.text: quantity_in_letters(problem, tree) for tree in quantities_in(expression.tree)}
+    found = {tree.text: quantity_in_letters(problem, tree) for tree in expression.parts.quantities}
     return lowered(expression, scene.table, lambda name, primes, tree: found[name] if isinstance(tree, QuantityRef)
                    else scene.parameters.nodes[name])
 
 
-def one_degree(problem):
-    """M, C, K of a scene with one coordinate."""
-    if len(problem.scene.q) != 1:
-        raise NotInLetters("this is found in letters for one degree of freedom")
-    M, C, _, K = problem.matrices_in_letters
-    zero = problem.scene.table.zero
-    return [matrix.get((0, 0), zero) for matrix in (M, C, K)]
-
-
-def quantity_in_letters(problem, tree):
+def quantity_in_letters(problem: "Problem", tree: QuantityRef) -> "Node":
     """A quantity as an expression of the parameters; NotInLetters where it is found in numbers."""
-    head, indices, attribute = tree.head, tree.indices, tree.component
-    scene = problem.scene
     response = response_of(problem, tree)
     if response is not None:
         return size_of(problem, response)
-    if head == "J":
-        return inertia_node(scene, indices)
-    if head == "centre":
-        return centre_node(scene, indices, attribute)
-    if head == "equilibrium" and len(indices) == 1:
-        return _at_rest(problem, indices[0])
-    if head in ("M", "C", "G", "K") and not tree.args:
-        matrix = dict(zip("MCGK", problem.matrices_in_letters, strict=True))[head]
-        names = [coordinate_name(problem.spec, index) for index in indices]
-        if set(names) <= set(scene.coordinates):
-            return matrix.get(tuple(map(scene.coordinates.index, names)), scene.table.zero)
-    if indices != ("1",) or tree.args:
+    quantity = declared(tree)
+    known = quantity is not None and quantity.symbolic is not None and quantity.kind not in OF_STATE
+    if not known or len(tree.indices) > len(quantity.indices):
         raise NotInLetters(f"'{tree.text}' is found in numbers")
-    return _of_one_mode(problem, head)
+    return quantity.symbolic(problem, tree)
 
 
-def _at_rest(problem, text):
-    """A coordinate, place, turn, stretch or tension in equilibrium."""
-    scene, text = problem.scene, coordinate_name(problem.spec, text) or text
-    name, _, part = text.partition(".")
-    node = displacement(scene, text)
-    if node is None and part == "force" and name in (problem.spec.get("springs") or {}):
-        node = scene.force_of(name)
-    if node is None:
-        raise NotInLetters(f"'{text}' in equilibrium is found in numbers")
-    values, zero = equilibrium_in_letters(problem), scene.table.zero
-    rest = dict.fromkeys((*scene.v, scene.time), zero) | {q: values[q.name] for q in scene.q}
-    found, = substitute([node], rest)
-    if found.mask:
-        raise NotInLetters(f"'{text}' in equilibrium is found in numbers")
-    return textbook(found)
+def response_of(problem: Any, tree: Any) -> "Formula | None":
+    """The Formula of amplitude(x), abs(frf[…](…)) or transmissibility[…](…); None of another tree."""
+    asked = tree.head if isinstance(tree, QuantityRef) else None
+    if isinstance(tree, Call) and tree.name == "abs" and getattr(tree.args[0], "head", None) == "frf":
+        tree = tree.args[0]
+    elif asked == "amplitude":
+        return _steady(problem, tree.args[0])
+    elif asked != "transmissibility":
+        return None
+    return problem.symbolic_frequency_response(*tree.indices, _frequency(problem, tree.args[0]))
 
 
-def _of_one_mode(problem, head):
-    """Frequencies and damping of a scene with one coordinate."""
-    m, c, k = one_degree(problem)
-    omega, table = root(textbook(k / m), [problem.scene.sample]), problem.scene.table
-    forms = {"omega": lambda: omega, "frequency": lambda: omega / (2 * table.pi),
-             "period": lambda: 2 * table.pi / omega, "zeta": lambda: c / (2 * m * omega),
-             "omega_d": lambda: table.sqrt(textbook(k / m - c * c / (4 * m * m)))}
-    if head not in forms:
-        raise NotInLetters(f"'{head}' is found in numbers")
-    return forms[head]()
+def _steady(problem, signal):
+    if not isinstance(signal, NameRef):
+        raise NotInLetters("amplitudes of sums and products are found in numbers")
+    return problem.symbolic_steady_state(signal.name + "'" * signal.primes).formula
+
+
+def _frequency(problem, tree):
+    """The angular frequency at which a response is asked for, as a node of the scene."""
+    if parts_of(tree).quantities:
+        raise NotInLetters("a response at such a frequency is found in numbers")
+    scene = problem.scene
+    node = lower(tree, scene.table, lambda name, primes, part: scene.parameters.nodes[name])
+    return node * 2 * scene.table.pi if counts_cycles(problem.spec, tree) else node
+
+
+def response_is(problem: "Problem", response: "Formula", value: "Node") -> "list[Node]":
+    """[expression] that vanishes where |H| has a value: the parts of N where that is 0, else |N|² − value² |D|², in
+    factors where there is no damping."""
+    table = problem.scene.table
+    if value.is_zero:
+        return [part for part in copied(list(response.numerator), table) if not part.is_zero]
+    if response.undamped:
+        above, below = copied([response.scale * response.numerator[0], response.denominator[0]], table)
+        return [(above - value * below) * (above + value * below)]
+    above, below = copied(response.square, table)
+    return [above - value * value * below]
+
+
+def size_of(problem: "Problem", response: "Formula"):
+    """|H| as an expression."""
+    table = problem.scene.table
+    size, = copied([response.amplitude], table)
+    return size if table.is_positive(size) else table.call("abs", size)
+
+
+def equal_heights(problem: "Problem", one: Any, other: Any) -> "Node | None":
+    """An expression that vanishes where the fixed points 1 and 2 of the only damper are equally high; None of another
+    condition.
+
+    With H = (N_r + iΩ N_i)/(D_r + iΩ D_i) they are the roots of N_r D_i + N_i D_r = a Ω⁴ + b Ω² + e, of heights
+    |N_i/D_i|: for D_i/N_i = α + βΩ² these are equal where α + βΩ² has opposite values, 2αa = βb.
+    """
+    if not all(isinstance(tree, QuantityRef) and (tree.head, tree.component) == ("fixed_point", "value")
+               for tree in (one, other)):
+        return None
+    damper, curve = one.indices[1], one.args[0].indices
+    if {one.indices[0], other.indices[0]} != {"1", "2"} or (other.indices[1], other.args[0].indices) != (damper, curve):
+        return None
+    found = problem.symbolic_frequency_response(*curve)
+    (a, b), (c, d) = found.numerator, found.denominator
+    if list(problem.spec.get("dampers")) != [damper] or b.is_zero or d.is_zero:
+        raise NotInLetters("these fixed points are found in numbers")
+    heights, places = polynomial(d / b, found.Omega), polynomial(a * d + b * c, found.Omega)
+    if heights is None or places is None or not set(heights) <= {0, 2} or set(places) != {0, 2, 4}:
+        raise NotInLetters("these fixed points are found in numbers")
+    parts = [heights.get(0, found.table.zero), heights.get(2, found.table.zero), places[4], places[2]]
+    alpha, beta, a, b = copied(parts, problem.scene.table)
+    return 2 * alpha * a - beta * b

@@ -1,18 +1,27 @@
 """The solutions of a scene with letters: each candidate in closed form is tried at values for which it may count."""
 
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.inverse import infeasible
 from vibcli.inverse.admissible_ranges import admissible
 from vibcli.inverse.conditions import ConditionSystem
-from vibcli.inverse.solution import Solution, defined, in_numbers, with_chosen
+from vibcli.inverse.solution import Chosen, Solution, defined, in_numbers
 from vibcli.inverse.substitution import forms_of, tried
 from vibcli.inverse.symbolic_admissible_ranges import Bound, Letters
 from vibcli.inverse.symbolic_conditions import candidates
 
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
+
 ENOUGH, SPURIOUS, TRIALS = 3, 4, 30
 
 
-def solved(problem, rest):
+def solved(problem: "Problem", rest: "Problem") -> "Problem":
     """The problem with letters with its first solution in closed form."""
     found = candidates(rest, True) if rest.spec.choices else None
     if rest.spec.choices and (found is None or not (found.tuples or found.always)):
@@ -29,11 +38,11 @@ def solved(problem, rest):
             break
     order = trials.ascending()
     if not order:
-        raise trials.refusal or _never_admissible(problem, rest, letters) or infeasible.never_in_letters(problem)
-    return _with_letters(problem, [(everywhere[i], trials, letters, i) for i in order])
+        raise trials.refusal or _never_admissible(problem, letters) or infeasible.never_in_letters(problem)
+    return _with_letters(problem, trials, letters, order)
 
 
-def _never_admissible(problem, rest, letters):
+def _never_admissible(problem, letters):
     """The refusal of the only solution, real everywhere, that never lies in the range of its parameter."""
     told = letters.told[0]
     if len(letters.solutions) > 1 or len(told) != 1 or next(iter(told)).relation in ("", "≥"):
@@ -45,23 +54,25 @@ def _never_admissible(problem, rest, letters):
 class Trials:
     """Substitutions of solutions in letters into scenes with numbers: held[i] = [(number of the draw, Solution)]."""
 
-    def __init__(self, problem, rest, solutions):
+    refusal: Any
+
+    def __init__(self, problem: "Problem", rest: "Problem", solutions: "Sequence[dict[str, Node]]"):
         self.problem, self.rest, self.solutions = problem, rest, solutions
         self.held, self.failed = {}, dict.fromkeys(range(len(solutions)), 0)
         self.draws, self.refusal = [], None
 
     @property
-    def done(self):
+    def done(self) -> bool:
         """Are there enough trials of each solution that may be one?"""
-        return len(self.draws) >= TRIALS or all(len(self.held.get(i, ())) >= ENOUGH or self._spurious(i)
-                                                for i in self.failed)
+        return len(self.draws) >= TRIALS or all(map(self._enough, self.failed))
 
-    def _spurious(self, i):
-        return i not in self.held and self.failed[i] >= SPURIOUS
+    def _enough(self, i):
+        held = len(self.held.get(i, ()))
+        return held >= ENOUGH or (not held and self.failed[i] >= SPURIOUS)
 
-    def at(self, given, counting):
+    def at(self, given: "Mapping[str, Fraction]", counting: Sequence[int]) -> None:
         """Try the solutions that count at a draw, unless each of them has been tried enough."""
-        if all(len(self.held.get(i, ())) >= ENOUGH or self._spurious(i) for i in counting):
+        if all(map(self._enough, counting)):
             return
         draw = self.problem.with_values(given)
         try:
@@ -82,7 +93,7 @@ class Trials:
                 self.failed[i] += 1
                 self.refusal = self.refusal or (error if len(self.solutions) == 1 else None)
 
-    def ascending(self):
+    def ascending(self) -> list[int]:
         """The numbers of the solutions: by their values at the draw where most of them hold, then the others."""
         holding = {}
         for i, trials in self.held.items():
@@ -94,7 +105,7 @@ class Trials:
         first = [i for _, i in sorted(holding[most])]
         return first + [i for i in self.held if i not in first]
 
-    def draws_of(self, i):
+    def draws_of(self, i: int) -> "list[Problem]":
         """The draws at which a solution is the smallest one, those first where most others hold beside it."""
         found = []
         for number, solution in self.held[i]:
@@ -104,18 +115,18 @@ class Trials:
         return [self.draws[number] for _, number in sorted(found)]
 
 
-def _with_letters(problem, found):
+def _with_letters(problem, trials, letters, order):
     solutions = []
-    for forms, trials, letters, i in found:
+    for i in order:
         counts = letters.conditions(i)
         if trials.failed[i]:
             counts.append(Bound(words=infeasible.texts(problem)))
         residual = max(solution.residual for _, solution in trials.held[i])
-        in_order = {name: forms[name] for name in problem.spec.choices}
+        in_order = {name: trials.solutions[i][name] for name in problem.spec.choices}
         solutions.append(Solution(dict.fromkeys(in_order), in_order, residual, counts=counts))
-    _, trials, _, first = found[0]
-    draws = trials.draws_of(first)
-    scene = defined(problem, solutions[0].forms, {name: draws[0].given[name] for name in problem.letters})
+    draws = trials.draws_of(order[0])
+    sample = {name: draws[0].numeric.given[name] for name in problem.symbolic.letters}
+    scene = defined(problem, solutions[0].forms, sample)
     if scene is None:
         raise infeasible.no_closed_form(problem)
-    return with_chosen(scene, problem, solutions, draws)
+    return scene.with_choice(Chosen(problem.spec.choices, solutions, draws), problem)

@@ -1,1 +1,1 @@
-"""What a scene file may say, before anything is built: fields, parameters, signals."""
+"""The language of scene files, before anything is built: fields, parameters, signals."""

@@ -5,6 +5,7 @@ The file is only ever read as text: of a bounded size, from the folder of the sc
 
 import os
 import stat
+from collections.abc import Callable, Sequence
 
 from vibcli.base.diagnostics import quoted
 from vibcli.base.errors import Diagnostic, Where
@@ -18,14 +19,14 @@ class Columns:
 
     __slots__ = ("file", "header", "rows", "separator")
 
-    def __init__(self, file, separator, header, rows):
+    def __init__(self, file: str, separator: str | None, header: Sequence[str] | None, rows: Sequence[tuple[int, str]]):
         self.file, self.separator, self.header, self.rows = file, separator, header, rows
 
     @property
     def count(self):
         return len(self.header or self.rows[0][1].split(self.separator))
 
-    def numbers(self, i, report):
+    def numbers(self, i: int, report: Callable):
         """The numbers of column i, from 0; None where one of them is none, after `report(where, message, hint)`."""
         found, wrong = [], 0
         for line, text in self.rows:
@@ -38,8 +39,8 @@ class Columns:
             found.append(value)
         return None if wrong else found
 
-    def place(self, row, i):
-        """Where the cell of a row (from 0) and a column stands."""
+    def place(self, row: int, i: int) -> Where:
+        """The place of the cell of a row (from 0) and a column."""
         line, text = self.rows[row]
         return self._cell(line, text, i)[0]
 
@@ -86,7 +87,7 @@ def _is_name(text):
     return False
 
 
-def read_columns(scene, name):
+def read_columns(scene: str, name: str) -> tuple[Columns | None, tuple[str, str] | None]:
     """(Columns, None) of the file `name` beside the file `scene`, or (None, (message, hint) or Diagnostic)."""
     folder = os.path.dirname(scene) or "."
     path = os.path.join(folder, name)
@@ -109,7 +110,7 @@ def read_columns(scene, name):
 
 
 def _outside(folder, path, name):
-    """What is wrong with a name that leads out of the folder of the scene."""
+    """The fault of a name that leads out of the folder of the scene."""
     parts = name.replace("\\", "/").split("/")
     if not name.strip() or "\0" in name or os.path.isabs(name) or name.startswith("\\") or ".." in parts or ":" in name:
         return (f"expected the name of a file beside the scene, found {quoted(name)}",
@@ -152,7 +153,7 @@ def _parsed(path, data):
     return Columns(path, separator, header, rows), None
 
 
-def shown_lines(file):
+def shown_lines(file: str) -> list[str]:
     """The lines of a file of columns, for a message; none where it cannot be read."""
     try:
         with open(file, "rb") as stream:

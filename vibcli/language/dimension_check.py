@@ -1,34 +1,32 @@
 """Does one expression fit where it stands: are its names known there, has it the dimension that is due?"""
 
 import re
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
-from vibcli.language import unit_brackets
-from vibcli.language.reader import nearest
-from vibcli.symbolic.parser import FUNCTIONS, VALUE, ExpressionError
-from vibcli.symbolic.semantics import (
-    ALL_NUMBERS,
-    ANY,
-    DimensionCheck,
-    calls_in,
-    literal_unit,
-    literals_in,
-    names_in,
-    quantities_in,
-    whole_literal,
-)
-from vibcli.symbolic.syntax import Equation, NameRef, Sum
+from vibcli.base.spelling import nearest
+from vibcli.language.record_calls import own
+from vibcli.symbolic.parser import FUNCTIONS, VALUE
+from vibcli.symbolic.semantics import ALL_NUMBERS, ANY, DimensionCheck, literal_unit
+from vibcli.symbolic.syntax import Equation, ExpressionError, NameRef, QuantityRef, Sum, parts_of
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Expression, Reader, Record
+    from vibcli.language.spec import Spec
 
 TIMED = ("impulse", "square", "sawtooth")
 UNIT_DUE = "write the unit:"
 NO_NUMBERS = ("nan", "inf", "infinity", "null", "none", "true", "false", "yes", "no", "on", "off")
 
 
-def check(spec, reader, expression, names, expected, local=None):
+def check(spec: "Spec", reader: "Reader", expression: "Expression",
+          names: "Mapping[str, Record | None] | Sequence[str]", expected: Any,
+          local: tuple[str, dict[str, int]] | None = None) -> bool:
     """Names and dimension of one expression; True where both fit. `local`: (name, dimension) of what has a name in it
     alone."""
     before = len(reader.diagnostics)
-    named = names_in(expression.tree)
+    named = expression.parts.names
     if not reader.sound and not all(name in names or name in ("pi", "t") for name, *_ in named):
         return True
     for name, primes, start, end in named:
@@ -42,8 +40,8 @@ def check(spec, reader, expression, names, expected, local=None):
             _primes(spec, reader, expression, name, primes, start, end)
         elif name != "pi":
             reader.report(expression.scalar.place(start, end - start),
-                          *(_bracketed(expression, name, start) or _unknown(spec, name, names, any(
-                              expression is motion for motion in reader.motions))))
+                          *(_bracketed(expression, name, start) or _unknown(spec, name, names,
+                                                                            expression.scalar in reader.motions)))
     _ambiguous(spec, reader, expression, local)
     _of_time_alone(spec, reader, expression)
     if not spec.asked_dimension:
@@ -53,12 +51,17 @@ def check(spec, reader, expression, names, expected, local=None):
     try:
         def of(name, primes):
             known = local[1] if local and name == local[0] else spec.dimensions.of(name)
-            return units.times(known, units.TIME, -primes)
+            return units.times(known, units.TIME, -primes) if primes else known
 
-        checker = DimensionCheck(spec.dimensions, of, spec.free_numbers, spec.asked_dimension, expression.text)
-        whole = not isinstance(expression.tree, Equation)
-        found = checker.dimension(expression.tree) if whole else _sides(checker, expression)
-        _fits(spec, reader, expression, found, expected)
+        def quantity(tree):
+            return spec.asked_dimension(spec, tree)
+
+        checker = DimensionCheck(spec.dimensions, of, spec.free_numbers, quantity, expression.text)
+        tree = expression.tree
+        if isinstance(tree, Equation):
+            checker.dimension(Sum(tree.start, tree.end, ((1, tree.left), (1, tree.right))))
+        else:
+            _fits(spec, reader, expression, checker.dimension(tree), expected)
     except ExpressionError as error:
         reader.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)
     return len(reader.diagnostics) == before
@@ -66,36 +69,35 @@ def check(spec, reader, expression, names, expected, local=None):
 
 def _of_time_alone(spec, reader, expression):
     """Impulses, waves and records are functions of the time, not of where things are."""
-    for call in calls_in(expression.tree):
-        if call.name in TIMED or call.name in spec.named.get("records", ()):
-            for name, _, start, end in (place for arg in call.args for place in names_in(arg)):
+    for call in expression.parts.calls:
+        recorded = call.name in spec.named.get("records", ())
+        if recorded:
+            spec.used.add(own(call.name))
+        if recorded or call.name in TIMED:
+            for name, _, start, end in (place for arg in call.args for place in parts_of(arg).names):
                 if name in spec.coordinates:
                     reader.report(expression.scalar.place(start, end - start), f"{call.name} is a function of the "
                                   f"time: the coordinate '{name}' cannot stand in it", f"as in {call.name}(t)")
 
 
-def _sides(checker, expression):
-    tree = expression.tree
-    checker.dimension(Sum(tree.start, tree.end, ((1, tree.left), (1, tree.right))))
-    return ANY
-
-
 def _fits(spec, reader, expression, found, expected):
-    if spec.free_numbers == ALL_NUMBERS or expected is None or found is ANY or (
-            spec.free_numbers and _only_numbers(expression.tree)):
+    only_numbers = all(name == "pi" for name, *_ in expression.parts.names)
+    if spec.free_numbers == ALL_NUMBERS or expected is None or found is ANY or (spec.free_numbers and only_numbers):
         return
-    wanted = units.wanted(expression.unit, spec.dimensions.resolve(expected))
-    if not spec.dimensions.equate(expected, found):
-        literal = whole_literal(expression.tree)
+    if found != expected and not spec.dimensions.equate(expected, found):
+        literal = expression.parts.whole
         if literal and (competing := _competing(spec, expression, literal)):
             _two_readings(reader, expression, literal, competing[0])
             return
-        message = f"expected {wanted}, found {_found(expression.tree, spec.dimensions.resolve(found))}"
-        reader.report(expression.scalar.place(0, len(expression.text)), message, _unit_hint(spec, expression))
+        wanted = units.wanted(expression.unit, spec.dimensions.resolve(expected))
+        message = f"expected {wanted}, found {_found(expression, spec.dimensions.resolve(found))}"
+        _, factor = reader.along.get(expression.scalar, (None, None))
+        reader.report(expression.scalar.place(0, len(expression.text)), message, "give each value the unit of its "
+                      "coordinate" if factor else _unit_hint(spec, expression))
 
 
-def _found(tree, dimension):
-    literal = whole_literal(tree)
+def _found(expression, dimension):
+    literal = expression.parts.whole
     if literal and literal.units:
         if not dimension and literal.units[0].unit != "%":
             return "an angle (rad)"
@@ -106,7 +108,7 @@ def _found(tree, dimension):
 
 def _unit_hint(spec, expression):
     """A number without unit: where and how to write it."""
-    literal = whole_literal(expression.tree)
+    literal = expression.parts.whole
     if not expression.unit:
         return None
     found = literal_unit(literal.units).dimension if literal else None
@@ -118,18 +120,18 @@ def _unit_hint(spec, expression):
     value = spec.parameters[name].get("value") if name in spec.parameters else None
     if name in spec.parameters and value is None:
         return f"'{name}' is {units.name(spec.dimensions.of(name))} in another place"
-    literal = value and whole_literal(value.tree)
+    literal = value and value.parts.whole
     unit = unit_of_a_number(expression.unit)
     return f"give '{name}' its unit: {value.text} {unit}" if literal and not literal.units else None
 
 
-def unit_of_a_number(unit):
+def unit_of_a_number(unit: str) -> str:
     """A unit as it stands behind a number: 1/s is s^-1."""
     return unit.replace("1/", "", 1) + "^-1" if unit.startswith("1/") else unit
 
 
 def _no_quantities(reader, expression):
-    for tree in quantities_in(expression.tree):
+    for tree in expression.parts.quantities:
         if tree.head == VALUE:
             applied(reader, expression, tree)
             continue
@@ -137,7 +139,7 @@ def _no_quantities(reader, expression):
                       "what is asked of a scene, such as omega[1], stands under answers")
 
 
-def applied(reader, expression, tree):
+def applied(reader: "Reader", expression: "Expression", tree: QuantityRef) -> None:
     """Something like x(2), where it can be neither a function nor a value in time."""
     inner, start = tree.args[0], tree.start
     if isinstance(inner, NameRef):
@@ -150,10 +152,6 @@ def applied(reader, expression, tree):
                   "there is no implicit multiplication: write a * between factors")
 
 
-def _only_numbers(tree):
-    return all(name == "pi" for name, _, _, _ in names_in(tree))
-
-
 def _primes(spec, reader, expression, name, primes, start, end):
     if not primes:
         return
@@ -161,16 +159,20 @@ def _primes(spec, reader, expression, name, primes, start, end):
     if name in spec.parameters or name not in spec.coordinates:
         what = "a parameter" if name in spec.parameters else "the time"
         reader.report(place, f"'{name}' is {what}: it has no derivative", "only coordinates move")
-    elif primes > 1 and any(expression is load for load in reader.loads):
+    elif primes > 1 and expression.scalar in reader.loads:
         reader.report(place, "accelerations cannot stand here",
                       "loads depend on coordinates and velocities, constraints on positions")
-    elif reader.sound and id(expression) not in spec.velocities:
+    elif reader.sound and expression.scalar not in reader.at_speed:
         reader.report(place, "velocities cannot stand here", "they stand in energies, forces and expected equations")
 
 
 def _bracketed(expression, name, start):
     """Of a unit in brackets, 2 N*(s/m): what is wrong and what to write; None of another name."""
-    text = unit_brackets.opened(expression.text, start) if name in units.UNITS else None
+    if name not in units.UNITS:
+        return None
+    from vibcli.language.unit_brackets import opened
+
+    text = opened(expression.text, start)
     if text is None:
         return None
     return f"unknown name '{name}'", f"units take brackets for exponents alone: write {text}"
@@ -199,17 +201,17 @@ def _unknown(spec, name, names, moves):
 
 def _ambiguous(spec, reader, expression, local):
     """`2 N*m` within a larger expression of a scene that has a name m may mean two things."""
-    if whole_literal(expression.tree):
+    if expression.parts.whole:
         return
-    for literal in literals_in(expression.tree):
+    for literal in expression.parts.numbers:
         for unit in _competing(spec, expression, literal, local[:1] if local else ()):
             _two_readings(reader, expression, literal, unit)
 
 
-def check_whole_literal(spec, reader, expression):
+def check_whole_literal(spec: "Spec", reader: "Reader", expression: "Expression") -> None:
     """A value `36 km/h` is a speed; of a scene with a time h, and wherever the name fits as well, it may mean two
     things, as `2 kg*g` does. (`800 N/m` of a scene with a mass m has one meaning.)"""
-    literal = whole_literal(expression.tree)
+    literal = expression.parts.whole
     for unit in _competing(spec, expression, literal) if literal else ():
         others = [units.UNITS[other.unit].dimension for other in literal.units
                   if other is not unit and other.power == unit.power]
@@ -219,11 +221,12 @@ def check_whole_literal(spec, reader, expression):
 
 
 def _competing(spec, expression, literal, local=()):
-    """The units of a literal, joined by an operator, that are names of the scene as well."""
-    if _in_brackets(expression.text, literal):
+    """The units of a literal, joined by an operator, that are names of the scene as well; none of one in brackets."""
+    before, after = expression.text[:literal.start].rstrip(), expression.text[literal.end:].lstrip()
+    if before.endswith("(") and after.startswith(")"):
         return []
-    names = (*spec.parameters, *spec.coordinates, *local)
-    return [unit for unit in literal.units[1:] if unit.unit in names]
+    names = (spec.parameters, spec.coordinates, local)
+    return [unit for unit in literal.units[1:] if any(unit.unit in some for some in names)]
 
 
 def _two_readings(reader, expression, literal, unit):
@@ -233,8 +236,3 @@ def _two_readings(reader, expression, literal, unit):
     sign = "/" if "/" in text[literal.start + len(head):start] else "*"
     reader.report(expression.scalar.place(start, end - start), f"'{name}' is a unit and a name of this scene",
                   f"write ({joined}) for the unit or ({head}){sign}{name} for the name")
-
-
-def _in_brackets(text, literal):
-    """Does a literal stand alone in round brackets?"""
-    return text[:literal.start].rstrip().endswith("(") and text[literal.end:].lstrip().startswith(")")

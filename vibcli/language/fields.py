@@ -1,224 +1,42 @@
-"""Fields: what may stand where. One declaration gives the reading, the error messages, the manual and the schema.
+"""Fields of elements: what may stand where. One declaration gives the reading, the messages, manual and schema."""
 
-A kind reads a document node into a value, or reports what was expected and found. An Element is a mapping with
-declared keys; reading one gives a Record. Expressions are parsed here and kept as trees; what their names mean
-and whether their dimensions fit is settled by spec.py, once all names are known.
-"""
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from importlib import import_module
-
-from vibcli.base import units
 from vibcli.base.diagnostics import quoted
-from vibcli.language.document.document import Mapping, Scalar, Sequence
-from vibcli.language.reader import Expression, Record, Reference, article, check_name, near, nearest
-from vibcli.symbolic.parser import ExpressionError, parse, plain_name
+from vibcli.base.spelling import near, nearest
+from vibcli.language.document.document import Mapping, Scalar
+from vibcli.language.reader import Record, article
+
+if TYPE_CHECKING:
+    from vibcli.base.errors import Where
 
 
-class Kind:
-    """What a field may hold: `read(node, reader)`, `schema()`, and `wants`, which completes "expected …"."""
-
-    wants = "a value"
-    about = None
-
-
-class Text(Kind):
-    wants = "text"
-
-    def read(self, node, reader):
-        if not isinstance(node, Scalar):
-            return reader.expected(node, self.wants)
-        return node.text
-
-    def schema(self):
-        return {"type": ["string", "number"]}
-
-
-class Quantity(Kind):
-    """An expression of a given dimension; `unit` None leaves it to be inferred."""
-
-    def __init__(self, unit=None, equation=None):
-        self.unit, self.equation = unit, equation
-        self.dimension = None if unit is None else units.parse_unit(unit).dimension
-
-    @property
-    def wants(self):
-        if self.equation:
-            return "an equation"
-        if self.unit is None:
-            return "an expression"
-        return units.wanted(self.unit, self.dimension)
-
-    def read(self, node, reader):
-        if not isinstance(node, Scalar) or not node.text.strip():
-            return reader.expected(node, self.wants, f"write for example {self.sample}" if self.sample else None)
-        try:
-            tree = parse(node.text, self.equation)
-        except ExpressionError as error:
-            return reader.report(node.place(error.offset, error.width), error.message, error.hint)
-        expression = Expression(node, tree, self.unit, self.dimension)
-        reader.expressions.append(expression)
-        return expression
-
-    @property
-    def sample(self):
-        return f"3 {self.unit}" if self.unit and self.dimension else None
-
-    def schema(self):
-        return {"type": ["string", "number"]}
-
-
-class MotionField(Quantity):
-    """A displacement or rotation in coordinates; a bare name here, if no parameter, is a coordinate."""
-
-    def read(self, node, reader):
-        expression = super().read(node, reader)
-        if expression is not None:
-            reader.motions.append(expression)
-        return expression
-
-
-class Load(Quantity):
-    """An expression of the time, coordinates and velocities."""
-
-    def read(self, node, reader):
-        expression = super().read(node, reader)
-        if expression is not None:
-            reader.loads.append(expression)
-        return expression
-
-
-class EquationField(Load):
-    """An equation between coordinates and the time."""
-
-    def __init__(self):
-        super().__init__(equation="x2 = 2*x1")
-
-
-class NewName(Text):
-    """A name that is good within the one element."""
-
-    wants = "a name"
-
-    def read(self, node, reader):
-        return check_name(node, reader, ("t", "pi")) if isinstance(node, Scalar) else reader.expected(node, self.wants)
-
-
-class NameOf(Kind):
-    """The name of something declared elsewhere in the file, in one of the namespaces of spec.py."""
-
-    def __init__(self, wants, *namespaces):
-        self.wants, self.namespaces = wants, namespaces
-
-    def read(self, node, reader):
-        if not isinstance(node, Scalar) or not node.text.strip():
-            return reader.expected(node, self.wants)
-        name = Reference(plain_name(node.text.strip()), node.where)
-        reader.references.append((name, self.namespaces, self.wants))
-        return name
-
-    def schema(self):
-        return {"type": "string"}
-
-
-class Choice(Kind):
-    def __init__(self, *words):
-        self.words = words
-
-    @property
-    def wants(self):
-        *words, last = self.words
-        return ("one of " if len(words) > 1 else "") + (", ".join(words) + " or " if words else "the word ") + last
-
-    def read(self, node, reader):
-        if not isinstance(node, Scalar) or node.text not in self.words:
-            meant = near(node.text, self.words) if isinstance(node, Scalar) else None
-            return reader.expected(node, self.wants, meant and f"did you mean '{meant}'?")
-        return node.text
-
-    def schema(self):
-        return {"enum": list(self.words)}
-
-
-class Flag(Choice):
-    def __init__(self):
-        super().__init__("true", "false")
-
-    def read(self, node, reader):
-        word = super().read(node, reader)
-        return None if word is None else word == "true"
-
-    def schema(self):
-        return {"type": "boolean"}
-
-
-class Many(Kind):
-    """A list of one kind; `least` and `most` bound its length."""
-
-    def __init__(self, kind, least=0, most=10000, wants=None):
-        self.kind, self.least, self.most = kind, least, most
-        self.wants = wants or (f"a list of {least}" if least == most else "a list")
-
-    def read(self, node, reader):
-        if not isinstance(node, Sequence) or not self.least <= len(node.items) <= self.most:
-            if isinstance(node, Sequence):
-                count = {0: "an empty list", 1: "one item"}.get(len(node.items), f"{len(node.items)} items")
-                return reader.report(node.where, f"expected {self.wants}, found {count}")
-            one = isinstance(node, Scalar) and node.text.strip() and isinstance(self.kind, Choice)
-            return reader.expected(node, self.wants, f"write [{node.text.strip()[:40]}]" if one else None)
-        items = [self.kind.read(item, reader) for item in node.items]
-        return None if any(item is None for item in items) else items
-
-    def schema(self):
-        return {"type": "array", "items": self.kind.schema(), "minItems": self.least, "maxItems": self.most}
-
-
-def vector(unit, wants, kind=Quantity):
-    return Many(kind(unit), 2, 2, wants)
-
-
-class OneOf(Kind):
-    """Alternatives told apart by the node's form: {Scalar: kind, Sequence: kind, Mapping: kind}."""
-
-    def __init__(self, wants, scalar=None, sequence=None, mapping=None):
-        self.wants, self.kinds = wants, {Scalar: scalar, Sequence: sequence, Mapping: mapping}
-
-    def read(self, node, reader):
-        kind = self.kinds[type(node)]
-        return kind.read(node, reader) if kind else reader.expected(node, self.wants)
-
-    def schema(self):
-        return {"anyOf": [kind.schema() for kind in self.kinds.values() if kind]}
-
-
-PLACE = OneOf("a place [x, y] or the name of a point or body",
-              scalar=NameOf("the name of a point or body", "points", "bodies"), sequence=vector("m", "a place [x, y]"))
-END = OneOf("a place [x, y], the name of a point or body, or ground",
-            scalar=NameOf("the name of a point or body, or ground", "points", "bodies", "ground"),
-            sequence=vector("m", "a place [x, y]"))
-BODY = NameOf("the name of a body", "bodies")
-ENDS = Many(END, 2, 2, "two ends [A, B]")
-
-
-class Field:
+class Field(NamedTuple):
     """A key of an element: its kind and what it means, in a few words."""
 
-    __slots__ = ("about", "kind", "required")
+    kind: Any
+    about: str
+    required: bool = False
 
-    def __init__(self, kind, about, required=False):
-        self.kind, self.about, self.required = kind, about, required
 
-
-class Element(Kind):
+class Element(NamedTuple):
     """A mapping with declared keys. `short` is the key that a bare value stands for (`slide: x` is `{by: x}`);
     `exclusive` lists groups of keys of which at most one may stand, `needs` groups of which at least one must.
     `settle(record, reader)` sets dimensions that depend on the other keys, and reports keys that do not go together;
-    `instead` says what to write for a key that is missed here."""
+    `instead` says what to write for a key that is missed here; `signals` are those of what joins two ends, {part:
+    (its unit, that of torsion)}."""
 
-    def __init__(self, name, about, fields, short=None, exclusive=(), needs=(), settle=None, example=None,
-                 instead=None):
-        self.name, self.about, self.fields, self.short = name, about, fields, short
-        self.exclusive, self.needs, self.settle, self.example = exclusive, needs, settle, example
-        self.instead = instead or {}
+    name: str
+    about: str
+    fields: dict[str, Field]
+    short: str | None = None
+    exclusive: tuple = ()
+    needs: tuple = ()
+    settle: Callable | None = None
+    example: str | None = None
+    instead: dict[str, str] = {}
+    signals: dict[str, tuple[str, str]] = {}
 
     @property
     def wants(self):
@@ -227,7 +45,7 @@ class Element(Kind):
             return f"{self.fields[self.short].kind.wants}, or a mapping {{{keys}}}"
         return f"{article(self.name)} as a mapping {{{keys}}}"
 
-    def read(self, node, reader, name=None, where=None):
+    def read(self, node: Any, reader: Any, name: str | None = None, where: "Where | None" = None):
         where = where or node.where
         if not isinstance(node, Mapping):
             if self.short is None or (isinstance(node, Scalar) and not node.text.strip()):
@@ -278,53 +96,3 @@ class Element(Kind):
         if self.short is None:
             return mapping
         return {"anyOf": [self.fields[self.short].kind.schema(), mapping]}
-
-
-def load(name, room="elements"):
-    """The module of an element or a section, vibcli/ROOM/NAME.py."""
-    return import_module(f"vibcli.{room}.{name}")
-
-
-class Lazy(Kind):
-    """An element or section by its room and the name of its file, imported when a scene first uses it."""
-
-    def __init__(self, name, room="elements"):
-        self.name, self.room = name, room
-
-    @property
-    def module(self):
-        return load(self.name, self.room)
-
-    def __getattr__(self, attribute):
-        return getattr(self.module.ELEMENT, attribute)
-
-    def read(self, node, reader, *named):
-        return self.module.ELEMENT.read(node, reader, *named)
-
-
-class Named(Kind):
-    """A mapping from names, chosen by the writer, to elements of one kind."""
-
-    def __init__(self, kind, wants, forbidden=()):
-        self.kind, self.wants, self.forbidden = kind, wants, forbidden
-
-    def read(self, node, reader):
-        if not isinstance(node, Mapping):
-            return reader.expected(node, self.wants)
-        records = {}
-        for key, (key_node, value_node) in node.entries.items():
-            name = check_name(key_node, reader, self.forbidden)
-            if name is None:
-                continue
-            if name in records:
-                reader.report(key_node.where, f"'{key}' is the same name as one before it",
-                              "Greek letters are names like those that spell them: φ is phi")
-                continue
-            record = (self.kind.read(value_node, reader, name, key_node.where) if isinstance(self.kind, (Element, Lazy))
-                      else self.kind.read(value_node, reader))
-            if record is not None:
-                records[name] = record
-        return records
-
-    def schema(self):
-        return {"type": "object", "additionalProperties": self.kind.schema()}

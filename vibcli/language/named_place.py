@@ -1,8 +1,13 @@
-"""Where something is drawn: a place [x, y], or the name of a point that is drawn there."""
+"""Places at which things are drawn: [x, y], or the name of a point that is drawn there."""
+
+from typing import TYPE_CHECKING, Any
 
 from vibcli.language.document.document import Scalar
-from vibcli.language.fields import NameOf, OneOf, vector
+from vibcli.language.kinds import NameOf, OneOf, vector
 from vibcli.symbolic.parser import plain_name
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Reference
 
 
 class NamedPlace(list):
@@ -10,7 +15,7 @@ class NamedPlace(list):
 
     __slots__ = ("name",)
 
-    def __init__(self, name):
+    def __init__(self, name: "Reference"):
         super().__init__()
         self.name = name
 
@@ -21,7 +26,7 @@ class _PointAsDrawn(NameOf):
     def __init__(self):
         super().__init__("a place [x, y] or the name of a point", "points")
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         if not isinstance(node, Scalar) or not plain_name(node.text.strip()).isidentifier():
             return reader.expected(node, self.wants)
         name = super().read(node, reader)

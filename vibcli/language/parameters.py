@@ -1,36 +1,49 @@
 """Values of parameters: from the file, from outside, exact or in any arithmetic."""
 
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.language.document.document import Scalar
+from vibcli.language.reader import Expression, Reader, Record
+from vibcli.language.record_calls import with_record_calls
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.parser import LARGEST, RANGE, SMALLEST, ExpressionError, parse
+from vibcli.symbolic.literals import LARGEST, RANGE, SMALLEST
+from vibcli.symbolic.parser import parse
 from vibcli.symbolic.rationals import bits
-from vibcli.symbolic.semantics import lower, names_in, whole_literal
-from vibcli.symbolic.syntax import Call, Number, Power, Product, Sum
+from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.syntax import Call, ExpressionError, Number, Power, Product, Sum, whole_literal
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    import mpmath
+
+    from vibcli.language.spec import Spec
+    from vibcli.symbolic.expression import Table
 
 WIDEST = 4096       # bits
 
 
-def override(record, tree, scalar):
-    """Replace a parameter's value; a bare number takes the unit in which the file gives the parameter."""
-    from vibcli.language.fields import Expression
-
-    old, number = record.get("value"), whole_literal(tree)
+def overridden(record: Record, tree: Number | Product | Sum, scalar: Any, reader: Reader) -> Record:
+    """The Record of a parameter with another value; a bare number takes the unit in which the file gives it."""
+    number = whole_literal(tree)
     if number and not number.units and (unit := _unit_of(record)):
         was = parse("1 " + unit)
         tree, scalar = _with_unit(tree, was.units), Scalar(f"{scalar.text} {unit}", scalar.where)
-    if old is None:
-        record.values["value"] = Expression(scalar, tree, None, None)
-    else:
-        old.tree, old.scalar = tree, scalar
+    value = Expression(scalar, with_record_calls(tree, reader.records))
+    if "value" in record:
+        del reader.expressions[record["value"].scalar]
+        reader.expressions[scalar] = value
+    return record.with_values({**record, "value": value})
 
 
 def _unit_of(record):
     """The text of the unit in which the file gives a parameter, '' where it gives none."""
     if "value" not in record:
         return record.get("unit", "")
-    was = whole_literal(record["value"].tree)
+    was = record["value"].parts.whole
     return record["value"].text[was.units[0].start:was.end].strip() if was and was.units else ""
 
 
@@ -55,7 +68,7 @@ class Parameters:
     """The parameters of a scene as leaves of its table: `nodes` by name, `definitions` of those that have a value;
     `in_letters`: what those that are defined by letters stand for in the scene."""
 
-    def __init__(self, spec, table):
+    def __init__(self, spec: "Spec", table: "Table"):
         self.table = table
         self.records = spec.parameters
         self.order = definition_order(spec.parameters)
@@ -99,17 +112,15 @@ class Parameters:
             value = self.records[name].get("value")
             try:
                 if value is not None:
-                    found[name] = lower(value.tree, self.table, self._symbol)
+                    found[name] = lower(value.tree, self.table, lambda name, primes, tree: self.nodes[name])
             except ExpressionError as error:
                 wrong.append(Diagnostic(value.scalar.place(error.offset, error.width), error.message, error.hint))
         if wrong:
             raise SpecError(wrong)
         return found
 
-    def _symbol(self, name, primes, tree):
-        return self.nodes[name]
-
-    def values(self, arithmetic, given=None):
+    def values(self, arithmetic: Any,
+               given: "Mapping[str, float | mpmath.mpf] | None" = None) -> "dict[str, float | mpmath.mpf]":
         """{name: number} in an arithmetic; `given` supplies the parameters that have no value."""
         from vibcli.symbolic.evaluation import evaluate
 
@@ -130,11 +141,9 @@ class Parameters:
             raise SpecError(wrong)
         return found
 
-    def rational(self, given=None):
+    def rational(self, given: "Mapping[str, Fraction] | None" = None) -> "dict[str, Fraction]":
         """Exact values of the parameters that have one, without those that are irrational or have too many digits.
-
-        (Products of products double their digits at each step.)
-        """
+        (Products of products double their digits at each step.)"""
         from vibcli.symbolic.evaluation import evaluate_rational
 
         found = dict(given or {})
@@ -146,33 +155,23 @@ class Parameters:
         return found
 
 
-def independent(records):
-    """Names of the parameters that are not defined by others."""
-    return [name for name, record in records.items() if "value" not in record
-            or not any(other in records for other, *_ in names_in(record["value"].tree))]
-
-
-def definition_order(records):
+def definition_order(records: Mapping[str, Record]) -> list[str]:
     """Names in an order in which each comes after those it is defined by (there are no circles)."""
-    needs = {name: [n for n, _, _, _ in names_in(record["value"].tree) if n in records] if "value" in record else []
+    needs = {name: [n for n, *_ in record["value"].parts.names if n in records] if "value" in record else []
              for name, record in records.items()}
-    done, order = set(), []
+    done = {}
     for start in records:
         stack = [start]
         while stack:
-            name = stack[-1]
-            waiting = [n for n in needs[name] if n not in done]
-            if name in done or not waiting:
-                stack.pop()
-                if name not in done:
-                    done.add(name)
-                    order.append(name)
-            else:
+            waiting = [n for n in needs[stack[-1]] if n not in done]
+            if waiting:
                 stack.extend(waiting)
-    return order
+            else:
+                done[stack.pop()] = None
+    return list(done)
 
 
-def unusable(value, arithmetic):
+def unusable(value: "float | mpmath.mpf", arithmetic: Any):
     """(what is wrong, hint) of a value that is no finite number of usual size, else None."""
     if not arithmetic.isfinite(value):
         return "not a finite real number", "look for a division by zero, or a root or logarithm of a negative number"
@@ -181,7 +180,7 @@ def unusable(value, arithmetic):
     return None
 
 
-def require_values(parameters, what):
+def require_values(parameters: Parameters, what: str):
     """Refuse a numeric question about a scene that has symbols without value."""
     if parameters.free:
         names = ", ".join(parameters.free)

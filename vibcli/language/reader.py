@@ -1,33 +1,24 @@
-"""What reading a file collects: diagnostics, expressions, names, records; and the words of its messages."""
+"""The reading of a file: the diagnostics, expressions and names that it collects; records; the words of messages."""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.diagnostics import quoted
-from vibcli.base.errors import Diagnostic
+from vibcli.base.errors import Diagnostic, Where
+from vibcli.base.units import parse_unit
 from vibcli.language.document.document import Mapping, Sequence
 from vibcli.symbolic.parser import plain_name
+from vibcli.symbolic.syntax import parts_of
 
-MOST_COMPARED = 500    # words: comparing takes some microseconds each
+if TYPE_CHECKING:
+    from vibcli.language.data_columns import Columns
+    from vibcli.language.document.nodes import Scalar
+    from vibcli.language.fields import Element
+
 MOST_PROBLEMS = 100
 
 
-def near(word, words):
-    """The one of `words` that is most like `word`, None where none is."""
-    from difflib import get_close_matches
-
-    same = [w for w in words if w and w.lower() == word.lower()]
-    found = same or (get_close_matches(word, [w for w in words if w], 1, 0.6) if len(words) <= MOST_COMPARED else ())
-    return found[0] if found else None
-
-
-def nearest(word, words):
-    """A hint naming the nearest valid word, or all of them where none is near."""
-    found = near(word, words)
-    if found:
-        return f"did you mean '{found}'?"
-    words = sorted(w for w in words if w)
-    return "valid here: " + ", ".join(words) if words and len(words) <= 40 else None
-
-
-def article(noun):
+def article(noun: str) -> str:
     return ("an " if noun[0] in "aeiou" else "a ") + noun
 
 
@@ -36,30 +27,51 @@ class TooManyErrors(Exception):
 
 
 class Reader:
-    """Collects what reading a file yields beside its values: diagnostics, every expression, the expressions that
-    move something (a bare name there is a coordinate), those that load or tie it, names that are good in one expression
-    alone as {id: (name, dimension)}, and every reference as (Name, namespaces, what is wanted).
-    `sound` tells whether the scene was read whole, apart from what is asked of it; `files`: what was read beside it."""
+    """Collects what reading a file yields beside its values: diagnostics, every reference as (Name, namespaces, what is
+    wanted), and by their Scalars every expression, those that move something (a bare name there is a coordinate), those
+    that load or tie it, (name, dimension) of a name that is good in one expression alone, those in which velocities
+    may stand, and in `along` (coordinate, unknown factor or None) of those measured as a coordinate is. `sound` tells
+    whether the scene was read whole, apart from what is asked of it; `files`: what was read beside it; `records`: the
+    names of its records."""
 
-    def __init__(self, files=None):
-        self.files = {} if files is None else files
-        self.diagnostics, self.expressions, self.motions, self.loads, self.references = [], [], [], [], []
-        self.local_names, self.named_places = {}, []
+    def __init__(self, files: Any = None, records: Any = ()):
+        self.files, self.records = {} if files is None else files, records
+        self.diagnostics, self.references, self.named_places = [], [], []
+        self.expressions, self.motions, self.loads, self.local_names, self.at_speed = {}, {}, {}, {}, set()
+        self.along = {}
         self.sound = True
 
-    def report(self, where, message, hint=None):
+    def report(self, where: Where, message: str, hint: str | None = None):
         self.diagnostics.append(Diagnostic(where, message, hint))
         if len(self.diagnostics) == MOST_PROBLEMS:
             self.diagnostics.append(Diagnostic(where, "too many problems: reading stops here", "mend these first"))
             raise TooManyErrors
 
-    def columns_of(self, scene, name, read):
-        """What `read(scene, name)` gives, once for a file however many cases use it."""
+    def not_whole(self) -> None:
+        """A part of the scene could not be read."""
+        self.sound = False
+
+    def measured(self, record: "Record", key: str, unit: str, said: bool = False) -> None:
+        """An expression of a record has the dimension of a unit, as its other keys determine; `said`: in which it is
+        asked for."""
+        old = record[key]
+        record[key] = Expression(old.scalar, old.tree, unit if said else old.unit, parse_unit(unit).dimension)
+        for kept in (self.expressions, self.motions, self.loads):
+            if old.scalar in kept:
+                kept[old.scalar] = record[key]
+
+    def name_within(self, expression: "Expression", name: str, unit: str) -> None:
+        """A name that is good in an expression alone, and the unit of what it stands for."""
+        self.local_names[expression.scalar] = name, parse_unit(unit).dimension
+
+    def columns_of(self, scene: str, name: str,
+                   read: Callable) -> "tuple[Columns | None, tuple[str, str] | Diagnostic | None]":
+        """The columns of a file, by `read(scene, name)` once however many cases use it."""
         if (scene, name) not in self.files:
             self.files[scene, name] = read(scene, name)
         return self.files[scene, name]
 
-    def expected(self, node, what, hint=None):
+    def expected(self, node: Any, what: str, hint: str | None = None):
         self.report(node.where, f"expected {what}, found {_found(node)}", hint)
 
 
@@ -72,20 +84,14 @@ def _found(node):
 
 
 class Expression:
-    """A parsed expression with its place, and the dimension that its field wants (None: settled elsewhere)."""
+    """A parsed expression with its place, its Parts, and the unit and dimension that its field wants (None: settled
+    elsewhere)."""
 
-    __slots__ = ("dimension", "scalar", "tree", "unit")
+    __slots__ = ("dimension", "parts", "scalar", "text", "tree", "unit", "where")
 
-    def __init__(self, scalar, tree, unit, dimension):
-        self.scalar, self.tree, self.unit, self.dimension = scalar, tree, unit, dimension
-
-    @property
-    def text(self):
-        return self.scalar.text
-
-    @property
-    def where(self):
-        return self.scalar.where
+    def __init__(self, scalar: "Scalar", tree: Any, unit: str | None = None, dimension: Any = None):
+        self.scalar, self.text, self.where = scalar, scalar.text, scalar.where
+        self.tree, self.parts, self.unit, self.dimension = tree, parts_of(tree), unit, dimension
 
 
 class Reference:
@@ -93,32 +99,33 @@ class Reference:
 
     __slots__ = ("text", "where")
 
-    def __init__(self, text, where):
+    def __init__(self, text: str, where: Where):
         self.text, self.where = text, where
 
 
-class Record:
-    """One element as written: its declared kind, its name, its values and the place of each key."""
+class Record(dict):
+    """One element as written, {key: value}: its declared kind, its name, and the place of each key, of those as well
+    whose value could not be read. Two records are never equal."""
 
-    __slots__ = ("element", "keys", "name", "values", "where")
+    __slots__ = ("element", "name", "places", "where")
+    __eq__, __ne__, __hash__ = object.__eq__, object.__ne__, object.__hash__  # type: ignore[assignment]
 
-    def __init__(self, element, name, where, values, keys):
-        self.element, self.name, self.where, self.values, self.keys = element, name, where, values, keys
+    def __init__(self, element: "Element | None", name: str | None, where: Where, values: Any, places: Any):
+        super().__init__(values)
+        self.element, self.name, self.where, self.places = element, name, where, places
 
-    def __getitem__(self, key):
-        return self.values[key]
+    def __bool__(self) -> bool:
+        return True
 
-    def get(self, key, default=None):
-        return self.values.get(key, default)
+    def place(self, key: str) -> Where:
+        return self.places.get(key, self.where)
 
-    def __contains__(self, key):
-        return key in self.values
-
-    def place(self, key):
-        return self.keys.get(key, self.where)
+    def with_values(self, values: Any) -> "Record":
+        """The record with other values."""
+        return Record(self.element, self.name, self.where, values, self.places)
 
 
-def check_name(node, reader, forbidden=()):
+def check_name(node: "Scalar", reader: Reader, forbidden: Any = ()) -> str:
     """A name chosen by the writer, Greek letters spelt out; None and a diagnostic where it is not one."""
     name = plain_name(node.text)
     if not name.isidentifier() or not name.isascii() or len(name) > 32:

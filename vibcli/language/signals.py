@@ -1,12 +1,17 @@
 """Signals: what can be read off a scene beside its coordinates — places, turns, stretches, forces — and their units."""
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base import units
+from vibcli.language.reader import Record
+
+if TYPE_CHECKING:
+    from vibcli.language.spec import Spec
 
 POINT = {"x": "m", "y": "m", "reaction.x": "N", "reaction.y": "N"}
 BODY = {"x": "m", "y": "m", "angle": "rad", "reaction.x": "N", "reaction.y": "N", "reaction.moment": "N*m",
         "normal": "N", "friction": "N"}
-SPRING = {"stretch": ("m", "rad"), "force": ("N", "N*m"), "energy": ("J", "J")}      # of length, and of torsion
-DAMPER = {"stretch": ("m", "rad"), "force": ("N", "N*m"), "power": ("W", "W")}
+CONTACT = ("normal", "friction")
 GROUND = {"force": "N", "force.x": "N", "force.y": "N", "moment": "N*m"}
 ENERGIES = {"T": "J", "V": "J", "Phi": "W"}      # of the whole scene, where no parameter has the name
 DRIVES = {"slide": {"drive": "N"}, "pin": {"drive": "N*m"}, "turn": {"drive": "N*m"}, "travel": {"drive": "N"},
@@ -22,8 +27,10 @@ ABOUT = (
     ("s.stretch, s.force", "stretch of a spring since the drawn position, and its tension (of torsion its moment)"),
     ("s.energy", "energy stored in a spring, tension²/(2k)"),
     ("d.force, d.power", "force of a damper, positive as it lengthens, and the power that it dissipates"),
-    ("ground.force", "force that springs and dampers exert on the ground (fixed or driven) in one-axis scenes; "
-                     "ground.moment of torsion; ground.force.x, .y of scenes in the plane"),
+    ("i.stretch, i.force", "stretch of an inerter since the drawn position, and its force, positive as its lengthening "
+                           "gains speed"),
+    ("ground.force", "force that springs, dampers and inerters exert on the ground (fixed or driven) in one-axis "
+                     "scenes; ground.moment of torsion; ground.force.x, .y of scenes in the plane"),
     ("hoist.force", "tension of a rope (hoist.force.1, .2 where it is in several pieces) or link; tangential force of "
                     "gears and belts; force on a point from its surface; knee.force.x of a join, on its second point"),
     ("B.reaction.x, .y, .moment", "what the support (pin, guide, contact) exerts on a body, its moment about the pin "
@@ -33,11 +40,12 @@ ABOUT = (
                 "`pin: Omega*t`; of `move` B.drive.x, .y, .moment, of a point that `moves` P.drive.x, .y. Times the "
                 "prescribed velocity it is the power of the drive"),
     ("B.normal, B.friction", "contact force on a rolling or sliding body: along the normal from the surface to the "
-                             "body, and along the tangent, which is the normal turned clockwise"),
+                             "body, and along the tangent, which is the normal turned clockwise; of what rolls "
+                             "between two surfaces B.normal.deck, B.friction.deck at each"),
 )
 
 
-def signal_dimension(spec, text):
+def signal_dimension(spec: "Spec", text: str):
     """The dimension of a signal; None where the scene has none of that name."""
     unit = _unit(spec, text)
     return None if unit is None else units.parse_unit(unit).dimension
@@ -45,43 +53,55 @@ def signal_dimension(spec, text):
 
 def _unit(spec, text):
     name, _, part = text.partition(".")
+    whole, _, number = part.rpartition(".")
+    of_piece = whole == "force" and number.isdecimal() and "rope" in (spec.get("constraints") or {}).get(name, ())
+    return _parts(spec, name).get("force" if of_piece else part)
+
+
+def _parts(spec, name):
+    """{part: unit} of the signals of what has a name."""
     for section, parts in (("bodies", BODY), ("points", POINT)):
         if name in (spec.get(section) or {}):
-            return (parts | drives(spec, spec.get(section)[name])).get(part)
+            return _signals_of(spec, spec.get(section)[name], parts)
     if name == "ground":
-        return GROUND.get(part)
-    for section, parts in (("springs", SPRING), ("dampers", DAMPER)):
-        record = (spec.get(section) or {}).get(name)
-        if record is not None:
-            return parts[part]["torsion" in record] if part in parts else None
-    record = (spec.get("constraints") or {}).get(name)
+        return GROUND
+    record = spec.connection(name)
     if record is not None:
-        kind = next((kind for kind in FORCES if kind in record), None)
-        whole, _, number = part.rpartition(".")
-        if part in FORCES.get(kind, ()) or (kind == "rope" and whole == "force" and number.isdecimal()):
-            return "N"
-    return None
+        return {part: pair["torsion" in record] for part, pair in record.element.signals.items()}
+    record = (spec.get("constraints") or {}).get(name, ())
+    return {part: "N" for kind, parts in FORCES.items() if kind in record for part in parts}
 
 
-def is_reaction(spec, text):
+def _signals_of(spec, record, parts):
+    """{part: unit} of a body or point: `parts`, the forces of its drives, those of each of several contacts."""
+    contacts = record["roll"].get("between", ()) if "roll" in record else ()
+    if contacts:
+        parts = {part: unit for part, unit in parts.items() if part not in CONTACT}
+        parts |= {f"{part}.{surface.text}": "N" for surface in contacts for part in CONTACT}
+    return parts | drives(spec, record)
+
+
+def is_reaction(spec: "Spec", text: str) -> bool:
     """Is this the force of a constraint, a support, a contact or a drive?"""
     name, _, part = text.partition(".")
     if name in (spec.get("constraints") or {}):
         return part.partition(".")[0] == "force"
-    return part.partition(".")[0] in ("reaction", "drive", "normal", "friction") and (
+    return part.partition(".")[0] in ("reaction", "drive", *CONTACT) and (
         name in (spec.get("bodies") or {}) or name in (spec.get("points") or {}))
 
 
-def drives(spec, record):
+def drives(spec: "Spec", record: Record) -> dict[Any, Any]:
     """{part: unit} of the forces along what is prescribed in time of a body or point."""
     key = next((key for key in ("slide", "pin", "turn", "move", "roll", "moves") if key in record), None)
     if key is None:
         return {}
     value = record[key]
     if key == "roll":
-        key = next(kind for kind in ("travel", "swing", "turn") if kind in value)
+        key = next((kind for kind in ("travel", "swing", "turn") if kind in value), None)
+        if key is None:
+            return {}
         value = value[key]
-    value = value["by"] if hasattr(value, "keys") and "by" in value else value
+    value = value["by"] if isinstance(value, Record) and "by" in value else value
     parts = DRIVES[key]
     given = value if isinstance(value, list) else [value]
     return {part: unit for (part, unit), one in zip(parts.items(), given, strict=False) if _in_time(spec, one)}
@@ -89,31 +109,18 @@ def drives(spec, record):
 
 def _in_time(spec, expression):
     """Does an expression hold the time?"""
-    from vibcli.symbolic.semantics import names_in
-
     if "t" in spec.parameters or "t" in spec.coordinates:
         return False
-    return any(name == "t" for name, *_ in names_in(expression.tree))
+    return any(name == "t" for name, *_ in expression.parts.names)
 
 
-def near_signals(spec, text):
-    """The signals of what `text` names, or the forms that signals have."""
+def near_signals(spec: "Spec", text: str) -> list[str]:
+    """The signals of what `text` names, or the coordinates."""
     name = text.partition(".")[0]
-    for section, parts in (("bodies", BODY), ("points", POINT)):
-        if name in (spec.get(section) or {}):
-            return [f"{name}.{part}" for part in parts | drives(spec, spec.get(section)[name])]
-    for section, parts in (("springs", SPRING), ("dampers", DAMPER)):
-        if name in (spec.get(section) or {}):
-            return [f"{name}.{part}" for part in parts]
-    if name == "ground":
-        return [f"ground.{part}" for part in GROUND]
-    record = (spec.get("constraints") or {}).get(name)
-    if record is not None:
-        return [f"{name}.{part}" for kind, parts in FORCES.items() if kind in record for part in parts]
-    return list(spec.coordinates)
+    return [f"{name}.{part}" for part in _parts(spec, name)] or list(spec.coordinates)
 
 
-def coordinate_name(spec, index):
+def coordinate_name(spec: "Spec", index: str) -> str:
     """A coordinate by its name or its number from 1; None where there is none."""
     names = list(spec.coordinates)
     if index.isdecimal() and index.isascii():

@@ -3,16 +3,16 @@
 import re
 from fractions import Fraction
 
-from vibcli.base.unit_table import UNITS
-from vibcli.symbolic.parser import ExpressionError, parse
-from vibcli.symbolic.semantics import whole_literal
+from vibcli.base.units import UNITS
+from vibcli.symbolic.parser import parse
+from vibcli.symbolic.syntax import ExpressionError, whole_literal
 
 _BRACKET = re.compile(r"([*/·])?\s*\(([^()]*)\)(?:\s*(?:\^|\*\*)\s*(?:(-?\d+(?:\.\d+)?)|"
                       r"\(\s*(-?\d+(?:\.\d+|\s*/\s*\d+)?)\s*\)))?")
 _UNIT = re.compile(r"\s*([*/·]?)\s*([A-Za-zµμ°%]+|1(?=\s*/))(?:\s*(?:\^|\*\*)\s*(-?\d+(?:\.\d+)?))?\s*")
 
 
-def opened(text, start):
+def opened(text: str, start: int):
     """The text of a number with its unit without the brackets about the unit at `start`; None of anything else."""
     for bracket in _BRACKET.finditer(text):
         if not bracket.start(2) <= start < bracket.end(2):

@@ -1,5 +1,7 @@
 """Other names of words of the manual. Data alone."""
 
+from vibcli.report.formats import FORMATS
+
 ALIASES = {
     "expression": "expressions", "derivatives": "expressions", "derivative": "expressions", "names": "expressions",
     "numbers": "expressions", "x'": "expressions", "unit": "units", "function": "functions",
@@ -26,6 +28,6 @@ ALIASES = {
     "slack": "acts", "cable": "acts",
     "draw": "pictures", "animate": "pictures", "animation": "pictures", "figure": "pictures", "plot": "pictures",
     "plots": "pictures", "picture": "pictures", "svg": "pictures", "pdf": "pictures", "png": "pictures",
-    "gif": "pictures", "report": "reports", "format": "reports", "html": "reports", "latex": "reports",
-    "markdown": "reports", "csv": "data", "npz": "data", "save": "data", "export": "data",
+    "gif": "pictures", "report": "reports", "format": "reports", "csv": "data", "npz": "data", "save": "data",
+    "export": "data", **{name: "reports" for name in FORMATS if name != "text"},
 }

@@ -1,13 +1,16 @@
 """What the declarations declare: every element with its keys, and where in a scene it stands."""
 
-from vibcli import elements
+from typing import Any
+
 from vibcli.language import sections
 from vibcli.language.document.document import Mapping, Scalar, Sequence
-from vibcli.language.fields import Element, Lazy, Many, Named, OneOf, load
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import Many, MotionField, NameOf, OneOf
+from vibcli.language.named_elements import Lazy, Named, load
 from vibcli.reader import sections as questions
 from vibcli.reader.read import SECTIONS
 
-FACES = (("elements", elements), ("language.sections", sections), ("reader.sections", questions))
+FACES = (("language.sections", sections.NAMES), ("reader.sections", questions.NAMES))
 
 
 class Declared:
@@ -15,15 +18,15 @@ class Declared:
 
     __slots__ = ("about", "kind", "places", "section", "word")
 
-    def __init__(self, word, kind, about, section):
+    def __init__(self, word: str, kind: Element | MotionField | NameOf, about: str, section: str | None):
         self.word, self.kind, self.about, self.section, self.places = word, kind, about, section, []
 
     @property
-    def fields(self):
+    def fields(self) -> dict[str, Field]:
         return self.kind.fields if isinstance(self.kind, Element) else {}
 
     @property
-    def example(self):
+    def example(self) -> str:
         return getattr(self.kind, "example", None)
 
 
@@ -32,15 +35,15 @@ class Catalogue:
 
     def __init__(self):
         self.elements, self.sections = {}, {}
-        modules = [load(name, room) for room, face in FACES for name in face.NAMES]
+        modules = [load(name, room) for room, names in FACES for name in names]
         self._of_kind = {id(module.KIND): module for module in modules if hasattr(module, "KIND")}
         for section, (kind, _) in SECTIONS.items():
             module = self._of_kind.get(id(kind))
             inner = kind.kind if isinstance(kind, Named) else kind
             whole = inner is kind and module is None
             place = f"the section `{section}`" if whole else f"an entry of `{section}`, by its name"
-            if module is not None and isinstance(getattr(module, "ELEMENT", None), Element):
-                inner = module.ELEMENT
+            if module is not None:
+                inner = getattr(module, "ELEMENT", kind)
             declared = self._gather(inner, place, section)
             if declared is not None:
                 self.sections[section] = declared
@@ -51,8 +54,7 @@ class Catalogue:
             return self._gather(kind.kind, place, section)
         if isinstance(kind, OneOf):
             for part in kind.kinds.values():
-                if part is not None:
-                    self._gather(part, place, section)
+                self._gather(part, place, section)
             return None
         if not isinstance(kind, (Lazy, Element)):
             return None
@@ -67,17 +69,16 @@ class Catalogue:
             declared.places.append(place)
         return declared
 
-    def about(self, section):
+    def about(self, section: str) -> str:
         """What a section is: the fullest text that its declarations have."""
         kind, about = SECTIONS[section]
-        module = self._of_kind.get(id(kind))
-        return getattr(module, "ABOUT", None) or about
+        return getattr(self._of_kind.get(id(kind)), "ABOUT", None) or about
 
-    def pairs(self):
+    def pairs(self) -> list[tuple[str, str]]:
         """Every key of every element as (element word, key)."""
         return [(word, key) for word, declared in self.elements.items() for key in declared.fields]
 
-    def used(self, root):
+    def used(self, root: Any) -> list[str | tuple[str, str]]:
         """What a scene document uses: section names, and (element word, key), each as often as it occurs."""
         found = []
         for section, (_, node) in root.entries.items():
@@ -93,7 +94,7 @@ class Catalogue:
         return found
 
 
-def opened(kind):
+def opened(kind: Element | Lazy) -> tuple[str, Any, str]:
     """(word, kind, about) of an element, the file of a lazy one loaded."""
     if not isinstance(kind, Lazy):
         return kind.name, kind, kind.about
@@ -109,8 +110,8 @@ def _used(kind, node):
     if isinstance(kind, Many):
         return [use for item in node.items for use in _used(kind.kind, item)] if isinstance(node, Sequence) else []
     if isinstance(kind, OneOf):
-        inner = kind.kinds[type(node)]
-        return _used(inner, node) if inner else []
+        inner = kind.kinds.get(type(node))
+        return _used(inner, node) if inner is not None else []
     if not isinstance(kind, (Lazy, Element)):
         return []
     word, element, _ = opened(kind)

@@ -1,13 +1,18 @@
 """Pages of elements, their keys, and sections."""
 
-from vibcli.language.fields import Element, EquationField, Lazy, Load, Many, MotionField, OneOf
+from typing import Any
+
+from vibcli.language.fields import Element
+from vibcli.language.kinds import EquationField, Load, Many, MotionField, OneOf
+from vibcli.language.named_elements import Lazy
 from vibcli.manual import scenes, topics
-from vibcli.manual.catalogue import opened
+from vibcli.manual.catalogue import Catalogue, opened
 from vibcli.manual.layout import blocks, either, paragraph, table
 from vibcli.reader.read import SECTIONS
+from vibcli.reader.sections.find import FIND
 
 
-def expects(kind):
+def expects(kind: Any) -> str:
     """What a key holds, in words."""
     if isinstance(kind, Many) and isinstance(kind.kind, (Element, Lazy)):
         return f"{kind.wants}, each a {opened(kind.kind)[0]}"
@@ -24,13 +29,13 @@ def expects(kind):
     return mapping if element.short is None else f"{expects(element.fields[element.short].kind)}, or {mapping}"
 
 
-def sentence(text):
+def sentence(text: str) -> str:
     """A text of a declaration as a sentence."""
     text = text if text[:1] in "`[{" or text[:2].istitle() else text[:1].upper() + text[1:]
     return text if text.endswith((".", "…", ":")) else text + "."
 
 
-def element_page(catalogue, word, scene=True):
+def element_page(catalogue: Catalogue, word: Any, scene: bool = True) -> str:
     """What an element is, its keys, which of them go together, its short form, and a scene."""
     declared = catalogue.elements[word]
     head = [f"{word} — {declared.places[0]}", *(f"{'':{len(word)}}   {place}" for place in declared.places[1:])]
@@ -98,7 +103,7 @@ def _scene(name):
     return lines + ["  " + line if line else "" for line in scenes.text(name).rstrip("\n").split("\n")]
 
 
-def key_page(catalogue, word, key, scene=True):
+def key_page(catalogue: Catalogue, word: str, key: str, scene: bool = True) -> str:
     """A key of an element: what it holds, what it means, what it excludes, and a scene that uses it."""
     declared = catalogue.elements[word]
     field = declared.fields[key]
@@ -113,11 +118,11 @@ def key_page(catalogue, word, key, scene=True):
     return blocks(head, table(rows), _scene(name) if scene else [])
 
 
-def article(word):
+def article(word: str) -> str:
     return word if word.endswith("s") else ("an " if word[0] in "aeiou" else "a ") + word
 
 
-def section_page(catalogue, section):
+def section_page(catalogue: Catalogue, section: str) -> str:
     """A section of a scene; that of a section of elements is followed by the page of the element."""
     kind, _ = SECTIONS[section]
     declared = catalogue.sections.get(section)
@@ -128,7 +133,7 @@ def section_page(catalogue, section):
         page = element_page(catalogue, inner)
         return page if inner == section else blocks(head, [page])
     if section == "find":
-        return blocks(head, about, table(topics.FIND.items()), ["More: `vibcli explain request`."],
+        return blocks(head, about, table(FIND.items()), ["More: `vibcli explain request`."],
                       _scene(scenes.using(catalogue, section)))
     if section == "cases":
         about = [line for text in topics.CASES for line in paragraph(text)]

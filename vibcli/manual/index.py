@@ -6,8 +6,9 @@ from vibcli.manual import elements, subjects, topics
 from vibcli.manual.aliases import ALIASES
 from vibcli.manual.catalogue import Catalogue
 from vibcli.manual.layout import blocks
-from vibcli.quantities.quantity import ASKED
+from vibcli.quantities import FAMILIES
 from vibcli.reader.read import INSTEAD, SECTIONS
+from vibcli.reader.sections.find import FIND
 from vibcli.report.json_keys import KEYS
 from vibcli.symbolic.parser import plain_name
 
@@ -28,7 +29,7 @@ class Index:
             self._add(f"{word}.{key}", "key", elements.key_page, word, key)
             if key not in self.catalogue.elements or word not in ("body", "request"):
                 self._add(key, "key", elements.key_page, word, key)
-        subjects_of = (("find", subjects.find_page, topics.FIND), ("quantity", subjects.quantity_page, ASKED),
+        subjects_of = (("find", subjects.find_page, FIND), ("quantity", subjects.quantity_page, FAMILIES),
                        ("shape", subjects.shape_page, NEEDS), ("function", subjects.function_page, topics.FUNCTIONS),
                        ("unit", subjects.unit_page, UNITS), ("missing", subjects.missing_page, INSTEAD))
         for kind, function, words in subjects_of:
@@ -40,7 +41,7 @@ class Index:
     def _add(self, word, kind, function, *arguments):
         self.entries.setdefault(word, []).append((kind, function, arguments))
 
-    def found(self, word):
+    def found(self, word: str) -> str:
         """The word of the manual that is meant: as written, in lower case, or by another name; None if none is."""
         text = " ".join(word.replace("_", " ").split())
         singular = {section: declared.word for section, declared in self.catalogue.sections.items()}
@@ -52,7 +53,7 @@ class Index:
                 return spelling
         return None
 
-    def page(self, word):
+    def page(self, word: str) -> str:
         """The pages of a word, one below the other; scenes only with the main one."""
         entries = self.entries[word]
         if len(entries) == 1:
@@ -65,7 +66,7 @@ class Index:
         return blocks(*([page] for page in pages))
 
 
-def page(word):
+def page(word: str) -> str:
     """The page of a word of the manual; KeyError where there is none."""
     index = Index()
     found = index.found(word)
@@ -74,12 +75,12 @@ def page(word):
     return index.page(found)
 
 
-def words():
+def words() -> list[str]:
     """Every word that has a page."""
     return sorted({*Index().entries, *ALIASES})
 
 
-def nearest_words(word):
+def nearest_words(word: str) -> list[str]:
     """Up to three words that have a page and look like this one."""
     from difflib import get_close_matches
 

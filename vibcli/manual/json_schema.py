@@ -4,7 +4,11 @@ A YAML reader has types where scene files have text: whatever YAML may take a te
 value is null, and a case may hold any part of a scene.
 """
 
-from vibcli.language.fields import Element, Named, Text
+from typing import Any
+
+from vibcli.language.fields import Element
+from vibcli.language.kinds import Text
+from vibcli.language.named_elements import Named
 from vibcli.manual.catalogue import Catalogue
 from vibcli.reader.read import SECTIONS
 
@@ -13,7 +17,7 @@ ANY_TEXT = {"type": ["string", "number", "boolean", "null"]}
 NAME = {"pattern": "^[A-Za-z_\u0391-\u03f5][A-Za-z0-9_\u0391-\u03f5]{0,31}$"}
 
 
-def schema():
+def schema() -> dict[str, Any]:
     """The schema as a dict: sections under `properties`, elements under `definitions`."""
     catalogue = Catalogue()
     definitions = {word: _definition(word, declared) for word, declared in catalogue.elements.items()
@@ -48,7 +52,7 @@ def _definition(word, declared):
     for key, field in element.fields.items():
         if isinstance(field.kind, Text):
             mapping["properties"][key] = {**ANY_TEXT, "description": field.about}
-    rules = [{"not": {"required": [one, other]}} for group in element.exclusive for i, one in enumerate(group)
+    rules: list = [{"not": {"required": [one, other]}} for group in element.exclusive for i, one in enumerate(group)
              for other in group[i + 1:]]
     rules += [{"anyOf": [{"required": [key]} for key in group]} for group in element.needs]
     if rules:

@@ -5,7 +5,7 @@ from vibcli.elements.shapes import NEEDS
 from vibcli.manual import scenes, topics
 from vibcli.manual.catalogue import Catalogue
 from vibcli.manual.layout import blocks, in_short, listed, paragraph, table
-from vibcli.quantities.quantity import ASKED
+from vibcli.quantities import FAMILIES
 from vibcli.reader.read import SECTIONS
 
 START = ("A scene is a YAML file that says what a textbook figure shows: the bodies where they are drawn, how each "
@@ -21,10 +21,10 @@ answers:
   omega[1]: sqrt(k/m)"""
 
 
-def overview():
+def overview() -> str:
     """The page that `vibcli explain` prints without a word."""
     catalogue = Catalogue()
-    sections = [(section, _about(catalogue, section)) for section in SECTIONS]
+    sections = [(section, in_short(about)) for section, (_, about) in SECTIONS.items()]
     motions = [(word, in_short(catalogue.elements["body"].fields[word].about)) for word in MOTIONS]
     subjects = [(word, about) for word, (about, _) in topics.TOPICS.items()]
     width = max(len(row[0]) for row in sections + subjects)
@@ -34,17 +34,9 @@ def overview():
         ["Sections of a scene, all optional", *table(sections, least=width)],
         ["How a body moves, one of", *table(motions, least=width)],
         ["Shapes of bodies", *listed(NEEDS)],
-        ["Quantities, for `answers`", *listed(ASKED)],
+        ["Quantities, for `answers`", *listed(FAMILIES)],
         ["Topics", *table(subjects, least=width)],
         ["More on any word, and a scene that runs", *table([
             ("vibcli explain spring", "the keys of a spring"),
             ("vibcli explain spring.preload", "one key of it"),
             ("vibcli new --list", f"templates to start from, and {len(examples)} example scenes")])])
-
-
-def _about(catalogue, section):
-    """What a section is, in a line; of a section of elements what these are."""
-    declared, about = catalogue.sections.get(section), SECTIONS[section][1]
-    if declared is not None and about == section:
-        about = declared.about
-    return in_short(about)

@@ -1,24 +1,24 @@
 """Pages of the topics, quantities, shapes, functions, units and JSON keys."""
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base import units
 from vibcli.elements.body import MOTIONS
 from vibcli.elements.shapes import LAWS, NEEDS
 from vibcli.manual import scenes, topics
 from vibcli.manual.layout import blocks, in_short, paragraph, table
 from vibcli.manual.python import EXAMPLE
-from vibcli.notation.scene_language import language
-from vibcli.quantities import quantity
-from vibcli.quantities.quantity import ASKED, VALUE
+from vibcli.quantities import FAMILIES, quantity
+from vibcli.quantities.quantity import named
 from vibcli.reader.read import INSTEAD
-from vibcli.report import json_keys
-from vibcli.symbolic.expression import Table
-from vibcli.symbolic.normal_form import textbook
+from vibcli.reader.sections.find import FIND
+from vibcli.report import json_keys, keys
 
-LETTERS = {"mode": ("i",), "coordinate": ("q", "r"), "signal": ("q",), "body": ("body",), "place": ("O",),
-           "parameter": ("p",)}
+if TYPE_CHECKING:
+    from vibcli.manual.catalogue import Catalogue
 
 
-def topic_page(catalogue, word):
+def topic_page(catalogue: "Catalogue", word: str) -> str:
     """A topic: its texts and tables, or what is generated for it."""
     about, parts = topics.TOPICS[word]
     head = [f"{word} — {about}"]
@@ -30,26 +30,26 @@ def topic_page(catalogue, word):
     return blocks(head, *texts, *own)
 
 
-def python_example(catalogue):
+def python_example(catalogue: "Catalogue") -> list[list[str]]:
     return [["An example that runs:"], ["  " + line if line else "" for line in EXAMPLE.split("\n")]]
 
 
-def exit_table(catalogue):
+def exit_table(catalogue: "Catalogue") -> list[list[str]]:
     return [table(topics.EXIT_CODES)]
 
 
-def functions_table(catalogue):
+def functions_table(catalogue: "Catalogue") -> list[list[str]]:
     text = "Angles are in radians; arguments are pure numbers where nothing else is said."
     return [paragraph(text), table(topics.FUNCTIONS.items())]
 
 
-def motions_table(catalogue):
+def motions_table(catalogue: "Catalogue") -> list[list[str]]:
     fields = catalogue.elements["body"].fields
     return [table((word, in_short(fields[word].about)) for word in MOTIONS),
             ["Each has a page of its own: `vibcli explain pin`."]]
 
 
-def shapes_table(catalogue):
+def shapes_table(catalogue: "Catalogue") -> list[list[str]]:
     rows = []
     for word in NEEDS:
         needs = ", ".join(NEEDS[word]) or "nothing"
@@ -57,8 +57,10 @@ def shapes_table(catalogue):
     return [table(rows), ["A scene with all of them: vibcli new bodies_of_every_shape"]]
 
 
-def shape_facts(word):
+def shape_facts(word: Any) -> list[str]:
     """J, mass centre and measure of a shape, from the law that the code runs on."""
+    from vibcli.symbolic.expression import Table
+
     values = Table()
     m = values.parameter("m")
     sizes = [values.parameter(key) for key in NEEDS[word]] if word != "rod" else [values.parameter("length")]
@@ -67,7 +69,7 @@ def shape_facts(word):
     if law.offset is None:
         facts.append(f"J_C = {_text(m * law.gyration2)}")
     else:
-        at_circle = textbook(m * (law.gyration2 + law.offset * law.offset))
+        at_circle = m * (law.gyration2 + law.offset * law.offset)
         facts += [f"J_O = {_text(at_circle)}, J_C = J_O − m*OC^2", f"OC = {_text(law.offset)}"]
     if law.measure is not None:
         what = "length" if word in ("rod", "ring", "arch") else "area"
@@ -76,52 +78,56 @@ def shape_facts(word):
 
 
 def _text(node):
-    return language(textbook(node))
+    from vibcli.symbolic.normal_form import textbook
+
+    return keys.plain(textbook(node))
 
 
-def shape_page(catalogue, word):
+def shape_page(catalogue: "Catalogue", word: str):
     needs = ", ".join(f"`{key}`" for key in NEEDS[word]) or "no size"
     return blocks([f"{word} — a shape of a body"], table([("needs", needs), ("has", *shape_facts(word))]),
                   ["All shapes: vibcli explain shapes"])
 
 
-def usage(head):
+def usage(head: str) -> str:
     """How a quantity is written: M[q,r], J[body, O], amplitude(x)."""
-    asked = ASKED[head]
+    asked = named(head)
     if asked.args:
         return quantity.usage(head)
     if not asked.indices:
         return head
-    letters = [LETTERS[kind][min(asked.indices[:i].count(kind), len(LETTERS[kind]) - 1)]
-               for i, kind in enumerate(asked.indices)]
+    from vibcli.quantities.index_kinds import INDICES
+
+    letters = [INDICES[kind].letters[asked.indices[:i].count(kind)] for i, kind in enumerate(asked.indices)]
     joined = "][" if head == "mode" else ", " if "body" in asked.indices else ","
     text = f"{head}[{joined.join(letters)}]"
     if head == "J":
         text = "J[body], " + text
-    return ", ".join(f"{text}.{a}" for a in asked.attributes) if asked.attributes != ("",) else text
+    return ", ".join(f"{text}.{a}" for a in asked.components) if asked.components != ("",) else text
 
 
-def quantities_table(catalogue):
-    rows = [(usage(head), asked.about + _unit(asked)) for head, asked in ASKED.items()]
-    rows.insert(next(i for i, head in enumerate(ASKED) if head in quantity.IN_TIME), ("x(2 s)", VALUE.about))
+def quantities_table(catalogue: "Catalogue") -> list[list[str]]:
+    rows = [(usage(head), named(head).about + _unit(named(head))) for head in FAMILIES]
+    rows.insert(next(i for i, head in enumerate(FAMILIES) if named(head).args), ("x(2 s)", named("value").about))
     lines = ["`answers` names a quantity and the value that it is expected to have; `vibcli check` compares them. "
              "i counts modes from 1; q and r are coordinates, by name or by number; p is a parameter. "
              "`equilibrium` and `mode` also take signals such as `P.x` or `hoist.force`: see `vibcli explain signals`. "
              "Of motions: `vibcli explain response`, `vibcli explain frequency_response`."]
-    return [paragraph(lines[0]), table(rows), paragraph(topics.SEVERAL),
+    return [paragraph(lines[0]), table(rows),
+            paragraph(topics.SEVERAL + ", ".join(head for head in FAMILIES if named(head).several) + "."),
             ["How they are compared", *table(topics.COMPARED)]]
 
 
 def _unit(asked):
-    return f" [{asked.unit}]" if asked.unit not in (None, "1", quantity.SIGNAL) else ""
+    return f" [{asked.unit}]" if asked.own_unit not in (None, "1") else ""
 
 
-def quantity_page(catalogue, head):
+def quantity_page(catalogue: "Catalogue", head: str) -> str:
     """One quantity: how it is written, and a scene whose answers ask for it."""
-    asked = ASKED[head]
+    asked = named(head)
     rows = [("means", asked.about), ("unit", _unit(asked).strip(" []") or None)]
-    compared = {"equation": "equations", "motion": "equations", "T": "energies", "V": "energies", "Phi": "energies",
-                "stable": "stable"}.get(head)
+    compared = {quantity.EQUATION: "equations", quantity.FUNCTION: asked.unit and "energies",
+                quantity.TRUTH: "stable"}.get(asked.kind)
     rows.append(("compared", dict(topics.COMPARED)[compared] if compared else topics.IN_SHORT))
     scene = scenes.asking(head)
     return blocks([f"{usage(head)} — a quantity, for `answers`"], table(row for row in rows if row[1]),
@@ -129,26 +135,26 @@ def quantity_page(catalogue, head):
 
 
 def _more(head):
-    topic = "response" if head in quantity.IN_TIME else "frequency_response" if head in quantity.IN_FREQUENCY else ""
+    topic = named(head).topic
     return f"More: vibcli explain {topic}; all quantities: vibcli explain quantities" if topic else (
         "All quantities: vibcli explain quantities")
 
 
-def find_page(catalogue, word):
-    return blocks([f"{word} — a word of `find`"], table([("prints", topics.FIND[word])]),
+def find_page(catalogue: "Catalogue", word: str) -> str:
+    return blocks([f"{word} — a word of `find`"], table([("prints", FIND[word])]),
                   ["All words of `find`: vibcli explain find"])
 
 
-def missing_page(catalogue, word):
+def missing_page(catalogue: "Catalogue", word: str):
     return blocks([f"{word} — no section of a scene, but:"], paragraph(INSTEAD[word], 2))
 
 
-def function_page(catalogue, name):
+def function_page(catalogue: "Catalogue", name: str) -> str:
     return blocks([f"{name} — a function"], table([("means", topics.FUNCTIONS[name])]),
                   ["All functions: vibcli explain functions"])
 
 
-def units_table(catalogue):
+def units_table(catalogue: "Catalogue") -> list[list[str]]:
     """The units by what they measure, each in the SI unit."""
     groups = {}
     for name, unit in units.UNITS.items():
@@ -180,15 +186,15 @@ def _in_si(name):
     return f"{name} = {size}".replace("e-0", "e-").replace("e+0", "e")
 
 
-def unit_page(catalogue, name):
+def unit_page(catalogue: "Catalogue", name: str) -> str:
     return blocks([f"{name} — a unit"], table([("measures", _measured(name)), ("in SI", _in_si(name))]),
                   ["All units: vibcli explain units"])
 
 
-def json_table(catalogue):
+def json_table(catalogue: "Catalogue") -> list[list[str]]:
     return [paragraph(json_keys.ABOUT), table(json_keys.KEYS.items())]
 
 
-def json_page(catalogue, word):
+def json_page(catalogue: "Catalogue", word: str) -> str:
     rows = [(key, about) for key, about in json_keys.KEYS.items() if key.replace("[]", "").split(".")[-1] == word]
     return blocks([f"{word} — a key of --json"], table(rows), ["All keys: vibcli explain json"])

@@ -3,11 +3,13 @@
 A topic is a list of parts: a text is a paragraph, a list of pairs a table. REMARKS are such parts for elements.
 """
 
+from typing import Any
+
 from vibcli.manual.on_paper import DATA, PICTURES, REPORTS
 from vibcli.manual.python import PYTHON
 from vibcli.manual.responses import FREQUENCY_RESPONSE, RESPONSE, SIGNALS
 from vibcli.manual.time_and_work import PATIENCE, TIME
-from vibcli.quantities.quantity import SEVERAL as HEADS
+from vibcli.report.formats import FORMATS
 
 EXIT_CODES = [
     ("0", "all well"),
@@ -40,30 +42,6 @@ FUNCTIONS = {
                 "`F0*sawtooth(Omega*t)`. Of expressions of the time alone",
 }
 
-FIND = {
-    "equations": "energies and equations of motion, in full and for small oscillations",
-    "energies": "kinetic and potential energy and the dissipation function",
-    "equilibrium": "the position of rest that is reached from the drawn one, or is nearest to the place that "
-                   "`equilibrium:` names, and whether it is stable",
-    "equilibria": "`{equilibria: all}`: all positions of equilibrium that are found within bounds, each stable or not; "
-                  "it is told whether it is proved that there are no others, or that one is missing",
-    "frequencies": "natural frequencies and periods of the system without its dampers",
-    "modes": "mode shapes",
-    "damping": "eigenvalues, damping ratios and damped frequencies, where something damps",
-    "virtual_work": "the generalised forces of weights, springs and steady loads, δA = Σ Q δq",
-    "reactions": "forces in equilibrium: of ropes, links, gears and other constraints, and of supports on bodies",
-    "response": "the motion in time: where it starts, its free part, its steady state, its extremes; "
-                "`{response: {of: [x, s.force], until: 2 s}}` says which signals, and until when",
-    "frequency_response": "amplitude and phase over the frequency, resonances and antiresonances; "
-                          "`{frequency_response: {of: [x], to: drive}}` says of what, and to which input",
-    "shares": "whose energy each mode has: of each spring, the tensions and the weights in the potential energy, of "
-              "each body in the kinetic energy, of each damper in what is lost; in numbers, only where it is asked for",
-    "sensitivities": "what each frequency and damping ratio depends on: exact derivatives by each parameter, the shift "
-                     "of the equilibrium included; in numbers, only where it is asked for",
-    "estimates": "bounds of the lowest natural frequency by Rayleigh and Dunkerley beside its exact value; in numbers, "
-                 "only where it is asked for",
-}
-
 COMPARED = [
     ("numbers", "A written number allows half a unit of its last digit, never more than 0.5 %; one of fewer "
      "than three digits is exact. `{value: 21.9 rad/s, rtol: 0.5 %}` sets the tolerance."),
@@ -77,8 +55,8 @@ COMPARED = [
     ("stable", "`true` or `false`."),
 ]
 
-SEVERAL = (f"A last index asks about one of all the equilibria that `find: {{equilibria: all}}` lists, in ascending "
-           f"order: `equilibrium[phi][2]`, `stable[2]`, `omega[1][2]`; likewise {', '.join(HEADS)}.")
+SEVERAL = ("A last index asks about one of all the equilibria that `find: {equilibria: all}` lists, in ascending "
+           "order: `equilibrium[phi][2]`, `stable[2]`, `omega[1][2]`; likewise ")
 
 IN_SHORT = ("A written number to half a unit of its last digit (or as `rtol` says), an expression to rounding: see "
             "`vibcli explain quantities`.")
@@ -173,6 +151,8 @@ LUMPED = [
     [
         ("block: {mass: m, slide: x}", "translates by x; springs and dampers act along the axis."),
         ("disc: {inertia: J, turn: phi}", "turns by phi; torsion springs and dampers act on it."),
+        ("trolley: {mass: m, slide: {by: u, carrier: car}}", "u is measured from the car, which has no place either; "
+         "so is psi of `turn: {by: psi, carrier: motor}` from the motor."),
     ],
     "Its motion may be an expression, which states a gear, a rope or a rack: `slide: r*phi`, `turn: -z1/z2*phi`. "
     "Lumped bodies are joined with one another and with `ground`.",
@@ -202,7 +182,7 @@ SHAPES = [
     "springs, dampers, forces, links and signals, and where `slide` and `move` say how far.",
 ]
 
-REMARKS = {
+REMARKS: dict[str, Any] = {
     "constraint": [
         "Each holds as drawn, and each of its conditions makes one coordinate depend on the others: a later one, as "
         "far as there is a choice, in the order of `coordinates`, or else of the file. A constraint that follows from "
@@ -256,7 +236,7 @@ EDITORS = [
     "Dimensions, names and geometry are checked by vibcli alone: `vibcli check FILE`.",
 ]
 
-TOPICS = {
+TOPICS: dict[str, Any] = {
     "expressions": ("how numbers, units, names and derivatives are written", EXPRESSIONS),
     "units": ("the units that are known", None),
     "functions": ("the functions that are known", None),
@@ -273,7 +253,7 @@ TOPICS = {
     "exit": ("exit codes", None),
     "patience": ("long work: what is told of it, and where it is given up", PATIENCE),
     "pictures": ("figures of scenes, moving modes, plots of responses", PICTURES),
-    "reports": ("text, Markdown, LaTeX, HTML", REPORTS),
+    "reports": (", ".join(FORMATS), REPORTS),
     "data": ("responses as numbers for other programs", DATA),
     "json": ("the keys of --json", None),
     "python": ("scenes in Python: `import vibcli`", PYTHON),

@@ -6,84 +6,66 @@ M and C are taken at t = 0. Whether M, C, G, K then are those of every instant i
 coefficients (a shaken pivot) are refused by name.
 """
 
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.linearisation import Linearisation, at_position, residual_terms
+from vibcli.mechanics.linearise import expanded_terms, load_at_rest, row_of, without_time
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.delta_functions import at_impulses
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.normal_form import TooLong, collected, expanded, reduced
+from vibcli.symbolic.normal_form import collected
 from vibcli.symbolic.rationals import ONE
 from vibcli.symbolic.smoothed_functions import SmoothFloats
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 INSTANTS, SAME = (0.137, 0.731, 1.933, 4.217), 1e-9
 WORDS = {"M": "the inertia", "C": "the damping", "G": "the gyroscopic coupling", "K": "the stiffness"}
 
 
-def without_time(scene, node):
-    """The terms of an expression that do not depend on the time."""
-    time = scene.time.mask
-    if not node.mask & time:
-        return node
-    return collected(scene.table, {monomial: value for monomial, value in _terms(scene, node).items()
-                                   if not any(atom.mask & time for atom, _ in monomial)})
-
-
-def load_at_rest(scene, term):
-    """A load in four parts: (the steady one, that in it which turns with the frames that carry it and so holds the
-    time, what waves in the one in time, the constant beside it). Of F₀ (1 − cos Ωt) these are −F₀ cos Ωt and F₀."""
-    rest = dict.fromkeys(scene.v, scene.table.zero)
-    force, steady_part = substitute([term.weight, term.steady], rest)
-    parts = steady_part.args if steady_part.op == "sum" else ((steady_part, ONE),)
-    turning = scene.table.sum(*((node, c) for node, c in parts if node.mask & scene.time.mask))
-    constant = without_time(scene, force - steady_part)
-    return steady_part, turning, force - steady_part - constant, constant
-
-
-def _terms(scene, node):
-    try:
-        return reduced(expanded(node))
-    except (TooLong, ZeroDivisionError):
-        raise PhysicsError("the terms of this scene that depend on time are too long to be told from those that do not",
-                           "describe the driven motion in fewer steps") from None
-
-
-def steady(scene, form):
+def steady(scene: "Scene", form: Linearisation) -> Linearisation:
     """The Linearisation without its excitation; that of a scene without time is returned as it is."""
     if not scene.timed:
         return form
-    time, table = scene.time.mask, scene.table
-    found = Linearisation()
-    found.n, found.table = form.n, table
-    residual, stiffness = {}, {}
-    found.springs = []
+    time, residual, stiffness = scene.time.mask, {}, {}
+    springs, curved = _still_springs(form, time, stiffness), []
+    for force, curvature, row in form.curved:
+        if any(node.mask & time for node in (*row.values(), *curvature.values())):
+            _gather(residual, {i: force * slope for i, slope in row.items()})
+            _gather(stiffness, {pair: force * second for pair, second in curvature.items()})
+        else:
+            curved.append((without_time(scene, force), curvature, row))
+    at_start = at_position(form._replace(springs=[], curved=[], residual=[], K=[]), {scene.time: scene.table.zero})
+    return at_start._replace(springs=springs, curved=curved, residual=_still_parts(scene, form.residual, residual),
+                             K=_still_parts(scene, form.K, stiffness))
+
+
+def _still_springs(form, time, stiffness):
+    """The springs whose rows do not depend on the time; what the others add to K goes to {(i, j): [terms]}."""
+    found = []
     for weight, row in form.springs:
         if any(node.mask & time for node in (weight, *row.values())):
             for i, x in row.items():
                 for j, y in row.items():
                     stiffness.setdefault((i, j), []).append(weight * x * y)
         else:
-            found.springs.append((weight, row))
-    found.curved = []
-    for force, curvature, row in form.curved:
-        if any(node.mask & time for node in (*row.values(), *curvature.values())):
-            _gather(residual, {i: force * slope for i, slope in row.items()})
-            _gather(stiffness, {pair: force * second for pair, second in curvature.items()})
-        else:
-            found.curved.append((without_time(scene, force), curvature, row))
-    found.residual, found.K = [], []
-    for parts, kept, bucket in ((form.residual, found.residual, residual), (form.K, found.K, stiffness)):
-        for part in parts:
-            kept.append({key: node for key, node in part.items() if not node.mask & time})
-            _gather(bucket, {key: node for key, node in part.items() if node.mask & time})
-    found.residual.append(_summed(scene, residual))
-    found.K.append(_summed(scene, stiffness))
-    start = {scene.time: table.zero}
-    found.inertias, found.dampers = (_at(form.inertias, start), _at(form.dampers, start))
-    for kind in ("M", "C", "G", "drag"):
-        entries = getattr(form, kind)
-        setattr(found, kind, dict(zip(entries, substitute(list(entries.values()), start), strict=True)))
+            found.append((weight, row))
     return found
+
+
+def _still_parts(scene, parts, bucket):
+    """The parts {key: expression} without the time, and what is left where those with it are added up."""
+    time, found = scene.time.mask, []
+    for part in parts:
+        found.append({key: node for key, node in part.items() if not node.mask & time})
+        _gather(bucket, {key: node for key, node in part.items() if node.mask & time})
+    return [*found, _summed(scene, bucket)]
 
 
 def _gather(bucket, entries):
@@ -92,38 +74,30 @@ def _gather(bucket, entries):
 
 
 def _summed(scene, bucket):
-    found = {key: without_time(scene, scene.table.sum(*((node, ONE) for node in nodes)))
-             for key, nodes in bucket.items()}
+    found = {key: without_time(scene, scene.table.total(nodes)) for key, nodes in bucket.items()}
     return {key: node for key, node in found.items() if not node.is_zero}
 
 
-def _at(terms, start):
-    nodes = [node for weight, row in terms for node in (weight, *row.values())]
-    moved = dict(zip(nodes, substitute(nodes, start), strict=True))
-    return [(moved[weight], {i: moved[node] for i, node in row.items() if not moved[node].is_zero})
-            for weight, row in terms]
-
-
-def require_autonomous(problem, values):
+def require_autonomous(configuration: "Configuration", values: Mapping[str, float]) -> None:
     """PhysicsError where M, C, G or K about a position depend on the time; `values`: {name: float} of all symbols."""
-    scene = problem.scene
+    scene = configuration.scene
     if scene.vibrating is not scene:
         from vibcli.mechanics.inputs_outputs.constraint_excitation import carried_into
 
-        i = carried_into(problem.opened, values)
+        i = carried_into(configuration.with_inputs, values)
         if i is not None:
             raise _periodic(scene, i, "K")
-    wanted, loops = matrices_at(problem.form, values), scene.vibrating.loops
+    wanted, loops = matrices_at(configuration.system.linearisation, values), scene.vibrating.loops
     for instant in INSTANTS:
         at = {**values, scene.time.name: instant}
         if loops is not None:
             at = loops.followed({**values, scene.time.name: 0.0}, at) or at
-        found = matrices_at(problem.timed_form, at)
+        found = matrices_at(configuration.system.time_dependent_linearisation, at)
         for key, size in (("M", None), ("C", None), ("G", None), ("K", found.pop("size"))):
             _compare(scene, key, wanted[key], found[key], size)
 
 
-def matrices_at(form, values):
+def matrices_at(form: Linearisation, values: Mapping[str, float]) -> dict[str, dict[tuple[int, int], float]]:
     numbers = in_numbers(form, SmoothFloats, values)
     found = dict(zip("MCGK", numbers.elements.matrices(), strict=True))
     return {**found, "size": numbers.elements.K_size}
@@ -143,7 +117,7 @@ def _periodic(scene, i, key):
                         "of `vibcli equations`, its motion from `initial` that of motion: full")
 
 
-def excitation(scene, form, position):
+def excitation(scene: "Scene", form: Linearisation, position: "Mapping[Node, Node]") -> "dict[int, Node]":
     """{i: Q(t)}: what drives coordinate i of the small oscillations about a position ({symbol: node}), in letters.
 
     Of the residual it is the terms that hold the time, as the others are in equilibrium; of driven displacements and
@@ -152,8 +126,7 @@ def excitation(scene, form, position):
     """
     place = {symbol: node for symbol, node in position.items() if symbol is not scene.time}
     rows, constants, found = residual_terms(at_position(form, place)), _shaken(scene), {}
-    for i, terms in _begun(scene).items():
-        constants.setdefault(i, []).extend(terms)
+    _begun(scene, constants)
     for i, terms in enumerate(rows):
         node = with_time(scene, _negative(scene, terms))
         if i in constants:
@@ -170,27 +143,25 @@ def _negative(scene, terms):
 
 
 def _whole(scene, node):
-    return collected(scene.table, _terms(scene, node)) if node.mask & scene.time.mask else node
+    return collected(scene.table, expanded_terms(scene, node)) if node.mask & scene.time.mask else node
 
 
-def with_time(scene, node):
+def with_time(scene: "Scene", node: "Node") -> "Node":
     """The terms of an expression that depend on the time."""
     time = scene.time.mask
     if not node.mask & time:
         return scene.table.zero
-    return collected(scene.table, {monomial: value for monomial, value in _terms(scene, node).items()
+    return collected(scene.table, {monomial: value for monomial, value in expanded_terms(scene, node).items()
                                    if any(atom.mask & time for atom, _ in monomial)})
 
 
-def _begun(scene):
-    """{i: terms} of the residual that are the constants in loads in time: −F₀ ∂s/∂q of F₀ (1 − cos Ωt) along s."""
-    found, number = {}, {q: i for i, q in enumerate(scene.q)}
+def _begun(scene, found):
+    """Adds the terms of the residual that are the constants in loads in time: −F₀ ∂s/∂q of F₀ (1 − cos Ωt) along s."""
+    number = {q: i for i, q in enumerate(scene.q)}
     for term in scene.loads_at_still():
         constant = load_at_rest(scene, term)[3]
-        for q, slope in gradient(term.s).items() if not constant.is_zero else ():
-            if q in number:
-                found.setdefault(number[q], []).append(-(constant * slope))
-    return found
+        if not constant.is_zero:
+            _gather(found, {i: -(constant * slope) for i, slope in row_of(term.s, number).items()})
 
 
 def _shaken(scene):
@@ -199,20 +170,17 @@ def _shaken(scene):
     found, number = {}, {q: i for i, q in enumerate(scene.q)}
     if not scene.shaken:
         return found
-    zero = scene.table.zero
-    still = {symbol: zero for symbol in scene.driven if scene.oscillates(symbol)}
-    moved = {symbol: node for symbol, node in scene.driven.items() if symbol not in still}
-    for kind in ("springs", "dampers", "forces") if still else ():
+    held = scene.held_drives
+    for kind in ("springs", "dampers", "forces") if scene.oscillating else ():
         for term in scene.shaken[kind]:
             term = _steady_part(scene, term) if kind == "forces" else term
             parts = reachable([term.s, term.weight])
-            here = [symbol for symbol in still if symbol in parts]
+            here = [symbol for symbol in scene.oscillating if symbol in parts]
             slopes = gradient(term.s)
             for q, i in number.items():
                 for symbol in here if q in slopes else ():
                     part = _slope_by(scene, term, slopes[q], symbol, kind)
-                    found.setdefault(i, []).append(substitute([part], {**still, **moved})[0]
-                                                   * _function(scene, symbol, kind))
+                    found.setdefault(i, []).append(substitute([part], held)[0] * _function(scene, symbol, kind))
     return found
 
 

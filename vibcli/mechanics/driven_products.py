@@ -10,34 +10,39 @@ the same vanishes: where it does not, there are no small oscillations (`steady`,
 """
 
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
-from vibcli.mechanics.autonomous import INSTANTS, load_at_rest
+from vibcli.mechanics.autonomous import INSTANTS
 from vibcli.mechanics.energies import dissipation, potential
+from vibcli.mechanics.linearise import load_at_rest
 from vibcli.mechanics.symbolic_linear import place_in_letters
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.normal_form import textbook
-from vibcli.symbolic.rationals import ONE
 from vibcli.symbolic.smoothed_functions import SmoothFloats
 from vibcli.symbolic.transfer_between_tables import copied
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.symbolic.node import Node
 
 NOTHING = 1e-9      # of what the displacement does to the equations
 
 
-def driven_products(problem):
+def driven_products(symbolic: "SymbolicSystem") -> "dict[int, list[Node]]":
     """{i: [products]} on the left side of equation i, the coordinates counted from the equilibrium."""
-    if problem.symbolic and not problem.linear_in_letters:
+    if symbolic.numeric.has_free_symbols and not symbolic.linearisable:
         return {}
-    opened, found = problem.opened, {}
+    opened, found = symbolic.configuration.with_inputs, {}
     scene, forces = opened.scene, _forces(opened)
     for j, opening in enumerate(scene.inputs.values(), opened.n):
         if opening.node is None:
             continue
         bends = _bends(opened, forces, j)
-        for (i, symbol, rate), node in _at_equilibrium(problem, j, bends).items():
+        for (i, symbol, rate), node in _at_equilibrium(symbolic, j, bends).items():
             moved = scene.rate(opening.node) if rate else opening.node
             found.setdefault(i, []).append(node * moved * symbol)
-    return {i: copied(products, problem.scene.table) for i, products in found.items()}
+    return {i: copied(products, symbolic.scene.table) for i, products in found.items()}
 
 
 def _bends(opened, forces, j):
@@ -49,8 +54,8 @@ def _bends(opened, forces, j):
             for slope in (gradient(term)[u] for term in terms if u in gradient(term)):
                 for symbol, second in gradient(slope).items():
                     if symbol in moving:
-                        found.setdefault((i, symbol, rate), []).append((second, ONE))
-    return {key: scene.table.sum(*terms) for key, terms in found.items()}
+                        found.setdefault((i, symbol, rate), []).append(second)
+    return {key: scene.table.total(terms) for key, terms in found.items()}
 
 
 def _forces(opened):
@@ -71,15 +76,16 @@ def _forces(opened):
     return found
 
 
-def _at_equilibrium(problem, j, bends):
+def _at_equilibrium(symbolic, j, bends):
     """The second derivatives in equilibrium, those that vanish left out."""
-    opened, scene = problem.opened, problem.opened.scene
-    if not problem.symbolic:
-        bends = _felt(problem, j, bends)
-    place = place_in_letters(problem) if problem.linear_in_letters else opened.place
+    opened = symbolic.configuration.with_inputs
+    scene = opened.scene
+    if not symbolic.numeric.has_free_symbols:
+        bends = _felt(symbolic.configuration, j, bends)
+    place = place_in_letters(symbolic) if symbolic.linearisable else opened.place
     place = {symbol: node for symbol, node in place.items() if symbol is not scene.time}
     nodes = substitute(list(bends.values()), place)
-    if problem.linear_in_letters:
+    if symbolic.linearisable:
         nodes = list(map(textbook, nodes))
     else:
         numbers = evaluate(list(bends.values()), SmoothFloats, opened.values)
@@ -88,10 +94,11 @@ def _at_equilibrium(problem, j, bends):
     return {key: node for key, node in zip(bends, nodes, strict=True) if not node.is_zero}
 
 
-def _felt(problem, j, bends):
+def _felt(configuration, j, bends):
     """Those that are more than rounding beside what the displacement does to the equations at once."""
-    opened, scene, n = problem.opened, problem.opened.scene, problem.opened.n
-    length = [problem.figure_size or 1.0 if problem.dimension(name) else 1.0 for name in scene.coordinates[:n]]
+    opened = configuration.with_inputs
+    scene, n = opened.scene, opened.n
+    length = list(map(configuration.numeric.size_along, scene.coordinates[:n]))
     number = {symbol: (k, order) for order, kind in enumerate((scene.q, scene.v)) for k, symbol in enumerate(kind)}
     sizes = dict.fromkeys(bends, 0.0)
     for instant in INSTANTS:

@@ -4,9 +4,14 @@ V has for each spring ½ k (∇s·q)², and with ½ V′ qᵀ∇²s q what its t
 add ½ f qᵀ∇²s q. Such geometric parts may be negative.
 """
 
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.high_precision import place_to
 from vibcli.symbolic.evaluation import evaluate, multiprecision
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
 
 WEIGHTS, WRITTEN = "the weights", "written out"
 
@@ -20,16 +25,16 @@ class Owned:
         self.kinetic, self.potential, self.dissipation = {}, {}, {}
 
 
-def owned_forms(problem):
-    """The Owned forms of a problem at its equilibrium, at the working precision of mpmath."""
-    scene, form = problem.scene.vibrating, problem.drawn_form if problem.equilibrium.drawn else problem.form
+def owned_forms(configuration: "Configuration") -> Owned:
+    """The Owned forms of a system in equilibrium, at the working precision of mpmath."""
+    scene, form = configuration.scene.vibrating, configuration.reference_form
     springs, dampers = scene.at_still("springs"), scene.at_still("dampers")
     bent = _bent(scene, springs)
     pairs = ((scene.inertias, form.inertias), (springs, form.springs), (dampers, form.dampers), (bent, form.curved))
     if any(len(terms) != len(rows) for terms, rows in pairs):
         raise PhysicsError("energies are not told apart where bodies, springs or loads move with what is driven",
                            "ask for omega[i] and mode[i][q] alone")
-    number = _numbers(problem, form)
+    number = _numbers(configuration, form)
     found = Owned()
     for parts, terms, rows in ((found.kinetic, scene.inertias, form.inertias),
                                (found.potential, springs, form.springs),
@@ -49,15 +54,15 @@ def _bent(scene, springs):
         f"load {term.owner}" for term in scene.loads_at_still()]
 
 
-def _numbers(problem, form):
+def _numbers(configuration, form):
     """{expression: number} of all that the form is made of."""
     nodes = [node for rows in (form.inertias, form.springs, form.dampers) for weight, row in rows
              for node in (weight, *row.values())]
     nodes += [node for force, curvature, _ in form.curved for node in (force, *curvature.values())]
     nodes += [node for matrix in (form.M, form.C, *form.K) for node in matrix.values()]
     arithmetic = multiprecision()
-    values = problem.values(arithmetic)
-    values |= place_to(problem, values, arithmetic)
+    values = configuration.numeric.values(arithmetic)
+    values |= place_to(configuration, values, arithmetic)
     return dict(zip(nodes, evaluate(nodes, arithmetic, values), strict=True))
 
 

@@ -1,101 +1,92 @@
 """T, V and Φ of a scene as expressions, from the scalar functions of its elements."""
 
+from typing import TYPE_CHECKING
+
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.normal_form import textbook
-from vibcli.symbolic.rationals import HALF, ONE
+
+if TYPE_CHECKING:
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 
-def rate(scene, s):
-    """ds/dt = Σ (∂s/∂qᵢ) q̇ᵢ + Σ (∂s/∂q̇ᵢ) q̈ᵢ + ∂s/∂t."""
-    return scene.rate(s)
-
-
-def potential(scene):
+def potential(scene: "Scene") -> "Node":
     """V = Σ (N s + ½ k s²) + Σ f s + what is written out."""
-    return scene.table.sum(*_stored(scene, scene.springs, scene.weights), *_quadratic(scene, "K", scene.q),
-                           (scene.energies["V"], ONE))
+    stored = [term.potential(scene) for terms in (scene.springs, scene.weights) for term in terms]
+    return scene.table.total([*stored, *_written_out(scene, "V")])
 
 
-def potential_as_drawn(scene):
+def potential_as_drawn(scene: "Scene") -> "Node":
     """V with the driven displacements as symbols that are zero as drawn."""
     if not scene.shaken:
         return potential(scene)
-    laws = [(undriven.potential(scene) - law.potential(scene), ONE)
+    stored = [term.potential(scene) for kind in ("springs", "weights") for term in scene.shaken[kind]]
+    laws = [undriven.potential(scene) - law.potential(scene)
             for law, undriven in zip(scene.laws, scene.shaken["laws"], strict=True) if not law.damper]
-    return scene.table.sum(*_stored(scene, scene.shaken["springs"], scene.shaken["weights"]), *laws,
-                           *_quadratic(scene, "K", scene.q), (scene.energies["V"], ONE))
+    return scene.table.total([*stored, *laws, *_written_out(scene, "V")])
 
 
-def _stored(scene, *kinds):
-    """N s + ½ k s² and f s of each term, as terms of a sum."""
-    return [(term.potential(scene), ONE) for terms in kinds for term in terms]
-
-
-def kinetic(scene):
+def kinetic(scene: "Scene") -> "Node":
     """T = ½ Σ w ṡ² + what is written out."""
-    return scene.table.sum(*((term.energy(scene), ONE) for term in scene.inertias), *_quadratic(scene, "M", scene.v),
-                           (scene.energies["T"], ONE))
+    return scene.table.total([*(term.energy(scene) for term in scene.inertias), *_written_out(scene, "T")])
 
 
-def dissipation(scene):
+def dissipation(scene: "Scene") -> "Node":
     """Φ = ½ Σ c ṡ² + what is written out."""
-    return scene.table.sum(*((term.potential(scene), ONE) for term in scene.dampers), *_quadratic(scene, "C", scene.v),
-                           (scene.energies["Phi"], ONE))
+    return scene.table.total([*(term.potential(scene) for term in scene.dampers), *_written_out(scene, "Phi")])
 
 
-def generalised_force(scene, i):
+def generalised_force(scene: "Scene", i: int) -> "Node":
     """Q_q = Σ F ∂s/∂q of the forces and moments, from their virtual work δA = Σ F δs = Σ Q_q δq."""
     q, zero = scene.q[i], scene.table.zero
-    return scene.table.sum(*((term.weight * gradient(term.s).get(q, zero), ONE) for term in scene.forces))
+    return scene.table.total(term.weight * gradient(term.s).get(q, zero) for term in scene.forces)
 
 
-def _quadratic(scene, key, symbols):
-    """½ xᵀ A x of a matrix given outright, as terms of a sum."""
-    rows = scene.matrices.get(key, ())
-    return [(rows[i][j] * symbols[i] * symbols[j], HALF) for i in range(len(rows)) for j in range(len(rows))]
+def _written_out(scene, key):
+    """The terms of T, V or Φ that `energies` gives, and ½ xᵀ A x of a matrix given outright."""
+    matrix, symbols = {"T": ("M", scene.v), "V": ("K", scene.q), "Phi": ("C", scene.v)}[key]
+    rows = scene.matrices.get(matrix, ())
+    return [*(rows[i][j] * symbols[i] * symbols[j] / 2 for i in range(len(rows)) for j in range(len(rows))),
+            scene.energies[key]]
 
 
-def effective_potential(scene):
+def effective_potential(scene: "Scene") -> "Node":
     """V − T at rest − Σ F s of constant forces: what is stationary in (relative) equilibrium."""
     from vibcli.symbolic.derivatives import substitute
 
     rest = dict.fromkeys(scene.v, scene.table.zero)
-    loads = scene.table.sum(*((term.weight * term.s, ONE) for term in scene.forces))
+    loads = scene.table.total(term.weight * term.s for term in scene.forces)
     return potential(scene) - substitute([scene.energies["T"]], rest)[0] - loads
 
 
-def textbook_energies(scene):
+def textbook_energies(scene: "Scene") -> "dict[str, Node]":
     """{'T': …, 'V': …, 'Phi': …} simplified; parts of V that do not depend on the coordinates are left out."""
     return {"T": textbook(kinetic(scene)), "V": _textbook_potential(scene), "Phi": _textbook_dissipation(scene)}
 
 
 def _textbook_potential(scene):
     """V with the energy ½ k d² of each spring kept as it is read off the figure; weights collected."""
-    table, rest, parts = scene.table, [(scene.energies["V"], ONE)], []
-    rest += _stored(scene, scene.weights)
-    if "K" in scene.matrices:
-        rest += _quadratic(scene, "K", scene.q)
+    table, parts = scene.table, []
+    rest = [*_written_out(scene, "V"), *(term.potential(scene) for term in scene.weights)]
     for term in scene.springs:
         stretch = textbook(term.s)
-        rest.append((term.offset * stretch, ONE))
-        if stretch.op == "sum":
-            parts.append((table.product((term.weight, ONE), (stretch, ONE + ONE)), HALF))
-        else:
-            rest.append((term.weight * stretch * stretch, HALF))
-    collected = textbook(table.sum(*rest))
+        rest.append(term.offset * stretch)
+        (parts if stretch.op == "sum" else rest).append(_half_square(term.weight, stretch))
+    collected = textbook(table.total(rest))
     if collected.op == "sum":
         collected = table.sum(*((part, c) for part, c in collected.args if part.mask))
-    return table.sum(*parts, (collected, ONE))
+    return table.total([*parts, collected])
 
 
 def _textbook_dissipation(scene):
     """Φ with the part ½ c ḋ² of each damper kept as it is read off the figure."""
-    table, parts = scene.table, []
-    rest = [*_quadratic(scene, "C", scene.v), (scene.energies["Phi"], ONE)]
+    parts, rest = [], _written_out(scene, "Phi")
     for term in scene.dampers:
-        speed = textbook(rate(scene, term.s))
-        if speed.op == "sum":
-            parts.append((table.product((term.weight, ONE), (speed, ONE + ONE)), HALF))
-        else:
-            rest.append((term.weight * speed * speed, HALF))
-    return table.sum(*parts, (textbook(table.sum(*rest)), ONE))
+        speed = textbook(scene.rate(term.s))
+        (parts if speed.op == "sum" else rest).append(_half_square(term.weight, speed))
+    return scene.table.total([*parts, textbook(scene.table.total(rest))])
+
+
+def _half_square(weight, node):
+    """½ weight·node², a sum kept as it is."""
+    return weight.table.product((weight, 1), (node, 2)) / 2

@@ -9,10 +9,16 @@ sums loses digits (1 + 10¹⁶ == 10¹⁶), so the rows are kept apart as long a
 gives (follower forces) make K₊, and with it K, a matrix that is not symmetric.
 """
 
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from vibcli.scene.energy_terms import Spring
+
 ROUNDING = 2.0 ** -51
 
 
-class OscillatorElements:
+class FactoredSystem:
     """Rows and weights in one arithmetic: float, mpmath.mpf or Fraction.
 
     n: number of coordinates. inertias, springs, dampers: tuples of (weight, row), where a row is a
@@ -26,13 +32,27 @@ class OscillatorElements:
     __slots__ = ("C", "G", "K", "K_size", "M", "dampers", "drag", "inertias", "massless", "n", "rational_rows",
                  "springs")
 
-    def __init__(self, n, inertias=(), springs=(), dampers=(), M=None, C=None, G=None, K=None,
-                 K_size=None, rational_rows=None, massless=(), drag=None):
+    def __init__(self, n: int, inertias: Any = (), springs: "Sequence[Spring]" = (), dampers: Any = (), M: Any = None,
+                 C: Any = None, G: Any = None, K: Mapping[tuple[int, int], Any] | None = None, K_size: Any = None,
+                 rational_rows: Any = None, massless: Sequence[Any] = (), drag: Any = None):
         self.n = n
         self.inertias, self.springs, self.dampers = tuple(inertias), tuple(springs), tuple(dampers)
         self.M, self.C, self.G, self.K = M or {}, C or {}, G or {}, K or {}
         self.K_size, self.drag = K_size or {}, drag or {}
         self.rational_rows, self.massless = rational_rows, tuple(massless)
+
+    def with_parts(self, **parts: Any):
+        """The same with other parts."""
+        return FactoredSystem(**{kind: getattr(self, kind) for kind in self.__slots__} | parts)
+
+    def each(self, change: Any):
+        """The same with `change` applied to every weight, slope and entry of a matrix."""
+        parts: dict = {kind: [(change(weight), {i: change(x) for i, x in row.items()})
+                              for weight, row in getattr(self, kind)]
+                       for kind in ("inertias", "springs", "dampers")}
+        parts |= {kind: {pair: change(x) for pair, x in getattr(self, kind).items()}
+                  for kind in ("M", "C", "G", "K", "drag")}
+        return self.with_parts(**parts)
 
     @property
     def circulatory(self):
@@ -46,16 +66,33 @@ class OscillatorElements:
         return [_assembled(rows, extra) for rows, extra in (
             (self.inertias, self.M), (self.dampers, summed(self.C, self.drag)), ((), self.G), (self.springs, self.K))]
 
+    def arrays(self):
+        """The same as arrays of floats."""
+        return [_as_array(entries, self.n) for entries in self.matrices()]
+
+    def stiffness_array(self):
+        """K assembled, as an array of floats."""
+        return _as_array(self.stiffness(), self.n)
+
     def stiffness(self):
         """K assembled, {(i, j): number}."""
         return _assembled(self.springs, self.K)
 
 
-def summed(one, two):
+def summed(one: Any, two: Mapping[Any, Any]):
     """The sum of two matrices {(i, j): entry}."""
     found = dict(one)
     for pair, x in two.items():
         found[pair] = found[pair] + x if pair in found else x
+    return found
+
+
+def _as_array(entries, n):
+    import numpy as np
+
+    found = np.zeros((n, n))
+    for pair, x in entries.items():
+        found[pair] = float(x)
     return found
 
 

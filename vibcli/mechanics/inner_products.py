@@ -4,26 +4,37 @@ Of a stiff spring that hardly stretches, (∇s·φ) is small though the componen
 keeps the digits.
 """
 
-from vibcli.mechanics.factored_system import OscillatorElements
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from vibcli.mechanics.factored_system import FactoredSystem
+
+if TYPE_CHECKING:
+    import mpmath
+    import numpy as np
+
+    from vibcli.symbolic.dual_numbers import Dual
 
 
-def inner(terms, extra, y, x):
+def inner(terms: Sequence[tuple[Any, dict[int, Any]]], extra: "Mapping[tuple[int, int], mpmath.mpf | Dual]",
+          y: "Sequence[float | mpmath.mpc] | np.ndarray", x: "Sequence[float | mpmath.mpc] | np.ndarray"):
     """yᴴ A x of rows and weights and a matrix {(i, j): number}; A is real."""
     y = [conjugate(part) for part in y]
     total = sum(weight * along(row, y) * along(row, x) for weight, row in terms)
     return total + sum(entry * y[i] * x[j] for (i, j), entry in extra.items())
 
 
-def along(row, x):
+def along(row: Mapping[int, Any],
+          x: "Mapping[int, mpmath.mpf] | Sequence[Any] | np.ndarray") -> "float | mpmath.mpc | mpmath.mpf | Dual":
     """∇s·x."""
     return sum(slope * x[i] for i, slope in row.items())
 
 
-def conjugate(x):
+def conjugate(x: "mpmath.mpc | mpmath.mpf") -> "mpmath.mpc | mpmath.mpf":
     return x.conjugate() if hasattr(x, "_mpc_") or isinstance(x, complex) else x
 
 
-def only(elements, kept):
+def only(elements: Any, kept: Callable):
     """The element data of which a number is `kept`: the terms in which one is, and such entries of the matrices."""
     def terms(found):
         return [(weight, row) for weight, row in found if kept(weight) or any(map(kept, row.values()))]
@@ -31,6 +42,6 @@ def only(elements, kept):
     def entries(found):
         return {pair: x for pair, x in found.items() if kept(x)}
 
-    return OscillatorElements(
+    return FactoredSystem(
         elements.n, terms(elements.inertias), terms(elements.springs), terms(elements.dampers), M=entries(elements.M),
         C=entries(elements.C), G=entries(elements.G), K=entries(elements.K), drag=entries(elements.drag))

@@ -4,36 +4,57 @@ The small oscillations are those about the equilibrium, M q̈ + (C + G) q̇ + K 
 in letters where the equilibrium is the drawn position or plays no part, else with numbers for its place.
 """
 
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, NamedTuple
+
 from vibcli.base.errors import PhysicsError
-from vibcli.mechanics.energies import dissipation, generalised_force, kinetic, potential, rate
+from vibcli.mechanics.energies import dissipation, generalised_force, kinetic, potential
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.normal_form import TooLong, expanded, factors_of, reduced, textbook
-from vibcli.symbolic.rationals import HALF, ONE
+from vibcli.symbolic.rationals import HALF
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 LETTERS = 16        # most coordinates for which equations are written in letters
 
 
-class EquationsOfMotion:
+class EquationsOfMotion(NamedTuple):
     """full: left sides of the equations of motion, `names` their coordinates; `multipliers` {symbol: the constraint's
     name} and `conditions`, the left sides of the constraints, where loops are closed; M, C, G, K: matrices
     {(i, j): expression or float} of the small oscillations, their entries in letters or in numbers (`in_letters`);
     linear: left sides of their equations, drive: {i: Q(t)} of their right sides, left_out: {i: products
     that their left sides lack}; refusal: the PhysicsError of a scene that has no equilibrium, or None."""
 
-    __slots__ = ("C", "G", "K", "M", "conditions", "drive", "full", "in_letters", "left_out", "linear", "multipliers",
-                 "names", "refusal")
+    names: list
+    full: list
+    multipliers: dict
+    conditions: list
+    refusal: Any = None
+    drive: Mapping = MappingProxyType({})
+    left_out: Mapping = MappingProxyType({})
+    in_letters: bool = False
+    M: Mapping = MappingProxyType({})
+    C: Mapping = MappingProxyType({})
+    G: Mapping = MappingProxyType({})
+    K: Mapping = MappingProxyType({})
+    linear: tuple = ()
 
 
-def equation_of(scene, i, T=None, V=None, Phi=None):
+def equation_of(scene: "Scene", i: int, T: "Node | None" = None, V: "Node | None" = None,
+                Phi: "Node | None" = None) -> "Node":
     """The left side of the equation of motion of coordinate i, as it comes from the energies."""
     T, V, Phi = T or kinetic(scene), V or potential(scene), Phi or dissipation(scene)
     q, v, zero = scene.q[i], scene.v[i], scene.table.zero
-    momentum = rate(scene, gradient(T).get(v, zero))
+    momentum = scene.rate(gradient(T).get(v, zero))
     left = momentum - gradient(T).get(q, zero) + gradient(V).get(q, zero) + gradient(Phi).get(v, zero)
     return left + gyroscopic(scene, i) - generalised_force(scene, i)
 
 
-def gyroscopic(scene, i):
+def gyroscopic(scene: "Scene", i: int) -> "Node":
     """Σ Gᵢⱼ q̇ⱼ of the skew part of a C that is given outright, which no dissipation function has."""
     if "C" not in scene.matrices:
         return scene.table.zero
@@ -41,22 +62,24 @@ def gyroscopic(scene, i):
     return scene.table.sum(*(((C[i][j] - C[j][i]) * v, HALF) for j, v in enumerate(scene.v[:len(C)]) if i < len(C)))
 
 
-def full_equations(scene):
+def full_equations(scene: "Scene") -> "list[Node]":
     """The left side of each equation of motion, simplified."""
     T, V, Phi = textbook(kinetic(scene)), potential(scene), dissipation(scene)
     return [textbook(equation_of(scene, i, T, V, Phi)) for i in range(len(scene.q))]
 
 
-def _with_multipliers(scene, found):
-    """Lagrange's equations of the first kind, … + Σ λ ∂G/∂q = 0, and the conditions G = 0 of a loose scene."""
+def _with_multipliers(scene, full):
+    """Lagrange's equations of the first kind, … + Σ λ ∂G/∂q = 0, of a scene whose equations without constraints are
+    `full`, the multipliers {symbol: the constraint's name} and the conditions G = 0."""
     nodes = [textbook(constraint.node) for constraint in scene.constraints]
-    found.conditions = [_primitive(node) for node in nodes]
+    conditions = [_primitive(node) for node in nodes]
     symbols = [scene.table.variable("lambda_" + constraint.name.replace(".", "_")) for constraint in scene.constraints]
-    found.multipliers = {symbol: constraint.name for symbol, constraint in zip(symbols, scene.constraints, strict=True)}
-    slopes = [gradient(node) for node in nodes]
-    for i, q in enumerate(scene.q):
-        ties = [(textbook(slope[q]) * symbol, ONE) for symbol, slope in zip(symbols, slopes, strict=True) if q in slope]
-        found.full[i] = scene.table.sum((found.full[i], ONE), *ties)
+    names = {symbol: constraint.name for symbol, constraint in zip(symbols, scene.constraints, strict=True)}
+    slopes, found = [gradient(node) for node in nodes], []
+    for left, q in zip(full, scene.q, strict=True):
+        ties = [textbook(slope[q]) * symbol for symbol, slope in zip(symbols, slopes, strict=True) if q in slope]
+        found.append(scene.table.total([left, *ties]))
+    return found, names, conditions
 
 
 def _primitive(node):
@@ -67,45 +90,47 @@ def _primitive(node):
         return node
 
 
-def equations(problem):
-    """The Equations of a problem; without an equilibrium only the full ones, and the refusal of the others."""
-    found = EquationsOfMotion()
-    scene, loose = problem.scene, problem.loose
-    found.names, found.multipliers, found.conditions, found.drive = list(loose.coordinates), {}, [], {}
-    found.left_out = {}
-    found.full = full_equations(loose) if len(loose.q) <= LETTERS else []
-    if loose is not scene and found.full:
-        _with_multipliers(loose, found)
-    found.M, found.C, found.G, found.K = [{}] * 4
-    found.in_letters, found.linear, found.refusal = False, [], None
+def equations(symbolic: "SymbolicSystem") -> EquationsOfMotion:
+    """The EquationsOfMotion of a scene; without an equilibrium only the full ones, and the refusal of the others."""
+    scene, loose = symbolic.scene, symbolic.system.scene_with_multipliers
+    full, multipliers, conditions = full_equations(loose) if len(loose.q) <= LETTERS else [], {}, []
+    if loose is not scene and full:
+        full, multipliers, conditions = _with_multipliers(loose, full)
+    found = EquationsOfMotion(list(loose.coordinates), full, multipliers, conditions)
     try:
-        _require_slope(problem)
+        _require_slope(symbolic.configuration)
         if scene.timed:
-            found.drive = problem.excitation
-            found.left_out = problem.left_out
-        found.in_letters = len(scene.q) <= LETTERS and problem.linear_in_letters
-        if found.in_letters:
-            found.M, found.C, found.G, found.K = problem.matrices_in_letters
-            found.linear = [_left_side(scene, found, i) for i in range(len(scene.q))]
-        elif not problem.symbolic:
-            found.M, found.C, found.G, found.K = problem.elements.matrices()
+            found = found._replace(drive=symbolic.excitation)
+            found = found._replace(left_out=symbolic.left_out)
+        return found._replace(**_small(symbolic))
     except PhysicsError as error:
-        found.in_letters, found.refusal = False, error
-    return found
+        return found._replace(refusal=error)
 
 
-def _require_slope(problem):
+def _small(symbolic):
+    """The matrices of the small oscillations, and in letters the left sides of their equations."""
+    scene = symbolic.scene
+    if len(scene.q) <= LETTERS and symbolic.linearisable:
+        matrices = dict(zip("MCGK", symbolic.matrices, strict=True))
+        linear = [_left_side(scene, matrices, i) for i in range(len(scene.q))]
+        return {**matrices, "in_letters": True, "linear": linear}
+    if symbolic.numeric.has_free_symbols:
+        return {}
+    return dict(zip("MCGK", symbolic.configuration.linear_system.matrices(), strict=True))
+
+
+def _require_slope(configuration):
     """Kinked where the forces have none at rest."""
     from vibcli.mechanics.nonsmooth import require_smooth, require_unheld
 
-    require_unheld(problem)
-    if not problem.symbolic:
-        require_smooth(problem)
+    require_unheld(configuration.system)
+    if not configuration.numeric.has_free_symbols:
+        require_smooth(configuration)
 
 
-def _left_side(scene, found, i):
+def _left_side(scene, matrices, i):
     terms = []
-    for matrices, symbols in (((found.M,), scene.a), ((found.C, found.G), scene.v), ((found.K,), scene.q)):
+    for kinds, symbols in (("M", scene.a), ("CG", scene.v), ("K", scene.q)):
         for j, symbol in enumerate(symbols):
-            terms += [(matrix[i, j] * symbol, ONE) for matrix in matrices if (i, j) in matrix]
-    return scene.table.sum(*terms)
+            terms += [matrices[kind][i, j] * symbol for kind in kinds if (i, j) in matrices[kind]]
+    return scene.table.total(terms)

@@ -1,49 +1,62 @@
 """The Linearisation of a scene: rows ∇s and weights as expressions, anywhere or in one position."""
 
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
+
 from vibcli.symbolic.derivatives import substitute
 
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
 
-class Linearisation:
+
+class Linearisation(NamedTuple):
     """The expressions of all rows and weights, in the coordinates or with the drawn position substituted.
 
     inertias, springs, dampers: [(weight, {i: ∂s/∂qᵢ})]; curved: [(force, {(i, j): ∂²s/∂qᵢ∂qⱼ}, {i: ∂s/∂qᵢ})], the force
     being that along s; M, C, G, K: {(i, j): expression}, K as a list of terms; residual: {i: [expressions]}.
     """
 
-    __slots__ = ("C", "G", "K", "M", "curved", "dampers", "drag", "inertias", "n", "residual", "springs", "table")
+    n: int
+    table: Any
+    inertias: list
+    springs: list
+    dampers: list
+    curved: list
+    M: dict
+    C: dict
+    G: dict
+    drag: dict
+    K: list
+    residual: list
 
 
-def at_position(form, values):
+def at_position(form: Linearisation, values: "Mapping[Node, Node]"):
     """The Linearisation with coordinates replaced, {symbol: node}; what vanishes there is left out.
 
     In letters, so that what is zero by structure is exactly zero.
     """
-    nodes = []
-    each(form, lambda node: nodes.append(node) or node)
+    nodes = nodes_of(form)
     moved = dict(zip(nodes, substitute(nodes, values), strict=True))
     return each(form, moved.__getitem__)
 
 
-def each(form, change):
+def each(form: Linearisation, change: Callable) -> Linearisation:
     """A Linearisation with `change` applied to every expression in a fixed order."""
-    found = Linearisation()
-    found.n, found.table = form.n, form.table
-
     def entries(mapping):
         changed = {key: change(node) for key, node in mapping.items()}
         return {key: node for key, node in changed.items() if not node.is_zero}
 
-    for kind in ("inertias", "springs", "dampers"):
-        setattr(found, kind, [(change(weight), entries(row)) for weight, row in getattr(form, kind)])
-    found.curved = [(change(force), entries(curvature), entries(row)) for force, curvature, row in form.curved]
-    for kind in ("M", "C", "G", "drag"):
-        setattr(found, kind, entries(getattr(form, kind)))
-    found.K = [entries(part) for part in form.K]
-    found.residual = [entries(part) for part in form.residual]
-    return found
+    def rows(terms):
+        return [(change(weight), entries(row)) for weight, row in terms]
+
+    return Linearisation(
+        form.n, form.table, rows(form.inertias), rows(form.springs), rows(form.dampers),
+        [(change(force), entries(curvature), entries(row)) for force, curvature, row in form.curved],
+        *map(entries, (form.M, form.C, form.G, form.drag)), list(map(entries, form.K)),
+        list(map(entries, form.residual)))
 
 
-def residual_terms(form):
+def residual_terms(form: Linearisation) -> "list[list[Node]]":
     """The terms of each condition of equilibrium r = 0: a list of expressions for each coordinate."""
     found = [[] for _ in range(form.n)]
     for force, _, row in form.curved:
@@ -55,8 +68,8 @@ def residual_terms(form):
     return found
 
 
-def nodes_of(form):
+def nodes_of(form: Linearisation) -> "list[Node]":
     """Every expression of a Linearisation."""
     nodes = []
-    each(form, lambda node: nodes.append(node) or node)
+    each(form, lambda node: nodes.append(node) or node)  # type: ignore[func-returns-value]
     return nodes

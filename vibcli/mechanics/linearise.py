@@ -13,37 +13,40 @@ them to the excitation; and so are loads that depend on the time, the F₀ in F�
 to Σ P ∇²s unless it is steady, as where they turn with what they act on.
 """
 
-from vibcli.mechanics.autonomous import load_at_rest, without_time
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.linearisation import Linearisation
 from vibcli.symbolic.derivatives import gradient, substitute
-from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.normal_form import TooLong, collected, expanded, reduced, textbook
 from vibcli.symbolic.rationals import ONE
 
+if TYPE_CHECKING:
+    from vibcli.scene.energy_terms import AppliedLoad
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
-def linearise(scene, still=False):
+
+def linearise(scene: Any, still: bool = False) -> Linearisation:
     """The Linearisation of a scene as functions of the coordinates; `still`: without any excitation, so that what
     depends on the time turns or drifts with a carrier."""
     number = {node: i for i, node in enumerate(scene.q)}
-    found = Linearisation()
-    found.n, found.table, found.drag = len(scene.q), scene.table, {}
     inertias = scene.at_still("inertias") if still else scene.inertias
-    found.inertias = [(term.weight, _row(term.s, number)) for term in inertias]
     dampers = scene.at_still("dampers")
-    found.dampers = [(term.weight, _row(term.s, number)) for term in dampers]
-    found.springs, found.curved = [], []
+    moving, damping, springs, curved = _rows(inertias, number), _rows(dampers, number), [], []
     for term in scene.at_still("springs"):
-        row = _row(term.s, number)
-        found.springs.append((term.weight, row))
-        found.curved.append((term.force(scene), _curvature(row, number), row))
+        row = row_of(term.s, number)
+        springs.append((term.weight, row))
+        curved.append((term.force(scene), slopes_of(row, number), row))
     for term in scene.weights:
-        row = _row(term.s, number)
-        found.curved.append((term.weight, _curvature(row, number), row))
-    _written_out(scene, found, number)
+        row = row_of(term.s, number)
+        curved.append((term.weight, slopes_of(row, number), row))
+    found = Linearisation(len(scene.q), scene.table, moving, springs, damping, curved, *_written_out(scene, number))
     slips, turning = {}, {}
     for term in scene.loads_at_still():
         _loaded(scene, found, number, term, slips, turning, still)
-    found.K.append({pair: -without_time(scene, scene.table.sum(*((node, ONE) for node in nodes)))
-                    for pair, nodes in turning.items()})
+    found.K.append({pair: -without_time(scene, scene.table.total(nodes)) for pair, nodes in turning.items()})
     _split(found, slips, found.drag)
     slips = {}
     if scene.timed:
@@ -58,17 +61,15 @@ def _loaded(scene, found, number, term, slips, turning, still):
     """A force F with the virtual work F δs; `turning`: where its parts that hold the time add F ∂²s, of which that
     remains whose time cancels, as of a force that turns with what it acts on."""
     rest, speeds = dict.fromkeys(scene.v, scene.table.zero), {v: i for i, v in enumerate(scene.v)}
-    row = _row(term.s, number)
+    row = row_of(term.s, number)
     steady, turning_part, waving, _ = load_at_rest(scene, term)
-    curvature, at_once = _curvature(row, number), turning_part if still else turning_part + waving
+    curvature, at_once = slopes_of(row, number), turning_part if still else turning_part + waving
     found.curved.append((turning_part - steady, curvature, row))
     if not at_once.is_zero:
         for pair, second in curvature.items():
             turning.setdefault(pair, []).append(at_once * second)
         found.residual.append({i: -(at_once * slope) for i, slope in row.items()})
-    slopes = gradient(term.weight)
-    by_place = {number[q]: slope for q, slope in slopes.items() if q in number}
-    by_speed = {speeds[v]: slope for v, slope in slopes.items() if v in speeds}
+    by_place, by_speed = row_of(term.weight, number), row_of(term.weight, speeds)
     found.K.append(_at_rest({(i, j): -(x * slope) for i, x in row.items() for j, slope in by_place.items()}, rest))
     for (i, j), node in _at_rest({(i, j): -(x * slope) for i, x in row.items() for j, slope in by_speed.items()},
                                  rest).items():
@@ -80,23 +81,23 @@ def _driven(scene, found, number, term, kind, slips):
     first = gradient(term.s).get(scene.time)
     if first is None:
         return
-    row = _row(term.s, number)
-    turning, weight = _row(first, number), term.weight
+    row = row_of(term.s, number)
+    turning, weight = row_of(first, number), term.weight
     if kind == "dampers":
         force, bend = first, turning
     else:
         force = gradient(first).get(scene.time, scene.table.zero)
-        bend = _row(force, number)
+        bend = row_of(force, number)
         for i, x in row.items():
             for j, slope in turning.items():
                 slips.setdefault((i, j), []).append(2 * weight * x * slope)
-    found.curved.append((weight * force, _curvature(row, number), row))
+    found.curved.append((weight * force, slopes_of(row, number), row))
     found.K.append({(i, j): weight * x * slope for i, x in row.items() for j, slope in bend.items()})
 
 
 def _split(found, slips, skew_parts):
     """Adds the symmetric part of {(i, j): [terms]} to C, the skew part to `skew_parts`."""
-    total = {pair: found.table.sum(*((node, ONE) for node in terms)) for pair, terms in slips.items()}
+    total = {pair: found.table.total(terms) for pair, terms in slips.items()}
     zero = found.table.zero
     for i, j in {tuple(sorted(pair)) for pair in total}:
         one, two = total.get((i, j), zero), total.get((j, i), zero)
@@ -107,68 +108,89 @@ def _split(found, slips, skew_parts):
                     matrix[pair] = matrix.get(pair, zero) + node
 
 
-def _row(s, number):
-    return {number[q]: slope for q, slope in gradient(s).items() if q in number}
+def _rows(terms, number):
+    return [(term.weight, row_of(term.s, number)) for term in terms]
 
 
-def _curvature(row, number):
-    return {(i, number[q]): second for i, slope in row.items() for q, second in gradient(slope).items() if q in number}
+def row_of(s: Any, number: "Mapping[Node, int]"):
+    """{i: ∂s/∂xᵢ} by the symbols {xᵢ: i} in `number`."""
+    return {number[x]: slope for x, slope in gradient(s).items() if x in number}
 
 
-def _written_out(scene, found, number):
-    """What `energies` and `matrices` add."""
+def slopes_of(row: Any, number: Any):
+    """{(i, j): ∂rowᵢ/∂xⱼ} by the symbols {xⱼ: j} in `number`."""
+    return {(i, number[x]): second for i, slope in row.items() for x, second in gradient(slope).items() if x in number}
+
+
+def _written_out(scene, number):
+    """What `energies` and `matrices` add: M, C, G, no drag, K, the residual."""
     speeds = {node: i for i, node in enumerate(scene.v)}
     rest = dict.fromkeys(scene.v, scene.table.zero)
     T, V, Phi = (scene.energies[key] for key in ("T", "V", "Phi"))
-    momentum = {speeds[v]: p for v, p in gradient(T).items() if v in speeds}
-    force = {speeds[v]: p for v, p in gradient(Phi).items() if v in speeds}
-    found.M = _at_rest(_blocks(momentum, speeds), rest)
-    found.C = _at_rest(_blocks(force, speeds), rest)
-    slips = _at_rest(_blocks(momentum, number), rest)
-    found.G = {pair: slips.get(pair, scene.table.zero) - slips.get(pair[::-1], scene.table.zero)
-               for pair in set(slips) | {(j, i) for i, j in slips}}
-    found.G = {pair: node for pair, node in found.G.items() if not node.is_zero}
-    slope_V = {number[q]: s for q, s in gradient(V).items() if q in number}
-    slope_T = {number[q]: s for q, s in gradient(T).items() if q in number}
-    found.K = [_at_rest(_blocks(slope_V, number), rest), _at_rest(_blocks(_negated(slope_T), number), rest)]
-    found.residual = [_at_rest(slope_V, rest), _at_rest(_negated(slope_T), rest)]
+    momentum, force = row_of(T, speeds), row_of(Phi, speeds)
+    M = _at_rest(slopes_of(momentum, speeds), rest)
+    C = _at_rest(slopes_of(force, speeds), rest)
+    slips = _at_rest(slopes_of(momentum, number), rest)
+    G = {pair: slips.get(pair, scene.table.zero) - slips.get(pair[::-1], scene.table.zero)
+         for pair in set(slips) | {(j, i) for i, j in slips}}
+    G = {pair: node for pair, node in G.items() if not node.is_zero}
+    conservative = [row_of(V, number), {i: -slope for i, slope in row_of(T, number).items()}]
     drag = [force]
     if scene.timed:
         drag.append({i: gradient(p)[scene.time] for i, p in momentum.items() if scene.time in gradient(p)})
-        for pair, node in _at_rest(_blocks(drag[1], speeds), rest).items():
-            found.C[pair] = found.C.get(pair, scene.table.zero) + node
-    found.K += [_at_rest(_blocks(part, number), rest) for part in drag]
-    found.residual += [_at_rest(part, rest) for part in drag]
+        for pair, node in _at_rest(slopes_of(drag[1], speeds), rest).items():
+            C[pair] = C.get(pair, scene.table.zero) + node
+    K = [_at_rest(slopes_of(part, number), rest) for part in (*conservative, *drag)]
+    residual = [_at_rest(part, rest) for part in (*conservative, *drag)]
     for key, rows in scene.matrices.items():
-        _outright(scene, found, key, rows)
+        _outright(scene, (M, C, G, K, residual), key, rows)
+    return M, C, G, {}, K, residual
 
 
-def _outright(scene, found, key, rows):
-    """Adds a matrix that the scene gives outright: M, K, or C = sym C + G."""
+def _outright(scene, parts, key, rows):
+    """Adds to M, C, G, K and the residual a matrix that the scene gives outright: M, K, or C = sym C + G."""
+    M, C, G, K, residual = parts
     pairs = [(i, j) for i in range(len(rows)) for j in range(len(rows))]
     if key == "K":
-        found.K.append({(i, j): rows[i][j] for i, j in pairs if not rows[i][j].is_zero})
-        found.residual.append({i: scene.table.sum(*((q * k, ONE) for q, k in zip(scene.q, row, strict=False)))
-                               for i, row in enumerate(rows)})
+        K.append({(i, j): rows[i][j] for i, j in pairs if not rows[i][j].is_zero})
+        residual.append({i: scene.table.total(q * k for q, k in zip(scene.q, row, strict=False))
+                         for i, row in enumerate(rows)})
         return
-    parts = [(found.M if key == "M" else found.C, 1)] + [(found.G, -1)] * (key == "C")
-    for matrix, sign in parts:
+    for matrix, sign in [(M if key == "M" else C, 1)] + [(G, -1)] * (key == "C"):
         for i, j in pairs:
             half = (rows[i][j] + sign * rows[j][i]) / 2
             if not half.is_zero:
                 matrix[i, j] = matrix.get((i, j), scene.table.zero) + half
 
 
-def _blocks(slopes, number):
-    """{(i, j): ∂slopeᵢ/∂xⱼ} of {i: slope}, by the symbols in `number`."""
-    return {(i, number[x]): second for i, slope in slopes.items() for x, second in gradient(slope).items()
-            if x in number}
-
-
-def _negated(slopes):
-    return {i: -slope for i, slope in slopes.items()}
-
-
 def _at_rest(entries, rest):
-    values = substitute(list(entries.values()), rest)
+    values = substitute(list(entries.values()), rest) if entries else ()
     return {key: node for key, node in zip(entries, values, strict=True) if not node.is_zero}
+
+
+def without_time(scene: "Scene", node: "Node") -> "Node":
+    """The terms of an expression that do not depend on the time."""
+    time = scene.time.mask
+    if not node.mask & time:
+        return node
+    return collected(scene.table, {monomial: value for monomial, value in expanded_terms(scene, node).items()
+                                   if not any(atom.mask & time for atom, _ in monomial)})
+
+
+def load_at_rest(scene: "Scene", term: "AppliedLoad") -> "tuple[Node, Node, Node, Node]":
+    """A load in four parts: (the steady one, that in it which turns with the frames that carry it and so holds the
+    time, what waves in the one in time, the constant beside it). Of F₀ (1 − cos Ωt) these are −F₀ cos Ωt and F₀."""
+    rest = dict.fromkeys(scene.v, scene.table.zero)
+    force, steady_part = substitute([term.weight, term.steady], rest)
+    parts = steady_part.args if steady_part.op == "sum" else ((steady_part, ONE),)
+    turning = scene.table.sum(*((node, c) for node, c in parts if node.mask & scene.time.mask))
+    constant = without_time(scene, force - steady_part)
+    return steady_part, turning, force - steady_part - constant, constant
+
+
+def expanded_terms(scene: "Scene", node: "Node"):
+    try:
+        return reduced(expanded(node))
+    except (TooLong, ZeroDivisionError):
+        raise PhysicsError("the terms of this scene that depend on time are too long to be told from those that do not",
+                           "describe the driven motion in fewer steps") from None

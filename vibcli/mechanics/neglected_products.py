@@ -9,24 +9,30 @@ a stiffness that varies in time (parametric excitation). Loads in time are small
 are, so that their products are not kept.
 """
 
-from vibcli.mechanics.autonomous import INSTANTS, load_at_rest, with_time
+from typing import TYPE_CHECKING
+
+from vibcli.mechanics.autonomous import INSTANTS, with_time
+from vibcli.mechanics.linearise import load_at_rest
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.normal_form import textbook
-from vibcli.symbolic.rationals import ONE
 from vibcli.symbolic.smoothed_functions import SmoothFloats
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.symbolic_system import SymbolicSystem
 
 NOTHING = 1e-9      # of what the load does to the equations
 
 
-def left_out(problem):
+def left_out(symbolic: "SymbolicSystem"):
     """{i: node}, what the left side of equation i lacks, linear in the coordinates counted from the equilibrium."""
-    scene = problem.scene.vibrating
-    number, place = {q: i for i, q in enumerate(scene.q)}, problem.excitation_place
+    scene = symbolic.scene.vibrating
+    number, place = {q: i for i, q in enumerate(scene.q)}, symbolic.excitation_place
     place = {symbol: node for symbol, node in place.items() if symbol is not scene.time}
     parts, sizes = {}, {}
     for term in scene.loads_at_still():
-        load = _in_time(scene, term)
+        _, turning, waving, constant = load_at_rest(scene, term)
+        load = turning + waving, constant       # what holds the time, and the constant that goes with it
         slopes = {q: slope for q, slope in gradient(term.s).items() if q in number}
         for q, slope in slopes.items() if any(not part.is_zero for part in load) else ():
             for other, second in gradient(slope).items():
@@ -34,45 +40,39 @@ def left_out(problem):
                     pair = number[q], number[other]
                     parts.setdefault(pair, []).append([part * second for part in load])
                     sizes.setdefault(pair, []).extend((sum(load[1:], load[0]), row) for row in slopes.values())
-    found = {i: [(node, ONE) for node in products] for i, products in _driven(problem).items()}
+    found = _driven(symbolic)
     for (i, j), terms in parts.items():
         node = _at(scene, place, terms)
-        if not node.is_zero and not _rounding(problem, node, sizes[i, j], place, j):
-            found.setdefault(i, []).append((node * problem.scene.q[j], ONE))
-    return {i: scene.table.sum(*terms) for i, terms in sorted(found.items())}
+        if not node.is_zero and not _rounding(symbolic, node, sizes[i, j], place, j):
+            found.setdefault(i, []).append(node * symbolic.scene.q[j])
+    return {i: scene.table.total(terms) for i, terms in sorted(found.items())}
 
 
-def _driven(problem):
-    if problem.scene.resting is problem.scene:
+def _driven(symbolic):
+    if symbolic.scene.resting is symbolic.scene:
         return {}
     from vibcli.mechanics.driven_products import driven_products
 
-    return driven_products(problem)
-
-
-def _in_time(scene, term):
-    """(what of a load holds the time, the constant that goes with it)."""
-    _, turning, waving, constant = load_at_rest(scene, term)
-    return turning + waving, constant
+    return driven_products(symbolic)
 
 
 def _at(scene, place, terms):
     """−Σ F(t) ∂²s at a position; where the time cancels, as in a load that turns with what it acts on, K has it."""
-    waving, constant = (scene.table.sum(*((node, ONE) for node in nodes)) for nodes in zip(*terms, strict=True))
+    waving, constant = (scene.table.total(nodes) for nodes in zip(*terms, strict=True))
     waving, constant = substitute([with_time(scene, waving), constant], place)
     return textbook(-waving - constant)
 
 
-def _rounding(problem, node, sizes, place, j):
+def _rounding(symbolic, node, sizes, place, j):
     """Is a coefficient but the rounding of a place that is known in floats?"""
-    if problem.symbolic or problem.balanced_as_drawn:
+    if symbolic.numeric.has_free_symbols or symbolic.balanced_as_drawn:
         return False
-    scene, name = problem.scene, problem.scene.coordinates[j]
-    size = problem.figure_size if problem.dimension(name) else 1.0
+    scene, name = symbolic.scene, symbolic.scene.coordinates[j]
+    size = symbolic.numeric.figure_size if symbolic.system.dimension(name) else 1.0
     nodes = substitute([node, *(part for pair in sizes for part in pair)], place)
     largest = [0.0, 0.0]
     for instant in INSTANTS:
-        value, *others = evaluate(nodes, SmoothFloats, {**problem.at_rest, scene.time.name: instant})
+        value, *others = evaluate(nodes, SmoothFloats, {**symbolic.configuration.at_rest, scene.time.name: instant})
         largest[0] = max(largest[0], abs(value) * size)
         largest[1] = max(largest[1], *(abs(load * row) for load, row in zip(others[::2], others[1::2], strict=True)))
     return largest[0] <= NOTHING * largest[1]

@@ -6,6 +6,9 @@ Up to DIRECT coordinates without constraints M q̈ = −h is solved in the expre
     [G  0 ] [λ] = [−γ]        at each instant, of constant M once.
 """
 
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from vibcli.base.errors import PhysicsError
@@ -13,7 +16,10 @@ from vibcli.mechanics.equations_of_motion import drift, dynamics
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.numeric_code import Compiled
-from vibcli.symbolic.rationals import ONE
+
+if TYPE_CHECKING:
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 DIRECT = 3
 PROJECTIONS = 4
@@ -25,14 +31,18 @@ class NumericEquations:
     switches: the arguments whose signs stay as they are while the motion is smooth, in the order of their senses g.
     """
 
-    def __init__(self, scene, floats, redundant=()):
+    _sizes: Callable
+
+    def __init__(self, scene: "Scene", floats: Mapping[str, float], redundant: Sequence[Any] = ()):
         self.scene, self.floats = scene, floats
         self.parts = parts = dynamics(scene, redundant)
         self.n, self.m = len(scene.q), len(parts.gaps)
         self._slots, self._sizes = {}, None
         self.still = self.m == 0 and all(not node.mask for node in parts.M.values())
         self.direct = self.m == 0 and self.n <= DIRECT
-        self._require_inertia()
+        for i, name in enumerate(scene.coordinates):
+            if (i, i) not in parts.M:
+                raise massless(name)
         self.inertia = self.compiled([parts.M[i, i] for i in range(self.n)])
         if self.direct:
             self._compiled = self.compiled(_solved(scene.table, parts, self.n))
@@ -43,12 +53,7 @@ class NumericEquations:
             self._inverse = self._factors() if self.still else None
         self._closing = self.compiled([*parts.gaps, *parts.rates]) if self.m else None
 
-    def _require_inertia(self):
-        for i, name in enumerate(self.scene.coordinates):
-            if (i, i) not in self.parts.M:
-                raise massless(name)
-
-    def compiled(self, nodes):
+    def compiled(self, nodes: "Sequence[Node]"):
         """The nodes as a function of arrays; its switches are added to those of the system."""
         return Compiled(self.scene, self.floats, self._slots, nodes)
 
@@ -56,10 +61,12 @@ class NumericEquations:
     def switches(self):
         return list(self._slots)
 
-    def prepared(self, t):
+    def prepared(self, t: np.ndarray) -> tuple[np.ndarray, ...]:
         return self._compiled.prepared(t)
 
-    def accelerations(self, t, q, v, g=(), c=None):
+    def accelerations(self, t: np.ndarray, q: np.ndarray, v: np.ndarray,
+                      g: Sequence[float | np.ndarray] | np.ndarray = (),
+                      c: Sequence[np.ndarray] | None = None) -> np.ndarray:
         """q̈ of shape (n, instants)."""
         if not self.direct:
             return self.solved(t, q, v, g, c)[0]
@@ -68,7 +75,8 @@ class NumericEquations:
             a[i] = value
         return a
 
-    def solved(self, t, q, v, g=(), c=None):
+    def solved(self, t: np.ndarray, q: np.ndarray, v: np.ndarray, g: Any = (),
+               c: Sequence[np.ndarray] | None = None) -> tuple[np.ndarray, np.ndarray]:
         """(q̈, λ) of shapes (n, instants) and (m, instants)."""
         if self.direct:
             return self.accelerations(t, q, v, g, c), None
@@ -101,34 +109,32 @@ class NumericEquations:
         scale = size ** -0.5
         return scale[:, None] * np.linalg.inv(M * np.outer(scale, scale)) * scale
 
-    def sizes(self, t, q, v, g=()):
+    def sizes(self, t: Any, q: Any, v: Any, g: Any = ()):
         """Σ |terms of hᵢ| at one instant: what the rounding of hᵢ is relative to."""
-        terms = [(i, part) for i, node in enumerate(self.parts.h)
-                 for part in ([arg for arg, _ in node.args] if node.op == "sum" else [node])]
-        factors = [abs(float(c)) for node in self.parts.h for c in
-                   ([c for _, c in node.args] if node.op == "sum" else [1])]
+        terms = [(i, part, factor) for i, node in enumerate(self.parts.h)
+                 for part, factor in (node.args if node.op == "sum" else [(node, 1)])]
         if self._sizes is None:
-            self._sizes = self.compiled([part for _, part in terms])
+            self._sizes = self.compiled([part for _, part, _ in terms])
         found = np.zeros(self.n)
         values = self._sizes(np.array([t]), q[:, None], v[:, None], g)
-        for (i, _), factor, value in zip(terms, factors, values, strict=True):
-            found[i] += factor * abs(float(np.max(value)))
+        for (i, _, factor), value in zip(terms, values, strict=True):
+            found[i] += abs(float(factor)) * abs(float(np.max(value)))
         return found
 
-    def gaps(self, t, q, v):
+    def gaps(self, t: np.ndarray, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """(G, Ġ) of shapes (m, instants), which no switch changes."""
         found = np.empty((2 * self.m, q.shape[1]))
         for k, value in enumerate(self._closing(t, q, v, (1.0,) * len(self._slots))):
             found[k] = value
         return found[:self.m], found[self.m:]
 
-    def slopes(self, t, q, v, g=()):
+    def slopes(self, t: np.ndarray, q: np.ndarray, v: np.ndarray, g: Sequence[Any] = ()) -> np.ndarray:
         """∂G/∂q of shape (m, n, instants)."""
         values = self._compiled(t, q, v, g or (1.0,) * len(self._slots))
         A = _bordered(values, self._pairs, self._ties, self.n, self.m, q.shape[1])
         return A[:, self.n:, :self.n].transpose(1, 2, 0)
 
-    def projected(self, t, q, v, g):
+    def projected(self, t: float, q: np.ndarray, v: np.ndarray, g: Sequence[Any]) -> tuple[np.ndarray, np.ndarray]:
         """The nearest (q, q̇) at an instant that close the loops, distances being measured by M."""
         for _ in range(PROJECTIONS):
             step = self._projection(t, q, v, g, 0)
@@ -143,7 +149,8 @@ class NumericEquations:
         right = np.concatenate([np.zeros(self.n), -self.gaps(t, q, v)[which][:, 0]])
         return np.linalg.solve(A, right)[:self.n]
 
-    def struck(self, t, q, v, g, blows):
+    def struck(self, t: float, q: np.ndarray, v: np.ndarray, g: Sequence[Any],
+               blows: "Mapping[Node, float]") -> np.ndarray:
         """q̇ after impulses of the sizes {impulse node: N·s} just before an instant: M Δq̇ + Gᵀ Λ = Σ size ∂(−h)/∂δ, and
         Ġ = 0 again where a constraint is driven at another speed from then on."""
         slopes = self.slopes_by(blows)
@@ -156,7 +163,7 @@ class NumericEquations:
         right = np.concatenate([-np.array(list(blows.values())) @ sizes, -parted])
         return v + np.linalg.solve(A, right)[:self.n]
 
-    def slopes_by(self, blows):
+    def slopes_by(self, blows: "Mapping[Node, float]") -> "list[Node]":
         """[∂h/∂δ] of each impulse node, one coordinate after the other."""
         table = self.scene.table
         stand_in = {node: table.variable(f"impulse {i}") for i, node in enumerate(blows)}
@@ -167,7 +174,7 @@ class NumericEquations:
                                "let the impulse stand alone, as in P*impulse(t - t1)")
         return slopes
 
-    def rate_of(self, node):
+    def rate_of(self, node: "Node") -> "tuple[Node, dict[int, Node]]":
         """(dnode/dt without accelerations, {i: its slope by q̈ᵢ}) of an expression of q, q̇ and t."""
         speeds = {v: i for i, v in enumerate(self.scene.v)}
         return drift(self.scene, node), {speeds[v]: x for v, x in gradient(node).items() if v in speeds}
@@ -183,7 +190,7 @@ def _bordered(values, pairs, ties, n, m, instants):
     return A.transpose(2, 0, 1)
 
 
-def massless(name):
+def massless(name: str) -> PhysicsError:
     return PhysicsError(f"no inertia moves with '{name}': its motion in time does not follow from a mass",
                         "give what moves with it a mass, take the coordinate out, or look at small oscillations "
                         "with motion: small")
@@ -205,7 +212,6 @@ def _solved(table, parts, n):
             h[i] = h[i] - factor * h[k]
     found = [None] * n
     for i in reversed(range(n)):
-        rest = table.sum((h[i], ONE), *((M[i, j] * found[j], ONE) for j in range(i + 1, n)))
+        rest = table.total([h[i], *(M[i, j] * found[j] for j in range(i + 1, n))])
         found[i] = -(rest / M[i, i])
     return found
-

@@ -1,28 +1,33 @@
 """A Linearisation in numbers of any arithmetic: element data, residual, and the sizes of what they were summed from."""
 
-from vibcli.mechanics.factored_system import OscillatorElements
-from vibcli.mechanics.linearisation import each
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from vibcli.mechanics.factored_system import FactoredSystem
+from vibcli.mechanics.linearisation import Linearisation, nodes_of
 from vibcli.symbolic.evaluation import evaluate, evaluate_rational
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.symbolic.node import Node
 
 ALIKE = 2.0**-46
 
 
-class Numbers:
+class Numbers(NamedTuple):
     """A Linearisation evaluated: the element data, the residual r, and the sizes of the terms r was added from."""
 
-    __slots__ = ("elements", "residual", "residual_size")
+    elements: FactoredSystem
+    residual: list
+    residual_size: list
 
-    def __init__(self, elements, residual, residual_size):
-        self.elements, self.residual, self.residual_size = elements, residual, residual_size
 
-
-def in_numbers(form, arithmetic, values, rational=None):
+def in_numbers(form: Linearisation, arithmetic: Any, values: Mapping[str, Any],
+               rational: "Mapping[str, Fraction] | None" = None):
     """The Numbers of a Linearisation. `rational`: exact values of the symbols, for rows that are exactly rational."""
-    nodes = []
-    each(form, lambda node: nodes.append(node) or node)
-    unique = list(dict.fromkeys(nodes))
+    unique = list(dict.fromkeys(nodes_of(form)))
     known = dict(zip(unique, evaluate(unique, arithmetic, values), strict=True))
-    data = _Evaluated(known)
     n, zero = form.n, arithmetic.number(form.table.zero.coefficient)
     K, size = {}, {}
     residual, residual_size = [zero] * n, [zero] * n
@@ -40,10 +45,9 @@ def in_numbers(form, arithmetic, values, rational=None):
             _gather(residual, residual_size, i, known[node])
     if arithmetic.ordered:
         _even_out(K, size)
-    elements = OscillatorElements(
-        n, data.rows(form.inertias), data.rows(form.springs), data.rows(form.dampers), M=data.entries(form.M),
-        C=data.entries(form.C), G=data.entries(form.G), drag=data.entries(form.drag), K=K, K_size=size,
-        massless=massless(form, known), rational_rows=_rational_rows(form, rational))
+    expressions = FactoredSystem(n, form.inertias, form.springs, form.dampers, form.M, form.C, form.G, drag=form.drag)
+    elements = expressions.each(known.__getitem__).with_parts(
+        K=K, K_size=size, massless=massless(form, known), rational_rows=_rational_rows(form, rational))
     return Numbers(elements, residual, residual_size)
 
 
@@ -66,19 +70,7 @@ def _gather(residual, size, i, term):
     size[i] = size[i] + abs(term)
 
 
-class _Evaluated:
-    def __init__(self, known):
-        self.known = known
-
-    def rows(self, terms):
-        known = self.known
-        return [(known[weight], {i: known[node] for i, node in row.items()}) for weight, row in terms]
-
-    def entries(self, mapping):
-        return {pair: self.known[node] for pair, node in mapping.items()}
-
-
-def massless(form, known):
+def massless(form: Linearisation, known: "Mapping[Node, Any]") -> list[int]:
     """Coordinates which no inertia moves: those in no row of T and in no entry of M but such as are exactly zero."""
     moving = {i for weight, row in form.inertias if known[weight] for i in row}
     moving |= {i for (i, _), node in form.M.items() if known[node]}

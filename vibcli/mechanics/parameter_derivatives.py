@@ -6,34 +6,39 @@ Both are found by evaluating the linearised form in dual numbers. Along what mov
 stays where the drawing puts it.
 """
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.high_precision import place_to
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.dual_numbers import Dual, Duals, dual, slope, value
 from vibcli.symbolic.evaluation import evaluate, multiprecision
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+
 LOST = 1e-20    # of the terms of a force: what counts as none, at the working precision of 60 digits
 
 
-def perturbed_elements(problem, name, free):
-    """OscillatorElements in dual numbers at the working precision of mpmath, the slopes being d/d`name`.
+def perturbed_system(configuration: "Configuration", name: str, free: Any):
+    """FactoredSystem in dual numbers at the working precision of mpmath, the slopes being d/d`name`.
 
     `free`: the shapes of the rigid-body modes. PhysicsError where the equilibrium does not persist as p changes.
     """
-    scene, plain = problem.scene, multiprecision()
-    arithmetic, known = Duals(plain), problem.values(plain)
-    given = {other: plain.number(x) for other, x in problem.given.items()} | {name: Dual(known[name], 1)}
+    scene, form, plain = configuration.scene, configuration.system.linearisation, multiprecision()
+    arithmetic, known = Duals(plain), configuration.numeric.values(plain)
+    given = {other: plain.number(x) for other, x in configuration.numeric.given.items()} | {name: Dual(known[name], 1)}
     values = scene.parameters.values(arithmetic, given)
-    at = place_to(problem, known, plain)
-    if problem.is_linear:
-        return in_numbers(problem.form, arithmetic, values | at).elements
-    slopes = [slope(x) for x in evaluate(_start(problem), arithmetic, values)]
-    numbers = in_numbers(problem.form, arithmetic, _moved(scene, arithmetic, values | at, slopes))
+    at = place_to(configuration, known, plain)
+    if configuration.system.is_linear:
+        return in_numbers(form, arithmetic, values | at).elements
+    slopes = [slope(x) for x in evaluate(_start(configuration.system), arithmetic, values)]
+    numbers = in_numbers(form, arithmetic, _moved(scene, arithmetic, values | at, slopes))
     shift = _shift(numbers, free, name)
     if shift is None:
         return numbers.elements
     slopes = [x + step for x, step in zip(slopes, shift, strict=True)]
-    return in_numbers(problem.form, arithmetic, _moved(scene, arithmetic, values | at, slopes)).elements
+    return in_numbers(form, arithmetic, _moved(scene, arithmetic, values | at, slopes)).elements
 
 
 def _moved(scene, arithmetic, values, slopes):
@@ -53,9 +58,9 @@ def _moved(scene, arithmetic, values, slopes):
     return values
 
 
-def _start(problem):
+def _start(system):
     """Where the search for the equilibrium starts: the drawn position, and what `equilibrium` says, as expressions."""
-    scene, told = problem.scene, problem.spec.get("equilibrium") or {}
+    scene, told = system.scene, system.spec.get("equilibrium") or {}
     return [scene.lower(told[name]) if name in told else node for name, node in scene.drawn_coordinates.items()]
 
 

@@ -8,39 +8,42 @@ What drives a scene has the power of the forces along the prescribed motions. Wi
 the last two sums because loads and dampers count with the whole of ṡ, that which is prescribed included.
 """
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.normal_form import textbook
-from vibcli.symbolic.rationals import ONE
+
+if TYPE_CHECKING:
+    from vibcli.scene.scene import Scene
 
 
 class Powers(NamedTuple):
     """Expressions: T + V, T, the power of the loads, what is dissipated, the power of the drive but for ḃ and
     Σ λ ∂G/∂t, b, and ∂G/∂t of each constraint."""
 
-    energy: object
-    kinetic: object
-    loads: object
-    lost: object
-    drive: object
-    carried: object
+    energy: Any
+    kinetic: Any
+    loads: Any
+    lost: Any
+    drive: Any
+    carried: Any
     ties: list
 
     @property
-    def driven(self):
+    def driven(self) -> bool:
         """Does anything move as it is prescribed?"""
         return not (self.drive.is_zero and self.carried.is_zero and all(tie.is_zero for tie in self.ties))
 
 
-def powers(scene, ties=()):
+def powers(scene: "Scene", ties: Sequence[Any] = ()) -> Powers:
     """The Powers of a scene; `ties`: the conditions G that multipliers hold."""
     table, T, V = scene.table, kinetic(scene), potential(scene)
     zero, loads = table.zero, _forces(scene, scene.forces)
     drags = _forces(scene, [*scene.dampers, *(law for law in scene.laws if law.damper)])
     timed = gradient(V).get(scene.time, zero) - gradient(T).get(scene.time, zero)
-    return Powers(T + V, T, _summed(table, (term.power(scene) for term in scene.forces)),
+    return Powers(T + V, T, table.total(term.power(scene) for term in scene.forces),
                   _slopes(scene, dissipation(scene)) + _prescribed(scene, drags),
                   timed - _prescribed(scene, loads) + _prescribed(scene, drags), _carried(scene),
                   [gradient(node).get(scene.time, zero) for node in ties])
@@ -53,7 +56,7 @@ def _forces(scene, terms):
 
 def _prescribed(scene, forces):
     """Σ F ∂s/∂t."""
-    return _summed(scene.table, (F * gradient(s)[scene.time] for F, s in forces if scene.time in gradient(s)))
+    return scene.table.total(F * gradient(s)[scene.time] for F, s in forces if scene.time in gradient(s))
 
 
 def _carried(scene):
@@ -65,8 +68,4 @@ def _carried(scene):
 
 def _slopes(scene, node):
     """Σ q̇ ∂/∂q̇ of an expression."""
-    return _summed(scene.table, (gradient(node)[v] * v for v in scene.v if v in gradient(node)))
-
-
-def _summed(table, nodes):
-    return table.sum(*((node, ONE) for node in nodes))
+    return scene.table.total(gradient(node)[v] * v for v in scene.v if v in gradient(node))

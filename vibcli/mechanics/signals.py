@@ -1,18 +1,25 @@
 """Signals as functions of the coordinates, and the forces in equilibrium (vibcli/language/signals.py lists them)."""
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.errors import NotFixed, PhysicsError
 from vibcli.language.signals import ENERGIES
 from vibcli.mechanics.energies import dissipation, kinetic, potential, potential_as_drawn
 from vibcli.mechanics.equilibrium.redundant_friction import require_fixed_at_rest
 from vibcli.mechanics.inputs_outputs.displacements import displacement
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.rationals import ONE
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.system import MechanicalSystem
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 
-def moving(problem, text, primes=0):
+def moving(system: "MechanicalSystem", text: str, primes: int = 0) -> "Node":
     """The node of a coordinate or signal along a motion, `primes` times differentiated."""
-    scene = problem.scene
-    if text in problem.spec.coordinates:
+    scene = system.scene
+    if text in system.spec.coordinates:
         return scene.symbol(text, primes)
     if text in ENERGIES:
         return energy(scene, text, primes)
@@ -21,7 +28,7 @@ def moving(problem, text, primes=0):
     if node is None:
         node = _along(scene, name, part)
     if node is None:
-        known = [f"{name}.force" for kind in ("springs", "dampers") for name in problem.spec.get(kind) or {}]
+        known = [f"{record.name}.force" for record in system.spec.connections]
         raise PhysicsError(f"'{text}' is not found along a motion of the full equations", "forces are found of springs "
                            "and dampers alone" + (", as " + " or ".join(known[:2]) if known else ""))
     for _ in range(primes):
@@ -29,7 +36,7 @@ def moving(problem, text, primes=0):
     return node
 
 
-def energy(scene, text, primes=0):
+def energy(scene: "Scene", text: str, primes: int = 0) -> "Node":
     """T, V or Φ of a scene along a motion, V counted from the drawn position."""
     node = {"T": kinetic, "V": potential, "Phi": dissipation}[text](scene)
     if text == "V":
@@ -48,59 +55,69 @@ def _along(scene, name, part):
         nodes = [term.energy(scene) for term in scene.terms_of(name)]
     elif part == "power":
         nodes = [term.power(scene) for term in scene.terms_of(name)]
-    nodes = [(node, ONE) for node in nodes if node is not None]
-    return scene.table.sum(*nodes) if nodes else None
+    nodes = [node for node in nodes if node is not None]
+    return scene.table.total(nodes) if nodes else None
 
 
-def force(problem, text):
+def force(configuration: "Configuration", text: str) -> float:
     """The value of a force in equilibrium."""
     name, _, part = text.partition(".")
     if name == "ground" or part == "energy":
-        return _of_outputs(problem, text)
-    if name in (problem.spec.get("springs") or {}):
-        return _tension(problem, name)
-    if name in (problem.spec.get("dampers") or {}):
+        return _of_outputs(configuration, text)
+    if name in (configuration.spec.get("springs") or {}):
+        return _tension(configuration, name)
+    if configuration.spec.connection(name) is not None:
         if part == "force":
-            require_fixed_at_rest(problem, name)
-        _require_equilibrium(problem)
+            require_fixed_at_rest(configuration, name)
+        configuration.at_rest  # noqa: B018 - what friction alone holds is no equilibrium without it
         return 0.0
-    known = {reaction.signal: reaction for reaction in problem.reactions}
+    known = {reaction.signal: reaction.value for reaction in configuration.reactions}
     if part in ("normal", "friction"):
-        return _contact(problem, name, part, known)
-    if name in (problem.spec.get("points") or {}) and not part.startswith("drive"):
-        text = f"{pinned_at(problem, name)}.{part}"
-    found = known.get(text)
-    if found is None:
-        pieces = [signal for signal in known if signal.startswith(text + ".")]
-        raise PhysicsError(f"this scene has no force '{text}'", "ask for " + " or ".join(pieces) if pieces else
-                           "see `find: [reactions]` for those that it has")
-    if found.value is None:
+        normal = evaluate(list(normal_of(configuration.scene.resting, name)), Floats, configuration.at_rest)
+        return in_contact(part, normal, [known[f"{name}.reaction.{axis}"] for axis in "xy"])
+    text = reaction_of(configuration.system, text, known)
+    if known[text] is None:
         raise NotFixed(text)
-    return found.value
+    return known[text]
 
 
-def _require_equilibrium(problem):
-    """PhysicsError where the forces balance nowhere: what friction alone holds is no equilibrium without it."""
-    return problem.at_rest
-
-
-def _of_outputs(problem, text):
+def _of_outputs(configuration, text):
     from vibcli.mechanics.inputs_outputs.outputs import is_quadratic, linear_row, squares
 
     if is_quadratic(text):
-        return sum(weight * row.constant**2 for weight, row in squares(problem, text))
-    return linear_row(problem, text).constant
+        return sum(weight * row.constant**2 for weight, row in squares(configuration, text))
+    return linear_row(configuration, text).constant
 
 
-def _tension(problem, name):
-    scene = problem.scene.resting
-    values = evaluate([term.force(scene) for term in scene.terms_of(name)], Floats, problem.at_rest)
+def _tension(configuration, name):
+    scene = configuration.scene.resting
+    values = evaluate([term.force(scene) for term in scene.terms_of(name)], Floats, configuration.at_rest)
     return values[0] if len(values) == 1 else sum(value * value for value in values) ** 0.5
 
 
-def pinned_at(problem, point):
+def reaction_of(system: "MechanicalSystem", text: str, known: Any):
+    """The name of a force in a constraint or support among those `known`; at a point, that of the body pinned there."""
+    name, _, part = text.partition(".")
+    if name in (system.spec.get("points") or {}) and not part.startswith("drive"):
+        text = f"{_pinned_at(system, name)}.{part}"
+    if text not in known:
+        pieces = [signal for signal in known if signal.startswith(text + ".")]
+        raise PhysicsError(f"this scene has no force '{text}'", "ask for " + " or ".join(pieces) if pieces else
+                           "see `find: [reactions]` for those that it has")
+    return text
+
+
+def require_fixed(text: str, value: Any):
+    """The value of a force in motion; PhysicsError where it is None."""
+    if value is None:
+        raise PhysicsError(f"rigid bodies alone do not fix '{text}': the scene is supported by more than it needs",
+                           "take a redundant support out")
+    return value
+
+
+def _pinned_at(system, point):
     """The one body pinned at a named point."""
-    found = [name for name, record in (problem.spec.get("bodies") or {}).items()
+    found = [name for name, record in (system.spec.get("bodies") or {}).items()
              if getattr((record.get("pin") or {}).get("at"), "text", None) == point]
     if len(found) != 1:
         what = "no body is" if not found else "several bodies are"
@@ -108,11 +125,18 @@ def pinned_at(problem, point):
     return found[0]
 
 
-def _contact(problem, name, part, known):
-    """The reaction of a body on a surface along its normal, or along its tangent."""
-    body = problem.scene.resting.bodies[name]
-    if body.normal is None:
+def normal_of(scene: "Scene", name: str):
+    """The normal of the surface on which a body rolls or slides."""
+    normal = scene.bodies[name].normal
+    if normal is None and scene.bodies[name].touched:
+        raise PhysicsError(f"what each of its two surfaces exerts on '{name}' is not told apart",
+                           "give it a coordinate, as in `roll: {between: …, turn: phi}`, or ask for its reaction")
+    if normal is None:
         raise PhysicsError(f"'{name}' rolls or slides on no surface", "ask for its reaction, as in rod.reaction.x")
-    nx, ny = evaluate(list(body.normal), Floats, problem.at_rest)
-    x, y = (known[f"{name}.reaction.{axis}"].value for axis in "xy")
+    return normal
+
+
+def in_contact(part: str, normal: Any, reaction: Any):
+    """The `normal` or `friction` part of the reaction (x, y) of a surface."""
+    (nx, ny), (x, y) = normal, reaction
     return x * nx + y * ny if part == "normal" else x * ny - y * nx

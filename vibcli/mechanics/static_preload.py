@@ -4,6 +4,9 @@ In the drawn position r₀ + Σ Nⱼ ∇sⱼ = 0 is linear in the unknown tensio
 that a pivoted elimination picks out in floats, in letters, so that every later question sees exact expressions.
 """
 
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.autonomous import steady
 from vibcli.mechanics.linearisation import at_position, residual_terms
@@ -11,21 +14,22 @@ from vibcli.mechanics.linearise import linearise
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import textbook
-from vibcli.symbolic.rationals import ONE
+
+if TYPE_CHECKING:
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 LOOSE = 1e-9
 
 
-def settle_static_preloads(scene):
-    """Replace every `preload: static` of the scene by its tension."""
-    if not scene.static_preloads:
-        return {}
+def settle_static_preloads(scene: "Scene") -> "tuple[Scene, dict[str, Node]]":
+    """(the scene with every `preload: static` replaced by its tension, {name: tension})."""
     names = [record.name for _, record in scene.static_preloads]
     unknowns = [node for node, _ in scene.static_preloads]
     vibrating = scene.vibrating
     form = at_position(steady(vibrating, linearise(vibrating)), vibrating.drawn_position)
     columns = [_column(form, unknown) for unknown in unknowns]
-    sums = [scene.table.sum(*((term, ONE) for term in terms)) for terms in residual_terms(form)]
+    sums = [scene.table.total(terms) for terms in residual_terms(form)]
     rest = substitute(sums, dict.fromkeys(unknowns, scene.table.zero))
     numbers = _floats(scene, [[column[i] for column in columns] + [rest[i]] for i in range(form.n)])
     rows, picked = pivots([row[:-1] for row in numbers])
@@ -35,8 +39,7 @@ def settle_static_preloads(scene):
     _consistent(scene, numbers, [values[unknown] for unknown in unknowns], names)
     for free in set(range(len(unknowns))) - set(picked):
         _harmless(scene, form, unknowns, columns, rows, picked, free)
-    scene.put(values)
-    return {name: values[unknown] for name, unknown in zip(names, unknowns, strict=True)}
+    return scene.with_preloads(values), {name: values[unknown] for name, unknown in zip(names, unknowns, strict=True)}
 
 
 def _column(form, unknown):
@@ -63,7 +66,7 @@ def _floats(scene, rows):
     return [flat[i * width:(i + 1) * width] for i in range(len(rows))]
 
 
-def pivots(rows):
+def pivots(rows: Sequence[list[float]]) -> tuple[list[int], list[int]]:
     """(rows, columns) of a largest regular block, by elimination with full pivoting on scaled rows."""
     work = [[x / (max(map(abs, row)) or 1.0) for x in row] for row in rows]
     left, open_columns, pivots = set(range(len(work))), set(range(len(work[0]) if work else 0)), []
@@ -80,7 +83,7 @@ def pivots(rows):
                 work[other] = [x - factor * y for x, y in zip(work[other], work[i], strict=True)]
 
 
-def solve_linear(rows, zero):
+def solve_linear(rows: "Sequence[list[Node]]", zero: "Node") -> "list[Node]":
     """The solution of a regular system [A | b] whose diagonal pivots do not vanish, in letters."""
     work = [list(row) for row in rows]
     for i, row in enumerate(work):
@@ -135,9 +138,11 @@ def _listed(names):
     return " and ".join(f"'{name}'" for name in names)
 
 
-def take_over(scene, preloads):
-    """Give a variant of a scene the static preloads {name: node} of the scene itself."""
+def take_over(scene: "Scene", preloads: "Mapping[str, Node]") -> "Scene":
+    """A variant of a scene with the static preloads {name: node} of the scene itself."""
+    if not scene.static_preloads:
+        return scene
     from vibcli.symbolic.transfer_between_tables import copied
 
     tensions = copied([preloads[record.name] for _, record in scene.static_preloads], scene.table)
-    scene.put({node: tension for (node, _), tension in zip(scene.static_preloads, tensions, strict=True)})
+    return scene.with_preloads(dict(zip([node for node, _ in scene.static_preloads], tensions, strict=True)))

@@ -3,27 +3,31 @@
 An element with tension F pulls each of its ends towards the other.
 """
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.errors import PhysicsError
-from vibcli.mechanics.inputs_outputs.linear_functions import combined, product, rate
+from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction, combined, product, rate
 from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Record
 
 PARTS = {"force": "slide", "moment": "turn"}
 
 
-def on_the_ground(opened, part):
+def on_the_ground(opened: Any, part: str) -> LinearFunction:
     """The LinearFunction of ground.force, ground.moment (one-axis scenes), ground.force.x or ground.force.y."""
     kind, _, axis = part.partition(".")
     terms = []
-    for section in ("springs", "dampers"):
-        for record in (opened.problem.spec.get(section) or {}).values():
-            terms += _of_element(opened, section, record, kind, axis)
+    for record in opened.configuration.spec.connections:
+        terms += _of_element(opened, record, kind, axis)
     if not terms:
         raise PhysicsError(f"no spring or damper exerts a {kind} on the ground" + (f" along {axis}" if axis else ""),
                            "ask for ground.force in one-axis scenes, else for ground.force.x or .y")
     return combined(terms)
 
 
-def _of_element(opened, section, record, kind, axis):
+def _of_element(opened, record, kind, axis):
     """[(factor, LinearFunction)] of one element; none where it does not end at the ground."""
     scene = opened.scene
     if "between" not in record:
@@ -32,7 +36,7 @@ def _of_element(opened, section, record, kind, axis):
     ends = record["between"]
     sign = along_the_axis(opened, record, kind)
     if sign is not None:
-        return [] if axis or not sign else [(float(sign), force) for force in _forces(opened, section, record.name)]
+        return [] if axis or not sign else [(float(sign), force) for force in forces(opened, record.name)]
     if "torsion" in record or not axis:
         return []
     places = [scene.place_of(end) for end in ends]
@@ -40,14 +44,14 @@ def _of_element(opened, section, record, kind, axis):
     if held[0] == held[1]:
         return []
     span = [b - a for a, b in zip(*places, strict=True)]
-    sign, forces = 1.0 if held[0] else -1.0, _forces(opened, section, record.name)
-    if len(forces) > 1:
-        return [(sign, forces["xy".index(axis)])]
+    sign, found = 1.0 if held[0] else -1.0, forces(opened, record.name)
+    if len(found) > 1:
+        return [(sign, found["xy".index(axis)])]
     along, = opened.rows([span["xy".index(axis)] / scene.distance(*span)])
-    return [(sign, product(forces[0], along))]
+    return [(sign, product(found[0], along))]
 
 
-def along_the_axis(opened, record, kind):
+def along_the_axis(opened: Any, record: "Record", kind: str) -> int:
     """±1: the sign with which the tension of an element between lumped ends acts on the ground; 0 where it does not,
     None of an element between places."""
     lumped = [_axis_of(opened.scene, end) for end in record["between"]]
@@ -73,17 +77,19 @@ def _moves(opened, node):
     return any(node.mask & q.mask for q in opened.scene.q[:opened.n])
 
 
-def _forces(opened, section, name):
-    """The Rows of the force of an element; those of its components where it has no free length."""
-    scene, terms = opened.scene, opened.scene.terms_of(name)
-    if section == "springs" or scene.terms_of(name, "laws"):
-        return opened.rows([term.force(scene) for term in terms])
-    return [combined([pair]) for pair in damper_rates(opened, name)]
+def forces(opened: Any, name: str) -> list[LinearFunction]:
+    """The LinearFunctions of the force of an element; those of its components where it has no free length."""
+    scene = opened.scene
+    return [combined([pair]) for pair in weighted_rates(opened, name)] or opened.rows(
+        [term.force(scene) for term in scene.terms_of(name)])
 
 
-def damper_rates(opened, name):
-    """[(c, LinearFunction of ṡ)] of a linear damper."""
-    terms = opened.scene.terms_of(name, "dampers")
-    coefficients = evaluate([term.weight for term in terms], Floats, opened.values)
-    rows = opened.rows([term.s for term in terms])
-    return [(c, rate(row, opened.scene)) for c, row in zip(coefficients, rows, strict=True)]
+def weighted_rates(opened: Any, name: str) -> list[tuple[float, LinearFunction]]:
+    """[(weight, LinearFunction)] of ṡ of a linear damper, of s̈ of an inerter; none of another element."""
+    scene = opened.scene
+    terms = scene.terms_of(name, "dampers", "inertias")
+    weights = evaluate([term.weight for term in terms], Floats, opened.values)
+    rates = [rate(row, scene) for row in opened.rows([term.s for term in terms])]
+    if scene.terms_of(name, "inertias"):
+        rates = [rate(row, scene) for row in rates]
+    return list(zip(weights, rates, strict=True))

@@ -5,13 +5,19 @@ senses drive g back to zero, as dry friction does at rest, the switch slides: �
 1988, §4); q̈ is linear in it. A switch leaves its slide where that σ passes the bound σ₀, 1 if nothing else is given.
 """
 
+from collections.abc import Mapping, Sequence
 from itertools import product
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.base.errors import PhysicsError
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.numeric_equations import NumericEquations
+    from vibcli.symbolic.node import Node
 
 NOTHING = 1e-12         # of what an argument is made of: zero but for rounding
 MOST_TOGETHER = 6
@@ -20,7 +26,8 @@ MOST_TOGETHER = 6
 class Switching:
     """The arguments of a system's switches with their rates; bounds: σ₀ of each; names: of what bends with each."""
 
-    def __init__(self, system, bounds=None, names=None):
+    def __init__(self, system: "NumericEquations", bounds: "Mapping[Node, Node] | None" = None,
+                 names: "Mapping[Node, str] | None" = None):
         self.system, self.arguments = system, system.switches
         self.names = [(names or {}).get(node, "") for node in self.arguments]
         count = len(self.arguments)
@@ -45,24 +52,27 @@ class Switching:
     def _compiled(self, drift, slopes):
         return list(slopes), self.system.compiled([drift, *slopes.values()])
 
-    def values(self, t, q, v, g):
+    def values(self, t: np.ndarray, q: np.ndarray, v: np.ndarray, g: Sequence[float] | np.ndarray) -> np.ndarray:
         """The arguments at instants, of shape (count, instants)."""
         found = np.empty((self.count, q.shape[1]))
         for k, value in enumerate(self._values(t, q, v, g)):
             found[k] = value
         return found
 
-    def rates(self, which, t, q, v, a, g):
+    def rates(self, which: Sequence[int], t: np.ndarray, q: np.ndarray, v: np.ndarray, a: np.ndarray,
+              g: Sequence[float | np.ndarray] | np.ndarray) -> np.ndarray:
         """ġ of the switches `which`, of shape (len(which), instants)."""
         return np.array([_rate(*self._rates[k], t, q, v, a, g) for k in which]).reshape(len(which), q.shape[1])
 
-    def sizes(self, t, q, v, g):
+    def sizes(self, t: float, q: np.ndarray, v: np.ndarray, g: Sequence[float] | np.ndarray):
         """What each argument is made of: Σ |∂g/∂x|·|x| at one instant."""
         n = len(q)
         slopes = np.array([float(np.max(value)) for value in self._slopes(np.array([t]), q[:, None], v[:, None], g)])
         return np.abs(slopes.reshape(self.count, 2 * n)) @ np.abs(np.concatenate([q, v]))
 
-    def sliding(self, which, t, q, v, g, c=None):
+    def sliding(self, which: Sequence[int], t: np.ndarray, q: np.ndarray, v: np.ndarray,
+                g: Sequence[float] | np.ndarray,
+                c: Sequence[np.ndarray] | None = None) -> tuple[np.ndarray, np.ndarray]:
         """(q̈, σ of the switches that slide) at instants: σ of shape (len(which), instants)."""
         accelerations = self.system.accelerations
         g = [np.zeros(q.shape[1]) if k in which else sense for k, sense in enumerate(g)]
@@ -77,7 +87,8 @@ class Switching:
         sigma = np.linalg.solve(slope, -held.T[:, :, None])[:, :, 0].T
         return a0 + sum(turn * s for turn, s in zip(turned, sigma, strict=True)), sigma
 
-    def settled(self, t, q, v, before=None, zero=(), slides=()):
+    def settled(self, t: float, q: np.ndarray, v: np.ndarray, before: Sequence[float] | None = None,
+                zero: Sequence[int] = (), slides: Sequence[int] = ()) -> tuple[tuple[float, ...], tuple[int, ...]]:
         """(senses, switches that slide) at an instant; `before`: senses until then, None at the start; `zero`: switches
         whose argument is known to vanish, or which leave their slide, being among those that `slides` until then: the
         arguments of these vanish but for drift."""

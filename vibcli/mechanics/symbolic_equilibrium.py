@@ -7,142 +7,141 @@ some speed) the position that depends on letters is preferred.
 """
 
 import math
+from collections.abc import Iterator, Sequence
 from itertools import islice
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError, SpecError
-from vibcli.mechanics.linearisation import nodes_of, residual_terms
-from vibcli.scene.parameter_samples import given_values
+from vibcli.language.parameter_samples import given_values
+from vibcli.mechanics.linearisation import Linearisation, nodes_of, residual_terms
 from vibcli.symbolic.angle_addition import opened, openings
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.equations.one_unknown import SymbolicSolution, solutions
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
-from vibcli.symbolic.rationals import ONE
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.symbolic.node import Node
 
 ATTEMPTS, FAILURES, ENOUGH, LEAST, CLOSE = 16, 5, 4, 2, 1e-8
 
 
-class Settled:
+class SymbolicEquilibrium(NamedTuple):
     """values: {coordinate symbol: expression}; calls: {sin q or cos q: expression} of those that are angles; reached:
-    numeric problems that reach this equilibrium; named: is it the place that `equilibrium:` names?"""
+    modes at random values of the letters that reach this equilibrium; named: is it the place that `equilibrium:`
+    names?"""
 
-    __slots__ = ("calls", "named", "reached", "values")
+    values: dict
+    calls: dict
+    reached: list
+    named: bool = False
 
-    def __init__(self):
-        self.values, self.calls, self.reached, self.named = {}, {}, [], False
+    def with_solution(self, q: Any, solution: SymbolicSolution, reached: Any):
+        """The same with one coordinate more; `reached`: those that still reach it."""
+        calls = {} if solution.sine is None else {
+            q.table.call("sin", q): solution.sine, q.table.call("cos", q): solution.cosine}
+        return SymbolicEquilibrium({**self.values, q: solution.value}, {**self.calls, **calls}, reached)
 
-    def put(self, q, solution):
-        self.values[q] = solution.value
-        if solution.sine is not None:
-            self.calls |= {q.table.call("sin", q): solution.sine, q.table.call("cos", q): solution.cosine}
-
-    def at(self, nodes):
+    def at(self, nodes: "Sequence[Node]"):
         """The nodes with what is known put in."""
         for q in self.values:
             nodes = opened(nodes, q)
         return substitute(nodes, {**self.values, **self.calls})
 
-    def position(self, form):
+    def position(self, form: Linearisation):
         """{node: expression} of what a Linearisation holds of the coordinates."""
         nodes = nodes_of(form)
         sums = {call: node for q in self.values for call, node in openings(nodes, q).items()}
         return {**dict(zip(sums, self.at(list(sums.values())), strict=True)), **self.values, **self.calls}
 
 
-def settled(problem):
-    """The Settled equilibrium of a nonlinear scene, None where it is not found."""
-    scene, found, tried = problem.scene, Settled(), _Tried(problem)
-    found.reached = tried.first(LEAST) if scene.loops is None else []
-    if len(found.reached) < LEAST:
+def symbolic_equilibrium(symbolic: "SymbolicSystem"):
+    """The SymbolicEquilibrium of a nonlinear scene, None where it is not found."""
+    scene, tried, start = symbolic.scene, _Tried(symbolic), symbolic.start
+    reached = tried.first(LEAST) if scene.loops is None else []
+    if len(reached) < LEAST:
         return None
-    start = problem.start_in_letters
     if start is not None and all(map(_at_start, tried.first(ENOUGH))):
-        for q in scene.q:
-            found.put(q, SymbolicSolution(start[q]))
-        found.reached, found.named = tried.first(ENOUGH), True
-        return found
-    for q in scene.q:
-        if _stays(found.reached, q.name):
-            found.put(q, SymbolicSolution(scene.drawn[q]))
-    conditions = [scene.table.sum(*((term, ONE) for term in terms)) for terms in residual_terms(problem.form)]
+        return SymbolicEquilibrium({q: start[q] for q in scene.q}, {}, tried.first(ENOUGH), named=True)
+    found = SymbolicEquilibrium({q: scene.drawn[q] for q in scene.q if _stays(reached, q.name)}, {}, reached)
+    conditions = [scene.table.total(terms) for terms in residual_terms(symbolic.system.linearisation)]
     while len(found.values) < len(scene.q):
         open_ones = [q for q in scene.q if q not in found.values]
         step = _step([textbook(node) for node in found.at(conditions)], open_ones, tried)
         if step is None:
             return None
-        q, solution, found.reached = step
+        found = found.with_solution(*step)
         tried.keep(found.reached)
-        found.put(q, solution)
-    scene.table.resample(found.reached[0].floats)
+    scene.table.resample(found.reached[0].numeric.floats)
     return found
 
 
 class _Tried:
-    """Numeric problems at random values, made when they are asked for; each with a stable equilibrium, unless
+    """Modes at random values of the letters, found when they are asked for; each about a stable equilibrium, unless
     `equilibrium:` names a place."""
 
-    def __init__(self, problem):
-        self.problem, self.known, self.left = problem, [], iter(range(ATTEMPTS))
-        self.free = [name for name in problem.scene.parameters.free if name not in problem.given]
+    def __init__(self, symbolic: "SymbolicSystem"):
+        self.symbolic, self.known, self.left = symbolic, [], iter(range(ATTEMPTS))
+        self.free = [name for name in symbolic.scene.parameters.free if name not in symbolic.numeric.given]
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[Any]:
+        symbolic, named = self.symbolic, self.symbolic.system.named_start
         yield from self.known
         for attempt in self.left:
             if attempt >= FAILURES and not self.known:
                 return
-            candidate = self.problem.with_values(given_values(self.problem.scene, self.free, attempt))
+            values = given_values(symbolic.scene.parameters, symbolic.scene.sample, self.free, attempt)
+            candidate = symbolic.modal_of(symbolic.configuration.with_values(values))
             try:
-                if not self.problem.named_start and any(mode.growth_rate is not None for mode in candidate.modes):
+                if not named and any(mode.growth_rate is not None for mode in candidate.modes):
                     continue
-                candidate.equilibrium  # noqa: B018
+                candidate.configuration.equilibrium  # noqa: B018
             except (SpecError, PhysicsError):
                 continue
             self.known.append(candidate)
             yield candidate
 
-    def first(self, count):
+    def first(self, count: int) -> list[Any]:
         return list(islice(self, count))
 
-    def keep(self, those):
+    def keep(self, those: Sequence[Any]) -> None:
         """Only these from now on."""
         self.known, self.left = list(those), iter(())
 
 
 def _stays(tried, name):
-    return all(abs(problem.equilibrium.values[name] - problem.drawn_floats[name]) <= CLOSE * _size(problem, name)
-               for problem in tried)
+    return all(abs(modal.configuration.equilibrium.values[name] - modal.numeric.drawn_floats[name])
+               <= CLOSE * modal.numeric.size_along(name) for modal in tried)
 
 
-def _at_start(problem):
-    return all(abs(way) <= CLOSE * _size(problem, name) for name, way in problem.equilibrium.from_start.items())
-
-
-def _size(problem, name):
-    return 1.0 if not problem.dimension(name) else problem.figure_size or 1.0
+def _at_start(modal):
+    return all(abs(way) <= CLOSE * modal.numeric.size_along(name)
+               for name, way in modal.configuration.equilibrium.from_start.items())
 
 
 def _step(conditions, unknowns, tried):
-    """(coordinate, Solution, problems that reach it) from a condition with one unknown; None where there is none."""
+    """(coordinate, Solution, those tried that reach it) from a condition with one unknown; None where there is none."""
     for node in conditions:
         inside = [q for q in unknowns if node.mask & q.mask]
         if len(inside) == 1:
             q, = inside
-            found = _chosen(solutions(node, q, [problem.floats for problem in tried.first(1)]), q, tried)
+            found = _chosen(solutions(node, q, [modal.numeric.floats for modal in tried.first(1)]), q, tried)
             if found is not None:
                 return q, *found
     return None
 
 
 def _chosen(candidates, q, tried):
-    """(Solution, problems that reach it): the first that enough of them reach, one with letters if possible; one
+    """(Solution, those tried that reach it): the first that enough of them reach, one with letters if possible; one
     without only where all reach it."""
     reached, count = [[] for _ in candidates], 0
-    for problem in tried if candidates else ():
+    for modal in tried if candidates else ():
         count += 1
         for solution, those in zip(candidates, reached, strict=True):
-            if _reached(problem, q, solution):
-                those.append(problem)
+            if _reached(modal, q, solution):
+                those.append(modal)
                 if len(those) == ENOUGH and _has_letters(solution.value):
                     return solution, those
     ranked = [pair for pair in zip(candidates, reached, strict=True)
@@ -150,13 +149,13 @@ def _chosen(candidates, q, tried):
     return max(ranked, key=lambda pair: (_has_letters(pair[0].value), len(pair[1])), default=None)
 
 
-def _reached(problem, q, solution):
-    wanted, at = problem.equilibrium.values[q.name], problem.floats
+def _reached(modal, q, solution):
+    wanted, at = modal.configuration.equilibrium.values[q.name], modal.numeric.floats
     value, *turned = evaluate([part for part in (solution.value, solution.sine, solution.cosine) if part is not None],
                               Floats, at)
     if turned and not max(abs(turned[0] - math.sin(value)), abs(turned[1] - math.cos(value))) <= CLOSE:
         return False
-    return abs(value - wanted) <= CLOSE * max(_size(problem, q.name), abs(wanted))
+    return abs(value - wanted) <= CLOSE * max(modal.numeric.size_along(q.name), abs(wanted))
 
 
 def _has_letters(node):

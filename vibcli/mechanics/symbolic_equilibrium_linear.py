@@ -1,21 +1,30 @@
 """Equilibrium in letters: does a condition vanish, and where is the equilibrium of a linear scene?"""
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import NotInLetters, PhysicsError
+from vibcli.language.parameter_samples import sample_values
 from vibcli.mechanics.autonomous import steady
 from vibcli.mechanics.linearisation import at_position, residual_terms
 from vibcli.mechanics.linearise import linearise
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.mechanics.static_preload import solve_linear
 from vibcli.mechanics.symbolic_matrices import matrices_in_letters
-from vibcli.scene.build import SAMPLES, build_scene, sample_values
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import is_zero, textbook
-from vibcli.symbolic.rationals import ONE
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
+
+SAMPLES = range(20, 28)     # attempts to draw a scene with other sample values
 
 
-def vanishes(scene, terms):
+def vanishes(scene: "Scene", terms: "Sequence[Node]") -> bool:
     """Is the sum of these expressions zero: by expansion, or at several unrelated sets of values?"""
-    total = scene.table.sum(*((term, ONE) for term in terms))
+    total = scene.table.total(terms)
     if is_zero(total):
         return True
     for attempt in range(3):
@@ -26,28 +35,23 @@ def vanishes(scene, terms):
     return True
 
 
-def residual_at(problem, place):
-    """The terms of each condition of equilibrium at {symbol: expression}, None: as drawn."""
-    if place is None:
-        return problem.drawn_residual
-    return residual_terms(at_position(problem.form, {**problem.scene.drawn_position, **place}))
-
-
-def equilibrium_in_letters(problem):
+def equilibrium_in_letters(symbolic: "SymbolicSystem") -> "dict[str, Node]":
     """{coordinate: expression} of the equilibrium: drawn, or that of linear equations; else PhysicsError."""
-    scene, start = problem.scene, problem.start_in_letters
-    if problem.balanced_as_drawn and start is None:
+    scene, start = symbolic.scene, symbolic.start
+    if symbolic.balanced_as_drawn and start is None:
         return scene.drawn_coordinates
-    if problem.equilibrium_letters is not None:
-        settled = problem.equilibrium_letters.values
+    if symbolic.equilibrium is not None:
+        settled = symbolic.equilibrium.values
         return {q.name: settled[q] for q in scene.q}
-    if not problem.is_linear:
+    if not symbolic.system.is_linear:
         raise NotInLetters("the drawn position is not an equilibrium, and the equilibrium of this nonlinear scene is "
                            "not found in letters",
                            "draw it in equilibrium (`preload: static` helps), or give numbers with --set")
-    _, _, _, K = matrices_in_letters(problem.form)
+    _, _, _, K = matrices_in_letters(symbolic.system.linearisation)
     n, zero = len(scene.q), scene.table.zero
-    load = [textbook(scene.table.sum(*((term, ONE) for term in terms))) for terms in residual_at(problem, start)]
+    residual = symbolic.system.drawn_residual if start is None else residual_terms(
+        at_position(symbolic.system.linearisation, {**scene.drawn_position, **start}))
+    load = [textbook(scene.table.total(terms)) for terms in residual]
     held = [i for i in range(n) if any((i, j) in K for j in range(n))]
     for i in range(n):
         if i not in held and not load[i].is_zero:
@@ -68,12 +72,12 @@ def equilibrium_in_letters(problem):
     return {name: simplest(place[i] + shift[i]) if i in shift else place[i] for i, name in enumerate(scene.coordinates)}
 
 
-def drawn_stable(spec, given, scene):
+def drawn_stable(scene: "Scene") -> "Scene":
     """The scene drawn with sample values for which it is stable, where there are such: signs are read off there."""
     for start in SAMPLES:
         if not _falls_as_drawn(scene):
             break
-        scene = build_scene(spec, given, start)
+        scene = scene.drawn_anew(start)
     return scene
 
 

@@ -1,5 +1,7 @@
 """Inputs and outputs of the small oscillations in letters."""
 
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import NotInLetters
 from vibcli.mechanics.inputs_outputs.displacements import displacement
 from vibcli.mechanics.inputs_outputs.inputs import in_powers, named_input
@@ -10,11 +12,15 @@ from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.transfer_between_tables import copied
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.symbolic.node import Node
 
-def coefficients(problem, signal, driven_by):
+
+def coefficients(symbolic: "SymbolicSystem", signal: str, driven_by: str):
     """b, c, d as [{i: node}] of the powers of s, nodes of the opened scene; d has the one entry 0."""
-    opened, place = problem.opened, place_in_letters(problem)
-    chosen = named_input(problem, driven_by)
+    opened, place = symbolic.configuration.with_inputs, place_in_letters(symbolic)
+    chosen = named_input(symbolic.configuration, driven_by)
     if chosen.carried or any(isinstance(weight, complex) for weight in chosen.weights.values()):
         raise NotInLetters(f"what turns as '{driven_by}' does has no amplitudes in letters here",
                            "ask for them in numbers")
@@ -26,19 +32,19 @@ def coefficients(problem, signal, driven_by):
             for (i, j), node in matrix.items():
                 if i < n and j in columns:
                     columns[j][power][i] = columns[j][power].get(i, scene.table.zero) - node
-    q, v, a = _slopes(problem, signal, place)
-    weights = _exact(problem, chosen)
+    q, v, a = _slopes(symbolic.configuration, signal, place)
+    weights = _exact(symbolic.configuration, chosen)
     b = in_powers(columns, weights, chosen.turns)
     direct = {j: [{0: part[j]} if j in part else {} for part in (q, v, a)] for j in columns}
     return b, [{i: node for i, node in part.items() if i < n} for part in (q, v, a)], in_powers(direct, weights,
                                                                                               chosen.turns)
 
 
-def outputs(problem, signal):
+def outputs(symbolic: "SymbolicSystem", signal: str) -> "tuple[list[dict[int, Node]], Node]":
     """(c, direct): [{i: node}] of the powers of s for a signal, and what driven displacements u(t) do to it at once, a
     function of the time in the scene."""
-    opened, table = problem.opened, problem.scene.table
-    rows, direct = _slopes(problem, signal, place_in_letters(problem)), table.zero
+    opened, table = symbolic.configuration.with_inputs, symbolic.scene.table
+    rows, direct = _slopes(symbolic.configuration, signal, place_in_letters(symbolic)), table.zero
     for j, opening in enumerate(opened.scene.inputs.values(), opened.n):
         moved = opening.node
         for part in rows if moved is not None else ():
@@ -48,23 +54,23 @@ def outputs(problem, signal):
     return [{i: node for i, node in part.items() if i < opened.n} for part in rows], direct
 
 
-def place_in_letters(problem):
+def place_in_letters(symbolic: "SymbolicSystem") -> "dict[Node, Node]":
     """{symbol: node} of the equilibrium in letters."""
-    scene = problem.opened.scene
+    scene = symbolic.configuration.with_inputs.scene
     rest = dict.fromkeys((*scene.v, *scene.a), scene.table.zero)
-    if problem.balanced_as_drawn or problem.is_linear:
+    if symbolic.balanced_as_drawn or symbolic.system.is_linear:
         return {**rest, **scene.drawn_position}
-    if problem.equilibrium_letters is None:
+    if symbolic.equilibrium is None:
         raise NotInLetters("the equilibrium of this scene is not found in letters", "give numbers with --set")
-    settled = problem.equilibrium_letters.values
+    settled = symbolic.equilibrium.values
     nodes = dict(zip((q.name for q in settled), copied(list(settled.values()), scene.table), strict=True))
     return {**rest, **scene.drawn_position, **{q: nodes[q.name] for q in scene.q if q.name in nodes}}
 
 
-def _slopes(problem, signal, place):
+def _slopes(configuration, signal, place):
     """∂y/∂q, ∂y/∂q̇, ∂y/∂q̈ as {i: node}."""
-    scene, bare = problem.opened.scene, signal.rstrip("'")
-    node = _node(problem.opened, bare)
+    scene, bare = configuration.with_inputs.scene, signal.rstrip("'")
+    node = _node(configuration.with_inputs, bare)
     if node is None:
         raise NotInLetters(f"the amplitude of '{signal}' is not found in letters", "ask for it in numbers")
     slopes = gradient(node)
@@ -87,24 +93,24 @@ def _node(opened, text):
 
 def _force(opened, name):
     """The force of a spring or a linear damper; None of another element."""
-    known = name in (opened.problem.spec.get("springs") or {}) or opened.scene.terms_of(name, "dampers")
+    known = name in (opened.configuration.spec.get("springs") or {}) or opened.scene.terms_of(name, "dampers")
     return opened.scene.force_of(name) if known else None
 
 
 def _on_the_ground(opened, kind):
     """Σ of what springs and dampers exert on the ground of a scene with one axis; None of other scenes."""
-    total, spec = opened.scene.table.zero, opened.problem.spec
-    for section in ("springs", "dampers"):
-        for name, record in (spec.get(section) or {}).items():
-            sign = along_the_axis(opened, record, kind) if "between" in record else None
-            if sign is None:
-                return None
-            total = total + sign * _force(opened, name) if sign else total
+    total = opened.scene.table.zero
+    for record in opened.configuration.spec.connections:
+        sign = along_the_axis(opened, record, kind) if "between" in record else None
+        force = _force(opened, record.name) if sign else opened.scene.table.zero
+        if sign is None or force is None:
+            return None
+        total = total + sign * force
     return total
 
 
-def _exact(problem, chosen):
+def _exact(configuration, chosen):
     """The shares of the input coordinates as nodes: a line along an axis."""
     if any(weight not in (-1.0, 0.0, 1.0) for weight in chosen.weights.values()):
         raise NotInLetters("the line of this input is along no axis", "name its component, as in drive.x")
-    return {j: problem.opened.scene.table.number(int(weight)) for j, weight in chosen.weights.items()}
+    return {j: configuration.with_inputs.scene.table.number(int(weight)) for j, weight in chosen.weights.items()}

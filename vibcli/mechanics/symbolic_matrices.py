@@ -1,10 +1,11 @@
 """M, C, G and K of small oscillations as expressions."""
 
+from typing import Any
+
 from vibcli.symbolic.normal_form import textbook
-from vibcli.symbolic.rationals import ONE
 
 
-def matrices_in_letters(form):
+def matrices_in_letters(form: Any) -> Any:
     """M, C, G, K of a Linearisation as {(i, j): simplified expression}, zeros left out."""
     M = _assembled(form.table, form.inertias, [form.M])
     C = _assembled(form.table, form.dampers, [form.C, form.drag])
@@ -27,5 +28,5 @@ def _assembled(table, terms, parts):
 
 
 def _simplified(found, table):
-    entries = {pair: textbook(table.sum(*((node, ONE) for node in nodes))) for pair, nodes in found.items()}
+    entries = {pair: textbook(table.total(nodes)) for pair, nodes in found.items()}
     return {pair: node for pair, node in entries.items() if not node.is_zero}

@@ -1,11 +1,17 @@
 """Long lengths under a root get a symbol of their own, ℓ₁ = √(…), so that equations stay readable."""
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 from vibcli.symbolic.rationals import HALF, ONE
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
 
 SHORT = 2           # roots of fewer terms are left in place
 
 
-def abbreviated(nodes, known):
+def abbreviated(nodes: "Sequence[Node]", known: "dict[Node, Node]") -> "tuple[list[Node], list[tuple[Node, Node]]]":
     """(nodes with long roots replaced, [(symbol, root)] of those that are new). `known` {sum: symbol} is added to."""
     table, new = nodes[0].table if nodes else None, []
     for node in nodes:

@@ -1,7 +1,9 @@
 """Expressions as LaTeX, for math mode."""
 
-from vibcli.notation.latex_names import COMMANDS, NAMES
-from vibcli.notation.plain import GREEK
+from collections.abc import Sequence
+from typing import Any
+
+from vibcli.notation.plain import COMMANDS, GREEK, NAMES
 from vibcli.notation.typeset import Stacked
 
 FUNCTIONS = {"sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "exp", "ln"}
@@ -18,11 +20,11 @@ class Latex(Stacked):
 
     minus, thin, thick = "-", r"\,", r"\;"
 
-    def numeral(self, text):
+    def numeral(self, text: str) -> str:
         text, _, power = text.replace("−", "-").partition("e")
         return rf"{text} \cdot 10^{{{int(power)}}}" if power else text
 
-    def lettered(self, letter, below, primes):
+    def lettered(self, letter: Any, below: Any, primes: Any):
         letter = NAMES.get(letter, letter)
         if letter == "ℓ":
             letter = r"\ell"
@@ -40,51 +42,51 @@ class Latex(Stacked):
         letter = accent.format(letter)
         return self.indexed(letter, below) if below else letter
 
-    def word(self, text):
+    def word(self, text: str) -> str:
         return rf"\mathrm{{{_escaped(text)}}}"
 
-    def indexed(self, letter, below):
+    def indexed(self, letter: str, below: str) -> str:
         return f"{letter}_{{{below}}}"
 
-    def brackets(self, text):
+    def brackets(self, text: str) -> str:
         return rf"\left({text}\right)"
 
-    def magnitude(self, text):
+    def magnitude(self, text: str) -> str:
         return rf"\left|{text}\right|"
 
-    def power(self, base, exponent):
+    def power(self, base: str, exponent: str) -> str:
         return f"{base}^{{{exponent}}}"
 
-    def function(self, name, args):
+    def function(self, name: str, args: Sequence[str]) -> str:
         return rf"{self.functional(name)}\left({', '.join(args)}\right)"
 
-    def functional(self, name):
+    def functional(self, name: str) -> str:
         return "\\" + name if name in FUNCTIONS else rf"\operatorname{{{_escaped(name)}}}"
 
-    def applied(self, head, text, bare):
+    def applied(self, head: str, text: str, bare: bool) -> str:
         return head + " " * bare + text
 
-    def times(self, texts):
+    def times(self, texts: Sequence[str]) -> str:
         return f" {self.thin} ".join(texts)
 
-    def fraction(self, above, below):
+    def fraction(self, above: str, below: str) -> str:
         return rf"\frac{{{above}}}{{{below}}}"
 
-    def sqrt(self, text):
+    def sqrt(self, text: str) -> str:
         return rf"\sqrt{{{text}}}"
 
-    def operator(self, symbol):
+    def operator(self, symbol: str) -> str:
         return self.thin if symbol == "·" else OPERATORS.get(symbol, symbol)
 
-    def gap(self, columns):
+    def gap(self, columns: int) -> str:
         return r"\quad" if columns > 1 else self.thick
 
-    def words(self, text):
+    def words(self, text: str) -> str:
         from vibcli.notation.latex_text import escaped
 
         return rf"\text{{{escaped(text)}}}" if text else ""
 
-    def beside(self, *texts):
+    def beside(self, *texts: str) -> str:
         return " ".join(filter(None, map(str.strip, texts)))
 
 

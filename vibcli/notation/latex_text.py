@@ -3,8 +3,8 @@
 import re
 import unicodedata
 
-from vibcli.base.plain_text import on_one_line
-from vibcli.notation.latex_names import COMMANDS, NAMES
+from vibcli.base.decoding import on_one_line
+from vibcli.notation.plain import COMMANDS, NAMES
 
 SPECIAL = {"\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "%": r"\%", "&": r"\&", "#": r"\#",
            "_": r"\_", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}", "<": r"\textless{}",
@@ -33,7 +33,7 @@ DOTS = {"\u0307": r"\dot", "\u0308": r"\ddot"}
 LONG = re.compile(r"\d{10}(?=\d{10})")
 
 
-def escaped(text):
+def escaped(text: str) -> str:
     """Words for LaTeX's text mode; a character that it has no command for is named by its number."""
     text, found = on_one_line(text), []
     for letter in unicodedata.normalize("NFD", "".join(map(_kept, text))):

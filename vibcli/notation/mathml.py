@@ -4,7 +4,9 @@ Every text is a row of elements; an element that takes a fixed number of argumen
 """
 
 import re
+from collections.abc import Sequence
 from html import escape
+from typing import Any
 
 from vibcli.notation.plain import GREEK
 from vibcli.notation.typeset import Stacked
@@ -15,7 +17,7 @@ DOTS = {"'": "˙", "''": "¨"}
 _LEAF = re.compile(r"<(m[ion])[^<>]*>[^<>]*</\1>")
 
 
-def row(text):
+def row(text: str) -> str:
     """One element that holds a row."""
     return text if _LEAF.fullmatch(text) else f"<mrow>{text}</mrow>"
 
@@ -27,12 +29,12 @@ def _operator(symbol, form=None):
 class MathML(Stacked):
     """The inside of a <math> element."""
 
-    def numeral(self, text):
+    def numeral(self, text: str) -> str:
         text, _, power = text.replace("−", "-").partition("e")
         found = f"<mn>{text}</mn>" if text[0] != "-" else f"{_operator('−', 'prefix')}<mn>{text[1:]}</mn>"
         return f"{found}<mo>·</mo>{self.power('<mn>10</mn>', self.numeral(str(int(power))))}" if power else found
 
-    def lettered(self, letter, below, primes):
+    def lettered(self, letter: Any, below: Any, primes: Any):
         found = f"<mi>{escape(GREEK.get(letter, letter))}</mi>"
         if primes:
             found = f'<mover accent="true">{found}<mo>{DOTS[primes]}</mo></mover>'
@@ -46,52 +48,52 @@ class MathML(Stacked):
             below = f"<mi>{GREEK.get(below, below)}</mi>"
         return f"<msub>{found}{below}</msub>"
 
-    def brackets(self, text):
+    def brackets(self, text: str) -> str:
         return f"<mrow><mo>(</mo>{text}<mo>)</mo></mrow>"
 
-    def magnitude(self, text):
+    def magnitude(self, text: str) -> str:
         return f"<mrow>{_operator('|', 'prefix')}{text}{_operator('|', 'postfix')}</mrow>"
 
-    def power(self, base, exponent):
+    def power(self, base: str, exponent: str) -> str:
         if base.startswith("<msub>") and base.find("</msub>") == len(base) - len("</msub>"):
             return f"<msubsup>{base[len('<msub>'):-len('</msub>')]}{row(exponent)}</msubsup>"
         return f"<msup>{row(base)}{row(exponent)}</msup>"
 
-    def function(self, name, args):
+    def function(self, name: str, args: Sequence[str]) -> str:
         return self.functional(name) + APPLY + self.brackets("<mo>,</mo>".join(args))
 
-    def functional(self, name):
+    def functional(self, name: str) -> str:
         return f"<mi>{escape(name)}</mi>"
 
-    def applied(self, head, text, bare):
+    def applied(self, head: str, text: str, bare: bool) -> str:
         return head + APPLY + '<mspace width="0.17em"/>' * bare + text
 
-    def times(self, texts):
+    def times(self, texts: Sequence[str]) -> str:
         return TIMES.join(texts)
 
-    def fraction(self, above, below):
+    def fraction(self, above: str, below: str) -> str:
         return f"<mfrac>{row(above)}{row(below)}</mfrac>"
 
-    def sqrt(self, text):
+    def sqrt(self, text: str) -> str:
         return f"<msqrt>{text}</msqrt>"
 
-    def signed(self, negative, text, first=False):
+    def signed(self, negative: bool, text: str, first: bool = False) -> str:
         if first:
             return (_operator("−", "prefix") if negative else "") + text
         return _operator("−" if negative else "+") + text
 
-    def operator(self, symbol):
+    def operator(self, symbol: str) -> str:
         if symbol == "·":
             return TIMES
         return _operator("∑" if symbol == "Σ" else symbol)
 
-    def gap(self, columns):
+    def gap(self, columns: int) -> str:
         return f'<mspace width="{1 if columns > 1 else 0.3}em"/>'
 
-    def words(self, text):
+    def words(self, text: str) -> str:
         return f"<mtext>{escape(text).replace(' ', '&#xA0;')}</mtext>" if text else ""
 
-    def beside(self, *texts):
+    def beside(self, *texts: str) -> str:
         return "".join(texts)
 
 

@@ -1,6 +1,9 @@
 """Texts in notation, as blocks hold them beside expressions: ω_d = ω·√(1 − ζ²), read for a typeset notation."""
 
 import re
+from typing import Any
+
+from vibcli.notation.plain import closing
 
 _TOKEN = re.compile(
     r"(?P<number>\d+(?:\.\d+)?(?:e[+-]?\d+)?)|(?P<letter>[α-ωΑ-ΡΤ-Ω∂ℓ]|[A-Za-z]+)"
@@ -12,7 +15,7 @@ FUNCTIONS = {"sin", "cos", "tan", "exp"}
 _RELATION = re.compile(r"\s*([+−=<>≤≥∓±])\s*")
 
 
-def read(text, write):
+def read(text: Any, write: Any) -> str:
     """The text in a notation, which has the hooks of Stacked."""
     return write.beside(*_read(_RELATION.sub(r"\1", text), write))
 
@@ -46,18 +49,8 @@ def _one(text, at, write):
 
 
 def _argument(text, at, write):
-    """What stands in the brackets that open at a place, or the one piece there."""
-    end = _closing(text, at)
+    """The content of the brackets that open at a place, or the one piece there."""
+    end = closing(text, at)
     if end is not None:
         return read(text[at + 1:end], write), end + 1
     return _one(text, at, write) if at < len(text) else ("", at)
-
-
-def _closing(text, at):
-    """The place of the bracket that closes the one at a place; None where there is none."""
-    depth = 0
-    for i in range(at, len(text)):
-        depth += (text[i] == "(") - (text[i] == ")")
-        if depth == 0:
-            return i if text[at] == "(" else None
-    return None

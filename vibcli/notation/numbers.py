@@ -1,13 +1,18 @@
 """Numbers as they are printed: the digits that a result supports, its unit after it."""
 
 import math
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
 
 from vibcli.base import units
+
+if TYPE_CHECKING:
+    from fractions import Fraction
 
 SHOWN = 6
 
 
-def figure(value, error=0.0, digits=SHOWN):
+def figure(value: float | None, error: float = 0.0, digits: int = SHOWN) -> str:
     """A number with at most `digits` significant digits, fewer where its relative error bound allows fewer."""
     if value is None:
         return "–"
@@ -19,42 +24,42 @@ def figure(value, error=0.0, digits=SHOWN):
     return "0" if text in ("-0", "0") else text.replace("e+0", "e").replace("e-0", "e-").replace("e+", "e")
 
 
-def supported(value, error, digits=SHOWN):
+def supported(value: float, error: float, digits: int = SHOWN) -> str:
     """A number with the digits that its absolute error allows; where that is all of it, how far it may be from 0."""
     if error >= 0.5 * abs(value) and error > 0 and value:
         return f"0 ± {figure(abs(value) + error, digits=1)}"
     return figure(value, error / abs(value) if value else 0.0, digits)
 
 
-def with_unit(value, dimension, error=0.0):
+def with_unit(value: float, dimension: "Mapping[str, Fraction | int]") -> str:
     """`0.0785 m`: a number and the SI unit of its dimension."""
-    return "".join(quantity(value, dimension, error))
+    return "".join(quantity(value, dimension))
 
 
-def quantity(value, dimension, error=0.0):
+def quantity(value: float, dimension: "Mapping[str, Fraction | int]", error: float = 0.0) -> tuple[str, str]:
     """The number, and what is written behind it: ("0.0785", " m")."""
     unit = "rad" if dimension == {} else units.text(dimension)
     degrees = f" ({figure(math.degrees(value), digits=4)}°)" if dimension == {} and value else ""
     return figure(value, error), f" {unit}".rstrip() + degrees
 
 
-def table(rows, head):
+def table(rows: Sequence[list[str]], head: Sequence[str]):
     """Lines of an aligned table; columns two spaces apart."""
     cells = [head, *rows]
     widths = [max(width(row[i]) for row in cells) for i in range(len(head))]
     return ["  ".join(padded(cell, w) for cell, w in zip(row, widths, strict=True)).rstrip() for row in cells]
 
 
-def width(text):
+def width(text: str) -> int:
     """Columns of a text: combining dots take none."""
     return sum(1 for letter in text if not "\u0300" <= letter <= "\u036f")
 
 
-def padded(text, columns):
+def padded(text: str, columns: int) -> str:
     return text + " " * (columns - width(text))
 
 
-def wrapped(text, columns=100, indent=2, gap=" ", first=0):
+def wrapped(text: str, columns: int = 100, indent: int = 2, gap: str = " ", first: int = 0) -> list[str]:
     """Text broken at gaps into lines of at most `columns`, the lines after the first indented."""
     lines, line = [], ""
     for word in text.split(gap):

@@ -1,13 +1,19 @@
 """The order in which the terms of a sum and the factors of a product are written."""
 
 from operator import itemgetter
+from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.radicals import is_constant
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import ONE
 
+if TYPE_CHECKING:
+    from fractions import Fraction
 
-def positive_first(pieces, rooted):
+    from vibcli.symbolic.node import Node
+
+
+def positive_first(pieces: Any, rooted: Any) -> list[tuple[bool, str]]:
     """The terms of a sum, (negative, text), the positive ones first; the `rooted` last ones stay there if others can
     begin."""
     front = pieces[:len(pieces) - rooted]
@@ -16,18 +22,19 @@ def positive_first(pieces, rooted):
     return sorted(pieces, key=itemgetter(0))
 
 
-def is_rooted(node):
+def is_rooted(node: "Node") -> bool:
     """Does a term of parameters hold the root of a letter or of a sum?"""
     return not node.mask and node.op == "product" and any(
         e.denominator == 2 and not is_constant(base) for base, e in node.args)
 
 
-def term_rank(pair):
+def term_rank(pair: "tuple[Node, Fraction | int]") -> "tuple[int | list[tuple[int, Fraction | int]], ...]":
     """Accelerations first, then velocities, then coordinates, each in the order of the coordinates; constants last."""
     node = pair[0]
     deepest = _most_primes(node)
     moving = min((base.index for base in _symbols(node) if base.mask and primes(base) == deepest), default=None)
-    return -deepest, not node.mask, moving if deepest else _lowest(node.mask), *_letters(node), node.index
+    lowest = (node.mask & -node.mask).bit_length()
+    return -deepest, not node.mask, moving if deepest else lowest, *_letters(node), node.index
 
 
 def _letters(node):
@@ -43,11 +50,7 @@ def _first_letter(node):
         (part.index for part in reachable([node]) if part.op == "symbol"), default=node.index)
 
 
-def _lowest(mask):
-    return (mask & -mask).bit_length()
-
-
-def primes(symbol):
+def primes(symbol: "Node") -> int:
     """1 for x', 2 for x''."""
     return len(symbol.name) - len(symbol.name.rstrip("'"))
 
@@ -61,7 +64,7 @@ def _most_primes(node):
     return max(map(primes, _symbols(node)), default=0)
 
 
-def factor_rank(pair):
+def factor_rank(pair: "tuple[Node, Fraction | int]") -> tuple[int, int]:
     """Numbers, parameters, brackets, then functions and variables; velocities and accelerations last."""
     base = pair[0]
     if base.op == "number" or (base.op == "sum" and is_constant(base)):

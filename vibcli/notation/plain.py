@@ -1,19 +1,25 @@
 """Expressions as text, m·L²·φ̈/3, in the notation of the field: dots for time derivatives, roots as √(…)."""
 
 import re
+from collections.abc import Callable, Sequence
 from fractions import Fraction
+from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.ordering import factor_rank, is_rooted, positive_first, term_rank
 from vibcli.notation.radicals import LARGEST, is_constant, place, split
 from vibcli.symbolic.discontinuous_functions import PULSES
 from vibcli.symbolic.rationals import ONE
 
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
+
 GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ",
           "iota": "ι", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "rho": "ρ", "sigma": "σ",
           "tau": "τ", "upsilon": "υ", "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω", "pi": "π", "Gamma": "Γ",
           "Delta": "Δ", "Theta": "Θ", "Lambda": "Λ", "Xi": "Ξ", "Pi": "Π", "Sigma": "Σ", "Phi": "Φ", "Psi": "Ψ",
           "Omega": "Ω"}
-_NAME = re.compile(rf"({'|'.join(sorted(GREEK, key=len, reverse=True))}|[A-Za-zℓ])(.*)")
+COMMANDS = {"phi": "varphi", "epsilon": "varepsilon"}      # of LaTeX, where they differ from the names
+NAMES = {letter: name for name, letter in GREEK.items()}
 _SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _SUPERSCRIPT = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _DOTS = {"": "", "'": "\u0307", "''": "\u0308"}
@@ -21,14 +27,14 @@ _PRECOMPOSED = {"x\u0307": "ẋ", "x\u0308": "ẍ", "y\u0307": "ẏ", "y\u0308":
                 "u\u0308": "ü", "r\u0307": "ṙ"}
 
 
-def split_name(name):
+def split_name(name: str) -> tuple[str, str, str]:
     """('φ', '1', "'") of phi1': letter, subscript, primes; a word such as length stays whole."""
     bare = name.rstrip("'")
     primes = name[len(bare):]
-    match = _NAME.fullmatch(bare)
-    if match is None:
+    letter = max((word for word in GREEK if bare.startswith(word)), key=len, default=bare[:1])
+    rest = bare[len(letter):]
+    if letter != "ℓ" and not (letter.isascii() and letter.isalpha()):
         return bare, "", primes
-    letter, rest = match.groups()
     if not rest or rest.isdigit() or rest.startswith("_") or len(bare) == 2 or (letter in GREEK and len(rest) <= 2):
         return letter, rest, primes
     return bare, "", primes
@@ -38,11 +44,18 @@ class Notation:
     """Writes nodes; the subclasses say how symbols, products, powers and brackets look."""
 
     minus = "−"
+    number: Callable[..., str]
+    symbol: Callable[..., str]
+    call: Callable[..., str]
+    product: Callable[..., str]
+    function: Callable[..., str]
+    power: Callable[..., str]
+    brackets: Callable[..., str]
 
-    def __call__(self, node):
+    def __call__(self, node: "Node") -> str:
         return self.write(node, 0)
 
-    def write(self, node, tightness):
+    def write(self, node: "Node", tightness: int):
         """`tightness`: 0 within a sum, 1 within a product, 2 as the base of a power or argument."""
         return getattr(self, "_" + node.op)(node, tightness)
 
@@ -50,6 +63,10 @@ class Notation:
         text = self.number(node.coefficient)
         loose = node.coefficient < 0 or (tightness > 1 and not decimal(node.coefficient).isdigit())
         return self.brackets(text) if loose and tightness else text
+
+    def numeral(self, text: str):
+        """A number as floats are printed, 1.2e+06."""
+        return text
 
     def _pi(self, node, tightness):
         return self.symbol("pi")
@@ -61,7 +78,7 @@ class Notation:
         text = self.added(self.terms(node))
         return self.brackets(text) if tightness else text
 
-    def terms(self, node):
+    def terms(self, node: "Node") -> list[tuple[bool, str]]:
         """[(negative, text)] of the terms of a sum; one of a sum over a denominator, and of anything else."""
         if node.op != "sum":
             return [self._alone(node)]
@@ -88,16 +105,16 @@ class Notation:
             return node.coefficient < 0, self.product(abs(node.coefficient), node.args)
         return False, self.write(node, 0)
 
-    def signed(self, negative, text, first=False):
+    def signed(self, negative: bool, text: str, first: bool = False) -> str:
         """A term of a sum with the sign before it."""
         sign = self.minus if negative else "+"
         return (sign * negative if first else f" {sign} ") + text
 
-    def added(self, pieces):
+    def added(self, pieces: Sequence[tuple[bool, str]]) -> str:
         """The sum of (negative, text)."""
         return "".join(self.signed(negative, text, not i) for i, (negative, text) in enumerate(pieces))
 
-    def over(self, text, below):
+    def over(self, text: str, below: int) -> str:
         return f"({text})/{below}"
 
     def _term(self, value, part):
@@ -120,16 +137,16 @@ class Notation:
         return self.function(node.name, [self.write(arg, 0) for arg in node.args])
 
     @staticmethod
-    def bare(call):
+    def bare(call: "Node") -> bool:
         """Does the argument of a function stand behind it without brackets?"""
         table = call.table
         return call.args[0].op in ("symbol", "pi") and call.name not in PULSES and call.name not in table.records
 
-    def factors(self, value, args):
+    def factors(self, value: Fraction | int, args: "Sequence[tuple[Node, Fraction | int]]") -> tuple[Any, ...]:
         """(value, above, below, under the root above, below it): a rational and lists of (node, exponent)."""
         return split(value, sorted(args, key=factor_rank))
 
-    def powered(self, base, exponent, alone):
+    def powered(self, base: Any, exponent: Any, alone: Any):
         if base.op == "call" and exponent != 1:
             angled = base.name in ("sin", "cos", "tan", "sinh", "cosh", "tanh")
             if angled and exponent.denominator == 1:
@@ -145,21 +162,24 @@ class Notation:
 
 
 class Plain(Notation):
-    """Unicode text; a no-break space holds a function and its argument together."""
+    """Unicode text; a no-break space holds a function and its argument together. `rounds`: are rationals with a large
+    denominator written as decimals?"""
 
-    def notation(self, text):
+    dot, rounds = "·", True
+
+    def notation(self, text: str) -> str:
         return text
 
-    def words(self, text):
+    def words(self, text: str) -> str:
         return text
 
-    def beside(self, *texts):
+    def beside(self, *texts: str) -> str:
         return "".join(texts)
 
-    def number(self, value):
+    def number(self, value: Any) -> str:
         return decimal(value).replace("-", "−")
 
-    def symbol(self, name):
+    def symbol(self, name: str) -> str:
         letter, rest, primes = split_name(name)
         letter = GREEK.get(letter, letter)
         if len(letter) > 1:
@@ -167,31 +187,31 @@ class Plain(Notation):
         dotted = letter + _DOTS[primes]
         return _PRECOMPOSED.get(dotted, dotted) + (rest.translate(_SUBSCRIPT) if rest.isdigit() else rest)
 
-    def brackets(self, text):
+    def brackets(self, text: str) -> str:
         return f"({text})"
 
-    def power(self, base, exponent):
+    def power(self, base: str, exponent: str) -> str:
         if re.fullmatch(r"-?\d+", exponent):
             return base + exponent.translate(_SUPERSCRIPT)
         return f"{base}^{exponent}" if re.fullmatch(r"\w+", exponent) else f"{base}^({exponent})"
 
-    def function(self, name, args):
+    def function(self, name: str, args: Sequence[str]) -> str:
         return f"{name}({', '.join(args)})"
 
-    def divisors(self, below):
+    def divisors(self, below: "Sequence[tuple[Node, int]]") -> list[str]:
         """The factors below a line; a quotient has brackets: x/(y/z) is not x/y/z."""
         texts = [self.powered(base, e, False) for base, e in below]
         return [self.brackets(text) if base.op == "product" and "/" in text else text
                 for (base, _), text in zip(below, texts, strict=True)]
 
-    def call(self, name, arg, exponent):
+    def call(self, name: str, arg: "Node", exponent: int) -> str:
         if name == "abs":
             return f"|{self.write(arg, 0)}|"
         head = name if exponent == 1 else name + decimal(exponent).translate(_SUPERSCRIPT)
         inner = self.write(arg, 0)
         return f"{head}\u00a0{inner}" if arg.op in ("symbol", "pi") else f"{head}({inner})"
 
-    def product(self, value, args):
+    def product(self, value: Any, args: Any):
         value, above, below, root_above, root_below = self.factors(value, args)
         single = len(above) == 1 and value.numerator == 1 and not (below or root_above or root_below)
         tops = [self.powered(base, e, single and value == 1) for base, e in above]
@@ -200,38 +220,43 @@ class Plain(Notation):
             tops.insert(place(above, root_above), self.root(root_above, root_below))
         elif root_below:
             bottoms.append(self.root(root_below, []))
-        if value.denominator > 1 and not shown_as_decimal(value):
+        if value.denominator > 1 and not (self.rounds and shown_as_decimal(value)):
             bottoms.insert(0, str(value.denominator))
             value = Fraction(value.numerator)
         if value != 1 or not tops:
-            tops.insert(0, decimal(value))
-        text = "·".join(tops)
+            tops.insert(0, decimal(value) if self.rounds else self.number(value))
+        text = self.dot.join(tops)
         if not bottoms:
             return text
-        return text + "/" + (bottoms[0] if len(bottoms) == 1 else f"({'·'.join(bottoms)})")
+        return text + "/" + (bottoms[0] if len(bottoms) == 1 else f"({self.dot.join(bottoms)})")
 
-    def root(self, above, below):
+    def root(self, above: "Sequence[tuple[Node, int]]", below: "Sequence[tuple[Node, int]]") -> str:
         inner = self.product(ONE, (*above, *((base, -e) for base, e in below)))
         simple = re.fullmatch(r"[\w₀-₉]+", inner)
         return "√" + (inner if simple or enclosed(inner) else f"({inner})")
 
 
-def enclosed(text):
+def enclosed(text: str) -> bool:
     """Is the text one pair of brackets around everything?"""
+    return closing(text, 0) == len(text) - 1
+
+
+def closing(text: str, at: int):
+    """The place of the bracket that closes the one at a place; None where there is none."""
     depth = 0
-    for i, letter in enumerate(text):
-        depth += (letter == "(") - (letter == ")")
+    for i in range(at, len(text)):
+        depth += (text[i] == "(") - (text[i] == ")")
         if depth == 0:
-            return text.startswith("(") and i == len(text) - 1
-    return False
+            return i if text[at] == "(" else None
+    return None
 
 
-def shown_as_decimal(value):
+def shown_as_decimal(value: Fraction | int) -> bool:
     """0.75 m reads better as a decimal, 3/4·m·L² as a fraction: denominators up to 48 are fractions."""
     return value.denominator > LARGEST
 
 
-def decimal(value):
+def decimal(value: Any) -> str:
     """A rational as text: an integer, p/q, or a decimal where that is short enough, else 12 digits."""
     if value.denominator == 1:
         text = str(value.numerator)

@@ -1,16 +1,21 @@
-"""How a root stands in a product: √(2·X)/2 is √(X/2), √X/L is √(X/L²) where X is a quotient, √3/√X has two roots."""
+"""Roots in a product: √(2·X)/2 is √(X/2), √X/L is √(X/L²) where X is a quotient, √3/√X has two roots."""
 
+from collections.abc import Sequence
 from fractions import Fraction
 from math import gcd, lcm
+from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import HALF, ONE, square_part
 
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
+
 LARGEST = 48        # denominators up to here are written as fractions
 
 
-def split(value, factors):
+def split(value: Fraction | int, factors: "Sequence[tuple[Node, Any]]") -> tuple[Any, ...]:
     """(value, above, below, under the root above, under it below) of value·Π base^e: lists of (node, exponent > 0)."""
     above, below, root_above, root_below, inside, powers = [], [], [], [], Fraction(1), []
     for base, exponent in factors:
@@ -45,8 +50,8 @@ def split(value, factors):
     return value, *_with_number(inside, factors, above, below, root_above, root_below)
 
 
-def place(above, root_above):
-    """Where a root stands among the factors above the line: numbers first, then letters, and variables after it."""
+def place(above: Any, root_above: "Sequence[tuple[Node, Fraction | int]]") -> int:
+    """The place of a root among the factors above the line: numbers first, then letters, and variables after it."""
     if above and all(is_constant(base) for base, _ in root_above):
         return sum(is_constant(base) for base, _ in above)
     return sum(not base.mask for base, _ in above)
@@ -95,6 +100,6 @@ def _with_number(inside, factors, above, below, root_above, root_below):
     return above, below, root_above, root_below
 
 
-def is_constant(node):
+def is_constant(node: "Node") -> bool:
     """Does a node hold no letter?"""
     return not any(part.op == "symbol" for part in reachable([node]))

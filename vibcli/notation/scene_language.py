@@ -1,50 +1,41 @@
 """Expressions in the scene's own language, so that a result can be pasted into a file."""
 
 import re
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.plain import Plain, enclosed
-from vibcli.notation.radicals import place
 from vibcli.symbolic.rationals import ONE
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.symbolic.node import Node
 
 
 class Language(Plain):
     """The scene's own expression language, so that a result can be pasted into a file."""
 
-    minus = "-"
+    minus, dot, rounds = "-", "*", False
 
-    def symbol(self, name):
+    def symbol(self, name: str) -> str:
         return name
 
-    def number(self, value):
-        return self._ascii(value)
-
-    @staticmethod
-    def _ascii(value):
+    def number(self, value: "Fraction | int") -> str:
         return str(value.numerator) if value.denominator == 1 else f"{value.numerator}/{value.denominator}"
 
-    def power(self, base, exponent):
+    def power(self, base: str, exponent: str) -> str:
         return f"{base}^{exponent}" if re.fullmatch(r"\w+", exponent) else f"{base}^({exponent})"
 
-    def call(self, name, arg, exponent):
+    def call(self, name: str, arg: "Node", exponent: int) -> str:
         text = f"{name}({self.write(arg, 0)})"
-        return text if exponent == 1 else self.power(text, self._ascii(exponent))
+        return text if exponent == 1 else self.power(text, self.number(exponent))
 
-    def product(self, value, args):
-        value, above, below, root_above, root_below = self.factors(value, args)
-        tops = [self.powered(base, e, False) for base, e in above]
-        bottoms = self.divisors(below)
-        if root_above:
-            tops.insert(place(above, root_above), self.root(root_above, root_below))
-        elif root_below:
-            bottoms.append(self.root(root_below, []))
-        if value.denominator > 1:
-            bottoms.insert(0, str(value.denominator))
-        if value.numerator != 1 or not tops:
-            tops.insert(0, str(value.numerator))
-        text = "*".join(tops)
-        return text if not bottoms else text + "/" + (bottoms[0] if len(bottoms) == 1 else f"({'*'.join(bottoms)})")
+    def powered(self, base: Any, exponent: Any, alone: Any):
+        """A lone base as well: a number too long to be multiplied out may be negative."""
+        return super().powered(base, exponent, False)
 
-    def root(self, above, below):
+    def root(self, above: "Sequence[tuple[Node, Fraction | int]]", below: "Sequence[tuple[Node, int]]") -> str:
         inner = self.product(ONE, (*above, *((base, -e) for base, e in below)))
         return f"sqrt({inner[1:-1] if enclosed(inner) else inner})"
 

@@ -1,14 +1,22 @@
-"""What typeset notations share: fractions stand on a line, roots under one. A subclass says how each is written:
+"""Typeset notations: fractions stand on a line, roots under one. A subclass says how each is written:
 
     numeral(text)   lettered(letter, below, primes)   functional(name)   applied(head, text, bare)
     times(texts)   fraction(above, below)   sqrt(text)   power(base, exponent)   brackets(text)   magnitude(text)
     operator(symbol)   gap(columns)   words(text)   beside(*texts)
 """
 
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
 from vibcli.notation.notation_text import read
 from vibcli.notation.plain import Notation, decimal, shown_as_decimal, split_name
 from vibcli.notation.radicals import place
 from vibcli.symbolic.rationals import ONE
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.symbolic.node import Node
 
 KNOWN = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "log": "ln"}
 
@@ -16,20 +24,28 @@ KNOWN = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "log": "ln"}
 class Stacked(Notation):
     """Nodes with fractions and roots; texts in notation are read into the same pieces."""
 
-    def notation(self, text):
+    lettered: Callable[[str, str, str], str]
+    functional: Callable[[str], str]
+    applied: Callable[..., str]
+    times: Callable[..., str]
+    fraction: Callable[[str, str], str]
+    sqrt: Callable[[str], str]
+    magnitude: Callable[[str], str]
+
+    def notation(self, text: str) -> str:
         return read(text, self)
 
-    def number(self, value):
+    def number(self, value: "Fraction | int") -> str:
         if value.denominator == 1 or shown_as_decimal(value):
             return self.numeral(decimal(value))
         found = self.fraction(self.numeral(str(abs(value.numerator))), self.numeral(str(value.denominator)))
         return self.signed(value < 0, found, first=True)
 
-    def symbol(self, name):
+    def symbol(self, name: str) -> str:
         letter, rest, primes = split_name(name)
         return self.lettered(letter, rest.removeprefix("_"), primes)
 
-    def call(self, name, arg, exponent):
+    def call(self, name: str, arg: "Node", exponent: int) -> str:
         inner = self.write(arg, 0)
         if name == "abs":
             return self.magnitude(inner)
@@ -38,10 +54,10 @@ class Stacked(Notation):
         bare = arg.op in ("symbol", "pi")
         return self.applied(head, inner if bare else self.brackets(inner), bare)
 
-    def over(self, text, below):
+    def over(self, text: str, below: int) -> str:
         return self.fraction(text, self.numeral(str(below)))
 
-    def product(self, value, args):
+    def product(self, value: Any, args: Any):
         value, above, below, root_above, root_below = self.factors(value, args)
         alone = len(above) == 1 and value.numerator == 1 and not (root_above or root_below)
         lone_root = root_below and not root_above
@@ -63,5 +79,6 @@ class Stacked(Notation):
             tops.insert(0, self.numeral(str(value.numerator)))
         return self.fraction(self.times(tops), self.times(bottoms))
 
-    def root(self, above, below):
+    def root(self, above: "Sequence[tuple[Node, Fraction | int]]",
+             below: "Sequence[tuple[Node, Fraction | int]]") -> str:
         return self.sqrt(self.product(ONE, (*above, *((base, -e) for base, e in below))))

@@ -26,7 +26,7 @@ class Rule:
 
     __slots__ = ("V1", "V2", "at_points", "b2", "c", "once", "points", "to_series", "twice", "w")
 
-    def __init__(self, points, radau=False):
+    def __init__(self, points: int, radau: bool = False):
         x, w = (_radau if radau else _gauss)(points)
         P = _legendre(x, points + 1)
         once = _integrated(points)
@@ -45,7 +45,7 @@ class Rule:
         self.V2 = _rounded(to_series @ twice @ P)
         self.at_points = _rounded(P)
 
-    def basis(self, x):
+    def basis(self, x: np.ndarray) -> np.ndarray:
         """P₀ … P_{s+1} at places x in [−1, 1], of shape (s + 2, places)."""
         return _legendre(x, self.points + 1)
 
@@ -101,5 +101,5 @@ def _integrated(count):
 
 
 @lru_cache
-def rule(points, radau=False):
+def rule(points: int, radau: bool = False) -> Rule:
     return Rule(points, radau)

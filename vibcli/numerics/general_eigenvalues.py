@@ -6,12 +6,15 @@ in fixed point, V⁻¹ in floats; each step removes some fifty bits of E.
 """
 
 import math
+from collections.abc import Callable, Sequence
+from itertools import combinations
+from typing import Any
 
 import numpy as np
 
+from vibcli.numerics.components import clusters
 from vibcli.numerics.fixed_point import count_floats, fixed, floats, product
 from vibcli.numerics.small_block_eigenvalues import roots_of_block
-from vibcli.numerics.symmetric_eigenvalues import components
 
 PARALLEL = 1e4
 STALLED = 3
@@ -26,11 +29,11 @@ class Root:
 
     __slots__ = ("im", "left", "radius", "re", "right")
 
-    def __init__(self, re, im, radius, right, left):
+    def __init__(self, re: Any, im: Any, radius: Any, right: np.ndarray, left: np.ndarray):
         self.re, self.im, self.radius, self.right, self.left = re, im, radius, right, left
 
 
-def eigenvalues(apply, matrix, bits, enough, noise):
+def eigenvalues(apply: Callable, matrix: np.ndarray, bits: int, enough: Callable, noise: float) -> list[Root]:
     """All eigenvalues of A as a list of Root.
 
     apply(V): A V in fixed point; matrix: A in floats; enough(root): whether it is known well enough; noise:
@@ -40,7 +43,8 @@ def eigenvalues(apply, matrix, bits, enough, noise):
     return form.all_roots(norms)
 
 
-def block_diagonal(apply, matrix, bits, enough, noise):
+def block_diagonal(apply: Callable, matrix: np.ndarray, bits: int, enough: Callable,
+                   noise: float) -> "tuple[BlockForm, list[float]]":
     """The BlockForm of A, and for each of its blocks log2 of what bounds its rows of E."""
     form = BlockForm(matrix, bits)
     best, stalled = math.inf, 0
@@ -49,7 +53,8 @@ def block_diagonal(apply, matrix, bits, enough, noise):
         norms = form.unknown(noise)
         stalled = stalled + 1 if max(norms) > best - 1 else 0
         best = min(best, max(norms))
-        if stalled > STALLED or (form.is_fine() and all(map(enough, form.all_roots(norms)))):
+        glance = all(len(part) <= 2 for part in form.blocks)
+        if stalled > STALLED or (glance and all(map(enough, form.all_roots(norms)))):
             break
         form.improve()
     return form, norms
@@ -60,7 +65,7 @@ class BlockForm:
 
     __slots__ = ("bits", "blocks", "e", "inverse", "shift", "t", "v", "vf")
 
-    def __init__(self, matrix, bits):
+    def __init__(self, matrix: np.ndarray, bits: int):
         rotation, self.blocks = split(matrix)
         self.bits, self.v = bits, fixed(rotation, bits)
         self.t = fixed(np.linalg.inv(rotation) @ matrix @ rotation, bits)
@@ -72,7 +77,7 @@ class BlockForm:
             at = np.ix_(part, part)
             self.t[at] = t[at]
 
-    def measure(self, apply):
+    def measure(self, apply: Callable) -> None:
         """E = V⁻¹(A V − V T)."""
         residual = apply(self.v)
         for part in self.blocks:
@@ -83,7 +88,7 @@ class BlockForm:
         self.inverse = np.linalg.inv(self.vf)
         self.e = self.inverse @ floats(residual, self.bits - self.shift)
 
-    def unknown(self, noise):
+    def unknown(self, noise: float) -> list[float]:
         """For each block log2 of a bound of its rows of E, with the errors of V⁻¹ and the noise in them."""
         n, inverse, v = len(self.e), np.abs(self.inverse), np.abs(self.vf)
         wrong = np.abs(self.inverse @ self.vf - np.eye(n)) + (n + 2) * 2.0 ** -53 * (inverse @ v)
@@ -97,26 +102,22 @@ class BlockForm:
             rows = np.logaddexp2(np.log2(rows) - self.shift, np.log2(inverse.sum(axis=1)) + spread)
         return [float(rows[part].max()) + math.log2(len(part)) / 2 for part in self.blocks]
 
-    def is_fine(self):
-        """Whether every block has its roots at a glance."""
-        return all(len(part) <= 2 for part in self.blocks)
-
-    def all_roots(self, norms):
+    def all_roots(self, norms: Sequence[float]) -> list[Root]:
         """The eigenvalues of all blocks, moved by no more than 2^norms."""
         return [root for part, off in zip(self.blocks, norms, strict=True) for root in self.roots(part, off)]
 
-    def roots(self, part, off):
+    def roots(self, part: np.ndarray, off: float) -> list[Root]:
         """The eigenvalues of one block of T; 2^off, the norm of E in its rows, bounds what can move them."""
         block = self.t[np.ix_(part, part)]
         return [Root(re, im, radius, self.vf[:, part] @ right, left @ self.inverse[part])
                 for re, im, radius, right, left in roots_of_block(block, self.bits, off)]
 
-    def improve(self):
+    def improve(self) -> None:
         """A step of first order: V(I + X), T + diag E; blocks it cannot separate are joined and split anew."""
         blocks, bits = self.blocks, self.bits
         t = floats(self.t, bits)
         x, close = separation(t, blocks, self.e, self.shift, largest_steps(t, blocks))
-        joined = components(close)
+        joined = clusters(close)
         for group in joined:
             part = np.concatenate([blocks[i] for i in group])
             x[np.ix_(part, part)] = 0.0
@@ -153,7 +154,7 @@ class BlockForm:
         return [part[piece] for piece in pieces]
 
 
-def split(matrix):
+def split(matrix: np.ndarray) -> tuple[np.ndarray, list[np.ndarray]]:
     """A real basis R of invariant subspaces of a float matrix, and their index sets."""
     count_floats(len(matrix))
     values, vectors = np.linalg.eig(matrix)
@@ -182,16 +183,14 @@ def split(matrix):
 
 def _closest(units, steep):
     """Those two of the nearly parallel units whose eigenvalues are closest, or None."""
-    best, pair = math.inf, None
-    for place, i in enumerate(steep):
-        for j in steep[place + 1:]:
-            gap = min(min(abs(a - b), abs(a - b.conjugate())) for a in units[i][0] for b in units[j][0])
-            if gap < best:
-                best, pair = gap, (i, j)
-    return pair
+    def gap(pair):
+        some, others = (units[i][0] for i in pair)
+        return min(min(abs(a - b), abs(a - b.conjugate())) for a in some for b in others)
+
+    return min(combinations(steep, 2), key=gap, default=None)
 
 
-def largest_steps(t, blocks):
+def largest_steps(t: np.ndarray, blocks: Sequence[np.ndarray]) -> np.ndarray:
     """For each pair of blocks the largest step to be taken between them.
 
     Small between eigenvalues of one size: a step would carry what their vectors still hold of much stiffer ones
@@ -202,7 +201,8 @@ def largest_steps(t, blocks):
     return np.where(alike, LARGE, 0.05)
 
 
-def separation(t, blocks, e, shift, limit):
+def separation(t: np.ndarray, blocks: Sequence[np.ndarray], e: np.ndarray, shift: int,
+               limit: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """X with T X − X T = −E between blocks, and which pairs of blocks have one larger than `limit`, an array."""
     x, close = np.zeros_like(e), np.zeros((len(blocks), len(blocks)), bool)
     sizes = {}

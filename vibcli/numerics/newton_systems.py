@@ -1,41 +1,30 @@
 """Zeros of several functions of several positive or signed unknowns: damped Newton steps from many starting places.
 
 Positive unknowns are solved for in logarithms, so that products of powers are linear. The starts are, of two unknowns,
-the zeros of the functions as they are between the points of a grid over a box (linear on its triangles), then those of
-a Halton sequence (Halton 1960); the search ends when further ones find nothing new.
+the zeros of the functions as they are between the points of a grid over a box (linear on its triangles), then the
+centre of the cube and those of a Halton sequence (Halton 1960); the search ends when further ones find nothing new.
 """
 
-from itertools import product
+from collections.abc import Callable, Sequence
+from itertools import chain, islice, product
+
+import numpy as np
+
+from vibcli.numerics.halton import halton
 
 GRID, BESIDE = 24, 0.25         # cells along a side of the box; how far beside its triangle such a zero may lie
 FACTORS = (-0.5, -0.2, 0.2, 0.5)
 STEPS, STARTS, IDLE, STEP, CLOSE = 40, 48, 16, 1e-7, 1e-6
 CONVERGED, LONGEST = 1e-13, 2.3
-PRIMES = (2, 3, 5, 7)
 
 
-def halton(count, dimensions):
-    """Points spread evenly over the unit cube, the same at every run; the first is its centre."""
-    yield [0.5] * dimensions
-    for i in range(1, count):
-        yield [_reversed(i, prime) for prime in PRIMES[:dimensions]]
-
-
-def _reversed(i, base):
-    value, digit = 0.0, 1.0 / base
-    while i:
-        i, rest = divmod(i, base)
-        value, digit = value + rest * digit, digit / base
-    return value
-
-
-def common_zeros(function, place, dimensions):
+def common_zeros(function: Callable, place: Callable, dimensions: int) -> list[list[float]]:
     """[u], the distinct zeros found; `function(u)` gives a list of at least so many values, None where it is not
     defined; `place(p)` is the start at a point p of the unit cube."""
     found, idle = [], 0
     for start in _crossings(function, place) if dimensions == 2 else ():
         _add(found, newton(function, start))
-    for point in halton(STARTS, dimensions):
+    for point in chain([[0.5] * dimensions], islice(halton(dimensions), STARTS - 1)):
         idle = 0 if _add(found, newton(function, place(point))) else idle + 1
         if idle >= IDLE:
             break
@@ -55,8 +44,6 @@ def _add(found, u):
 def _across(function, u):
     """Places to both sides of a zero in the direction in which the functions change least: of two zeros that are near
     to meet, the other lies there."""
-    import numpy as np
-
     slope = _jacobian(function, np.array(u), _values(function, u))
     if slope is not None:
         softest = np.linalg.svd(slope)[2][-1]
@@ -66,8 +53,6 @@ def _across(function, u):
 
 def _crossings(function, place):
     """Where two functions that are linear on each triangle of a grid, as at its corners, vanish."""
-    import numpy as np
-
     line = range(GRID + 1)
     places = {(i, j): np.array(place([i / GRID, j / GRID])) for i, j in product(line, line)}
     values = {key: _values(function, u) for key, u in places.items()}
@@ -87,11 +72,9 @@ def _distance(a, b):
     return max(abs(x - y) / max(1.0, abs(x), abs(y)) for x, y in zip(a, b, strict=True))
 
 
-def newton(function, u):
+def newton(function: Callable, u: Sequence[float] | np.ndarray) -> list[float] | None:
     """A zero reached from u by Newton steps (Gauss–Newton of more values than unknowns), halved until they lower the
     sum of squares; None where they do not get there."""
-    import numpy as np
-
     value = _values(function, u)
     if value is None:
         return None
@@ -118,8 +101,6 @@ def newton(function, u):
 
 
 def _values(function, u):
-    import numpy as np
-
     value = function(list(map(float, u)))
     if value is None:
         return None
@@ -128,8 +109,6 @@ def _values(function, u):
 
 
 def _jacobian(function, u, value):
-    import numpy as np
-
     columns = []
     for j in range(len(u)):
         step = STEP * max(1.0, abs(u[j]))

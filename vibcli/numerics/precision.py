@@ -5,17 +5,17 @@ import math
 GUARD_DIGITS = 10
 
 
-def working_bits(digits):
+def working_bits(digits: int) -> int:
     """The bits of accuracy that give `digits` correct digits."""
     return math.ceil((digits + GUARD_DIGITS) * math.log2(10))
 
 
-def price(bits):
+def price(bits: int) -> float:
     """As much as how many products of short whole numbers one of numbers of so many bits costs."""
     return 1 + 2.6e-5 * bits**1.79
 
 
-def estimated_steps(n, digits, damped=False):
+def estimated_steps(n: int, digits: int, damped: bool = False) -> float:
     """About how many steps `digits` digits take for n coordinates, for damped modes where there is damping.
 
     Steps double the digits without damping, add fourteen with; each is a few products of n × n matrices of

@@ -4,8 +4,13 @@ The function is bounded, |h| <= 1, as (L − R)/(|L| + |R|) is: at a pole its si
 zero where h tends to 0. None stands for "not defined there".
 """
 
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 from math import isfinite
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import mpmath
 
 ZERO, TOUCHING = 1e-8, 1e-9             # |h| at a zero where h changes its sign, and where it only touches
 SAME = 1e-7                             # two zeros nearer than this, relatively, are one
@@ -23,7 +28,7 @@ GOLDEN = 0.3819660112501051
 class Scan:
     """Values of a function, each computed once: `points` {x: h or None}."""
 
-    def __init__(self, function, grid):
+    def __init__(self, function: Callable, grid: Sequence[float]):
         """Looks at every COARSE-th place, and between two of them where the function is defined at one or nowhere; no
         further where it is the same at all of them."""
         self.function, self.points = function, {}
@@ -37,18 +42,18 @@ class Scan:
                 for x in grid[i:j]:
                     self.at(x)
 
-    def at(self, x):
+    def at(self, x: float) -> float | None:
         if x not in self.points:
             value = self.function(x)
             self.points[x] = value if value is not None and isfinite(value) else None
         return self.points[x]
 
-    def defined(self):
+    def defined(self) -> list[tuple[float, float]]:
         """[(x, h)] ascending."""
         return sorted((x, h) for x, h in self.points.items() if h is not None)
 
 
-def zeros(function, grid, closed=(True, True)):
+def zeros(function: Callable, grid: Sequence[float], closed: Sequence[bool] = (True, True)) -> tuple[list[float], Scan]:
     """(zeros ascending, Scan) of a function over the range that an ascending grid covers.
 
     `closed`: does the range hold its ends? Towards an open end a function that only tends to zero has no zero.
@@ -80,13 +85,13 @@ def _tail(points):
     return found
 
 
-def holds_everywhere(scan):
+def holds_everywhere(scan: Scan) -> bool:
     """Is the function zero wherever it is defined?"""
     values = [h for _, h in scan.defined()]
     return bool(values) and max(map(abs, values)) <= TOUCHING
 
 
-def longest_plateau(scan):
+def longest_plateau(scan: Scan):
     """(from, to) where the function is zero at FLAT neighbouring points or more; None where it is nowhere flat."""
     best, run = [], []
     for x, h in scan.defined():
@@ -151,7 +156,7 @@ def _within(scan, a, ha, b, hb):
     return [] if x is None or abs(scan.at(x)) > ZERO else [x]
 
 
-def bracketed(function, a, fa, b, fb):
+def bracketed(function: Callable, a: float, fa: float, b: float, fb: float) -> float:
     """A zero between a and b, by inverse quadratic steps that fall back on halving (Chandrupatla 1997); None where the
     function is not defined on the way, or jumps."""
     c, fc, t, start = a, fa, 0.5, min(abs(fa), abs(fb))
@@ -182,6 +187,18 @@ def bracketed(function, a, fa, b, fb):
     return best
 
 
+def last_place(holds: Callable, low: "float | mpmath.mpf", high: "float | mpmath.mpf",
+               most: int = 200) -> "tuple[float | mpmath.mpf, float | mpmath.mpf]":
+    """(low, high) next to each other, or halved so often: between them a condition ceases to hold that holds at low and
+    not at high. Numbers may be floats or mpmath's."""
+    for _ in range(most):
+        middle = (low + high) / 2
+        if middle in (low, high):
+            break
+        low, high = (middle, high) if holds(middle) else (low, middle)
+    return low, high
+
+
 def _dips(scan):
     """Three neighbours of one sign, the middle one nearest to zero; at an edge of the domain the last one twice."""
     points = sorted(scan.points.items())
@@ -205,7 +222,8 @@ def _touched(scan, a, b, c):
         if hx is None or x in (a, b, c):
             break
         if hx * h < 0:
-            return _within(scan, b, scan.at(b), x, hx) + _within(scan, x, hx, *_other(scan, a, b, c, x))
+            end = c if x > b else a
+            return _within(scan, b, scan.at(b), x, hx) + _within(scan, x, hx, end, scan.at(end))
         if abs(hx) < abs(scan.at(b)):
             a, b, c = (b, x, c) if x > b else (a, x, b)
         elif x > b:
@@ -217,12 +235,6 @@ def _touched(scan, a, b, c):
         if c - a <= 1e-9 * abs(b):
             break
     return [b] if sign * scan.at(b) <= TOUCHING else []
-
-
-def _other(scan, a, b, c, x):
-    """The end on the other side of x, seen from b."""
-    end = c if x > b else a
-    return end, scan.at(end)
 
 
 def _distinct(found, scan):

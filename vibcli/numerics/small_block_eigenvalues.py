@@ -7,7 +7,7 @@ import numpy as np
 from vibcli.numerics.fixed_point import floats
 
 
-def roots_of_block(block, bits, off):
+def roots_of_block(block: np.ndarray, bits: int, off: float) -> list[tuple[float | np.ndarray, ...]]:
     """(re, im, radius, right, left) for each eigenvalue; of a conjugate pair for that with im > 0.
 
     re, im are in fixed point; 2^radius bounds what a perturbation of norm 2^off changes; left · right = 1.

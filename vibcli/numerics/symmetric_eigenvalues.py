@@ -10,6 +10,7 @@ import math
 
 import numpy as np
 
+from vibcli.numerics.components import clusters
 from vibcli.numerics.fixed_point import fixed, floats, identity, product
 
 STEPS = 24
@@ -25,12 +26,13 @@ class Spectrum:
 
     __slots__ = ("bits", "radius", "shift", "values", "vectors")
 
-    def __init__(self, values, radius, shift, vectors, bits):
+    def __init__(self, values: np.ndarray, radius: np.ndarray, shift: int, vectors: np.ndarray, bits: int):
         self.values, self.radius, self.shift = values, radius, shift
         self.vectors, self.bits = vectors, bits
 
 
-def spectrum(a, bits, goal, zeros=None, slack=0, start=None):
+def spectrum(a: np.ndarray, bits: int, goal: int, zeros: int | None = None, slack: float = 0,
+             start: np.ndarray | None = None) -> Spectrum:
     """The eigenpairs of the symmetric fixed-point matrix a, known to 2^(slack − bits) in norm.
 
     Each radius is at most 2^-goal |value| where bits and slack allow it. `zeros`: how many eigenvalues are
@@ -71,7 +73,8 @@ class Offset:
 
     __slots__ = ("alpha", "e", "gap", "known", "scaled", "shift", "skew", "still", "zero")
 
-    def __init__(self, h, excess, alpha, gap, zeros, slack, bits):
+    def __init__(self, h: np.ndarray, excess: np.ndarray, alpha: np.ndarray, gap: np.ndarray, zeros: int | None,
+                 slack: float, bits: int):
         top = max(abs(x) for x in h.ravel().tolist()).bit_length()
         self.shift = bits - max(top, math.ceil(slack), 1)
         size = np.abs(floats(h, bits - self.shift))
@@ -88,7 +91,7 @@ class Offset:
         root = np.sqrt(np.where(self.zero, judged.min() if len(judged) else 1.0, size))
         self.scaled = self.e * (root[:, None] / root[None, :])
 
-    def clusters(self):
+    def clusters(self) -> list[list[int]]:
         """Lists of eigenvalues that first-order steps cannot tell apart, or not without large steps.
 
         A large step would carry what an eigenvector still holds of much stiffer ones into its neighbours.
@@ -98,9 +101,9 @@ class Offset:
         close |= self.gap == 0
         close &= ~(self.still[:, None] & self.still[None, :])
         np.fill_diagonal(close, False)
-        return components(close)
+        return clusters(close)
 
-    def radius(self):
+    def radius(self) -> np.ndarray:
         """For each value a distance, over 2^-shift, within which its eigenvalue lies.
 
         Gershgorin's discs of E scaled by √|α|; a disc that stays alone while its row is scaled down further
@@ -119,7 +122,7 @@ class Offset:
             return alone
         return np.where(isolated, alone, self._union(disc))
 
-    def worst(self, radius):
+    def worst(self, radius: np.ndarray) -> float:
         """log2 of the largest radius relative to its value, those known or bound to be zero set aside."""
         size = np.abs(self.alpha)
         if self.known and not self.zero.all():
@@ -134,7 +137,7 @@ class Offset:
             return -math.inf if self.e.max() < 1e6 * self.e.min() or len(size) == 1 else math.inf
         return float(np.log2(np.maximum(radius[judged] / size[judged], LEAST)).max()) - self.shift
 
-    def rough(self):
+    def rough(self) -> float:
         """log2 of how far the vectors are from orthonormal eigenvectors."""
         with np.errstate(divide="ignore", invalid="ignore"):
             tilt = self.e / self.gap
@@ -159,21 +162,6 @@ class Offset:
             return np.ldexp(out, self.shift)
 
 
-def components(close):
-    """Connected components of more than one index of a symmetric boolean relation."""
-    left, out = set(np.flatnonzero(close.any(axis=1)).tolist()), []
-    while left:
-        stack, part = [left.pop()], []
-        while stack:
-            i = stack.pop()
-            part.append(i)
-            reached = left.intersection(np.flatnonzero(close[i]).tolist())
-            left -= reached
-            stack.extend(reached)
-        out.append(sorted(part))
-    return out
-
-
 def _first_order(h, gram, gaps, off, clusters, bits):
     """I + X, X = E/(αⱼ − αᵢ) between separated eigenvalues, orthonormalising within clusters."""
     n, one = len(gram), 1 << bits
@@ -186,7 +174,7 @@ def _first_order(h, gram, gaps, off, clusters, bits):
     return x
 
 
-def step(h, gram, alpha, gaps, off, bits):
+def step(h: np.ndarray, gram: np.ndarray, alpha: np.ndarray, gaps: np.ndarray, off: Offset, bits: int) -> np.ndarray:
     """The matrix that takes Q to better eigenvectors."""
     clusters = off.clusters()
     x = _first_order(h, gram, gaps, off, clusters, bits)

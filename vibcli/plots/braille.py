@@ -1,84 +1,52 @@
 """A figure as text for the terminal: dots of braille, axes with ticks, labels beside their curves. Nothing heavy."""
 
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 from vibcli.plots.canvas import Canvas
 from vibcli.plots.curves import draw
-from vibcli.plots.paper import equal_scales, repeats, shares_x, sheets
+from vibcli.plots.paper import scaled, sheets
 from vibcli.plots.ticks import ticks
-from vibcli.plots.words import ascii_text, printable, shortened
+from vibcli.plots.words import printable, shortened
 from vibcli.plots.words import width as columns_of
+
+if TYPE_CHECKING:
+    from vibcli.plots.figure import Figure
 
 NARROWEST, WIDEST = 40, 200
 FEWEST_ROWS = 5
 _EQUAL_MARGIN = 6      # columns of numbers left of axes with equal scales, about
 
 
-def braille(figure, width=80, height=20, ascii=False):
-    """The figure in lines of at most `width` columns; `height`: rows of a panel of usual height, without its axes.
-
-    ascii: for a terminal that cannot show braille.
-    """
+def braille(figure: "Figure", width: int = 80, height: int = 20) -> str:
+    """The figure in lines of at most `width` columns; `height`: rows of a panel of usual height, without its axes."""
     columns = min(max(width, NARROWEST), WIDEST)
-    said = ascii_text if ascii else str
-    found = [(sheet, max(FEWEST_ROWS, round(height * sheet.panel.tall))) for sheet in sheets(_in_words(figure, said))]
-    found = [(_equal(sheet, columns, rows), rows) for sheet, rows in found]
-    labels = [_y_ticks(sheet.y, Canvas(columns, rows), said) for sheet, rows in found]
+    found = [(sheet, max(FEWEST_ROWS, round(height * sheet.panel.tall))) for sheet in sheets(figure)]
+    found = [(scaled(sheet, (columns - _EQUAL_MARGIN) / (2 * rows)), rows) for sheet, rows in found]
+    labels = [_y_ticks(sheet.y, Canvas(columns, rows)) for sheet, rows in found]
     margin = max((columns_of(label) for ticks in labels for label in ticks.values()), default=0) + 2
-    lines = _wrapped(said(printable(figure.title)), columns)
+    lines = _wrapped(printable(figure.title).split(" "), columns, " ")
     for i, (sheet, rows) in enumerate(found):
-        below = found[i + 1][0].panel if i + 1 < len(found) else None
         canvas = Canvas(columns - margin, rows)
-        legend = draw(canvas, sheet, ascii)
-        if i and repeats(sheet.panel, found[i - 1][0].panel):
-            legend = []
-        lines += _above(sheet, canvas, margin, legend)
-        for row, line in enumerate(canvas.lines(ascii)):
+        legend = draw(canvas, sheet)
+        lines += _heading(sheet.panel.y_label, legend if sheet.legend else [], columns)
+        lines += _mark_labels(sheet, canvas, margin)
+        for row, line in enumerate(canvas.lines()):
             label = labels[i].get(row, "")
             lines.append(" " * (margin - 2 - columns_of(label)) + label + (" ┤" if label else " │") + line)
-        lines += _x_axis(sheet, canvas, margin, below is None or not shares_x(sheet.panel, below), said)
-    lines += _wrapped(said(printable(figure.note)), columns)
-    return "\n".join(said(line.rstrip()) for line in lines)
+        lines += _x_axis(sheet, canvas, margin)
+    return "\n".join(line.rstrip() for line in lines)
 
 
-def _in_words(figure, said):
-    """The figure with all its texts as they are to be shown."""
-    def text(value):
-        return said(printable(value))
-
-    def curve(one):
-        return one._replace(label=text(one.label), names=tuple(map(text, one.names)))
-
-    return figure._replace(panels=tuple(panel._replace(
-        title=text(panel.title), x_label=text(panel.x_label), y_label=text(panel.y_label),
-        curves=tuple(map(curve, panel.curves)), marks=tuple(mark._replace(label=text(mark.label))
-                                                            for mark in panel.marks)) for panel in figure.panels))
-
-
-def _equal(sheet, columns, rows):
-    """The sheet with one scale where its panel wants it; a dot is as wide as high."""
-    if not sheet.panel.equal:
-        return sheet
-    x, y = equal_scales(sheet.x, sheet.y, (columns - _EQUAL_MARGIN) / (2 * rows))
-    return sheet._replace(x=x, y=y)
-
-
-def _above(sheet, canvas, margin, legend):
-    """The lines over a canvas: title, label of y with the legend, labels of marks."""
-    columns = margin + canvas.columns
-    return [*_wrapped(sheet.panel.title, columns), *_heading(sheet.panel.y_label, legend, columns),
-            *_mark_labels(sheet, canvas, margin)]
-
-
-def _wrapped(text, columns):
-    """The text in lines of that width; a word that is longer is cut."""
+def _wrapped(words, columns, gap):
+    """The words in lines of that width; one that is longer is cut."""
     lines, line = [], ""
-    for word in text.split(" "):
-        if line and columns_of(line) + 1 + columns_of(word) > columns:
+    for word in words:
+        if line and columns_of(line) + len(gap) + columns_of(word) > columns:
             lines.append(line)
             line = word
         else:
-            line = f"{line} {word}" if line else word
+            line = f"{line}{gap}{word}" if line else word
     return [shortened(line, columns) for line in [*lines, line] if line]
 
 
@@ -88,18 +56,10 @@ def _heading(label, legend, columns):
     right = "   ".join(legend)
     if columns_of(label) + 4 + columns_of(right) <= columns:
         return [label + " " * (columns - columns_of(label) - columns_of(right)) + right] if label or right else []
-    lines, line = [label], ""
-    for entry in legend:
-        entry = shortened(entry, columns)
-        if line and columns_of(line) + 3 + columns_of(entry) > columns:
-            lines.append(line)
-            line = entry
-        else:
-            line = f"{line}   {entry}" if line else entry
-    return [*lines, line]
+    return [label, *(_wrapped([shortened(entry, columns) for entry in legend], columns, "   ") or [""])]
 
 
-def _y_ticks(axis, canvas, said):
+def _y_ticks(axis, canvas):
     """{row: label}"""
     apart = 3 if canvas.rows >= 9 else 2
 
@@ -111,15 +71,15 @@ def _y_ticks(axis, canvas, said):
 
     half = (axis.high - axis.low) / (8 * canvas.rows)      # of a dot: a tick just beyond the end is at the end
     found = ticks(axis.low - half, axis.high + half, fits, axis.log, axis.degrees)
-    return dict(zip(rows(found), (said(label) for _, label in found), strict=True))
+    return dict(zip(rows(found), (label for _, label in found), strict=True))
 
 
-def _x_axis(sheet, canvas, margin, last, said):
+def _x_axis(sheet, canvas, margin):
     """The line of the axis with its ticks; below the last panel of a group the numbers and the label."""
     panel, axis = sheet.panel, sheet.x
 
     def placed(found):
-        return [(canvas.column(axis.part(place)), said(label)) for place, label in found]
+        return [(canvas.column(axis.part(place)), label) for place, label in found]
 
     def fits(found):
         return _row(placed(found), canvas, margin, gap=3) is not None
@@ -127,7 +87,7 @@ def _x_axis(sheet, canvas, margin, last, said):
     found = ticks(axis.low, axis.high, fits, axis.log)
     at = {column for column, _ in placed(found)}
     lines = [" " * (margin - 1) + "└" + "".join("┬" if column in at else "─" for column in range(canvas.columns))]
-    if not last:
+    if not sheet.last:
         return lines
     label = shortened(panel.x_label, canvas.columns)
     row = _row(placed(found), canvas, margin, gap=1) or ""
@@ -148,7 +108,7 @@ def _row(placed, canvas, margin, gap):
 
 def _mark_labels(sheet, canvas, margin):
     """The labels of vertical marks above the canvas, in two lines where they crowd; what finds no room is left out."""
-    places = [(sheet.x.place(mark.at), mark.label) for mark in sheet.panel.marks if mark.axis == "x"]
+    places = [(sheet.x.place(mark.at), mark.label) for mark in sheet.panel.marks]
     placed = sorted((canvas.column(sheet.x.part(place)), label) for place, label in places
                     if label and place is not None and sheet.x.low <= place <= sheet.x.high)
     lines = [[], []]

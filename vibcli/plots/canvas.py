@@ -1,41 +1,40 @@
 """A canvas of text: dots of braille (two by four to a cell), one layer a curve, and characters where no dots are."""
 
+from collections.abc import Sequence
 from itertools import pairwise
 
 _BITS = ((0x01, 0x02, 0x04, 0x40), (0x08, 0x10, 0x20, 0x80))
-_UPPER, _LOWER = 0x1B, 0xE4
 
 
 class Canvas:
     """`columns` by `rows` cells; dots count from the upper left."""
 
-    def __init__(self, columns, rows):
+    def __init__(self, columns: int, rows: int):
         self.columns, self.rows = columns, rows
-        self.layers, self.marks, self.letters, self.behind = [], [], {}, {}
+        self.layers, self.letters, self.behind = [], {}, {}
 
-    def dots(self, across, up):
+    def dots(self, across: float, up: float) -> tuple[float, float]:
         """(x, y) in dots, not rounded, of a place given as parts of the width and height; one far outside is brought
         to just outside: the line towards it stays."""
         wide, high = 2 * self.columns - 1, 4 * self.rows - 1
         return min(max(across, -1.0), 2.0) * wide, min(max(1 - up, -1.0), 2.0) * high
 
-    def column(self, across):
+    def column(self, across: float):
         return rounded(self.dots(across, 0.0)[0]) // 2
 
-    def row(self, up):
+    def row(self, up: float) -> int:
         return rounded(self.dots(0.0, up)[1]) // 4
 
-    def layer(self, mark=""):
-        """A new layer of dots, one byte a cell; `mark`: what stands for it in ASCII, strokes if empty."""
-        self.marks.append(mark)
+    def layer(self) -> bytearray:
+        """A new layer of dots, one byte a cell."""
         self.layers.append(bytearray(self.columns * self.rows))
         return self.layers[-1]
 
-    def dot(self, layer, x, y):
+    def dot(self, layer: bytearray, x: int, y: int) -> None:
         if 0 <= x < 2 * self.columns and 0 <= y < 4 * self.rows:
             layer[y // 4 * self.columns + x // 2] |= _BITS[x % 2][y % 4]
 
-    def polyline(self, layer, points, pattern="x"):
+    def polyline(self, layer: bytearray, points: Sequence[tuple[float, float]], pattern: str = "x") -> None:
         """Straight lines through the points (dots, not rounded); `pattern`: x for a dot, a space for none."""
         period, count = len(pattern), 0
         if len(points) == 1:
@@ -47,28 +46,28 @@ class Canvas:
                     self.dot(layer, rounded(x + (x_end - x) * i / steps), rounded(y + (y_end - y) * i / steps))
             count += steps
 
-    def used(self, row, column):
+    def used(self, row: int, column: int) -> list[int]:
         """The numbers of the layers that have dots in a cell."""
         place = row * self.columns + column
         return [i for i, layer in enumerate(self.layers) if layer[place]]
 
-    def free(self, row, column, length):
+    def free(self, row: int, column: int, length: int):
         """Is there room for a text here?"""
         if not (0 <= row < self.rows and column >= 0 and column + length <= self.columns):
             return False
         return not any((row, c) in self.letters or self.used(row, c) for c in range(column, column + length))
 
-    def write(self, row, column, cells):
+    def write(self, row: int, column: int, cells: Sequence[str] | str):
         """Put cells of text, over dots where they are; what lies outside is left out."""
         for i, cell in enumerate(cells):
             if 0 <= row < self.rows and 0 <= column + i < self.columns:
                 self.letters[row, column + i] = cell
 
-    def lines(self, ascii=False):
-        """The rows as text, in braille or ASCII."""
-        cell = self._ascii if ascii else self._braille
-        return ["".join(self.letters.get((row, column)) or cell(row, column) or self.behind.get((row, column), " ")
-                        for column in range(self.columns)) for row in range(self.rows)]
+    def lines(self) -> list[str]:
+        """The rows as text, in braille."""
+        return ["".join(self.letters.get((row, column)) or self._braille(row, column)
+                        or self.behind.get((row, column), " ") for column in range(self.columns))
+                for row in range(self.rows)]
 
     def _braille(self, row, column):
         place = row * self.columns + column
@@ -77,15 +76,6 @@ class Canvas:
             dots |= layer[place]
         return chr(0x2800 + dots) if dots else ""
 
-    def _ascii(self, row, column):
-        used = self.used(row, column)
-        if not used:
-            return ""
-        if self.marks[used[0]]:
-            return self.marks[used[0]]
-        dots = self.layers[used[0]][row * self.columns + column]
-        return "|" if dots & _UPPER and dots & _LOWER else "'" if dots & _UPPER else "."
 
-
-def rounded(value):
+def rounded(value: float) -> int:
     return int(value + 0.5) if value >= 0 else -int(0.5 - value)

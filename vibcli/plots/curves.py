@@ -1,21 +1,20 @@
 """The curves of a panel on a canvas: lines told apart by their dots, points by letters, each with its label beside."""
 
 from vibcli.plots.canvas import Canvas
-from vibcli.plots.paper import thinned
+from vibcli.plots.paper import Sheet, thinned
 from vibcli.plots.words import cells, shortened
 
 _PATTERNS = ("x", "xxxxx    ", "xx  ", "xxxxxxx  x  ", "xxx       ")
 _OF_KIND = {"envelope": "x   ", "guide": "x    "}
-_POINTS, _MARKS = "×o#@$", "*+=~%&"
+_POINTS = "×o#@$"
 _LONGEST = 14      # columns of a label beside its curve
 _APART = 3         # rows between such a label and any other line
 
 
-def draw(canvas, sheet, ascii=False):
+def draw(canvas: Canvas, sheet: Sheet) -> list[str]:
     """Draw everything within the axes; returns the legend, one entry a labelled curve where there are several."""
     _behind(canvas, sheet)
     curves, samples, lines, points = sheet.panel.curves, [], [], 0
-    alone = sum(curve.kind in ("line", "steady") for curve in curves) == 1
     for number, (curve, runs) in enumerate(zip(curves, sheet.strokes, strict=True)):
         if curve.kind == "markers":
             samples.append(_POINTS[points % len(_POINTS)])
@@ -23,10 +22,9 @@ def draw(canvas, sheet, ascii=False):
             canvas.layer()      # no dots: layers are counted as the curves are
             _points(canvas, sheet, runs, samples[-1])
             continue
-        mark = "." if curve.kind in _OF_KIND else "" if alone else _MARKS[len(lines) % len(_MARKS)]
         pattern = _OF_KIND.get(curve.kind) or _PATTERNS[len(lines) % len(_PATTERNS)]
-        _line(canvas, sheet, runs, canvas.layer(mark), pattern)
-        samples.append(mark or "--" if ascii else _sample(pattern))
+        _line(canvas, sheet, runs, canvas.layer(), pattern)
+        samples.append(_sample(pattern))
         lines += [] if curve.kind in _OF_KIND else [number]
     _names(canvas, sheet)
     if not any(sheet.strokes):
@@ -40,7 +38,8 @@ def draw(canvas, sheet, ascii=False):
 
 def _line(canvas, sheet, runs, layer, pattern):
     for run in runs:
-        canvas.polyline(layer, _dots(canvas, sheet, run), pattern)
+        points = thinned(run, sheet.x, 2 * canvas.columns)
+        canvas.polyline(layer, [canvas.dots(sheet.x.part(x), sheet.y.part(y)) for x, y in points], pattern)
         if len(run) == 1:
             canvas.write(*_cell(canvas, sheet, *run[0]), "o")
 
@@ -50,11 +49,6 @@ def _sample(pattern):
     sample = Canvas(6, 1)
     sample.polyline(sample.layer(), [(0, 2), (11, 2)], pattern)
     return sample.lines()[0]
-
-
-def _dots(canvas, sheet, run):
-    """The points of a run in dots, those that fall on one column of dots thinned out."""
-    return [canvas.dots(sheet.x.part(x), sheet.y.part(y)) for x, y in thinned(run, sheet.x, 2 * canvas.columns)]
 
 
 def _cell(canvas, sheet, x, y):
@@ -71,26 +65,13 @@ def _points(canvas, sheet, runs, letter):
 def _behind(canvas, sheet):
     """The zero line and the marks, where nothing else is."""
     if not sheet.y.log and sheet.y.low < 0 < sheet.y.high:
-        _across(canvas, sheet, 0.0)
+        row = _cell(canvas, sheet, sheet.x.low, 0.0)[0]
+        canvas.behind.update({(row, column): "┈" for column in range(canvas.columns)})
     for mark in sheet.panel.marks:
-        axis = sheet.x if mark.axis == "x" else sheet.y
-        place = axis.place(mark.at)
-        if place is None or not axis.low <= place <= axis.high:
-            continue
-        if mark.axis == "x":
+        place = sheet.x.place(mark.at)
+        if place is not None and sheet.x.low <= place <= sheet.x.high:
             column = _cell(canvas, sheet, place, sheet.y.low)[1]
             canvas.behind.update({(row, column): "┊" for row in range(canvas.rows)})
-        else:
-            row = _across(canvas, sheet, place)
-            label = cells(shortened(mark.label, canvas.columns))
-            start = canvas.columns - len(label)
-            canvas.behind.update({(row, start + i): cell for i, cell in enumerate(label)})
-
-
-def _across(canvas, sheet, place):
-    row = _cell(canvas, sheet, sheet.x.low, place)[0]
-    canvas.behind.update({(row, column): "┈" for column in range(canvas.columns)})
-    return row
 
 
 def _names(canvas, sheet):

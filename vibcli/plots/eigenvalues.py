@@ -1,6 +1,7 @@
 """Eigenvalues in the complex plane, with rays of constant damping ratio ζ = −Re λ/|λ|."""
 
 import math
+from collections.abc import Sequence
 
 from vibcli.plots.figure import Curve, Figure, Panel
 from vibcli.plots.prefixes import labelled, largest, readable
@@ -10,7 +11,7 @@ _MOST_RAYS = 5
 _ROUND_FROM = 0.4      # width to height from which both axes have one scale
 
 
-def argand(eigenvalues, labels=(), title="", note=""):
+def argand(eigenvalues: Sequence[complex], labels: Sequence[str], title: str) -> Figure:
     """Eigenvalues [1/s] as crosses with their labels; both axes have one scale where that can be read."""
     factor, unit = readable(largest(eigenvalues), "1/s")
     points = [(value.real * factor, value.imag * factor) for value in eigenvalues]
@@ -18,10 +19,10 @@ def argand(eigenvalues, labels=(), title="", note=""):
     high = 1.1 * max((abs(y) for _, y in points), default=0.0)
     left, right = max(left, 0.1 * right), max(right, 0.1 * left)
     crosses = Curve("", tuple(x for x, _ in points), tuple(y for _, y in points), "markers", tuple(labels))
-    panel = Panel("", labelled("Re λ", unit), labelled("Im λ", unit.replace("1/s", "rad/s")),
+    panel = Panel(labelled("Re λ", unit), labelled("Im λ", unit.replace("1/s", "rad/s")),
                   curves=(*_rays(left, high), crosses),
                   equal=left + right > _ROUND_FROM * 2 * high, x_range=(-left, right) if left + right > 0 else None)
-    return Figure(title, (panel,), note)
+    return Figure(title, (panel,))
 
 
 def _rays(left, high):

@@ -18,18 +18,16 @@ class Curve(NamedTuple):
 
 
 class Mark(NamedTuple):
-    """A thin line across the panel at x = `at` (or at y = `at`): a resonance, a breakpoint, a limit."""
+    """A thin line across the panel at x = `at`: a resonance, an antiresonance."""
 
     at: float
     label: str = ""
-    axis: str = "x"
 
 
 class Panel(NamedTuple):
     """Axes with their curves. `equal`: one scale for both; `degrees`: ticks of y at parts of a turn; `tall`: height as
     a part of the usual one."""
 
-    title: str
     x_label: str
     y_label: str
     x_log: bool = False
@@ -48,4 +46,3 @@ class Figure(NamedTuple):
 
     title: str
     panels: tuple
-    note: str = ""

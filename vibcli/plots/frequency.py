@@ -2,33 +2,40 @@
 
 import cmath
 import math
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from vibcli.plots.figure import Curve, Figure, Mark, Panel
 from vibcli.plots.prefixes import labelled, largest, readable, unit_text
 
+if TYPE_CHECKING:
+    import numpy as np
+
 _SAME = 1.01
 
 
-def of_frequency_response(Omega, H, kind="", unit="", peaks=(), antiresonances=(), title="", note="", log=None):
+def of_frequency_response(Omega: "Sequence[int] | np.ndarray", H: "Mapping[str, list[float] | np.ndarray]", kind: str,
+                          unit: str, peaks: Sequence[float] = (), antiresonances: Sequence[Any] = (),
+                          title: str = "") -> Figure:
     """`H`: {label: complex values} at the angular frequencies Omega [rad/s], in one unit (or dimension); `kind`: what
-    it is (receptance); `peaks`, `antiresonances`: angular frequencies to be marked; `log`: of Omega, else by its range.
+    it is (receptance); `peaks`, `antiresonances`: angular frequencies to be marked.
 
     The phase is the lag θ = −arg H, X sin(Ωt − θ), in degrees, without jumps by whole turns.
     """
-    log = min(Omega, default=0) > 0 and _spans(Omega, 10) if log is None else log
+    log = min(Omega, default=0) > 0 and _spans(Omega, 10)
     magnitudes = {label: [abs(h) for h in values] for label, values in H.items()}
     together = [size for values in magnitudes.values() for size in values]
     y_log = _spans(together, 100)
     factor, unit = (1.0, unit_text(unit)) if y_log else readable(largest(together), unit_text(unit))
     name = f"|{next(iter(H))}|" if len(H) == 1 else kind
-    marks = [Mark(at, _short(at)) for at in (*_distinct(peaks), *_distinct(antiresonances))]
-    upper = Panel("", "Ω [rad/s]", labelled(name or kind, unit), log, y_log, marks=tuple(marks), curves=tuple(
+    marks = [Mark(at, f"{at:.4g}") for at in (*_distinct(peaks), *_distinct(antiresonances))]
+    upper = Panel("Ω [rad/s]", labelled(name or kind, unit), log, y_log, marks=tuple(marks), curves=tuple(
         Curve(label, tuple(Omega), tuple(size * factor for size in values)) for label, values in magnitudes.items()))
     lags = {label: lag(values) for label, values in H.items()}
-    lower = Panel("", "Ω [rad/s]", "phase lag [°]", log, degrees=True, tall=0.6, y_range=_turns(lags.values()),
+    lower = Panel("Ω [rad/s]", "phase lag [°]", log, degrees=True, tall=0.6, y_range=_turns(lags.values()),
                   marks=tuple(mark._replace(label="") for mark in marks),
                   curves=tuple(Curve(label, tuple(Omega), values) for label, values in lags.items()))
-    return Figure(title, (upper, lower), note)
+    return Figure(title, (upper, lower))
 
 
 def _spans(values, ratio):
@@ -46,11 +53,7 @@ def _distinct(places):
     return found
 
 
-def _short(value):
-    return f"{value:.4g}"
-
-
-def lag(values):
+def lag(values: "Sequence[complex] | np.ndarray") -> tuple[float, ...]:
     """−arg of complex numbers in degrees, from the first in (−180, 180] on without jumps of more than half a turn."""
     found, last = [], None
     for h in values:
@@ -75,22 +78,22 @@ def _turns(lags):
     return (float(low), float(high)) if high > low else (low - 90.0, high + 90.0)
 
 
-def nyquist(Omega, H, unit="", at=(), title="", note=""):
+def nyquist(Omega: Any, H: "Mapping[str, list[float] | np.ndarray]", unit: str, at: Any = (), title: str = ""):
     """The frequency response in the complex plane, {label: complex values}; `at`: angular frequencies whose points
     are marked with their values."""
     factor, unit = readable(largest([h for values in H.values() for h in values]), unit_text(unit))
-    curves = []
-    for label, values in H.items():
-        curves.append(Curve(label, tuple(h.real * factor for h in values), tuple(h.imag * factor for h in values)))
+    curves = [Curve(label, tuple(h.real * factor for h in values), tuple(h.imag * factor for h in values))
+              for label, values in H.items()]
     for values in H.values():
-        points = [(min(range(len(Omega)), key=lambda i, to=to: abs(Omega[i] - to)), to) for to in _distinct(at)]
+        points = [(min(range(len(Omega)), key=lambda i, to=to: abs(Omega[i] - to)), to)  # type: ignore[misc]
+                  for to in _distinct(at)]
         curves.append(Curve("", tuple(values[i].real * factor for i, _ in points),
                             tuple(values[i].imag * factor for i, _ in points), "markers",
-                            tuple(f"{_short(to)} rad/s" for _, to in points)))
-    panel = Panel("", labelled("Re H", unit), labelled("Im H", unit), curves=tuple(curves), equal=True,
+                            tuple(f"{to:.4g} rad/s" for _, to in points)))
+    panel = Panel(labelled("Re H", unit), labelled("Im H", unit), curves=tuple(curves), equal=True,
                   x_range=_with_zero(x for curve in curves for x in curve.x),
                   y_range=_with_zero(y for curve in curves for y in curve.y))
-    return Figure(title, (panel,), note)
+    return Figure(title, (panel,))
 
 
 def _with_zero(values):

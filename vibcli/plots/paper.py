@@ -1,9 +1,14 @@
 """From a panel to its paper: strokes of finite points, logarithms taken where the axis is log, and the ranges shown."""
 
 import math
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
+from vibcli.plots.words import printable
+
+if TYPE_CHECKING:
+    from vibcli.plots.figure import Figure
 
 LARGEST, SMALLEST = 1e300, 1e-290      # beyond: no place; zero
 MOST_DECADES = 12
@@ -18,62 +23,78 @@ class Axis(NamedTuple):
     log: bool = False
     degrees: bool = False
 
-    def part(self, place):
+    def part(self, place: float) -> float:
         """0 at the low end, 1 at the high end."""
         return (place - self.low) / (self.high - self.low)
 
-    def place(self, value):
+    def place(self, value: float) -> float:
         """Where a value stands; None for one that has no place."""
         return _place(value, self.log)
 
+    def value(self, place: float) -> float:
+        """What stands at a place."""
+        return 10.0 ** place if self.log else place
+
 
 class Sheet(NamedTuple):
-    """A panel with its axes; `strokes`: for each curve its unbroken runs of points (x, y)."""
+    """A panel with its axes; `strokes`: for each curve its unbroken runs of points (x, y); `last`: of those that share
+    their x it carries the numbers; `legend`: it tells the names of its curves, which none above it does."""
 
-    panel: object
+    panel: Any
     x: Axis
     y: Axis
     strokes: tuple
+    last: bool
+    legend: bool
 
 
-def sheets(figure):
-    """The sheets of a figure; neighbours with the same x share its range."""
-    if len(figure.panels) > MOST_PANELS:
-        raise PhysicsError(f"a figure of {len(figure.panels)} panels is too large, {MOST_PANELS} are the most",
+def sheets(figure: "Figure") -> list[Sheet]:
+    """The sheets of a figure, all texts on them printable; neighbours with the same x share its range."""
+    panels = [_printable(panel) for panel in figure.panels]
+    if len(panels) > MOST_PANELS:
+        raise PhysicsError(f"a figure of {len(panels)} panels is too large, {MOST_PANELS} are the most",
                            "show fewer signals or modes at once")
-    drawn = [tuple(_strokes(curve, panel) for curve in panel.curves) for panel in figure.panels]
-    ranges = [_limits([x for runs in strokes for run in runs for x, _ in run], panel.x_log, panel.x_range)
-              for panel, strokes in zip(figure.panels, drawn, strict=True)]
-    return [Sheet(panel, Axis(*_shared(figure.panels, ranges, i), panel.x_log), _y_axis(panel, drawn[i]), drawn[i])
-            for i, panel in enumerate(figure.panels)]
+    drawn = [tuple(_strokes(curve, panel) for curve in panel.curves) for panel in panels]
+    points = [[point for runs in strokes for run in runs for point in run] for strokes in drawn]
+    ranges = [_limits([x for x, _ in found], panel.x_log, panel.x_range)
+              for panel, found in zip(panels, points, strict=True)]
+    heights = [_limits([y for _, y in found], panel.y_log, panel.y_range)
+               for panel, found in zip(panels, points, strict=True)]
+    return [Sheet(panel, Axis(*_shared(panels, ranges, i), panel.x_log),
+                  Axis(*heights[i], panel.y_log, panel.degrees), drawn[i],
+                  not _shares_x(panel, *panels[i + 1:i + 2]), not _repeats(panel, *panels[max(i - 1, 0):i]))
+            for i, panel in enumerate(panels)]
 
 
-def shares_x(one, other):
-    """Can these panels stand above each other with one set of ticks?"""
-    return (one.x_label, one.x_log) == (other.x_label, other.x_log) and not (one.equal or other.equal)
+def _printable(panel):
+    def curve(one):
+        return one._replace(label=printable(one.label), names=tuple(map(printable, one.names)))
+
+    return panel._replace(
+        x_label=printable(panel.x_label), y_label=printable(panel.y_label), curves=tuple(map(curve, panel.curves)),
+        marks=tuple(mark._replace(label=printable(mark.label)) for mark in panel.marks))
 
 
-def repeats(panel, above):
+def _shares_x(panel, other=None):
+    """Can it stand above or below the other, if there is one, with one set of ticks?"""
+    return other is not None and (panel.x_label, panel.x_log) == (other.x_label, other.x_log) and not (
+        panel.equal or other.equal)
+
+
+def _repeats(panel, above=None):
     """Are its curves those of the panel above, which has the legend?"""
-    return shares_x(panel, above) and [(c.label, c.kind) for c in panel.curves] == [
+    return _shares_x(panel, above) and [(c.label, c.kind) for c in panel.curves] == [
         (c.label, c.kind) for c in above.curves]
 
 
 def _shared(panels, ranges, i):
     first = last = i
-    while first > 0 and shares_x(panels[first - 1], panels[i]):
+    while first > 0 and _shares_x(panels[first - 1], panels[i]):
         first -= 1
-    while last + 1 < len(panels) and shares_x(panels[last + 1], panels[i]):
+    while last + 1 < len(panels) and _shares_x(panels[last + 1], panels[i]):
         last += 1
     group = ranges[first:last + 1]
     return min(low for low, _ in group), max(high for _, high in group)
-
-
-def _y_axis(panel, strokes):
-    values = [y for runs in strokes for run in runs for _, y in run]
-    marked = [_place(mark.at, panel.y_log) for mark in panel.marks if mark.axis == "y"]
-    values += [value for value in marked if value is not None]
-    return Axis(*_limits(values, panel.y_log, panel.y_range), panel.y_log, panel.degrees)
 
 
 def _place(value, log):
@@ -120,7 +141,7 @@ def _without_poles(values, low, high):
     return max(low, ordered[tenth] - 3), min(high, ordered[-1 - tenth] + 3)
 
 
-def thinned(run, axis, columns):
+def thinned(run: Sequence[tuple[float, float]], axis: Axis, columns: int):
     """Of the points that follow each other within one column the first, lowest, highest and last: the same drawing."""
     if len(run) <= 2 * columns:
         return run
@@ -135,7 +156,7 @@ def thinned(run, axis, columns):
     return found + _extremes(group)
 
 
-def fewer(x, y, most=20000):
+def fewer(x: Sequence[float], y: Sequence[float], most: int = 20000) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """(x, y) as tuples, of very many points the first, lowest, highest and last of each few that follow each other."""
     if len(x) > most:
         size = -(-4 * len(x) // most)
@@ -154,12 +175,15 @@ def _extremes(group):
     return [group[i] for i in kept]
 
 
-def equal_scales(x, y, ratio):
-    """Both axes with one scale, for paper `ratio` times as wide as high: the one with room to spare is widened."""
-    width, height = x.high - x.low, y.high - y.low
+def scaled(sheet: Sheet, ratio: float):
+    """The sheet, with one scale where its panel wants it, for paper `ratio` times as wide as high: the axis with room
+    to spare is widened."""
+    width, height = sheet.x.high - sheet.x.low, sheet.y.high - sheet.y.low
+    if not sheet.panel.equal:
+        return sheet
     if width < ratio * height:
-        return _widened(x, ratio * height), y
-    return x, _widened(y, width / ratio)
+        return sheet._replace(x=_widened(sheet.x, ratio * height))
+    return sheet._replace(y=_widened(sheet.y, width / ratio))
 
 
 def _widened(axis, length):

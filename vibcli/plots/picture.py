@@ -2,18 +2,29 @@
 
 import io
 import warnings
+from typing import Any
 
-from vibcli.plots import library, style
+from vibcli.plots import style
 
-_OPTIONS = {      # neither date nor version; less time for the last tenth of a PNG's size
+_OPTIONS: dict[str, dict] = {      # neither date nor version; less time for the last tenth of a PNG's size
     "png": {"metadata": {"Software": None}, "pil_kwargs": {"compress_level": 4}},
     "svg": {"metadata": {"Date": None, "Creator": None}},
     "pdf": {"metadata": {"Creator": None, "Producer": None, "CreationDate": None}}}
 
 
-def picture(figure, kind):
+def library():
+    """Matplotlib, which says nothing of the folder that it would keep its cache in; imported where it draws."""
+    import logging
+
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)
+    import matplotlib
+
+    return matplotlib
+
+
+def picture(figure: Any, kind: Any) -> bytes:
     """The bytes of a PNG, SVG or PDF."""
-    matplotlib = library.matplotlib()
+    matplotlib = library()
     with matplotlib.rc_context(), warnings.catch_warnings():
         warnings.simplefilter("ignore")      # letters that no font has are drawn as boxes
         matplotlib.rcParams.update(_settings(matplotlib.rcParamsDefault))

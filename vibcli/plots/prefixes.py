@@ -1,8 +1,13 @@
 """Readable units for axes: 0.0032 m is 3.2 mm; where a unit takes no prefix, a power of ten stands before it."""
 
 import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from vibcli.base import units
+
+if TYPE_CHECKING:
+    import numpy as np
 
 _PREFIXES = {-9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
 _SMALL = {-9: "n", -6: "µ", -3: "m", 0: ""}
@@ -14,14 +19,14 @@ _RESPONSES = (({"kg": -1, "s": 2}, "m/N"), ({"kg": -1, "s": 1}, "m/(N·s)"), ({"
               ({"kg": -1, "m": -1, "s": 2}, "rad/N"))
 
 
-def unit_text(unit):
+def unit_text(unit: str) -> str:
     """The SI unit of a dimension, as a response per force is written; a text is one already."""
     if isinstance(unit, str):
         return unit
     return next((name for dimension, name in _RESPONSES if unit == dimension), None) or units.text(unit)
 
 
-def readable(largest, unit):
+def readable(largest: float, unit: str) -> tuple[float, str]:
     """(factor, unit): values·factor are to be read in that unit, the largest magnitude between 0.1 and 10⁴ of it."""
     if not _SMALLEST < largest < math.inf:
         return 1.0, unit
@@ -37,17 +42,17 @@ def readable(largest, unit):
     return 10.0 ** -exponent, f"{power(exponent)} {unit}".rstrip()
 
 
-def power(exponent):
+def power(exponent: int) -> str:
     """10⁻³"""
     return "10" + str(exponent).translate(_SUPERSCRIPT)
 
 
-def labelled(name, unit):
+def labelled(name: str, unit: str) -> str:
     """`x [mm]`; the name alone where there is no unit."""
     return f"{name} [{unit}]".lstrip() if unit else name
 
 
-def largest(values):
+def largest(values: "Sequence[complex] | np.ndarray") -> float:
     """The largest magnitude of the finite ones among real or complex numbers; 0 where there is none."""
     values = values.tolist() if hasattr(values, "tolist") else values
     return max((size for size in map(abs, values) if size < math.inf), default=0.0)

@@ -1,31 +1,34 @@
 """Signals in time as a figure: one panel for each unit, the steady part and envelopes with their signal."""
 
 import math
+from collections.abc import Sequence
 from itertools import pairwise
+from typing import TYPE_CHECKING, Any
 
-from vibcli.plots.figure import Curve, Figure, Mark, Panel
+from vibcli.plots.figure import Curve, Figure, Panel
 from vibcli.plots.paper import fewer
 from vibcli.plots.prefixes import labelled, largest, readable, unit_text
+
+if TYPE_CHECKING:
+    import numpy as np
 
 _LONGEST = 30      # columns of a label that names every curve
 _MOST_TURNS = 24   # of signals that share a panel
 _MOST_APART = 6    # signals of a unit that get panels of their own
 
 
-def of_response(times, series, steady=None, envelope=None, marks=(), title="", note=""):
+def of_response(times: "Sequence[float] | np.ndarray", series: "Sequence[tuple[str, str, list[float] | np.ndarray]]",
+                steady: Sequence[Any] | None = None, envelope: Sequence[Any] | None = None, title: str = "") -> Figure:
     """`series`: [(label, unit or dimension, values)] at the times [s]; `steady` and `envelope`: for each of them the
-    values of its steady part and of its bounds (one array: ±, or a pair: upper and lower), None where it has none;
-    `marks`: (time [s], label)."""
+    values of its steady part and of its bounds (one array: ±, or a pair: upper and lower), None where it has none."""
     steady, envelope = steady or [None] * len(series), envelope or [None] * len(series)
     factor, second = readable(largest(times), "s")
     t = _listed(times, factor)
     groups = {}
     for (label, unit, values), stays, bounds in zip(series, steady, envelope, strict=True):
         groups.setdefault(unit_text(unit) or ("rad" if unit == {} else ""), []).append((label, values, stays, bounds))
-    lines = tuple(Mark(at * factor, text) for at, text in marks)
-    panels = [panel for unit, group in groups.items() for panel in _panels(t, labelled("t", second), unit, group)]
-    panels = tuple(panel._replace(marks=lines if i == 0 else _silent(lines)) for i, panel in enumerate(panels))
-    return Figure(title, panels, note)
+    return Figure(title, tuple(panel for unit, group in groups.items()
+                               for panel in _panels(t, labelled("t", second), unit, group)))
 
 
 def _listed(values, factor):
@@ -33,22 +36,18 @@ def _listed(values, factor):
     return [value * factor for value in (values.tolist() if hasattr(values, "tolist") else values)]
 
 
-def _silent(marks):
-    return tuple(mark._replace(label="") for mark in marks)
-
-
 def _panels(t, t_label, unit, group):
     """One panel for the signals of a unit, or one for each, in the same scale, where they turn too often."""
     factor, unit = readable(max(largest(values) for _, values, _, _ in group), unit)
     together = _panel(t, t_label, unit, factor, group)
-    if not 1 < len(group) <= _MOST_APART or max(_turns(curve.y) for curve in together.curves) <= _MOST_TURNS:
+    if not 1 < len(group) <= _MOST_APART or max(turns(curve.y) for curve in together.curves) <= _MOST_TURNS:
         return [together]
     values = [y for curve in together.curves for y in curve.y if math.isfinite(y)]
     scale = (min(values), max(values)) if values and min(values) < max(values) else None
     return [_panel(t, t_label, unit, factor, [one])._replace(tall=0.6, y_range=scale) for one in group]
 
 
-def _turns(values):
+def turns(values: Sequence[float]):
     """How often a signal turns between up and down."""
     steps = [b - a for a, b in pairwise(values)]
     return sum(a * b < 0 for a, b in pairwise(steps))
@@ -69,4 +68,4 @@ def _panel(t, t_label, unit, factor, group):
             curves += [curve(f"{of}envelope", upper, "envelope"), curve("", lower, "envelope")]
     names = ", ".join(dict.fromkeys(label.removesuffix(", transient") for label, *_ in group))
     label = labelled(names if len(names) <= _LONGEST else "", unit)
-    return Panel("", t_label, label, curves=tuple(curves))
+    return Panel(t_label, label, curves=tuple(curves))

@@ -1,14 +1,15 @@
 """Where ticks stand on an axis and what they say: multiples of 1, 2 or 5, decades, parts of a turn."""
 
 import math
+from collections.abc import Callable
 
 from vibcli.plots.prefixes import power
 
-_OF_A_TURN = (45, 90, 180, 360, 720, 1440, 2880, 5760)
+OF_A_TURN = (45, 90, 180, 360, 720, 1440, 2880, 5760)
 _PLAIN = range(-3, 5)      # decades that are written out: 0.001 … 10000
 
 
-def ticks(low, high, fits, log=False, degrees=False):
+def ticks(low: float, high: float, fits: Callable, log: bool = False, degrees: bool = False) -> list[tuple[float, str]]:
     """[(place, label)] on an axis from low to high (decades where it is log): the densest ones that `fits` takes,
     else two of them, else one."""
     ends = []
@@ -20,19 +21,17 @@ def ticks(low, high, fits, log=False, degrees=False):
     return ends if fits(ends) else ends[:1]
 
 
-def minor(low, high):
-    """Places of 2, 3 … 9 in each decade, where there are few decades."""
-    if high - low > 6:
-        return []
-    places = [k + math.log10(m) for k in range(math.floor(low), math.ceil(high)) for m in range(2, 10)]
-    return [place for place in places if low <= place <= high]
-
-
 def _candidates(low, high, log, degrees):
     if log:
-        yield from _log_candidates(low, high)
+        if high - low < 1:
+            for found in _linear(10.0 ** low, 10.0 ** high):
+                yield [(math.log10(value), label) for value, label in found if value > 0]
+        for within in (range(1, 10), (1, 2, 5), (1, 3)):
+            yield _in_decades(low, high, within)
+        for step in (1, 2, 3, 4, 5, 10, 20, 50, 100, 200, 400):
+            yield _in_decades(low, high, (1,), step)
     elif degrees and high - low >= 90:
-        for step in _OF_A_TURN:
+        for step in OF_A_TURN:
             yield _multiples(low, high, step, 0)
     else:
         yield from _linear(low, high)
@@ -53,7 +52,7 @@ def _multiples(low, high, step, exponent):
     return [(k * size, decimal(k * step, exponent)) for k in range(first, last + 1)]
 
 
-def decimal(n, exponent):
+def decimal(n: int, exponent: int) -> str:
     """n·10ᵉ written out, or with a power of ten where that is long."""
     sign, digits = "−" if n < 0 else "", str(abs(n))
     if n == 0:
@@ -69,16 +68,6 @@ def decimal(n, exponent):
     return sign + (ten if rest == "1" else f"{rest}·{ten}")
 
 
-def _log_candidates(low, high):
-    if high - low < 1:
-        for found in _linear(10.0 ** low, 10.0 ** high):
-            yield [(math.log10(value), label) for value, label in found if value > 0]
-    for within in (range(1, 10), (1, 2, 5), (1, 3)):
-        yield _in_decades(low, high, within)
-    for step in (1, 2, 3, 4, 5, 10, 20, 50, 100, 200, 400):
-        yield _in_decades(low, high, (1,), step)
-
-
 def _in_decades(low, high, within, step=1):
     slack = 1e-9
     decades = [k for k in range(math.floor(low), math.ceil(high) + 1) if k % step == 0]
@@ -86,6 +75,13 @@ def _in_decades(low, high, within, step=1):
     inside = [(k, m, place) for k, m, place in places if low - slack <= place <= high + slack]
     plain = all(k in _PLAIN for k, _, _ in inside)
     return [(place, decimal(m, k) if plain else _scientific(m, k)) for k, m, place in inside]
+
+
+def decade(value: float, plain: bool) -> str:
+    """A multiple of a decade as its tick says it: 2·10⁻², 10⁷, or 0.02 where plain."""
+    k = math.floor(math.log10(value) + 1e-9)
+    m = round(value / 10.0 ** k)
+    return decimal(m, k) if plain else _scientific(m, k)
 
 
 def _scientific(m, k):

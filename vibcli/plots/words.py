@@ -1,19 +1,15 @@
-"""Texts on plots: what prints, how wide it is, its cells in a terminal, its letters in ASCII."""
+"""Texts on plots: what prints, how wide it is, its cells in a terminal."""
 
 import unicodedata
 
-_ASCII = {"−": "-", "·": "*", "°": "deg", "–": "-", "—": "-", "…": "~", "×": "x", "√": "sqrt", "∠": "angle ",
-          "┤": "+", "┬": "+", "│": "|", "─": "-", "└": "+", "┊": ":", "┈": "-", "µ": "u", "′": "'", "″": "''",
-          "∞": "inf", "≤": "<=", "≥": ">=", "≈": "~", "\u0307": "'", "\u0308": "''", "‖": "||", "⁻": "-"}
 
-
-def printable(text):
+def printable(text: str) -> str:
     """The text on one line, without characters that do not print or turn the direction of writing."""
     text = " ".join(str(text).split())
     return "".join(letter for letter in text if unicodedata.category(letter)[0] != "C")
 
 
-def cells(text):
+def cells(text: str) -> list[str]:
     """The text column by column: a letter with its combining dots; a wide letter and an empty cell."""
     found = []
     for letter in text:
@@ -24,12 +20,12 @@ def cells(text):
     return found
 
 
-def width(text):
+def width(text: str) -> int:
     """Columns of a text in a terminal."""
     return len(cells(text))
 
 
-def shortened(text, columns):
+def shortened(text: str, columns: int) -> str:
     """At most so many columns, the end cut off as …"""
     found = cells(text)
     if len(found) <= columns:
@@ -38,28 +34,3 @@ def shortened(text, columns):
     if kept and found[len(kept)] == "":
         kept.pop()
     return "".join(kept) + "…" * (columns > 0)
-
-
-def ascii_text(text):
-    """Ω₁² [rad/s] as Omega1^2 [rad/s]."""
-    found, raised = [], False
-    for letter in unicodedata.normalize("NFC", text):
-        plain = _in_ascii(letter)
-        above = "<super>" in unicodedata.decomposition(letter)
-        found.append("^" + plain if above and not raised else plain)
-        raised = above
-    return "".join(found)
-
-
-def _in_ascii(letter):
-    if letter.isascii():
-        return letter
-    if letter in _ASCII:
-        return _ASCII[letter]
-    name = unicodedata.name(letter, "")
-    if name.startswith("GREEK") and " LETTER " in name:
-        word = name.partition(" LETTER ")[2].split(" WITH ")[0].lower()
-        word = "lambda" if word == "lamda" else word
-        return word.capitalize() if "CAPITAL" in name else word
-    return "".join(_ASCII.get(part, part if part.isascii() else "?") if part != letter else "?"
-                   for part in unicodedata.normalize("NFKD", letter))

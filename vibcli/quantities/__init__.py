@@ -1,11 +1,20 @@
-"""Quantities that answers and conditions name: the family to which each belongs, one family a file.
-
-What each quantity is, its indices, arguments and unit stand in quantity.py.
-"""
+"""Quantities that answers and conditions name, in the order of the manual: the file in which each is declared."""
 
 FAMILIES = {
-    **dict.fromkeys(("omega", "frequency", "period", "growth_rate", "mode", "zeta", "omega_d", "decay", "eigenvalue",
-                     "decrement", "sensitivity", "rayleigh", "dunkerley"), "modal"),
-    **dict.fromkeys(("equilibrium", "stable", "equilibria"), "equilibrium"),
-    **dict.fromkeys(("M", "C", "G", "K", "J", "centre"), "matrices"),
+    **dict.fromkeys(("omega", "frequency", "period", "growth_rate", "mode", "modal_mass", "zeta", "omega_d", "decay",
+                     "eigenvalue", "sensitivity", "rayleigh", "dunkerley", "ritz"), "modal"),
+    **dict.fromkeys(("equilibrium", "Q", "stable", "equilibria"), "equilibrium"),
+    **dict.fromkeys(("equation", "motion"), "energies"),
+    **dict.fromkeys(("M", "C", "G", "K"), "matrices"),
+    **dict.fromkeys(("T", "V", "Phi"), "energies"),
+    **dict.fromkeys(("J", "centre"), "bodies"),
+    **dict.fromkeys(("amplitude", "phase", "max", "min", "argmax", "argmin", "mean", "rms", "final", "overshoot",
+                     "decrement", "beat_period", "harmonic", "zero", "time_to", "cycles_to", "steady", "transient",
+                     "envelope"), "response"),
+    **dict.fromkeys(("frf", "transmissibility", "peak", "antiresonance", "half_power", "fixed_point", "quality", "arg",
+                     "re", "im"), "frequency_response"),
 }
+
+# what the same word means otherwise: with indices, with arguments, of a frequency response; "value" is that of x(2 s)
+FORMS = {"decrement[]": "modal", "M()": "response", "period()": "response", "phase(frf)": "frequency_response",
+         "value": "response"}

@@ -1,36 +1,37 @@
 """What the parameters and quantities of a file count: cycles, radians, or neither."""
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base import units
 from vibcli.language.parameters import definition_order
 from vibcli.language.record_calls import own
-from vibcli.quantities.quantity import SIGNAL, declared
-from vibcli.symbolic.cycles import (
-    NEITHER,
-    PERIOD,
-    RADIAN,
-    RATE,
-    Cycles,
-    count_of,
-    is_period,
-    left_over,
-)
-from vibcli.symbolic.parser import ExpressionError, parse
+from vibcli.quantities import quantity
+from vibcli.quantities.quantity import declared
+from vibcli.symbolic.cycles import NEITHER, PERIOD, RADIAN, Cycles, count_of, is_period, left_over
+from vibcli.symbolic.parser import parse
 from vibcli.symbolic.semantics import DimensionCheck, constant, literal_unit
-from vibcli.symbolic.syntax import Equation, NameRef, Product
+from vibcli.symbolic.syntax import Equation, ExpressionError, NameRef, Product
 
-PERIODS = ("period", "beat_period")
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.language.reader import Record
+    from vibcli.language.spec import Spec
 
 
-def cycles(spec, text=""):
+def cycles(spec: "Spec", text: str = "") -> Cycles:
     """What counts the cycles in trees of a text."""
-    if spec.counts is None:
-        spec.counts = {}
+    if not spec.counts:
         _count_names(spec)
+    return _counter(spec, text)
+
+
+def _counter(spec, text=""):
     return Cycles(lambda name: spec.counts.get(name, NEITHER), lambda tree: _quantity(spec, tree),
                   lambda tree: known_dimension(spec, tree), text)
 
 
-def counts_cycles(spec, tree):
+def counts_cycles(spec: "Spec", tree: Any) -> bool:
     """Does a frequency count cycles (Hz), and not radians?"""
     return left_over(cycles(spec).count(tree)) == 1
 
@@ -39,7 +40,7 @@ def _count_names(spec):
     """spec.counts of the records and parameters, in an order in which each comes after those it is defined by."""
     for name, record in (spec.get("records") or {}).items():
         spec.counts[own(name)] = count_of_unit(record)
-    counter = cycles(spec)
+    counter = _counter(spec)
     for name in definition_order(spec.parameters):
         record = spec.parameters[name]
         try:
@@ -53,7 +54,7 @@ def _count_names(spec):
             spec.counts[name] = _of_condition(counter, name, record["so"].sides)
 
 
-def count_of_unit(record):
+def count_of_unit(record: "Record") -> dict[Any, Any]:
     if "unit" not in record:
         return NEITHER
     return count_of(literal_unit(parse("1 " + record["unit"]).units))
@@ -69,7 +70,7 @@ def _of_condition(counter, name, sides):
                 found = counter.count(other.tree)
             except ExpressionError:
                 return NEITHER
-            return found if counter.dimension(other.tree) in (units.TIME, RATE) else NEITHER
+            return found if counter.dimension(other.tree) in (units.TIME, units.RATE) else NEITHER
     return NEITHER
 
 
@@ -78,7 +79,7 @@ def _quantity(spec, tree):
     asked = declared(tree)
     if tree.head in spec.choices and (asked is None or len(tree.indices) == 1):
         return spec.counts.get(tree.head, NEITHER)
-    if tree.head in PERIODS:
+    if asked is not None and asked.kind == quantity.PERIOD:
         return {PERIOD: 1}
     if tree.component == "Omega":
         return {RADIAN: 1}
@@ -89,18 +90,20 @@ def _quantity(spec, tree):
 def _unit_of(tree):
     """The Unit of a quantity; None where its indices or arguments settle it."""
     asked = declared(tree)
-    return None if asked is None or asked.unit in (None, SIGNAL) else units.parse_unit(asked.unit)
+    return None if asked is None or asked.own_unit is None else units.parse_unit(asked.unit)
 
 
-def known_dimension(spec, tree):
+def known_dimension(spec: "Spec", tree: Any) -> "dict[str, Fraction | int] | None":
     """The dimension of a tree, as far as it is known."""
     def of(name, primes):
         return units.times(spec.dimensions.of(name), units.TIME, -primes)
 
     def quantity(part):
+        if spec.asked_dimension:
+            return spec.asked_dimension(spec, part)
         unit = _unit_of(part)
         return None if unit is None else unit.dimension
 
-    checker = DimensionCheck(spec.dimensions, of, spec.free_numbers, spec.asked_dimension or quantity)
+    checker = DimensionCheck(spec.dimensions, of, spec.free_numbers, quantity)
     found = checker.dimension(tree) if not isinstance(tree, Equation) else None
     return None if found is None else spec.dimensions.resolve(found)

@@ -1,14 +1,19 @@
 """Quantities of equilibria: where they are, how many there are, whether they are stable."""
 
-from vibcli.base.errors import PhysicsError
-from vibcli.language.signals import coordinate_name
-from vibcli.mechanics.inputs_outputs.displacements import displacement
-from vibcli.mechanics.signals import force
-from vibcli.quantities.quantity import ROUNDING
-from vibcli.symbolic.evaluation import Floats, evaluate
+from typing import TYPE_CHECKING
+
+from vibcli.base.errors import NotInLetters, PhysicsError
+from vibcli.base.units import LENGTH
+from vibcli.language.signals import coordinate_name, signal_dimension
+from vibcli.quantities.matrices import coordinate_number
+from vibcli.quantities.quantity import COUNT, FUNCTION, ROUNDING, TRUTH, Declaration
+from vibcli.quantities.signal_dimensions import generalised_dimension, name_dimension
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
 
 
-def about(problem, number):
+def about(problem: "Problem", number: int) -> "Problem":
     """The problem about one of all its equilibria."""
     if number > count(problem):
         raise PhysicsError(f"there is no equilibrium {number}: {count(problem) or 'none'} "
@@ -17,7 +22,7 @@ def about(problem, number):
     return problem.about_each[number - 1]
 
 
-def count(problem):
+def count(problem: "Problem") -> int:
     """How many equilibria are found; refused where the search could not be finished."""
     found = problem.equilibria
     if found.cut:
@@ -30,24 +35,74 @@ def count(problem):
     return len(found.items)
 
 
-def _equilibrium(problem, indices, attribute):
-    signal = coordinate_name(problem.spec, indices[0]) or indices[0]
+def _equilibrium(problem, tree, args):
+    from vibcli.mechanics.inputs_outputs.displacements import displacement
+    from vibcli.symbolic.evaluation import Floats, evaluate
+
+    signal = coordinate_name(problem.spec, tree.indices[0]) or tree.indices[0]
     node = displacement(problem.scene.resting, signal)
     if node is None:
-        return force(problem, signal), ROUNDING
-    return evaluate([node], Floats, problem.at_rest)[0], ROUNDING
+        from vibcli.mechanics.signals import force
+
+        return force(problem.configuration, signal), ROUNDING
+    return evaluate([node], Floats, problem.configuration.at_rest)[0], ROUNDING
 
 
-def is_stable(problem):
-    """Does nothing grow about the equilibrium? Motion that costs no energy counts as stable."""
-    from vibcli.analyses.modal.stability import stability
+def _in_letters(problem, tree):
+    """A coordinate, place, turn, stretch or tension in equilibrium."""
+    from vibcli.mechanics.inputs_outputs.displacements import displacement
+    from vibcli.symbolic.derivatives import substitute
+    from vibcli.symbolic.normal_form import textbook
 
-    return stability(problem).stable
+    text = coordinate_name(problem.spec, tree.indices[0]) or tree.indices[0]
+    scene, (name, _, part) = problem.scene, text.partition(".")
+    node = displacement(scene, text)
+    if node is None and part == "force" and name in (problem.spec.get("springs") or {}):
+        node = scene.force_of(name)
+    if node is None:
+        raise NotInLetters(f"'{text}' in equilibrium is found in numbers")
+    values, zero = problem.symbolic.equilibrium_position, scene.table.zero
+    rest = dict.fromkeys((*scene.v, scene.time), zero) | {q: values[q.name] for q in scene.q}
+    found, = substitute([node], rest)
+    if found.mask:
+        raise NotInLetters(f"'{text}' in equilibrium is found in numbers")
+    return textbook(found)
 
 
-def _stable(problem, indices, attribute):
-    return is_stable(problem), 0.0
+def _size(problem, tree):
+    """Of a coordinate, place, turn or force in equilibrium; forces lose a digit more."""
+    from vibcli.results.random_states import reach
+
+    text = tree.indices[0]
+    name = coordinate_name(problem.spec, text)
+    if name is not None:
+        return reach(problem, name)
+    dimension = signal_dimension(problem.spec, text)
+    if dimension in ({}, LENGTH):
+        return problem.numeric.figure_size or 1.0 if dimension else 1.0
+    reactions = problem.configuration.reactions
+    return 10.0 * max((abs(reaction.value) for reaction in reactions if reaction.value), default=0.0)
 
 
-VALUES = {"equilibrium": _equilibrium, "stable": _stable,
-          "equilibria": lambda problem, indices, attribute: (count(problem), 0.0)}
+def _generalised_force(problem, tree):
+    from vibcli.mechanics.virtual_work import generalised_force_at_rest
+
+    return generalised_force_at_rest(problem.system, coordinate_number(problem, tree.indices[0]))
+
+
+QUANTITIES = {
+    "equilibrium": Declaration(
+        "a coordinate or signal in equilibrium", None, _equilibrium, ("signal",), several=True, size=_size,
+        symbolic=_in_letters, dimension=lambda spec, tree: name_dimension(
+            spec, coordinate_name(spec, tree.indices[0]) or tree.indices[0])),
+    "Q": Declaration(
+        "generalised force of weights, springs and steady loads at rest, δA = Σ Q δq", indices=("coordinate",),
+        kind=FUNCTION, symbolic=_generalised_force, dimension=lambda spec, tree: generalised_dimension(
+            spec, coordinate_name(spec, tree.indices[0]))),
+    "stable": Declaration(
+        "`true` where the equilibrium is stable", "1",
+        lambda problem, tree, args: (problem.modal.stability.stable, 0.0), several=True, kind=TRUTH),
+    "equilibria": Declaration(
+        "number of equilibria found within the bounds that `find` gives, or default ones; a line of neutral ones "
+        "counts once", "1", lambda problem, tree, args: (count(problem), 0.0), kind=COUNT),
+}

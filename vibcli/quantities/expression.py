@@ -1,60 +1,47 @@
-"""Values of quantities and of expressions of them: the arguments of a quantity first, then its family."""
+"""Values of quantities and of expressions of them: the arguments of a quantity first, then the quantity itself."""
 
-from importlib import import_module
+from collections.abc import Callable, Mapping
 from math import isfinite, tau
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
-from vibcli.quantities import FAMILIES
 from vibcli.quantities.cycle_count import counts_cycles
-from vibcli.quantities.quantity import ASKED, IN_FREQUENCY, OF_VALUES, ROUNDING, SEVERAL, declared, is_choice
+from vibcli.quantities.quantity import ROUNDING, declared, is_choice
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.parser import ExpressionError
-from vibcli.symbolic.semantics import lower, quantities_in
-from vibcli.symbolic.syntax import QuantityRef
+from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.syntax import ExpressionError, QuantityRef, parts_of
 
-IN_GRAPHS = ("peak", "antiresonance", "half_power", "fixed_point", "quality")   # read off a whole response
+if TYPE_CHECKING:
+    from vibcli.language.reader import Expression
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.node import Node
 
 
-def measure(problem, tree):
+def measure(problem: "Problem", tree: QuantityRef) -> tuple[float, float]:
     """(value, relative error bound) of a quantity tree."""
-    head, indices, attribute = tree.head, tree.indices, tree.component
-    if tree.args or head in IN_FREQUENCY:
-        return _with_arguments(problem, tree)
-    if is_choice(problem.spec, tree) and problem.chosen is not None:
-        return problem.chosen.value(head, int(indices[0])), ROUNDING
-    if head in SEVERAL and len(indices) > len(ASKED[head].indices):
+    if not tree.args and is_choice(problem.spec, tree) and problem.choice is not None:
+        return problem.choice.value(tree.head, int(tree.indices[0])), ROUNDING
+    quantity = declared(tree)
+    if quantity.several and len(tree.indices) > len(quantity.indices):
         from vibcli.quantities.equilibrium import about
 
-        problem, indices = about(problem, int(indices[-1])), indices[:-1]
-    return family(head).VALUES[head](problem, indices, attribute)
+        problem, tree = about(problem, int(tree.indices[-1])), tree._replace(indices=tree.indices[:-1])
+    kinds = zip(quantity.args, tree.args, strict=not quantity.optional)
+    return quantity.value(problem, tree, [_argument(problem, kind, arg) for kind, arg in kinds])
 
 
-def family(head):
-    """The module of the family to which a quantity belongs."""
-    return import_module(f"vibcli.quantities.{FAMILIES[head]}")
+def _argument(problem, kind, arg):
+    """The value of an argument that is a number, of a complex one with its error; None of what is a function."""
+    if kind == "complex":
+        return measure(problem, arg)
+    return number_of(problem, arg) if kind in ("time", "Omega") else None
 
 
-def _with_arguments(problem, tree):
-    """The arguments that are numbers first, then the family."""
-    head, args = tree.head, tree.args
-    of_frf = bool(args) and isinstance(args[0], QuantityRef) and args[0].head in ("frf", *OF_VALUES)
-    if head in IN_FREQUENCY or of_frf:
-        from vibcli.quantities.frequency_response import VALUES
-
-        complex_part = head in (*OF_VALUES, "phase")
-        return VALUES[head](problem, tree, [measure(problem, arg) if complex_part else
-                                            None if head in IN_GRAPHS else number_of(problem, arg) for arg in args])
-    from vibcli.quantities.response import measure_response
-
-    kinds = declared(tree).args
-    return measure_response(problem, tree, [number_of(problem, arg) if kind == "time" else None
-                                            for kind, arg in zip(kinds, args, strict=True)])
-
-
-def value_of(problem, expression):
+def value_of(problem: "Problem", expression: "Expression") -> tuple[float, float]:
     """(value, relative error bound) of an expression of parameters and quantities."""
-    values, worst = dict(problem.floats), 0.0
-    for quantity in quantities_in(expression.tree):
+    values, worst = dict(problem.numeric.floats), 0.0
+    for quantity in expression.parts.quantities:
         values[quantity.text], error = measure(problem, quantity)
         worst = max(worst, error)
     value = evaluated(problem, expression, values)
@@ -67,18 +54,22 @@ def value_of(problem, expression):
     return value, worst
 
 
-def evaluated(problem, expression, values):
+def evaluated(problem: "Problem", expression: "Expression", values: Mapping[str, float]) -> float:
     """An expression, given {parameter, or quantity as it is written: value}."""
-    scene = problem.scene
-    table = scene.table
+    return evaluate([lowered(expression, problem.scene.table, _symbols(problem.scene))], Floats, values)[0]
 
+
+def _symbols(scene):
+    """Gives the node of a parameter, or of a quantity as it is written."""
     def symbol(name, primes, part):
-        return table.parameter(name, positive=False) if isinstance(part, QuantityRef) else scene.parameters.nodes[name]
+        if isinstance(part, QuantityRef):
+            return scene.table.parameter(name, positive=False)
+        return scene.parameters.nodes[name]
 
-    return evaluate([lowered(expression, table, symbol)], Floats, values)[0]
+    return symbol
 
 
-def lowered(expression, table, symbol):
+def lowered(expression: "Expression", table: "Table", symbol: Callable) -> "Node":
     """The node of a parsed expression; SpecError where it divides by zero."""
     try:
         return lower(expression.tree, table, symbol)
@@ -87,17 +78,10 @@ def lowered(expression, table, symbol):
         raise SpecError([Diagnostic(place, error.message, error.hint)]) from None
 
 
-def number_of(problem, tree):
+def number_of(problem: "Problem", tree: Any) -> float:
     """The value of an argument: an instant or an angular frequency; cycles count as 2π."""
-    values = dict(problem.floats)
-    for quantity in quantities_in(tree):
+    values = dict(problem.numeric.floats)
+    for quantity in parts_of(tree).quantities:
         values[quantity.text] = measure(problem, quantity)[0]
-    table = problem.scene.table
-
-    def symbol(name, primes, part):
-        if isinstance(part, QuantityRef):
-            return table.parameter(name, positive=False)
-        return problem.scene.parameters.nodes[name]
-
-    value = evaluate([lower(tree, table, symbol)], Floats, values)[0]
+    value = evaluate([lower(tree, problem.scene.table, _symbols(problem.scene))], Floats, values)[0]
     return value * tau if counts_cycles(problem.spec, tree) else value

@@ -1,19 +1,22 @@
 """Numbers of frequency responses: their values at a frequency, peaks, half-power points, fixed points."""
 
+import cmath
 from math import isfinite, pi, tau
 
+from vibcli.base import units
 from vibcli.base.errors import PhysicsError
+from vibcli.quantities.dimensions import checker
+from vibcli.quantities.quantity import COMPLEX, ERROR, Declaration, one
+from vibcli.quantities.signal_dimensions import input_dimension, output_dimension
 
-ERROR = 1e-12
 
-
-def wrapped(angle):
+def wrapped(angle: float) -> float:
     """The angle in (−π, π]."""
     angle = -((-angle + pi) % tau - pi) + 0.0
     return pi if angle == -pi else angle
 
 
-def frf(problem, tree, args):
+def _frf(problem, tree, args):
     if not tree.args:
         raise PhysicsError(f"'{tree.text}' is a function of frequency", f"write {tree.text}(5 Hz)")
     return problem.frequency_response(*tree.indices).at(args[0])
@@ -27,7 +30,7 @@ def _complex_part(part):
 
 
 def _transmissibility(problem, tree, args):
-    value, error = frf(problem, tree, args)
+    value, error = _frf(problem, tree, args)
     return abs(value), error
 
 
@@ -58,17 +61,61 @@ def _numbered(items, number, noun):
     return items[number - 1]
 
 
-def _angle(value):
-    import cmath
+def _ratio(spec, tree):
+    """The dimension of an output over that of an input."""
+    output, driver = output_dimension(spec, tree.indices[0]), input_dimension(spec, tree.indices[1])
+    return None if output is None or driver is None else units.times(output, driver, -1)
 
-    return cmath.phase(value)
+
+def _of_argument(spec, tree):
+    return units.RATE if tree.component == "Omega" else checker(spec).dimension(tree.args[0])
 
 
-VALUES = {
-    "frf": frf, "transmissibility": _transmissibility, "arg": _complex_part(_angle),
-    "re": _complex_part(lambda value: value.real), "im": _complex_part(lambda value: value.imag),
-    "phase": _complex_part(lambda value: wrapped(-_angle(value))), "peak": _of_curve(_peak),
-    "antiresonance": _of_curve(lambda curve, i, _: _numbered(curve.antiresonances, i, "antiresonance")),
-    "half_power": _of_curve(lambda curve, i, _: curve.half_power_of((i + 1) // 2)[(i + 1) % 2]),
-    "fixed_point": _fixed_point, "quality": _of_curve(lambda curve, i, _: curve.quality(i)),
+def _size(problem, tree):
+    """Of a response at a frequency; of one as a function it is 0."""
+    from vibcli.quantities.expression import measure
+
+    return abs(measure(problem, tree)[0]) if tree.args else 0.0
+
+
+def _size_of_argument(problem, tree):
+    return _size(problem, tree.args[0])
+
+
+def _of_response(about, unit, value, indices=("number",), components=("",), dimension=None):
+    return Declaration(about, unit, value, indices, ("response",), components, dimension, _size_of_argument)
+
+
+def _of_value(about, part, unit=None, size=_size_of_argument):
+    return Declaration(about, unit, _complex_part(part), args=("complex",), dimension=_of_argument, size=size)
+
+
+QUANTITIES = {
+    "frf": Declaration(
+        "complex frequency response of a signal to a unit of a force, of a driven point or of the generalised force on "
+        "a coordinate: use abs, arg, re, im or phase of it", None, _frf, ("output", "input"), ("Omega",),
+        dimension=_ratio, size=_size, kind=COMPLEX, optional=True),
+    "transmissibility": Declaration(
+        "ratio of amplitudes |frf|", None, _transmissibility, ("output", "input"), ("Omega",), dimension=_ratio,
+        size=_size, optional=True),
+    "peak": _of_response(
+        "i-th peak of |frf|: its place Ω, or its value", None, _of_curve(_peak), components=("Omega", "value"),
+        dimension=_of_argument),
+    "antiresonance": _of_response(
+        "Ω of the i-th zero of the response, or minimum where it is damped", "rad/s",
+        _of_curve(lambda curve, i, _: _numbered(curve.antiresonances, i, "antiresonance"))),
+    "half_power": _of_response(
+        "Ω at which |frf| is 1/√2 of a peak: 1 and 2 below and above the first peak, 3 and 4 the second", "rad/s",
+        _of_curve(lambda curve, i, _: curve.half_power_of((i + 1) // 2)[(i + 1) % 2])),
+    "fixed_point": _of_response(
+        "i-th point through which |frf| passes whatever the damper d is, all else being without damping: its place Ω, "
+        "or its value", None, _fixed_point, ("number", "damper"), ("Omega", "value"), _of_argument),
+    "quality": _of_response(
+        "quality of the i-th peak, Ω/(Ω₂ − Ω₁) by its half-power points", "1",
+        _of_curve(lambda curve, i, _: curve.quality(i))),
+    "arg": _of_value("angle of a complex frequency response", cmath.phase, "rad", size=one),
+    "re": _of_value("real part of a frequency response", lambda value: value.real),
+    "im": _of_value("imaginary part of a frequency response", lambda value: value.imag),
+    "phase(frf)": _of_value("lag −arg of a frequency response", lambda value: wrapped(-cmath.phase(value)), "rad",
+                            size=one),
 }

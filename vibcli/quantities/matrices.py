@@ -1,12 +1,22 @@
-"""Entries of M, C, G and K, moments of inertia and mass centres."""
+"""Entries of M, C, G and K."""
 
-from vibcli.base.errors import PhysicsError
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base import units
+from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.language.signals import coordinate_name
-from vibcli.quantities.quantity import ROUNDING
-from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.quantities.quantity import ROUNDING, Declaration
+
+if TYPE_CHECKING:
+    from vibcli.language.spec import Spec
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.syntax import QuantityRef
+
+POWERS = {"M": 2, "C": 1, "G": 1, "K": 0}       # of the time in an entry, which times two coordinates is an energy
 
 
-def coordinate_number(problem, index):
+def coordinate_number(problem: "Problem", index: str) -> int:
     """The number of an independent coordinate, from 0."""
     name = coordinate_name(problem.spec, index)
     if name not in problem.scene.coordinates:
@@ -15,41 +25,42 @@ def coordinate_number(problem, index):
     return problem.scene.coordinates.index(name)
 
 
-def _matrix(which):
-    def value(problem, indices, attribute):
-        matrices = dict(zip("MCGK", problem.elements.matrices(), strict=True))
-        i, j = (coordinate_number(problem, index) for index in indices)
-        return float(matrices[which].get((i, j), 0.0)), ROUNDING
-    return value
+def _matrix(problem, which):
+    return dict(zip("MCGK", problem.configuration.linear_system.matrices(), strict=True))[which]
 
 
-def inertia_node(scene, indices):
-    """J about the mass centre, or by the parallel axis theorem about a point as drawn."""
-    body = scene.bodies[indices[0]]
-    node = body.inertia if body.inertia is not None else scene.table.zero
-    if len(indices) == 2:
-        x, y = _drawn(scene, indices[1])
-        mass = body.mass if body.mass is not None else scene.table.zero
-        node = node + mass * ((x - body.centre[0]) ** 2 + (y - body.centre[1]) ** 2)
-    return scene.at_drawn(node)[0]
+def _entry(problem, tree, args):
+    i, j = (coordinate_number(problem, index) for index in tree.indices)
+    return float(_matrix(problem, tree.head).get((i, j), 0.0)), ROUNDING
 
 
-def _inertia(problem, indices, attribute):
-    return evaluate([inertia_node(problem.scene, indices)], Floats, problem.floats)[0], ROUNDING
+def largest(problem: "Problem", tree: "QuantityRef") -> float:
+    """The largest entry of a matrix."""
+    return max((abs(float(value)) for value in _matrix(problem, tree.head).values()), default=0.0)
 
 
-def _drawn(scene, name):
-    if name in scene.bodies:
-        return scene.bodies[name].centre
-    return scene.pair(scene.spec.get("points")[name]["at"])
+def _symbolic(problem, tree):
+    matrix = dict(zip("MCGK", problem.symbolic.matrices, strict=True))[tree.head]
+    names, coordinates = [coordinate_name(problem.spec, index) for index in tree.indices], problem.scene.coordinates
+    if not set(names) <= set(coordinates):
+        raise NotInLetters(f"'{tree.text}' is found in numbers")
+    return matrix.get(tuple(map(coordinates.index, names)), problem.scene.table.zero)
 
 
-def centre_node(scene, indices, attribute):
-    return scene.bodies[indices[0]].centre["xy".index(attribute)]
+def entry_dimension(which: str, q: Any, r: Mapping[str, Any]):
+    """Of the entry of a matrix, given the dimensions of two coordinates: energy·timeᵖ/(q·r)."""
+    return units.times(units.times(units.times(units.ENERGY, units.TIME, POWERS[which]), q, -1), r, -1)
 
 
-def _centre(problem, indices, attribute):
-    return evaluate([centre_node(problem.scene, indices, attribute)], Floats, problem.floats)[0], ROUNDING
+def dimension(spec: "Spec", tree: "QuantityRef") -> dict[str, int]:
+    """Of an entry."""
+    return entry_dimension(tree.head, *(spec.dimensions.of(coordinate_name(spec, index)) for index in tree.indices))
 
 
-VALUES = {"M": _matrix("M"), "C": _matrix("C"), "G": _matrix("G"), "K": _matrix("K"), "J": _inertia, "centre": _centre}
+def _of_matrix(word):
+    return Declaration(f"entry of the {word} matrix", None, _entry, ("coordinate", "coordinate"), dimension=dimension,
+                       size=largest, symbolic=_symbolic)
+
+
+QUANTITIES = {"M": _of_matrix("mass"), "C": _of_matrix("damping"), "G": _of_matrix("gyroscopic"),
+              "K": _of_matrix("stiffness")}

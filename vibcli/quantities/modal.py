@@ -1,18 +1,21 @@
 """Quantities of modes: frequencies, shapes, damping, sensitivities and estimates."""
 
 from math import sqrt, tau
+from typing import TYPE_CHECKING
 
-from vibcli.base.errors import PhysicsError
+from vibcli.base import units
+from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.language.signals import coordinate_name
-from vibcli.mechanics.inputs_outputs.displacements import displacement
-from vibcli.quantities.quantity import ROUNDING
-from vibcli.symbolic.derivatives import gradient
-from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.quantities.matrices import entry_dimension
+from vibcli.quantities.quantity import COMPLEX, PERIOD, ROUNDING, Declaration
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 
-def _mode(problem, indices):
-    modes = problem.modes
-    number = int(indices[0])
+def _mode(problem, tree):
+    modes, number = problem.modal.modes, int(tree.indices[0])
     if not modes:
         raise PhysicsError(f"there is no mode {number}: without its dampers nothing would hold what has no "
                            "inertia in this scene",
@@ -27,47 +30,75 @@ def _counted(count, noun):
     return f"one {noun}" if count == 1 else f"{count} {noun}s"
 
 
-def _oscillating(problem, indices, what):
-    mode = _mode(problem, indices)
+def _oscillating(problem, tree, what):
+    mode, number = _mode(problem, tree), tree.indices[0]
     if mode.omega is None:
-        raise PhysicsError(f"mode {indices[0]} is unstable: it has a growth rate, no {what}",
-                           f"ask for growth_rate[{indices[0]}] or stable")
+        raise PhysicsError(f"mode {number} is unstable: it has a growth rate, no {what}",
+                           f"ask for growth_rate[{number}] or stable")
     return mode
 
 
-def _omega(problem, indices, attribute):
-    mode = _oscillating(problem, indices, "frequency")
+def _omega(problem, tree, args):
+    mode = _oscillating(problem, tree, "frequency")
     return float(mode.omega), mode.error
 
 
-def _frequency(problem, indices, attribute):
-    mode = _oscillating(problem, indices, "frequency")
-    return float(mode.omega) / tau, mode.error
+def _frequency(problem, tree, args):
+    omega, error = _omega(problem, tree, args)
+    return omega / tau, error
 
 
-def _period(problem, indices, attribute):
-    mode = _oscillating(problem, indices, "period")
+def _period(problem, tree, args):
+    mode, number = _oscillating(problem, tree, "period"), tree.indices[0]
     if not mode.omega:
-        raise PhysicsError(f"mode {indices[0]} is a rigid-body mode: it has no period",
-                           f"ask for omega[{indices[0]}]: 0 rad/s")
+        raise PhysicsError(f"mode {number} is a rigid-body mode: it has no period", f"ask for omega[{number}]: 0 rad/s")
     return tau / float(mode.omega), mode.error
 
 
-def _growth_rate(problem, indices, attribute):
-    mode = _mode(problem, indices)
+def _growth_rate(problem, tree, args):
+    mode, number = _mode(problem, tree), tree.indices[0]
     if mode.growth_rate is None:
-        raise PhysicsError(f"mode {indices[0]} does not grow: it is not unstable", f"ask for omega[{indices[0]}]")
+        raise PhysicsError(f"mode {number} does not grow: it is not unstable", f"ask for omega[{number}]")
     return float(mode.growth_rate), mode.error
 
 
-def _shape(problem, indices, attribute):
-    mode = _mode(problem, indices[:1])
-    amplitude = _along(problem, problem.shape(mode), coordinate_name(problem.spec, indices[1]) or indices[1])
+def _largest(problem, tree):
+    return max((float(mode.omega or mode.growth_rate or 0.0) for mode in problem.modal.modes), default=0.0)
+
+
+def _ten(problem, tree):
+    """Of amplitudes and damping ratios a digit more is lost."""
+    return 10.0
+
+
+def _shape(problem, tree, args):
+    signal = coordinate_name(problem.spec, tree.indices[1]) or tree.indices[1]
+    amplitude = _along(problem, problem.modal.shape(_mode(problem, tree)), signal)
     return complex(amplitude) if isinstance(amplitude, complex) and amplitude.imag else float(amplitude.real), 1e-11
+
+
+def _modal_mass(problem, tree, args):
+    from vibcli.mechanics.inner_products import inner
+
+    shape, elements = problem.modal.shape(_mode(problem, tree)), problem.configuration.linear_system
+    if any(isinstance(amplitude, complex) and amplitude.imag for amplitude in shape):
+        raise PhysicsError(f"the coordinates do not move in phase in mode {tree.indices[0]}: it has no modal mass",
+                           f"ask for mode[{tree.indices[0]}] of a coordinate")
+    return float(inner(elements.inertias, elements.M, shape, shape).real), 2e-11
+
+
+def _of_coordinates(spec, tree):
+    """Of an entry of M on its diagonal, where all coordinates measure the same."""
+    measured = [spec.dimensions.of(name) for name in spec.coordinates]
+    return entry_dimension("M", *measured[:1] * 2) if all(one == measured[0] for one in measured) else None
 
 
 def _along(problem, shape, signal):
     """How far a signal moves where the coordinates move by `shape`: Σ (∂s/∂qᵢ) φᵢ."""
+    from vibcli.mechanics.inputs_outputs.displacements import displacement
+    from vibcli.symbolic.derivatives import gradient
+    from vibcli.symbolic.evaluation import Floats, evaluate
+
     scene = problem.scene.resting
     if signal in scene.coordinates:
         return shape[scene.coordinates.index(signal)]
@@ -75,16 +106,15 @@ def _along(problem, shape, signal):
     if node is None:
         raise PhysicsError(f"'{signal}' is a force: it has no amplitude in a mode", "ask for a place, turn or stretch")
     slopes = gradient(node)
-    values = evaluate([slopes.get(q, scene.table.zero) for q in scene.q], Floats, problem.at_rest)
+    values = evaluate([slopes.get(q, scene.table.zero) for q in scene.q], Floats, problem.configuration.at_rest)
     return sum(slope * x for slope, x in zip(values, shape, strict=True))
 
 
-def damped_mode(problem, indices):
+def _damped_mode(problem, tree):
     """The damped mode of an index; a scene without dampers has none."""
-    modes = problem.damped
+    modes, number = problem.modal.damped, int(tree.indices[0])
     if modes is None:
         raise PhysicsError("nothing damps this scene: it has no damped modes", "add a damper")
-    number = int(indices[0])
     found = [mode for mode in modes if mode.index == number]
     if not found:
         raise PhysicsError(f"there is no damped mode {number}: this scene has "
@@ -92,53 +122,133 @@ def damped_mode(problem, indices):
     return found[0]
 
 
-def _of_damped(attribute_name, words):
-    def value(problem, indices, attribute):
-        mode = damped_mode(problem, indices)
-        number = getattr(mode, attribute_name)
+def _of_damped(attribute, words):
+    def value(problem, tree, args):
+        mode = _damped_mode(problem, tree)
+        number = getattr(mode, attribute)
         if number is None:
-            raise PhysicsError(f"damped mode {indices[0]} has no {words}", "see `vibcli frequencies` for what it has")
+            raise PhysicsError(f"damped mode {tree.indices[0]} has no {words}",
+                               "see `vibcli frequencies` for what it has")
         return float(number), mode.error
     return value
 
 
-def _eigenvalue(problem, indices, attribute):
-    mode = damped_mode(problem, indices)
+_zeta = _of_damped("zeta", "damping ratio")
+
+
+def _eigenvalue(problem, tree, args):
+    mode = _damped_mode(problem, tree)
     return complex(mode.eigenvalue), mode.error
 
 
-def _decrement(problem, indices, attribute):
-    zeta, error = VALUES["zeta"](problem, indices, attribute)
+def _decrement(problem, tree, args):
+    zeta, error = _zeta(problem, tree, args)
     if not zeta < 1:
-        raise PhysicsError(f"damped mode {indices[0]} does not oscillate: it has no logarithmic decrement",
-                           f"ask for decay[{indices[0]}]")
+        raise PhysicsError(f"damped mode {tree.indices[0]} does not oscillate: it has no logarithmic decrement",
+                           f"ask for decay[{tree.indices[0]}]")
     return tau * zeta / sqrt((1 - zeta) * (1 + zeta)), 4 * error
 
 
-def _sensitivity(problem, indices, attribute):
-    mode, name = _oscillating(problem, indices[:1], "sensitivity"), indices[1]
+def _sensitivity(problem, tree, args):
+    mode, (number, name) = _oscillating(problem, tree, "sensitivity"), tree.indices
     if mode.rigid:
-        raise PhysicsError(f"mode {indices[0]} is a rigid-body mode: its frequency has no sensitivity",
+        raise PhysicsError(f"mode {number} is a rigid-body mode: its frequency has no sensitivity",
                            "ask for that of a mode which oscillates")
-    found = problem.sensitivities
+    found = problem.modal.result("sensitivities")
     if name in found.refused:
         raise PhysicsError(found.refused[name], "see `vibcli solve --insight`")
     rate = found.omega[name][mode.index]
     if rate is None:
-        raise PhysicsError(f"mode {indices[0]} coincides with another one, and they are gyroscopic",
+        raise PhysicsError(f"mode {number} coincides with another one, and they are gyroscopic",
                            "derivatives of such modes are not found")
     return rate, ROUNDING
 
 
 def _estimate(which):
-    def value(problem, indices, attribute):
-        return getattr(problem.estimates, which), ROUNDING
+    def value(problem, tree, args):
+        return getattr(problem.modal.result("estimates"), which), ROUNDING
     return value
 
 
-VALUES = {
-    "omega": _omega, "frequency": _frequency, "period": _period, "growth_rate": _growth_rate, "mode": _shape,
-    "zeta": _of_damped("zeta", "damping ratio"), "omega_d": _of_damped("omega_d", "damped frequency"),
-    "decay": _of_damped("decay", "decay"), "eigenvalue": _eigenvalue, "decrement": _decrement,
-    "sensitivity": _sensitivity, "rayleigh": _estimate("rayleigh"), "dunkerley": _estimate("dunkerley"),
+def _ritz(problem, tree, args):
+    modes, number = problem.modal.result("ritz").modes, int(tree.indices[0])
+    if number > len(modes):
+        raise PhysicsError(f"there is no Ritz estimate {number}: `find` assumes {_counted(len(modes), 'shape')}",
+                           "assume more, or ask for one that there is")
+    mode = modes[number - 1]
+    if mode.omega is None:
+        raise PhysicsError(f"the square of Ritz estimate {number} is negative: the equilibrium is unstable",
+                           "ask for growth_rate[1] or stable")
+    return mode.omega, ROUNDING
+
+
+def one_degree(problem: "Problem") -> "list[Node]":
+    """M, C, K of a scene with one coordinate, in letters."""
+    if len(problem.scene.q) != 1:
+        raise NotInLetters("this is found in letters for one degree of freedom")
+    M, C, _, K = problem.symbolic.matrices
+    zero = problem.scene.table.zero
+    return [matrix.get((0, 0), zero) for matrix in (M, C, K)]
+
+
+def _of_one_degree(form):
+    """`form(m, c, k, omega, table)` of a scene with one coordinate."""
+    def symbolic(problem, tree):
+        from vibcli.symbolic.normal_form import textbook
+        from vibcli.symbolic.radicals import root
+
+        if tree.indices != ("1",):
+            raise NotInLetters(f"'{tree.text}' is found in numbers")
+        m, c, k = one_degree(problem)
+        return form(m, c, k, root(textbook(k / m), [problem.scene.sample]), problem.scene.table)
+    return symbolic
+
+
+def _omega_d(m, c, k, omega, table):
+    from vibcli.symbolic.normal_form import textbook
+
+    return table.sqrt(textbook(k / m - c * c / (4 * m * m)))
+
+
+QUANTITIES = {
+    "omega": Declaration(
+        "natural angular frequency of mode i, the dampers left out", "rad/s", _omega, ("mode",), size=_largest,
+        several=True, symbolic=_of_one_degree(lambda m, c, k, omega, table: omega)),
+    "frequency": Declaration(
+        "natural frequency of mode i", "Hz", _frequency, ("mode",), size=_largest, several=True,
+        symbolic=_of_one_degree(lambda m, c, k, omega, table: omega / (2 * table.pi))),
+    "period": Declaration(
+        "period of mode i; period(x): of the motion of a signal", "s", _period, ("mode",), several=True,
+        kind=PERIOD, symbolic=_of_one_degree(lambda m, c, k, omega, table: 2 * table.pi / omega)),
+    "growth_rate": Declaration(
+        "growth rate of unstable mode i", "1/s", _growth_rate, ("mode",), size=_largest, several=True),
+    "mode": Declaration(
+        "amplitude of a coordinate or signal in mode i, the first coordinate that moves being 1", None, _shape,
+        ("mode", "signal"), size=_ten, kind=COMPLEX),
+    "modal_mass": Declaration(
+        "φᵀMφ of mode i, the first coordinate that moves being 1: a mass, or a moment of inertia", None, _modal_mass,
+        ("mode",), dimension=_of_coordinates, several=True,
+        symbolic=_of_one_degree(lambda m, c, k, omega, table: m)),
+    "zeta": Declaration(
+        "damping ratio of damped mode i, by ascending |λ|", "1", _zeta, ("mode",), size=_ten,
+        symbolic=_of_one_degree(lambda m, c, k, omega, table: c / (2 * m * omega))),
+    "omega_d": Declaration(
+        "damped angular frequency of damped mode i", "rad/s", _of_damped("omega_d", "damped frequency"), ("mode",),
+        size=_largest, symbolic=_of_one_degree(_omega_d)),
+    "decay": Declaration(
+        "decay ζω of damped mode i: −Re λ, or −(λ₁ + λ₂)/2 where it is over-damped", "1/s",
+        _of_damped("decay", "decay"), ("mode",), size=_largest),
+    "eigenvalue": Declaration(
+        "eigenvalue λ = −δ + i ω_d of damped mode i: use re, im, abs or arg of it", "1/s", _eigenvalue, ("mode",),
+        kind=COMPLEX),
+    "sensitivity": Declaration(
+        "derivative of the natural angular frequency of mode i by a parameter p that is not defined by others, the "
+        "shift of the equilibrium included", None, _sensitivity, ("mode", "parameter"),
+        dimension=lambda spec, tree: units.times(units.RATE, spec.dimensions.of(tree.indices[1]), -1)),
+    "rayleigh": Declaration(
+        "Rayleigh's estimate of omega[1] by the static deflection, an upper bound", "rad/s", _estimate("rayleigh")),
+    "dunkerley": Declaration("Dunkerley's estimate of omega[1], a lower bound", "rad/s", _estimate("dunkerley")),
+    "ritz": Declaration(
+        "Ritz's estimate of omega[i] by the shapes that `find` assumes, an upper bound", "rad/s", _ritz, ("mode",)),
+    "decrement[]": Declaration("logarithmic decrement of damped mode i, 2πζ/√(1 − ζ²)", "1", _decrement, ("mode",)),
 }

@@ -1,53 +1,51 @@
 """Numbers of responses: values in time, extremes, steady amplitudes, decrements, and frequency responses."""
 
-from math import isfinite, pi, tau
+from math import isfinite
 
 from vibcli.base.errors import PhysicsError
-from vibcli.quantities.frequency_response import ERROR, wrapped
 from vibcli.quantities.matrices import coordinate_number
-from vibcli.quantities.quantity import PARTS
-from vibcli.results import signal_features, steady_features
-from vibcli.results.signals import LinearSignal
-from vibcli.symbolic.derivatives import gradient
+from vibcli.quantities.matrices import dimension as entry_dimension
+from vibcli.quantities.matrices import largest as largest_entry
+from vibcli.quantities.quantity import ERROR, NUMBER, OF_SIGNAL, PERIOD, SIGNAL, Declaration, declared, one
 from vibcli.symbolic.syntax import QuantityRef
 
-ANGLE = 0.7     # no phasor of an undamped scene is at right angles to it
 
-
-def measure_response(problem, tree, args):
-    """(value, relative error bound) of a number of a signal; `args`: its arguments that are numbers, by their place."""
-    try:
-        value = VALUES[tree.head](problem, tree, args)
-        return value, max(ERROR, _doubt(problem, tree, args, value))
-    except PhysicsError as error:
-        if error.hint and "(x)" in error.hint:
-            error.hint = error.hint.replace("(x)", f"({_found(problem, tree)})")
-        raise
+def _measured(number):
+    """(value, relative error bound) of a number of a signal; hints speak of that signal."""
+    def value(problem, tree, args):
+        try:
+            found = number(problem, tree, args)
+            return found, max(ERROR, _doubt(problem, tree, args, found))
+        except PhysicsError as error:
+            if error.hint and "(x)" in error.hint:
+                raise error.told(hint=error.hint.replace("(x)", f"({_found(problem, tree)})")) from None
+            raise
+    return value
 
 
 def _doubt(problem, tree, args, value):
     """The relative error of a number of a motion that was integrated: of a value in time and of an extreme its own, of
     others that of the motion up to the instant that is found, or up to its end; of a period by quadrature its own."""
-    if problem.motion.KIND != "full":
+    if problem.response.KIND != "full":
         return 0.0
-    if tree.head == "period" and problem.motion.by_quadrature(tree.args[0]) is not None:
-        return problem.motion.by_quadrature(tree.args[0])[1]
-    if not problem.motion.integrated:
+    if tree.head == "period" and problem.response.by_quadrature(tree.args[0]) is not None:
+        return problem.response.by_quadrature(tree.args[0])[1]
+    if not problem.response.integrated:
         return 0.0
     if tree.head == "value":
         instant = args[1]
     elif tree.head in ("max", "min"):
         instant = _extreme(1 if tree.head == "max" else -1, 0)(problem, tree, args)
     else:
-        until = value if tree.head in ("argmax", "argmin", "zero") else problem.motion.known
-        return problem.motion.reaching(until).shared.of_state(until)
+        until = value if tree.head in ("argmax", "argmin", "zero") else problem.response.known
+        return problem.response.reaching(until).shared.of_state(until)
     return min(1.0, _signal(problem, tree).error(instant) / (abs(value) or 1e-300))
 
 
 def _found(problem, tree):
     """The text of the signal that a quantity is asked of, or of that within it which is found: hints speak of x."""
     arg = tree.args[0]
-    while isinstance(arg, QuantityRef) and arg.head in PARTS and not _is_found(problem, arg):
+    while isinstance(arg, QuantityRef) and declared(arg).kind == OF_SIGNAL and not _is_found(problem, arg):
         arg = arg.args[0]
     return tree.text[arg.start - tree.start:arg.end - tree.start]
 
@@ -56,14 +54,14 @@ def _is_found(problem, arg):
     import numpy as np
 
     try:
-        problem.motion.signal(arg).values(np.zeros(1))
+        problem.response.signal(arg).values(np.zeros(1))
     except PhysicsError:
         return False
     return True
 
 
 def _signal(problem, tree):
-    return problem.motion.signal(tree.args[0])
+    return problem.response.signal(tree.args[0])
 
 
 def _value(problem, tree, args):
@@ -80,77 +78,28 @@ def _inertia(problem, tree, args):
     import numpy as np
 
     from vibcli.mechanics.energies import kinetic
+    from vibcli.symbolic.derivatives import gradient
 
     scene = problem.scene
     i, j = (scene.v[coordinate_number(problem, index)] for index in tree.indices)
     zero = scene.table.zero
     node = gradient(gradient(kinetic(scene)).get(i, zero)).get(j, zero)
-    return float(problem.motion.state_signal(node).values(np.array([args[0]]))[0])
+    return float(problem.response.state_signal(node).values(np.array([args[0]]))[0])
 
 
 def _extreme(sense, which):
     def value(problem, tree, args):
-        return _signal(problem, tree).extreme(0.0, problem.motion.until, sense)[which]
+        return _signal(problem, tree).extreme(0.0, problem.response.until, sense)[which]
     return value
 
 
-def _linear(problem, tree):
-    """The signal as a linear output of a small motion."""
-    signal = _signal(problem, tree)
-    if not isinstance(signal, LinearSignal):
-        raise PhysicsError(f"'{tree.head}' is not found of {signal.KIND}", "ask for max(x), min(x) or values in time")
-    return signal
+def _small(name):
+    """Of a small motion."""
+    def number(problem, tree, args):
+        from vibcli.quantities import small_motion
 
-
-def _amplitude(problem, tree, args):
-    """Of the steady state that loads keep up, else of the free vibration."""
-    signal = _linear(problem, tree)
-    if not signal_features.kept_up(signal):
-        return signal_features.amplitude(signal)
-    if problem.signed and signal.motion.steady.period is None:
-        return sum(_signed(X) for _, X in steady_features.harmonics(signal))
-    return steady_features.amplitude(signal)
-
-
-def _signed(X):
-    """Re X e^{−iψ}: of a phasor that passes through zero along a line it changes its sign there."""
-    from math import cos, sin
-
-    return X.real * cos(ANGLE) + X.imag * sin(ANGLE)
-
-
-def _phase(problem, tree, args):
-    import cmath
-
-    signal = _linear(problem, tree)
-    if not signal_features.kept_up(signal):
-        return wrapped(signal_features.from_the_start(signal).phase)
-    found = steady_features.harmonics(signal)
-    if len(found) != 1:
-        raise PhysicsError(f"this steady state has no one phase: it holds {len(found) or 'no'} harmonics",
-                           "ask for max(steady(x)), or its value at a time")
-    return wrapped(-cmath.phase(found[0][1]) - 0.5 * pi)
-
-
-def _harmonic(problem, tree, args):
-    signal = _linear(problem, tree)
-    if not signal_features.kept_up(signal):
-        raise PhysicsError("no load that repeats itself drives this signal: it has no harmonics", "ask for max(x)")
-    return abs(steady_features.harmonic(signal, int(tree.indices[0])))
-
-
-def _over_a_period(which):
-    """Of the steady state that loads keep up, else of the free vibrations that last."""
-    def value(problem, tree, args):
-        signal = _linear(problem, tree)
-        if not signal_features.kept_up(signal):
-            return getattr(signal_features, which)(signal)
-        return getattr(signal.motion.steady, which)(signal.output)
-    return value
-
-
-def _final(problem, tree, args):
-    return _signal(problem, tree).final()
+        return getattr(small_motion, name)(problem, tree, args)
+    return number
 
 
 def _overshoot(problem, tree, args):
@@ -161,43 +110,82 @@ def _overshoot(problem, tree, args):
     if final == start:
         raise PhysicsError("the signal ends where it starts: it has no overshoot", "ask for max(x)")
     sense = 1 if final > start else -1
-    top = signal.extreme(0.0, problem.motion.until, sense)[1]
+    top = signal.extreme(0.0, problem.response.until, sense)[1]
     return max(0.0, float((top - final) / (final - start)))
 
 
 def _zero(problem, tree, args):
     number, signal = int(tree.indices[0]), _signal(problem, tree)
-    found = signal.zeros(0.0, problem.motion.until)
+    found = signal.zeros(0.0, problem.response.until)
     if len(found) < number:
-        until = problem.motion.until
+        until = problem.response.until
         raise PhysicsError(f"the signal passes through zero {len(found)} times until t = {until:.6g} s",
                            f"later ones, if there are any, are seen with a later end: find: [{{response: {{until: "
                            f"{2 * until:.3g} s}}}}]")
     return found[number - 1]
 
 
-def _free(find, fraction=False):
-    def value(problem, tree, args):
-        signal = _linear(problem, tree)
-        return find(signal, float(tree.indices[0])) if fraction else find(signal)
-    return value
+def _end(problem, tree):
+    return problem.response.until
 
 
-def _period(problem, tree, args):
-    """Of the steady state that loads keep up, else of the free vibration."""
-    if problem.motion.KIND != "small":
-        return problem.motion.period(tree.args[0])
-    signal = _linear(problem, tree)
-    if signal_features.kept_up(signal):
-        return tau / steady_features.fundamental(signal)
-    return signal_features.free_period(signal)
+def _size(problem, tree):
+    """The largest value of the signal; of a value whose motion has no known end, until its instant and for a second."""
+    try:
+        end = problem.response.until
+    except PhysicsError:
+        if tree.head != "value":
+            raise
+        from vibcli.quantities.expression import number_of
+
+        end = max(number_of(problem, tree.args[1]), 1.0)
+    signal = _signal(problem, tree)
+    return max(abs(signal.extreme(0.0, end, sense)[1]) for sense in (1, -1))
 
 
-VALUES = {
-    "value": _value, "M": _inertia,
-    "amplitude": _amplitude, "phase": _phase, "max": _extreme(1, 1), "min": _extreme(-1, 1),
-    "argmax": _extreme(1, 0), "argmin": _extreme(-1, 0), "mean": _over_a_period("mean"), "rms": _over_a_period("rms"),
-    "final": _final, "overshoot": _overshoot, "harmonic": _harmonic, "zero": _zero, "period": _period,
-    "decrement": _free(signal_features.decrement), "beat_period": _free(signal_features.beat_period),
-    "time_to": _free(signal_features.time_to, True), "cycles_to": _free(signal_features.cycles_to, True),
+def _of_signal(about, unit, number, indices=(), size=_size, kind=NUMBER):
+    return Declaration(about, unit, _measured(number), indices, ("signal",), size=size, kind=kind)
+
+
+def _part(about):
+    return Declaration(about, SIGNAL, args=("signal",), kind=OF_SIGNAL)
+
+
+QUANTITIES = {
+    "amplitude": _of_signal(
+        "amplitude of a signal: in the steady state X of its one harmonic, half its range where it has several; of a "
+        "free vibration A of A e^(−δt) cos(ω_d t − φ)", SIGNAL, _small("amplitude")),
+    "phase": _of_signal(
+        "lag θ of the steady state X sin(Ωt − θ), −π < θ ≤ π; of a free vibration φ of A e^(−δt) cos(ω_d t − φ); of "
+        "phase(frf[…](…)): −arg", "rad", _small("phase"), size=one),
+    "max": _of_signal("largest value from t = 0 on, up to `until` of the response", SIGNAL, _extreme(1, 1)),
+    "min": _of_signal("smallest value", SIGNAL, _extreme(-1, 1)),
+    "argmax": _of_signal("instant of the largest value", "s", _extreme(1, 0), size=_end),
+    "argmin": _of_signal("instant of the smallest value", "s", _extreme(-1, 0), size=_end),
+    "mean": _of_signal("mean over a period of the steady state, or of free vibrations that do not die out", SIGNAL,
+                       _small("mean")),
+    "rms": _of_signal("root mean square of the same", SIGNAL, _small("rms")),
+    "final": _of_signal("limit for t → ∞", SIGNAL,
+                        lambda problem, tree, args: _signal(problem, tree).final()),
+    "overshoot": _of_signal("(max − final)/(final − start)", "1", _overshoot, size=one),
+    "decrement": _of_signal("logarithmic decrement of a free motion, by successive maxima", "1",
+                            _small("decrement"), size=one),
+    "beat_period": _of_signal("period of the beats of two neighbouring frequencies, 2π/|ω₁ − ω₂|", "s",
+                              _small("beat_period"), size=_end, kind=PERIOD),
+    "harmonic": _of_signal("amplitude of harmonic n of the periodic steady state", SIGNAL, _small("harmonic"),
+                           ("number",)),
+    "zero": _of_signal("instant of the i-th zero, a start or a touch counting as a passage", "s", _zero, ("number",),
+                       _end),
+    "time_to": _of_signal("time in which the envelope of a free motion falls to a fraction", "s",
+                          _small("time_to"), ("fraction",), _end),
+    "cycles_to": _of_signal("number of cycles in that time", "1", _small("cycles_to"),
+                            ("fraction",), one),
+    "steady": _part("steady state of a signal, itself a signal: steady(x)(2 s), max(steady(x))"),
+    "transient": _part("the rest of a signal, which dies out where the scene is damped"),
+    "envelope": _part("envelope of a free motion A e^(−δt), itself a signal"),
+    "M()": Declaration("entry of the mass matrix at an instant", None, _measured(_inertia),
+                       ("coordinate", "coordinate"), ("time",), dimension=entry_dimension, size=largest_entry),
+    "period()": _of_signal("period of the actual motion of a signal", "s", _small("period"), size=_end, kind=PERIOD),
+    "value": Declaration("value of a signal at an instant", SIGNAL, _measured(_value), args=("signal", "time"),
+                         size=_size),
 }

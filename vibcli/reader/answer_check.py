@@ -1,150 +1,126 @@
 """Expected answers: does each name a quantity that can be asked of this scene, in the dimension it has?"""
 
+from typing import TYPE_CHECKING
+
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
+from vibcli.base.spelling import nearest
 from vibcli.language.dimension_check import check
-from vibcli.language.fields import nearest
-from vibcli.quantities.quantity import (
-    ALL,
-    ASKED,
-    BARE,
-    SIGNAL,
-    STATE_FUNCTIONS,
-    declared,
-    is_choice,
-)
+from vibcli.language.reader import Expression, Reader
+from vibcli.quantities import FAMILIES
+from vibcli.quantities.dimensions import asked_dimension, dimension_of
+from vibcli.quantities.quantity import ALL, OF_STATE, TRUTH, is_bare, kind_of, named, quantity_of, usage
+from vibcli.quantities.signal_dimensions import output_dimension
 from vibcli.reader.cycle_check import check_radians, check_same, check_terms, is_frequency
 from vibcli.reader.quantity_check import can_be_asked
-from vibcli.reader.quantity_dimensions import (
-    asked_dimension,
-    output_dimension,
-    usage_here,
-)
+from vibcli.reader.sections.answer import Answer
 from vibcli.symbolic.cycles import left_over
-from vibcli.symbolic.parser import ExpressionError
-from vibcli.symbolic.semantics import DimensionCheck, names_in, quantities_in
-from vibcli.symbolic.syntax import NameRef, QuantityRef
+from vibcli.symbolic.syntax import NameRef, Product, QuantityRef, Sum
 
-ANGULAR = ("omega", "omega_d", "decay", "growth_rate", "rayleigh", "dunkerley")
-
-
-def check_answers(spec, reader):
-    """Report whatever is wrong with the answers of a file."""
-    spec.asked_dimension = lambda tree: asked_dimension(spec, tree)
-    spec.velocities |= {id(a.expected) for a in spec.answers}
-    for answer in spec.answers:
-        _answer(spec, reader, answer)
+if TYPE_CHECKING:
+    from vibcli.language.spec import Spec
 
 
-def check_question(spec, reader, asked):
-    """Report whatever is wrong with a quantity, or an expression of some, that is asked without an expected value."""
-    spec.asked_dimension = lambda tree: asked_dimension(spec, tree)
+def check_question(spec: "Spec", reader: Reader, asked: Expression) -> Expression:
+    """A quantity, or an expression of some, that is asked without an expected value; reports what is wrong with it."""
+    asked = as_quantity(spec, asked)
     if is_asked(spec, reader, asked) and check(spec, reader, asked, spec.parameters, None):
         check_terms(spec, reader, asked)
+    return asked
 
 
 def _is_parameter(spec, name):
     """Is a name that can be asked for, such as T, that of a chosen parameter or of one that measures something else?"""
     measured = spec.dimensions.of(name) if name in spec.parameters else None
-    return name in spec.choices or (measured is not None and measured != units.parse_unit(ASKED[name].unit).dimension)
+    return name in spec.choices or (measured is not None and measured != units.parse_unit(named(name).unit).dimension)
 
 
-def as_quantity(spec, tree):
-    """The tree of a quantity that is written as a name alone, such as rayleigh or T; other trees as they are."""
-    if isinstance(tree, NameRef) and tree.name in BARE and not tree.primes and not _is_parameter(spec, tree.name):
-        return QuantityRef(tree.start, tree.end, tree.name, tree.name)
-    return tree
+def as_quantity(spec: "Spec", expression: Expression) -> Expression:
+    """The quantity that is written as a name alone, such as rayleigh or T; other expressions as they are."""
+    tree = expression.tree
+    if isinstance(tree, NameRef) and not tree.primes and is_bare(tree.name) and not _is_parameter(spec, tree.name):
+        return Expression(expression.scalar, QuantityRef(tree.start, tree.end, tree.name, tree.name))
+    return expression
 
 
-def is_asked(spec, reader, asked):
-    """Is this a quantity, or an expression of some, that can be asked of the scene? Reports what is wrong with it; a
-    name alone becomes the quantity that it stands for."""
-    tree = asked.tree = as_quantity(spec, asked.tree)
-    whole = isinstance(tree, QuantityRef)
-    if not all(can_be_asked(spec, reader, asked, quantity) for quantity in quantities_in(tree)):
+def in_unit_asked(spec: "Spec", expected: Expression, tree: Product | QuantityRef | Sum) -> Expression:
+    """An expected value in the unit of the quantity that is asked, if it has one of its own."""
+    quantity = quantity_of(spec, tree)
+    return Expression(expected.scalar, expected.tree, None if quantity is None else quantity.own_unit)
+
+
+def is_asked(spec: "Spec", reader: Reader, asked: Expression) -> bool:
+    """Is this a quantity, or an expression of some, that can be asked of the scene? Reports what is wrong with it."""
+    if not all(can_be_asked(spec, reader, asked, quantity) for quantity in asked.parts.quantities):
         return False
-    names = {name for name, *_ in names_in(tree)} - {"pi"}
+    names = {name for name, *_ in asked.parts.names} - {"pi"}
     of_parameters = names & set(spec.choices) or (names and names <= set(spec.parameters))
-    if not whole and not quantities_in(tree) and not of_parameters:
-        if asked.text in ASKED:
-            needs = "an index" if ASKED[asked.text].indices else "a signal"
-            reader.report(asked.where, f"{quoted(asked.text)} needs {needs}", f"write {usage_here(spec, asked.text)}")
-        elif at_no_time(spec, tree):
+    if not asked.parts.quantities and not of_parameters:
+        if asked.text in FAMILIES:
+            needs = "an index" if named(asked.text).indices else "a signal"
+            reader.report(asked.where, f"{quoted(asked.text)} needs {needs}", f"write {usage(asked.text, spec)}")
+        elif isinstance(asked.tree, NameRef) and output_dimension(spec, asked.tree.name) is not None:
             reader.report(asked.where, f"{quoted(asked.text)} is a function of time",
                           f"ask for its value as in {asked.text}(2 s), or for max({asked.text})")
         else:
-            reader.report(asked.where, f"{quoted(asked.text)} is not a quantity", nearest(asked.text, ASKED) or ALL)
+            reader.report(asked.where, f"{quoted(asked.text)} is not a quantity", nearest(asked.text, FAMILIES) or ALL)
         return False
     return True
 
 
-def _answer(spec, reader, answer):
-    """The quantity asked for must exist, and the expected value must have its dimension."""
+def checked(spec: "Spec", reader: Reader, answer: Answer):
+    """The finished Answer, a name alone being the quantity that it means; reports what cannot be asked, and an expected
+    value that has not its dimension."""
+    asked, expected = as_quantity(spec, answer.asked), answer.expected
+    found = Answer(asked, in_unit_asked(spec, expected, asked.tree), answer.rtol)
+    if is_asked(spec, reader, asked):
+        _expected(spec, reader, found)
+    return found
+
+
+def _expected(spec, reader, answer):
+    """Report what is wrong with an expected value."""
     asked, expected = answer.asked, answer.expected
-    if not is_asked(spec, reader, asked):
-        return
     tree = asked.tree
-    whole = isinstance(tree, QuantityRef)
-    head = tree.head if whole else None
-    if head == "stable":
+    kind = kind_of(spec, tree)
+    if kind == TRUTH:
         if expected.text not in ("true", "false"):
             reader.report(expected.where, f"expected true or false, found {quoted(expected.text)}",
-                          "write stable: true")
+                          f"write {tree.text}: true")
         return
     for part in (expected, answer.rtol) if answer.rtol is not None else (expected,):
-        for quantity in quantities_in(part.tree):
-            if not can_be_asked(spec, reader, part, quantity):
-                return
-    if head in STATE_FUNCTIONS and quantities_in(expected.tree):
-        quantity = quantities_in(expected.tree)[0]
-        reader.report(expected.scalar.place(quantity.start, quantity.end - quantity.start),
-                      f"'{quantity.text}' cannot stand in an expected '{head}'",
+        if not all(can_be_asked(spec, reader, part, other) for other in part.parts.quantities):
+            return
+    if kind in OF_STATE and expected.parts.quantities:
+        other = expected.parts.quantities[0]
+        reader.report(expected.scalar.place(other.start, other.end - other.start),
+                      f"'{other.text}' cannot stand in an expected '{tree.head}'",
                       "write it in parameters and coordinates")
         return
-    names = spec.parameters if head not in STATE_FUNCTIONS else (*spec.parameters, *spec.coordinates, "t")
+    names = spec.parameters if kind not in OF_STATE else (*spec.parameters, *spec.coordinates, "t")
     fits = check(spec, reader, asked, spec.parameters, None)
-    dimension_asked = asked_dimension(spec, tree) if whole else dimension_of(spec, asked)
-    expected.unit = unit_asked(tree) if whole and not is_choice(spec, tree) else None
+    dimension_asked = asked_dimension(spec, tree) if isinstance(tree, QuantityRef) else dimension_of(spec, asked)
     if check(spec, reader, expected, names, dimension_asked) and fits:
         check_cycles(spec, reader, asked, expected)
     if answer.rtol is not None:
         check(spec, reader, answer.rtol, spec.parameters, units.NONE)
 
 
-def at_no_time(spec, tree):
-    """Is this a signal alone, without an instant?"""
-    return isinstance(tree, NameRef) and output_dimension(spec, tree.name) is not None
-
-
-def unit_asked(tree):
-    """The unit that the value of a quantity is expected in; None where its indices or arguments settle it."""
-    unit = declared(tree).unit
-    return None if unit == SIGNAL else unit
-
-
-def dimension_of(spec, expression):
-    try:
-        return DimensionCheck(spec.dimensions, lambda name, primes: spec.dimensions.of(name), spec.free_numbers,
-                              lambda tree: asked_dimension(spec, tree)).dimension(expression.tree)
-    except ExpressionError:
-        return None
-
-
-def check_cycles(spec, reader, asked, expected):
+def check_cycles(spec: "Spec", reader: Reader, asked: Expression, expected: Expression) -> None:
     """Hz is not rad/s: an angular frequency refuses it, and a frequency the other; all else counts no cycles."""
     tree = asked.tree
-    head = tree.head if isinstance(tree, QuantityRef) and not is_choice(spec, tree) else None
-    asks_frequency = head is not None and declared(tree).unit == "Hz"
+    quantity = quantity_of(spec, tree)
+    asks_frequency = quantity is not None and quantity.unit == "Hz"
     count = check_terms(spec, reader, expected)
     if count is None or check_terms(spec, reader, asked) is None:
         return
     if asks_frequency and not is_frequency(spec, expected):
-        reader.report(expected.where, f"expected a frequency (Hz) for '{head}', found an angular frequency",
+        reader.report(expected.where, f"expected a frequency (Hz) for '{tree.head}', found an angular frequency",
                       "divide by 2*pi, or ask for omega[i]")
-    elif head in ANGULAR and left_over(count) == 1:
-        reader.report(expected.where, f"expected an angular frequency (rad/s) for '{head}', found Hz",
+    elif quantity is not None and quantity.is_rate and left_over(count) == 1:
+        reader.report(expected.where, f"expected an angular frequency (rad/s) for '{tree.head}', found Hz",
                       "write 2*pi*f, or ask for frequency[i]")
-    elif head is None:
+    elif quantity is None:
         check_same(spec, reader, asked, expected)
     elif not asks_frequency:
         check_radians(spec, reader, expected)

@@ -1,23 +1,29 @@
 """Chosen parameters of a file: symbols with a condition each, which must name what can be asked, in its dimension."""
 
+from typing import TYPE_CHECKING
+
 from vibcli.base import units
 from vibcli.language.dimension_check import check
-from vibcli.language.reader import Record
-from vibcli.quantities.quantity import ASKED, STATE_FUNCTIONS
-from vibcli.reader.answer_check import as_quantity, check_cycles, dimension_of, unit_asked
+from vibcli.language.reader import Reader, Record
+from vibcli.quantities import FAMILIES
+from vibcli.quantities.dimensions import asked_dimension, dimension_of
+from vibcli.quantities.quantity import LEAPING, OF_STATE, kind_of
+from vibcli.reader.answer_check import as_quantity, check_cycles, in_unit_asked
 from vibcli.reader.quantity_check import can_be_asked
-from vibcli.reader.quantity_dimensions import asked_dimension
-from vibcli.symbolic.semantics import ALL_NUMBERS, names_in, quantities_in
+from vibcli.reader.sections.choose import Condition
+from vibcli.symbolic.semantics import ALL_NUMBERS
 from vibcli.symbolic.syntax import NameRef, QuantityRef
 
+if TYPE_CHECKING:
+    from vibcli.language.spec import Spec
+
 MOST_CHOSEN = 4
-COUNTED = ("stable", "equilibria")
 
 
-def enter(spec, reader, names):
-    """Every chosen name becomes a symbol; `names` are those under `choose`, whether or not they could be read."""
-    choices = spec.get("choose") or {}
-    moved = {motion.tree.name for motion in reader.motions if isinstance(motion.tree, NameRef)}
+def with_choices(spec: "Spec", reader: Reader) -> "Spec":
+    """The Spec in which every chosen name is a symbol, those as well whose condition could not be read."""
+    choices, names = spec.get("choose") or {}, spec.named["choose"]
+    moved = {motion.tree.name for motion in reader.motions.values() if isinstance(motion.tree, NameRef)}
     moved |= set(spec.get("coordinates") or ())
     if len(choices) > MOST_CHOSEN:
         reader.report(list(choices.values())[MOST_CHOSEN].where,
@@ -29,45 +35,53 @@ def enter(spec, reader, names):
         elif "value" in spec.parameters.get(name, ()):
             reader.report(record.where, f"'{name}' is chosen, but has a value already",
                           "leave its value out under `parameters`, or do not choose it")
-    spec.choices = choices
-    spec.parameters = dict(spec.parameters)
-    for name in names:
-        if name not in moved and name.isidentifier() and name not in spec.parameters:
-            where = choices[name].where if name in choices else None
-            spec.parameters[name] = Record(None, name, where, {}, {})
-    spec.sections["parameters"] = spec.parameters
-    spec.named["parameters"] = [*spec.named.get("parameters", ()), *names]
+    new = [name for name in names if name not in moved and name.isidentifier() and name not in spec.parameters]
+    symbols = {name: Record(None, name, choices[name].where if name in choices else None, {}, {}) for name in new}
+    named = {**spec.named, "parameters": [*spec.named.get("parameters", ()), *names]}
+    return spec.with_parameters({**spec.parameters, **symbols})._replace(choices=choices, named=named)
 
 
-def check_choices(spec, reader):
-    """Report whatever is wrong with the conditions of a file."""
-    spec.asked_dimension = lambda tree: asked_dimension(spec, tree)
-    for name, record in spec.choices.items():
+def check_choices(spec: "Spec", reader: Reader) -> "Spec":
+    """The Spec with its conditions finished; reports whatever is wrong with them."""
+    found = {name: record if record["so"].word else record.with_values({**record, "so": _finished(spec, record["so"])})
+             for name, record in spec.choices.items()}
+    spec = spec.with_sections(choose={**spec.get("choose", {}), **found})._replace(choices=found)
+    for name, record in found.items():
         for bound in (record[key] for key in ("from", "to") if key in record):
-            for other, _, start, end in names_in(bound.tree):
+            for other, _, start, end in bound.parts.names:
                 if other in spec.choices:
                     reader.report(bound.scalar.place(start, end - start), f"'{other}' is chosen itself",
                                   "bounds are made of numbers and given parameters")
         if not record["so"].word:
             _equation(spec, reader, name, record["so"])
+    return spec
+
+
+def _finished(spec, condition):
+    """An equation in which names alone are the quantities that they stand for, its expected side in their unit."""
+    left, right = (as_quantity(spec, side) for side in condition.sides)
+    if _head(right) and not _head(left):
+        left = in_unit_asked(spec, left, right.tree)
+    elif _head(left):
+        right = in_unit_asked(spec, right, left.tree)
+    return Condition(condition.text, condition.where, None, left, right)
 
 
 def _equation(spec, reader, name, condition):
     left, right = condition.sides
-    for side in condition.sides:
-        side.tree = as_quantity(spec, side.tree)
-    quantities = [(side, tree) for side in condition.sides for tree in quantities_in(side.tree)]
+    quantities = [(side, tree) for side in condition.sides for tree in side.parts.quantities]
     for side, tree in quantities:
-        if tree.head in spec.choices and tree.head not in ASKED:
+        if tree.head in spec.choices and tree.head not in FAMILIES:
             reader.report(_place(side, tree), f"'{tree.text}' cannot stand in a condition", f"write {tree.head} alone")
             return
         if not can_be_asked(spec, reader, side, tree):
             return
-        if tree.head in COUNTED:
+        kind = kind_of(spec, tree)
+        if kind in LEAPING:
             reader.report(_place(side, tree), f"'{tree.text}' cannot stand in a condition: it changes by leaps",
                           "for the value at which it changes write stability limit")
             return
-        if tree.head in STATE_FUNCTIONS:
+        if kind in OF_STATE:
             reader.report(_place(side, tree), f"'{tree.text}' cannot stand in a condition: it is not a number",
                           "conditions are made of numbers, parameters and quantities such as omega[1]")
             return
@@ -75,13 +89,12 @@ def _equation(spec, reader, name, condition):
     if not check(spec, reader, asked, spec.parameters, None):
         return
     if _head(asked):
-        expected.unit = unit_asked(asked.tree)
         fits = check(spec, reader, expected, spec.parameters, asked_dimension(spec, asked.tree))
     else:
         fits = check(spec, reader, expected, spec.parameters, None) and _same(spec, reader, asked, expected)
     if fits:
         check_cycles(spec, reader, asked, expected)
-    if not quantities and not any(part[0] in spec.choices for side in condition.sides for part in names_in(side.tree)):
+    if not quantities and not any(part[0] in spec.choices for side in condition.sides for part in side.parts.names):
         reader.report(condition.where, f"this does not determine '{name}': it holds no quantity and nothing chosen",
                       "write an equation such as omega[1] = 20 rad/s")
 

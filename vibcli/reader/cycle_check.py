@@ -1,43 +1,48 @@
 """Cycles and radians in a file: where cycles stand for radians."""
 
+from typing import TYPE_CHECKING
+
+from vibcli.base.units import UNITS
 from vibcli.quantities.cycle_count import count_of_unit, cycles, known_dimension
-from vibcli.symbolic.cycles import (
-    CYCLE,
-    agree,
-    fits_both,
-    left_over,
-)
-from vibcli.symbolic.parser import ExpressionError
-from vibcli.symbolic.semantics import literal_unit, literals_in, quantities_in
+from vibcli.symbolic.cycles import CYCLE, agree, fits_both, left_over
+from vibcli.symbolic.syntax import ExpressionError
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.language.reader import Expression, Reader
+    from vibcli.language.spec import Spec
+
+OF_CYCLES = frozenset(name for name, unit in UNITS.items() if unit.cycles)
 
 
-def uses_cycles(spec, reader):
+def uses_cycles(spec: "Spec", reader: "Reader") -> bool:
     """Does anything in the file count cycles?"""
     values = [record["value"] for record in spec.parameters.values() if "value" in record]
-    if any(part.units and literal_unit(part.units).cycles for expression in (*reader.expressions, *values)
-           for part in literals_in(expression.tree)):
+    if any(part.unit in OF_CYCLES for expression in (*reader.expressions.values(), *values)
+           for number in expression.parts.numbers for part in number.units):
         return True
     records = (*spec.parameters.values(), *(spec.get("records") or {}).values())
     if any(count_of_unit(record).get(CYCLE) for record in records):
         return True
     asked = [answer.asked for answer in spec.answers]
     asked += [side for record in spec.choices.values() for side in record["so"].sides]
-    return any(tree.head == "frequency" for expression in asked for tree in quantities_in(expression.tree))
+    return any(tree.head == "frequency" for expression in asked for tree in expression.parts.quantities)
 
 
-def check_radians(spec, reader, expression):
+def check_radians(spec: "Spec", reader: "Reader", expression: "Expression") -> None:
     """Report cycles where radians are due: in an angle, an angular frequency, a stiffness …"""
     message = "expected an angular frequency (rad/s), found Hz" if expression.unit == "rad/s" else (
         "this counts cycles (Hz) where radians are due")
     _reported(reader, expression, lambda counter: counter.require_radians(expression.tree, message, True), spec)
 
 
-def check_terms(spec, reader, expression):
+def check_terms(spec: "Spec", reader: "Reader", expression: "Expression") -> "dict[str, Fraction | int]":
     """Report terms that cannot be added, one counting cycles and the other radians."""
     return _reported(reader, expression, lambda counter: counter.count(expression.tree), spec)
 
 
-def check_same(spec, reader, asked, expected):
+def check_same(spec: "Spec", reader: "Reader", asked: "Expression", expected: "Expression") -> None:
     """Report an expected value that counts cycles where what is asked does not, or the reverse."""
     counts = [check_terms(spec, reader, part) for part in (asked, expected)]
     dimensions = [known_dimension(spec, part.tree) for part in (asked, expected)]
@@ -48,7 +53,7 @@ def check_same(spec, reader, asked, expected):
                       "an angular frequency is 2*pi*f, a frequency omega/(2*pi)")
 
 
-def is_frequency(spec, expression):
+def is_frequency(spec: "Spec", expression: "Expression") -> bool:
     """Can it be a frequency in Hz: does it count one cycle, or neither cycles nor radians?"""
     count = cycles(spec, expression.text).count(expression.tree)
     return left_over(count) == 1 or fits_both(count, known_dimension(spec, expression.tree))

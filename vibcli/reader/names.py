@@ -1,68 +1,75 @@
 """Names and dimensions of a whole file: which names are parameters, which coordinates, and what each measures."""
 
+from typing import TYPE_CHECKING
+
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
+from vibcli.base.spelling import nearest
 from vibcli.language.dimension_check import check, check_whole_literal
 from vibcli.language.named_place import NamedPlace
-from vibcli.language.reader import Record, nearest
-from vibcli.language.record_calls import call_records, record_dimensions
+from vibcli.language.reader import Reader, Record
+from vibcli.language.record_calls import own
 from vibcli.language.sections.initial import RELEASED
-from vibcli.quantities.quantity import dimension
+from vibcli.quantities.dimensions import asked_dimension
 from vibcli.symbolic.parser import parse
-from vibcli.symbolic.semantics import DimensionCheck, constant, names_in
-from vibcli.symbolic.syntax import NameRef, Number, Sum
+from vibcli.symbolic.semantics import DimensionCheck, constant
+from vibcli.symbolic.syntax import NameRef
+
+if TYPE_CHECKING:
+    from vibcli.language.spec import Spec
 
 MOST_COORDINATES = 2000
 
 
-def settle(spec, reader):
-    """Settle the names and dimensions of `spec`; whatever does not fit goes to reader.diagnostics."""
+def settle(spec: "Spec", reader: Reader) -> "Spec":
+    """`spec` with its coordinates, the dimensions of all names, and what is asked; whatever does not fit goes to
+    reader.diagnostics."""
     before = len(reader.diagnostics)
-    spec.dimensions = units.Dimensions()
-    spec.used, spec.counts, spec.asked_dimension = set(), None, None
-    spec.coordinates = _coordinates(spec, reader)
-    call_records(spec, reader)
+    spec = spec._replace(dimensions=units.Dimensions(), coordinates=_coordinates(spec, reader), used=set(), counts={})
+    if spec.get("records"):
+        _records(spec, reader)
     _references(spec, reader)
     _named_places(spec, reader)
-    _units_of_symbols(spec, reader)
-    expected = [answer.expected for answer in spec.answers] + [answer.asked for answer in spec.answers]
-    apart = set(map(id, expected)) | {id(a.rtol) for a in spec.answers}
-    apart |= {id(side) for record in (spec.get("choose") or {}).values() for side in record["so"].sides}
-    record_dimensions(spec)
+    _units_of_symbols(spec)
+    expected = {answer.expected.scalar for answer in spec.answers}
+    apart = expected | {answer.rtol.scalar for answer in spec.answers if answer.rtol is not None}
+    apart |= {side.scalar for record in (spec.get("choose") or {}).values() for side in record["so"].sides}
     circular = _parameters(spec, reader)
-    _matrices(spec, reader)
-    _start(spec, reader)
+    due = {**_matrices(spec), **_start(spec), **_along(spec, reader)}
     _bounded(spec, reader)
     known = dict.fromkeys((*spec.parameters, *spec.coordinates, "t"))
     if "t" not in spec.parameters and "t" not in spec.coordinates:
         spec.dimensions.equate(spec.dimensions.unknown("t"), units.TIME)
-    parameters = {id(p.get("value")) for p in spec.parameters.values()}
+    values = {value.scalar: value for value in (p.get("value") for p in spec.parameters.values()) if value is not None}
     moving = _moving(spec, reader)
+    reader.at_speed.update(expected)
     if "t" in spec.parameters:
-        _time_is_taken(spec, reader)
-    for expression in reader.expressions:
-        if id(expression) not in apart and id(expression) not in parameters:
-            names = known if id(expression) in moving else spec.parameters
-            local = reader.local_names.get(id(expression))
-            check(spec, reader, expression, names if local is None else {**names, local[0]: None}, expression.dimension,
-                  local)
-    for expression in (*reader.expressions, *(p["value"] for p in spec.parameters.values() if "value" in p)):
-        if isinstance(expression.tree, (Number, Sum)):
+        _time_is_taken(reader)
+    for scalar, expression in reader.expressions.items():
+        if scalar not in apart and scalar not in values:
+            names = known if scalar in moving else spec.parameters
+            local = reader.local_names.get(scalar)
+            check(spec, reader, expression, names if local is None else {**names, local[0]: None},
+                  due.get(scalar, expression.dimension), local)
+    for expression in (reader.expressions | values).values():
+        if expression.parts.whole and len(expression.parts.whole.units) > 1:
             check_whole_literal(spec, reader, expression)
     if not circular:
-        _cycles(spec, reader, apart | parameters)
+        _cycles(spec, reader, apart | set(values))
+    spec = spec._replace(asked_dimension=asked_dimension)
     if spec.choices and reader.sound and len(reader.diagnostics) == before:
         from vibcli.reader.choices import check_choices
 
-        check_choices(spec, reader)
+        spec = check_choices(spec, reader)
     if spec.get("find") and reader.sound and len(reader.diagnostics) == before:
         from vibcli.reader.quantity_check import check_questions
 
         check_questions(spec, reader, *spec.get("find").signals)
     if spec.answers and reader.sound and len(reader.diagnostics) == before:
-        from vibcli.reader.answer_check import check_answers
+        from vibcli.reader.answer_check import checked
 
-        check_answers(spec, reader)
+        spec = spec._replace(answers=[checked(spec, reader, answer) for answer in spec.answers])
+    return spec
 
 
 def _cycles(spec, reader, apart):
@@ -74,28 +81,27 @@ def _cycles(spec, reader, apart):
         bounds = [record[key] for record in spec.choices.values() for key in ("from", "to") if key in record]
         for expression in (*values, *bounds):
             check_terms(spec, reader, expression)
-        apart = apart | set(map(id, bounds))
-        for expression in reader.expressions:
-            if id(expression) not in apart:
+        apart = apart | {bound.scalar for bound in bounds}
+        for scalar, expression in reader.expressions.items():
+            if scalar not in apart:
                 (check_terms if expression.unit == "Hz" else check_radians)(spec, reader, expression)
 
 
-def _time_is_taken(spec, reader):
-    """Where loads and motions are written, t is the time."""
-    for expression in (*reader.motions, *reader.loads):
-        for name, _, start, end in names_in(expression.tree):
+def _time_is_taken(reader):
+    """A parameter t in loads and motions, where it would be the time."""
+    for expression in (reader.motions | reader.loads).values():
+        for name, _, start, end in expression.parts.names:
             if name == "t":
                 reader.report(expression.scalar.place(start, end - start), "'t' would be the time here, and is a "
                               "parameter of this scene", "give the parameter another name")
 
 
 def _moving(spec, reader):
-    """Coordinates and the time may stand in motions, stretches, loads and energies; all else is of parameters."""
-    holders = [*(spec.get("springs") or {}).values(), *(spec.get("dampers") or {}).values()]
-    energies = spec.get("energies")
-    at_speed = [*(energies.values.values() if energies else ()), *reader.loads]
-    spec.velocities = set(map(id, at_speed))
-    return set(map(id, (*reader.motions, *(record.get("stretch") for record in holders), *at_speed)))
+    """Scalars in which coordinates and the time may stand: motions, stretches, loads and energies, and in these two
+    velocities; all else is of parameters."""
+    reader.at_speed.update(reader.loads, (expression.scalar for expression in (spec.get("energies") or {}).values()))
+    return {*reader.motions, *reader.at_speed, *(record["stretch"].scalar for record in spec.connections
+                                                 if "stretch" in record)}
 
 
 def _coordinates(spec, reader):
@@ -105,22 +111,21 @@ def _coordinates(spec, reader):
         if name in spec.parameters:
             reader.report(record.where, f"'{name}' is a parameter and a coordinate", "rename one of them")
     declared = set(found) if reader.sound else ()
-    for motion in reader.motions:
+    for motion in reader.motions.values():
         tree = motion.tree
         if isinstance(tree, NameRef) and not tree.primes and tree.name not in (*spec.parameters, "t", "pi"):
             found.setdefault(tree.name, Record(None, tree.name, motion.where, {}, {}))
-    energies = spec.get("energies")
-    for expression in energies.values.values() if energies else ():
-        for name, primes, start, end in names_in(expression.tree):
+    for expression in (spec.get("energies") or {}).values():
+        for name, primes, start, end in expression.parts.names:
             if primes == 1 and name not in spec.parameters and name != "t":
                 found.setdefault(name, Record(None, name, expression.scalar.place(start, end - start), {}, {}))
     matrices = spec.get("matrices")
     if matrices is not None and not declared and not found:
-        n = len(next(iter(matrices.values.values())))
+        n = len(next(iter(matrices.values())))
         found = {f"x{i + 1}": Record(None, f"x{i + 1}", matrices.where, {}, {}) for i in range(n)}
     if not declared:
         return found
-    used = {name for e in reader.expressions for name, _, _, _ in names_in(e.tree)}
+    used = {name for e in reader.expressions.values() for name, *_ in e.parts.names}
     for name, record in found.items():
         if name not in used and name not in spec.parameters and matrices is None:
             reader.report(record.where, f"the coordinate '{name}' is not used",
@@ -156,6 +161,20 @@ def _references(spec, reader):
                       nearest(name.text, valid) or f"expected {wants}")
 
 
+def _records(spec, reader):
+    """A record is neither a parameter nor a coordinate. Its values have its unit; without one they are pure numbers, in
+    a scene without units anything."""
+    from vibcli.language.sections.record import dimension
+
+    for name, record in spec.get("records").items():
+        kind = "parameter" if name in spec.named.get("parameters", ()) else "coordinate"
+        if kind == "parameter" or name in spec.coordinates:
+            reader.report(record.where, f"'{name}' is a record and a {kind}", "rename one of them")
+        measured = dimension(record)
+        if measured is not None or not spec.free_numbers:
+            spec.dimensions.equate(spec.dimensions.unknown(own(name)), units.NONE if measured is None else measured)
+
+
 def _named_places(spec, reader):
     """Every named place is that at which the point is drawn; points may be drawn at points, but not in a circle."""
     points = spec.get("points") or {}
@@ -175,7 +194,7 @@ def _named_places(spec, reader):
 _KINDS = {"points": "point", "surfaces": "surface", "forces": "force", "bodies": "body", "coordinates": "coordinate"}
 
 
-def _units_of_symbols(spec, reader):
+def _units_of_symbols(spec):
     for name, record in spec.parameters.items():
         if "unit" in record:
             dimension = DimensionCheck(spec.dimensions, None).dimension(parse("1 " + record["unit"]))
@@ -202,7 +221,7 @@ def _parameters(spec, reader):
 
 def _circles(spec):
     """Cycles of definitions, as lists of names."""
-    needs = {name: [n for n, _, _, _ in names_in(record["value"].tree) if n in spec.parameters]
+    needs = {name: [n for n, *_ in record["value"].parts.names if n in spec.parameters]
              for name, record in spec.parameters.items() if "value" in record}
     done, found = set(), []
     for start in needs:
@@ -222,38 +241,36 @@ def _circles(spec):
     return found
 
 
-def _matrices(spec, reader):
-    """The entry (q, r) of M, C, K has the dimension energy·timeᵖ/(q·r)."""
-    matrices = spec.get("matrices")
-    if matrices is None:
-        return
-    names = list(spec.coordinates)
-    for key, rows in matrices.values.items():
-        for i, row in enumerate(rows[:len(names)]):
-            for j, entry in enumerate(row[:len(names)]):
-                entry.dimension = dimension(key, (names[i], names[j]), spec.dimensions.unknown)
+def _matrices(spec):
+    """{scalar: dimension} of the entries of M, C, K."""
+    if "matrices" not in spec.sections:
+        return {}
+    from vibcli.quantities.matrices import entry_dimension
+
+    names, matrices = list(spec.coordinates), spec.get("matrices")
+    return {entry.scalar: entry_dimension(key, spec.dimensions.unknown(q), spec.dimensions.unknown(r))
+            for key, rows in matrices.items() for q, row in zip(names, rows, strict=False)
+            for r, entry in zip(names, row, strict=False)}
 
 
-def _start(spec, reader):
-    for record in (spec.get("forces") or {}).values():
-        if "value" in record and "coordinate" in record:
-            record["value"].dimension = units.times(units.parse_unit("J").dimension,
-                                                    spec.dimensions.unknown(record["coordinate"].text), -1)
-    for name, value in (spec.get("equilibrium") or {}).items():
-        value.dimension = spec.dimensions.unknown(name)
-    for name, value in spec.get("initial").values.items() if spec.get("initial") else ():
-        if name != RELEASED:
-            plain = name.rstrip("'")
-            value.dimension = units.times(spec.dimensions.unknown(plain), units.TIME, -(len(name) - len(plain)))
-    for name, bounds in spec.get("find").within.items() if spec.get("find") else ():
-        for bound in bounds:
-            bound.dimension = spec.dimensions.unknown(name)
-    for name, record in (spec.get("choose") or {}).items():
-        for bound in {"from", "to"} & set(record.values):
-            record[bound].dimension = spec.dimensions.unknown(name)
-    for name, record in spec.coordinates.items():
-        if "drawn" in record:
-            record["drawn"].dimension = spec.dimensions.unknown(name)
+def _start(spec):
+    """{scalar: dimension} of what is measured as coordinates and chosen parameters are."""
+    unknown, initial = spec.dimensions.unknown, spec.get("initial") or {}
+    pairs = [(record["value"], units.times(units.ENERGY, unknown(record["coordinate"].text), -1))
+             for record in (spec.get("forces") or {}).values() if "value" in record and "coordinate" in record]
+    pairs += [(value, units.times(unknown(name.rstrip("'")), units.TIME, -name.count("'")))
+              for name, value in initial.items() if name != RELEASED]
+    pairs += [(record[bound], unknown(name)) for name, record in (spec.get("choose") or {}).items()
+              for bound in ("from", "to") if bound in record]
+    pairs += [(record["drawn"], unknown(name)) for name, record in spec.coordinates.items() if "drawn" in record]
+    return {expression.scalar: measured for expression, measured in pairs}
+
+
+def _along(spec, reader):
+    """{scalar: dimension} of what is given along coordinates, but for a factor where that is unknown."""
+    unknown = spec.dimensions.unknown
+    return {scalar: unknown(name) if factor is None else units.times(unknown(name), unknown(factor))
+            for scalar, (name, factor) in reader.along.items()}
 
 
 def _bounded(spec, reader):

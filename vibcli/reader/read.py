@@ -4,17 +4,23 @@ All diagnostics of a file are collected and raised together as one SpecError.
 """
 
 import re
+from collections.abc import Sequence
+from typing import Any
 
 from vibcli.base.diagnostics import quoted
 from vibcli.base.errors import Diagnostic, SpecError
-from vibcli.elements import gravity
+from vibcli.base.spelling import nearest
+from vibcli.elements import ELEMENTS
 from vibcli.language.document.document import Mapping, Scalar
-from vibcli.language.fields import Choice, Kind, Lazy, Named, Text
-from vibcli.language.reader import MOST_PROBLEMS, Reader, TooManyErrors, nearest
+from vibcli.language.kinds import Choice, Kind, Text
+from vibcli.language.named_elements import Lazy, Named
+from vibcli.language.reader import MOST_PROBLEMS, Reader, TooManyErrors
 from vibcli.language.record_calls import RESERVED, own
-from vibcli.language.sections import coordinates, equilibrium, initial
+from vibcli.language.sections import NAMES as GIVEN
+from vibcli.language.sections import coordinates, equilibrium, gravity, initial
+from vibcli.language.spec import Spec
+from vibcli.reader.sections import NAMES as ASKED
 from vibcli.reader.sections import answer, find
-from vibcli.reader.unit_consistency import resolve
 from vibcli.symbolic.parser import plain_name
 
 MOST_CASES = 100
@@ -27,7 +33,7 @@ class _Cases(Kind):
 
     wants = "a mapping from names to parts of the scene"
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         if not isinstance(node, Mapping):
             return reader.expected(node, self.wants)
         if len(node.entries) > MOST_CASES:
@@ -43,33 +49,33 @@ class _Cases(Kind):
         return {"type": "object", "additionalProperties": {"type": "object"}}
 
 
+def _kind(name, section):
+    """The kind of a section of elements: the one of its own name, or many by name."""
+    if section == name:
+        return Lazy(name)
+    return Named(Lazy(name), f"a mapping from names to {_CALLED.get(section, section)}", _TAKEN.get(section, ()))
+
+
+_CALLED, _TAKEN = {"points": "places"}, {"points": ("ground",), "bodies": ("ground",)}
 SECTIONS = {
     "title": (Text(), "what the scene shows, in a line"),
     "source": (Text(), "where the problem is from"),
     "question": (Text(), "the question as a textbook would pose it; may quote parameters: {m}"),
     "parameters": (Named(Lazy("parameter", "language.sections"), "a mapping from names to values", ("pi",)),
-                   "what is given"),
+                   GIVEN["parameter"]),
     "records": (Named(Lazy("record", "language.sections"), "a mapping from names to records", RESERVED),
-                "measured functions of the time"),
-    "coordinates": (coordinates.KIND, coordinates.ELEMENT.about),
-    "gravity": (gravity.KIND, gravity.ABOUT),
-    "points": (Named(Lazy("point"), "a mapping from names to places", ("ground",)), "named places, fixed or carried"),
-    "surfaces": (Named(Lazy("surface"), "a mapping from names to surfaces"), "what bodies roll, slide or lie on"),
-    "bodies": (Named(Lazy("body"), "a mapping from names to bodies", ("ground",)), "what moves, and how"),
-    "springs": (Named(Lazy("spring"), "a mapping from names to springs"), "springs"),
-    "dampers": (Named(Lazy("damper"), "a mapping from names to dampers"), "dampers"),
-    "forces": (Named(Lazy("force"), "a mapping from names to forces"), "loads: forces, moments, generalised forces"),
-    "constraints": (Named(Lazy("constraint"), "a mapping from names to constraints"), "what ties motions together"),
-    "energies": (Lazy("energies"), "terms of T, V and Phi written out"),
-    "matrices": (Lazy("matrices"), "M, C and K given outright"),
-    "equilibrium": (equilibrium.KIND, equilibrium.ABOUT),
-    "initial": (initial.KIND, initial.ABOUT),
+                GIVEN["record"]),
+    "coordinates": (coordinates.KIND, GIVEN["coordinates"]),
+    "gravity": (gravity.KIND, GIVEN["gravity"]),
+    **{section: (_kind(name, section), about) for name, (section, about) in ELEMENTS.items() if section is not None},
+    "equilibrium": (equilibrium.KIND, GIVEN["equilibrium"]),
+    "initial": (initial.KIND, GIVEN["initial"]),
     "motion": (Choice("small", "full"), "what motions in time are: `small` oscillations in closed form, the default, "
                "or those of the `full` equations, integrated. Scenes with nonlinear laws must say which"),
-    "find": (find.QUESTIONS, "what `solve` prints; all that is cheap if left out"),
+    "find": (find.QUESTIONS, ASKED["find"]),
     "choose": (Named(Lazy("choose", "reader.sections"), "a mapping from parameters to conditions", ("pi", "t")),
-               "parameters that conditions determine"),
-    "answers": (answer.KIND, "expected answers, which `check` compares"),
+               ASKED["choose"]),
+    "answers": (answer.KIND, ASKED["answer"]),
     "cases": (_Cases(), "parts of the scene by name, each merged over it, with its own find and answers"),
 }
 
@@ -80,30 +86,7 @@ INSTEAD = {
 } | dict.fromkeys(("bars", "shafts", "beams", "strings"), "continuous members do not work yet: a light one is a spring")
 
 
-class Spec:
-    """A scene file as read: records by section, coordinates in order, dimensions of all names."""
-
-    __slots__ = ("answers", "asked_dimension", "cases", "choices", "coordinates", "counts", "dimensions", "file",
-                 "free_numbers", "named", "parameters", "sample", "sections", "used", "velocities")
-
-    def __init__(self, file, sections, named):
-        """`named`: the names that stand in each section, of what could not be read as well."""
-        self.file, self.sections, self.named = file, sections, named
-        self.parameters = sections.get("parameters", {})
-        self.answers, self.choices = sections.get("answers", []), {}
-        self.cases, self.asked_dimension, self.velocities, self.used = {}, None, set(), set()
-        self.counts = None      # of cycles, by name: see counting.py
-        self.sample = {}        # values of letters at which the scene is drawn, where not any will do
-
-    def get(self, section, default=None):
-        return self.sections.get(section, default)
-
-    def example(self, literal):
-        """A number with its unit for a hint, as this scene writes numbers: without it where it uses none."""
-        return literal.partition(" ")[0] if self.free_numbers else literal
-
-
-def read_spec(root, file, diagnostics=(), settings=None):
+def read_spec(root: Any, file: str, diagnostics: Sequence[Any] = (), settings: Any = None) -> Spec:
     """The Spec of a document and of its cases; SpecError with every diagnostic where it is not one."""
     found = list(diagnostics)
     if root is None:
@@ -122,15 +105,9 @@ def read_spec(root, file, diagnostics=(), settings=None):
     for spec in everything:
         _report_unused(spec, used, found)
     if found:
-        raise SpecError(_once(found))
-    base.cases = specs
-    return base
-
-
-def _once(diagnostics):
-    """Each diagnostic once, in the order of the file."""
-    unique = {(d.where, d.message): d for d in diagnostics}
-    return sorted(unique.values(), key=lambda d: d.where[1:3] if d.where else (0, 0))
+        unique = {(d.where, d.message): d for d in found}
+        raise SpecError(sorted(unique.values(), key=lambda d: d.where[1:3] if d.where else (0, 0)))
+    return base._replace(cases=specs)
 
 
 def _merged(root, part):
@@ -141,7 +118,7 @@ def _merged(root, part):
         merged["choose"] = _still_chosen(*merged["choose"], part)
         if not merged["choose"][1].entries:
             del merged["choose"]
-    return _mapping(merged, part.where)
+    return Mapping(part.where, merged)
 
 
 def _still_chosen(key_node, choices, part):
@@ -152,13 +129,7 @@ def _still_chosen(key_node, choices, part):
              if not (isinstance(value, Scalar) and not value.text)} if isinstance(given, Mapping) else set()
     names -= {plain_name(key) for key in own.entries} if isinstance(own, Mapping) else set()
     left = {key: pair for key, pair in choices.entries.items() if plain_name(key) not in names}
-    return key_node, _mapping(left, choices.where)
-
-
-def _mapping(entries, where):
-    mapping = Mapping(where)
-    mapping.entries = entries
-    return mapping
+    return key_node, Mapping(choices.where, left)
 
 
 def _over(below, above):
@@ -166,34 +137,35 @@ def _over(below, above):
     for key, (key_node, value) in above.items():
         old = merged.get(key)
         if old is not None and isinstance(old[1], Mapping) and isinstance(value, Mapping):
-            value = _mapping(_over(old[1].entries, value.entries), value.where)
+            value = Mapping(value.where, _over(old[1].entries, value.entries))
         merged[key] = (key_node, value)
     return merged
 
 
 def _read_one(root, file, found, settings, files, remark=""):
-    reader = Reader(files)
-    try:
-        spec = Spec(file, _sections(root, reader), {key: _names(value) for key, (_, value) in root.entries.items()})
-        if "choose" in spec.named:
-            from vibcli.reader.choices import enter
+    from vibcli.reader.unit_consistency import resolve  # the manual needs the declarations alone
 
-            enter(spec, reader, spec.named["choose"])
-        _settings(spec, settings)
-        resolve(spec, reader)
+    named, spec = {key: _names(value) for key, (_, value) in root.entries.items()}, None
+    reader = Reader(files, named.get("records", ()))
+    try:
+        spec = Spec.of(file, _sections(root, reader), named)
+        if "choose" in named:
+            from vibcli.reader.choices import with_choices
+
+            spec = with_choices(spec, reader)
+        spec = resolve(_with_settings(spec, reader, settings), reader)
         _question(spec, root, reader)
     except TooManyErrors:
         pass
     known = {(d.where, d.message) for d in found}
     for diagnostic in reader.diagnostics:
         if (diagnostic.where, diagnostic.message) not in known:
-            diagnostic.message += remark
-            found.append(diagnostic)
+            found.append(Diagnostic(diagnostic.where, diagnostic.message + remark, diagnostic.hint))
     return None if reader.diagnostics else spec
 
 
 def _sections(root, reader):
-    """The records of each section; reader.sound tells whether the scene was read whole."""
+    """The records of each section."""
     sections = {}
     for key, (key_node, value) in root.entries.items():
         before = len(reader.diagnostics)
@@ -205,9 +177,9 @@ def _sections(root, reader):
             record = SECTIONS[key][0].read(value, reader)
             if record is not None:
                 sections[key] = record
-        if key not in ("answers", "find", "cases", "choose", "initial"):
-            reader.sound &= len(reader.diagnostics) == before
-    return sections
+        if len(reader.diagnostics) > before and key not in ("answers", "find", "cases", "choose", "initial"):
+            reader.not_whole()
+    return {key: sections[key] for key in SECTIONS if key in sections}
 
 
 def _is_empty(node):
@@ -224,14 +196,16 @@ def _names(node):
     return [plain_name(item.text) for item in items if isinstance(item, Scalar)]
 
 
-def _settings(spec, settings):
-    """Values given from outside replace those of the file, and conditions; a bare number takes the unit there."""
-    from vibcli.language.parameters import override
+def _with_settings(spec, reader, settings):
+    """The Spec with values given from outside, which replace those of the file, and conditions."""
+    if not settings:
+        return spec
+    from vibcli.language.parameters import overridden
 
-    for name, tree_and_scalar in settings.items():
-        if name in spec.parameters:
-            override(spec.parameters[name], *tree_and_scalar)
-            spec.choices = {key: record for key, record in spec.choices.items() if key != name}
+    given = {name: overridden(spec.parameters[name], *value, reader) for name, value in settings.items()
+             if name in spec.parameters}
+    choices = {name: record for name, record in spec.choices.items() if name not in given}
+    return spec.with_parameters({**spec.parameters, **given})._replace(choices=choices)
 
 
 def _question(spec, root, reader):

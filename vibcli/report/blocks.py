@@ -18,7 +18,11 @@ plain text, the columns by which the lines after the first are indented (None: t
 those of the first.
 """
 
-from typing import NamedTuple
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
 
 
 class Name(NamedTuple):
@@ -42,15 +46,15 @@ class SumOfTerms(NamedTuple):
 class Factor(NamedTuple):
     """A node within a product: a sum has brackets."""
 
-    node: object
+    node: Any
 
 
 class Either(NamedTuple):
     """A node of which + `mark` is a term: it is read as ∓ `root`."""
 
-    node: object
-    mark: object
-    root: object
+    node: Any
+    mark: Any
+    root: Any
 
 
 class Maths(NamedTuple):
@@ -117,8 +121,8 @@ class Picture(NamedTuple):
 
     name: str
     caption: str
-    draw: object
-    animated: object = None
+    draw: Any
+    animated: Any = None
 
 
 class Refusal(NamedTuple):
@@ -145,31 +149,31 @@ class Document(NamedTuple):
     refusal: Refusal | None = None
 
 
-def maths(*parts):
+def maths(*parts: "str | Name | Words | Node"):
     return Maths(parts)
 
 
-def line(*parts, label=None, hang=4, inset=0):
+def line(*parts: Any, label: Any = None, hang: int = 4, inset: int = 0) -> Line:
     return Line(parts, () if label is None else (label,), hang, inset)
 
 
-def equations(lines):
+def equations(lines: Iterable) -> Equations | None:
     """The lines as a block, or None where there are none."""
     lines = tuple(lines)
     return Equations(lines) if lines else None
 
 
-def section(title, *blocks):
+def section(title: str, *blocks: Any) -> tuple[Section, ...]:
     """A section of the blocks that are there, or nothing: for `yield from`."""
     blocks = tuple(block for block in blocks if block)
     return (Section(title, blocks),) if blocks else ()
 
 
-def paragraph(*parts, hang=2, aside=False):
+def paragraph(*parts: Any, hang: int | None = 2, aside: bool = False):
     return Paragraph(parts, hang, aside)
 
 
-def separated(parts, by=", "):
+def separated(parts: Iterable, by: str = ", ") -> list[str | Maths]:
     """[part, by, part …]"""
     found = []
     for part in parts:

@@ -4,14 +4,20 @@ A section is a generator of the same name in the file that sections.SECTIONS giv
 """
 
 import re
+from collections.abc import Sequence
 from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.reader.read import QUOTE
-from vibcli.report.blocks import Document, Name, maths
+from vibcli.report.blocks import Document, Name, Section, maths
 from vibcli.report.sections import SECTIONS
 from vibcli.report.wanted import Wanted
 from vibcli.symbolic.parser import plain_name
+
+if TYPE_CHECKING:
+    from vibcli.language.spec import Spec
+    from vibcli.results.problem import Problem
 
 EVERYTHING = ("given", "chosen", "coordinates", "equilibrium", "virtual_work", "energies", "equations", "frequencies",
               "damping", "modes")
@@ -21,14 +27,17 @@ class Report:
     """Sections about one problem, `pictures` with pictures. `roots`: {sum: symbol} of the lengths that have a symbol
     so far."""
 
-    def __init__(self, problem, normalise="first", pictures=False, wanted=None):
+    refusal: PhysicsError
+
+    def __init__(self, problem: "Problem", normalise: str = "first", pictures: bool = False,
+                 wanted: Wanted | None = None):
         self.problem, self.normalise, self.pictures = problem, normalise, pictures
-        self.sections, self.roots, self.refusal, self.told_held = [], {}, None, False
+        self.sections, self.roots, self.refusal = [], {}, None
         self.wanted = wanted or Wanted()
 
-    def add(self, name):
+    def add(self, name: Any) -> None:
         """Add a section; where the scene has no such answer the first refusal is kept, and the others are found."""
-        if name == "chosen" and self.problem.chosen is None:
+        if name == "chosen" and self.problem.choice is None:
             return
         write = getattr(import_module(f"vibcli.report.sections.{SECTIONS[name][0]}"), name)
         try:
@@ -37,14 +46,27 @@ class Report:
         except PhysicsError as error:
             self.refusal = self.refusal or error
 
-    def document(self, case=None, question=True):
+    def tells(self, title: str) -> bool:
+        """Is there a section of this title?"""
+        return any(section.title == title for section in self.sections)
+
+    def append(self, sections: Sequence[Section]):
+        """Add sections that are written."""
+        self.sections.extend(sections)
+
+    def without_refusal(self) -> PhysicsError:
+        """The refusal, which is said elsewhere and counts no longer."""
+        found, self.refusal = self.refusal, None
+        return found
+
+    def document(self, case: str | None = None, question: bool = True) -> Document:
         """All of it under the title of the scene; with its question and source where that is asked for."""
         spec, told = self.problem.spec, question and not case
         return Document(title_of(spec, case), (told and spec.get("source")) or None,
                         tuple(_quoting(spec, spec.get("question") or "")) if told else (), tuple(self.sections))
 
 
-def title_of(spec, case):
+def title_of(spec: "Spec", case: str | None) -> str:
     title = spec.get("title") or spec.file
     return f"{title} — case {case}" if case else title
 

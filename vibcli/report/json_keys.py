@@ -1,168 +1,26 @@
-"""The keys of --json: what each means. Dots lead into objects, [] into lists."""
+"""All keys of --json: what each means. Dots lead into objects, [] into lists."""
+
+from vibcli.analyses import OF_MODES
+from vibcli.report.keys import Key, documented
+from vibcli.report.sections.design_parameters import CHOSEN
+from vibcli.report.sections.equations_of_motion import ENERGY, EQUATIONS, MATRICES
+from vibcli.report.sections.equilibria import EQUILIBRIA, SEARCH
+from vibcli.report.sections.equilibrium import EQUILIBRIUM, STICKING
+from vibcli.report.sections.frequency_response import FREQUENCY_RESPONSE
+from vibcli.report.sections.insight import insight
+from vibcli.report.sections.response import MOTION
+from vibcli.report.sections.spectrum import DAMPED_MODES, MODES, POLYNOMIAL
+from vibcli.report.sections.statics import REACTIONS
 
 ABOUT = ("What `vibcli solve`, `frequencies`, `equations`, `response` and `frf` print with --json: one object in SI "
          "units, angles in radians, null where there is nothing. Values are strings where the scene has symbols "
          "without value (expressions of the scene language) or with --digits (decimals); else numbers.")
-KEYS = {
-    "title": "the title of the scene, or null",
-    "coordinates": "names of the generalised coordinates, in the order of all rows and columns",
-    "chosen": "only where the scene chooses: a list, one entry to each chosen parameter",
-    "chosen[].parameter": "its name",
-    "chosen[].condition": "the condition as written",
-    "chosen[].values": "its value in each solution, ascending; all else is of the first",
-    "chosen[].closed_forms": "the same as expressions of the language of scenes, null where none was found",
-    "chosen[].residuals": "what is left of the conditions after substitution, relative to their terms",
-    "chosen[].limit_points": "is it a limit point (fold), where the equilibrium and an unstable one vanish?",
-    "chosen[].counts_for": "in letters: the conditions under which each is a solution, none where it always is",
-    "equilibrium": "the equilibrium reached from the drawn position, or nearest to the place that `equilibrium:` names",
-    "equilibrium.coordinates": "{name: value}",
-    "equilibrium.dependent": "{name: value} of the coordinates that constraints tie to the others, as functions of "
-                             "them where symbols have no value",
-    "equilibrium.from_start": "{name: how far it lies from the start that `equilibrium:` names}; null where none is "
-                              "named and in letters",
-    "equilibrium.stable": "true or false (motion that costs no energy counts as stable); null where symbols leave it "
-                          "open",
-    "equilibrium.residual": "what is left of the forces, relative to the sum of the magnitudes of their terms",
-    "equilibrium.condition": "by which factor a relative change of the data grows in a frequency squared; null in "
-                             "letters, and where nothing has inertia",
-    "equilibrium.warning": "a sentence where the equilibrium is near a bifurcation, else null",
-    "equilibria": "where `find` asks for them: a list of all equilibria found within the bounds, in ascending order",
-    "equilibria[].coordinates": "{name: value}",
-    "equilibria[].dependent": "{name: value} of the coordinates that constraints tie to the others",
-    "equilibria[].stable": "true or false (motion that costs no energy counts as stable); null where a kink leaves it "
-                           "open",
-    "equilibria[].kind": "stable, unstable, neutral (it can move freely), or where only terms beyond the linear ones "
-                         "decide: held, falling; open at a kink",
-    "equilibria[].growth_rate": "the largest growth rate, with the dampers of the scene; null where nothing grows",
-    "equilibria[].residual": "what is left of the forces, relative to their terms",
-    "equilibria[].omega": "natural angular frequencies about it, null for unstable modes",
-    "equilibria[].free": "directions {coordinate: component} in which it can be moved and stays in equilibrium",
-    "equilibria[].warning": "a sentence where it is near a bifurcation, else null",
-    "search": "of the search for all equilibria",
-    "search.bounds": "{name: [least, greatest]}; empty where the equations are linear",
-    "search.complete": "true where it is proved that there are no others within the bounds; false where there may be "
-                       "more",
-    "search.cut": "true where the search was cut short",
-    "search.indices": "sum of the signs of det K of the equilibria found; null where it is complete or not known",
-    "search.degree": "the degree of the forces on the bounds, which this sum has where none is missing; null likewise",
-    "sticking": "where dry friction holds the scene at rest, in solve and equations; absent where none does",
-    "sticking.conditions": "equations and inequalities of the coordinates as texts, sigma_1 … being shares of friction",
-    "sticking.from": "of one coordinate in numbers: the least of a stretch of such places; null where there is no end",
-    "sticking.to": "the greatest",
-    "energies": "as expressions of the language of scenes, in solve and equations",
-    "energies.T": "kinetic energy",
-    "energies.V": "potential energy, without constants",
-    "energies.Phi": "dissipation function; 0 where nothing damps",
-    "equations": "a list, one entry to each coordinate",
-    "equations[].coordinate": "the coordinate",
-    "equations[].text": "the full equation of motion in the language of scenes; null where there is none",
-    "equations[].latex": "the same in LaTeX",
-    "equations[].linear_text": "the equation of small oscillations, the coordinates counted from equilibrium",
-    "equations[].linear_latex": "the same in LaTeX",
-    "equations[].left_out": "what its left side lacks, products of the coordinates and of loads in time or driven "
-                            "displacements, as text; null where there are none",
-    "matrices": "of M q'' + (C + G) q' + K q = 0: lists of rows, null where absent",
-    "matrices.M": "mass matrix",
-    "matrices.C": "damping matrix, symmetric",
-    "matrices.G": "gyroscopic matrix, skew",
-    "matrices.K": "stiffness matrix",
-    "reactions": "{signal: force or moment in equilibrium}, with `find: [reactions]`; null where statics leaves it "
-                 "open",
-    "remark": "why a scene in letters, or one with a kink at rest, has no equilibrium, matrices and modes here, in "
-              "words; absent otherwise",
-    "modes": "a list: modes of the system without its dampers, by ascending omega, unstable ones first",
-    "modes[].index": "number of the mode, from 1",
-    "modes[].omega": "natural angular frequency; exactly 0 of a rigid mode, null of one that grows without "
-                     "oscillating",
-    "modes[].frequency": "omega/(2 pi), in Hz",
-    "modes[].period": "2 pi/omega; null of a rigid mode and where omega is null",
-    "modes[].growth_rate": "of an unstable mode, which grows as exp(growth_rate t), oscillating where omega is given "
-                           "too (flutter); negative of one that decays where there is G and K is not symmetric; else "
-                           "null",
-    "modes[].shape": "{coordinate: amplitude}, the first one that moves being 1 (see --normalise)",
-    "modes[].error": "bound of the relative error of omega and of growth_rate",
-    "damped": "a list by ascending |eigenvalue|, one entry to a conjugate pair; null where nothing damps",
-    "damped[].index": "number of the mode, from 1; two real eigenvalues of one over-damped mode share it",
-    "damped[].eigenvalue": "[re, im] of the eigenvalue, im ≥ 0: motion as exp(eigenvalue t)",
-    "damped[].omega": "|eigenvalue|; √(λ₁λ₂) of an over-damped mode",
-    "damped[].zeta": "damping ratio −re/|eigenvalue|; −(λ₁ + λ₂)/(2 omega) ≥ 1 of an over-damped mode; null of an "
-                     "unpaired real eigenvalue",
-    "damped[].omega_d": "damped angular frequency |im|; null where it does not oscillate",
-    "damped[].omega_d_where": "the condition under which omega_d counts where it is in letters; null in numbers",
-    "damped[].decay": "decay rate −re; −(λ₁ + λ₂)/2 of an over-damped mode",
-    "damped[].growth_rate": "growth rate re where it grows; else null",
-    "damped[].shape": "{coordinate: amplitude}, a number or [re, im]",
-    "damped[].error": "bound of the relative error of the eigenvalue",
-    "response": "of `vibcli response`, and where `find` asks: the motion in time; null where symbols have no value",
-    "response.unknown": "null, or why the motion is known up to `until` alone, though more was asked for",
-    "response.until": "its end, in s, as far as it is known; null where a motion that is all prescribed is asked for "
-                      "at instants alone",
-    "response.initial": "{coordinate, or velocity x': value at t = 0}",
-    "response.signals": "a list, one entry to each signal",
-    "response.signals[].signal": "the signal as written",
-    "response.signals[].unit": "its unit",
-    "response.signals[].max": "its largest value for 0 ≤ t ≤ until; null of a force that statics alone does not fix at "
-                              "all of these instants",
-    "response.signals[].argmax": "the instant of that, in s",
-    "response.signals[].min": "its smallest value; null as above",
-    "response.signals[].argmin": "the instant of that, in s",
-    "response.signals[].steady": "a list of the harmonics of the steady state, of a periodic load the first; null "
-                                 "where there is none",
-    "response.signals[].steady[].Omega": "angular frequency of a harmonic",
-    "response.signals[].steady[].amplitude": "its amplitude X",
-    "response.signals[].steady[].phase": "its θ in X sin(Omega t − θ), or as --phase says",
-    "response.signals[].at": "a list, one entry to each --at; empty without",
-    "response.signals[].at[].t": "the instant, in s",
-    "response.signals[].at[].value": "the value then, null where it is not known; with --digits a decimal",
-    "response.balance": "what the energies of an integrated motion fail to balance by, relative to the largest; null "
-                        "of small oscillations",
-    "frequency_response": "of `vibcli frf`, and where `find` asks: a list, one entry to each signal; null where "
-                          "symbols have no value",
-    "frequency_response[].signal": "the signal as written",
-    "frequency_response[].input": "the name of the input",
-    "frequency_response[].unit": "unit of the signal over that of the input",
-    "frequency_response[].peaks": "a list of its resonances, by ascending Omega",
-    "frequency_response[].peaks[].Omega": "where it is",
-    "frequency_response[].peaks[].value": "amplitude there; null where it has no bound",
-    "frequency_response[].peaks[].quality": "Omega over the distance of the half-power points; null where "
-                                            "one is missing",
-    "frequency_response[].antiresonances": "the Omega of zeros, or of minima where it is damped",
-    "insight": "only where `find` or --insight asks for it",
-    "insight.shares": "whose energy each mode has, in fractions of one; negative those of what lowers the stiffness",
-    "insight.shares.modes": "a list, one entry to each mode",
-    "insight.shares.modes[].index": "number of the mode",
-    "insight.shares.modes[].potential": "{name of a spring, `tension of` it, `the weights` or `written out`: share}; "
-                                        "empty of a rigid mode",
-    "insight.shares.modes[].kinetic": "{name of a body, or `written out`: share}",
-    "insight.shares.damped": "a list, one entry to each eigenvalue; null where nothing damps",
-    "insight.shares.damped[].index": "number of the damped mode",
-    "insight.shares.damped[].dissipation": "{name of a damper: its share of the energy that is lost}",
-    "insight.sensitivities": "exact derivatives by the parameters that no others define, the shift of the equilibrium "
-                             "included",
-    "insight.sensitivities.parameters": "a list, one entry to each parameter",
-    "insight.sensitivities.parameters[].parameter": "its name",
-    "insight.sensitivities.parameters[].value": "its value p",
-    "insight.sensitivities.parameters[].modes": "a list, one entry to each mode that oscillates",
-    "insight.sensitivities.parameters[].modes[].index": "number of the mode",
-    "insight.sensitivities.parameters[].modes[].omega": "derivative of omega by p; null of "
-                                                         "gyroscopic modes that coincide",
-    "insight.sensitivities.parameters[].modes[].logarithmic": "that derivative times p/omega",
-    "insight.sensitivities.parameters[].damped": "a list, one entry to each simple eigenvalue; null where nothing "
-                                                 "damps",
-    "insight.sensitivities.parameters[].damped[].index": "number of the damped mode",
-    "insight.sensitivities.parameters[].damped[].eigenvalue": "[re, im] of the derivative of the eigenvalue by p",
-    "insight.sensitivities.parameters[].damped[].zeta": "derivative of zeta by p; null where there is no zeta",
-    "insight.sensitivities.parameters[].refusal": "why there is no derivative by p, or null",
-    "insight.sensitivities.coinciding": "lists of the modes whose frequencies coincide: their derivatives are those of "
-                                        "the frequencies in ascending order as p grows",
-    "insight.sensitivities.refusal": "why there are none of the damped modes, or null",
-    "insight.estimates": "of the lowest natural frequency; null each where the bounds do not hold",
-    "insight.estimates.omega": "its exact value",
-    "insight.estimates.rayleigh": "Rayleigh's quotient of the static deflection, an upper bound of omega",
-    "insight.estimates.dunkerley": "Dunkerley's lower bound of omega",
-    "insight.estimates.deflection": "{coordinate: static deflection}, the largest being 1",
-    "insight.estimates.alone": "{name of a body: omega with its inertia alone}, from which Dunkerley's bound is made",
-    "insight.estimates.refusal": "why the bounds do not hold, or null",
-    "characteristic_polynomial": "in letters only: factors in λ = omega² that have no readable roots",
-    "cases": "{name: the same keys}, where the file has cases",
-}
+KEYS = dict(documented((
+    Key("title", "the title of the scene, or null"),
+    Key("coordinates", "names of the generalised coordinates, in the order of all rows and columns"),
+    CHOSEN, EQUILIBRIUM, EQUILIBRIA, SEARCH, STICKING, ENERGY, EQUATIONS, MATRICES, REACTIONS,
+    Key("remark", "why a scene in letters, or one with a kink at rest, has no equilibrium, matrices and modes here, in "
+        "words; absent otherwise"),
+    MODES, DAMPED_MODES, MOTION, FREQUENCY_RESPONSE,
+    Key("insight", "only where `find` or --insight asks for it", of=insight(OF_MODES)), POLYNOMIAL,
+    Key("cases", "{name: the same keys}, where the file has cases"))))

@@ -1,6 +1,6 @@
 """What a command asks of responses beyond the file: signals, their end, the input, the range, how phases are told."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 
 class Wanted(NamedTuple):
@@ -9,7 +9,7 @@ class Wanted(NamedTuple):
     many instants are sampled; at: instants as (text, Fraction of a second), to so many digits."""
 
     signals: tuple = ()
-    driver: object = None
+    driver: Any = None
     phase: str = "sine"
     low: float | None = None
     high: float | None = None

@@ -1,16 +1,25 @@
 """The motion of the full equations, integrated, and what it shares with motions that are prescribed."""
 
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
-from vibcli.language.parameters import require_values
 from vibcli.language.signals import is_reaction
 from vibcli.results.full_signals import FullSignal
 from vibcli.results.responses import Response
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.semantics import lower
-from vibcli.symbolic.syntax import NameRef, QuantityRef
+from vibcli.symbolic.syntax import NameRef, Power, QuantityRef, Sum
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.analyses.time_integration.trajectory import Trajectory
+    from vibcli.results.problem import Problem
+    from vibcli.results.shared_friction import SharedFriction
+    from vibcli.symbolic.node import Node
 
 LOOK = 1.0          # seconds, to tell what rests for ever
 
@@ -18,7 +27,9 @@ LOOK = 1.0          # seconds, to tell what rests for ever
 class StatesInTime(Response):
     """A motion whose places, velocities and accelerations are known at any instant, and with them all forces."""
 
-    def signal(self, tree):
+    signal_of: Callable
+
+    def signal(self, tree: Any) -> FullSignal:
         """The signal of a tree: a function of the coordinates, velocities and accelerations, and of forces."""
         from vibcli.mechanics.signals import moving
         from vibcli.results.shared_friction import SharedFriction
@@ -36,14 +47,12 @@ class StatesInTime(Response):
                 return found
             if name.endswith(".force") and not primes:
                 frictions.add(name)
-            return moving(self.problem, name, primes)
+            return moving(self.problem.system, name, primes)
 
-        found = self.signal_of(lower(tree, scene.table, symbol), forces)
-        if frictions:
-            found.shared = SharedFriction.of(scene, tree, frictions, symbol)
-        return found
+        node = lower(tree, scene.table, symbol)
+        return self.signal_of(node, forces, SharedFriction.of(scene, tree, frictions, symbol) if frictions else None)
 
-    def state_signal(self, node):
+    def state_signal(self, node: Any) -> FullSignal:
         """The signal of an expression of coordinates, velocities and accelerations."""
         return self.signal_of(node, {})
 
@@ -51,35 +60,49 @@ class StatesInTime(Response):
     def _forces(self):
         from vibcli.mechanics.inputs_outputs.forces_along_motion import ForcesAlong
 
-        return ForcesAlong(self.problem)
+        return ForcesAlong(self.problem.numeric)
 
-    def forces(self, wanted, places, trajectory):
+    def forces(self, wanted: Mapping[str, str], places: "Mapping[str, float | np.ndarray]",
+               trajectory: "Trajectory | None") -> "dict[str, np.ndarray]":
         """{symbol: array} of the forces {symbol: name} of constraints, supports and drives, from the `places`."""
         found = self._forces.values(list(dict.fromkeys(wanted.values())), self.states(places, trajectory))
         return {symbol: found[name] for symbol, name in wanted.items()}
 
+    def states(self, known: Any, trajectory: "Trajectory"):
+        """{name: array} of the time and of all coordinates with their rates, from what is `known` of them."""
+        import numpy as np
 
-class FullMotion(StatesInTime):
+        from vibcli.symbolic.array_arithmetic import Arrays
+
+        scene, names = self.problem.scene, self.problem.spec.coordinates
+        nodes = {name + "'" * primes: scene.symbol(name, primes) for name in names for primes in range(3)
+                 if name + "'" * primes not in known}
+        values = evaluate(list(nodes.values()), Arrays, known)
+        shape = np.shape(known[scene.time.name])
+        return {**known, **{name: np.broadcast_to(value, shape) for name, value in zip(nodes, values, strict=True)}}
+
+
+class FullResponse(StatesInTime):
     """The motion of the full equations, integrated."""
 
     KIND, WORDS = "full", "full equations, integrated"
 
-    def __init__(self, problem):
+    def __init__(self, problem: "Problem"):
         super().__init__(problem)
-        self._trajectory = None
+        self._trajectory: Any = None
 
     @property
     def integrated(self):
         return self._trajectory is not None
 
-    def trajectory(self, until=None):
+    def trajectory(self, until: Any = None):
         """The Trajectory up to an instant at least, to the end asked for if none is given."""
         until = self.until if until is None else until
         found = self._trajectory
         if found is None or (found.until < until and not found.reason):
             from vibcli.analyses.time_integration.integrate import known_motion
 
-            self._trajectory = known_motion(self.problem, until, self.problem.given_start)
+            self._trajectory = known_motion(self.problem.configuration, until, self.problem.initial.given)
         return self._trajectory
 
     @property
@@ -94,7 +117,7 @@ class FullMotion(StatesInTime):
             return self._trajectory.end
         return min(until, self.trajectory().end)
 
-    def reaching(self, t):
+    def reaching(self, t: float):
         """The Trajectory up to an instant: as far as the motion is looked at, where that is known and can be found."""
         if self._trajectory is None or self._trajectory.until < t:
             try:
@@ -106,16 +129,15 @@ class FullMotion(StatesInTime):
     def lasting(self):
         from vibcli.analyses.transient.duration import duration
 
-        if self.problem.symbolic:
-            require_values(self.problem.scene.parameters, "this")
+        self.problem.numeric.floats  # noqa: B018 - refused where parameters have none
         try:
-            return duration(self.problem.modes, self.problem.damped, 0.0, [])
+            return duration(self.problem.modal.modes, self.problem.modal.damped, 0.0, [])
         except PhysicsError:
             until = self.problem.spec.example("10 s")
             raise PhysicsError("it is not known how long this motion is to be looked at",
                                f"say until when: find: [{{response: {{until: {until}}}}}]") from None
 
-    def by_quadrature(self, tree):
+    def by_quadrature(self, tree: NameRef | Power | Sum):
         """(period, relative error) of a coordinate of a conservative scene that has no other; else None."""
         if isinstance(tree, NameRef) and tree.name in self.problem.scene.coordinates and not tree.primes:
             return self._exact_period
@@ -133,7 +155,7 @@ class FullMotion(StatesInTime):
             return None
         self._require_start()
         with mpmath.workdps(DIGITS):
-            values = problem.values(multiprecision())
+            values = problem.numeric.values(multiprecision())
             (q,), (v,) = self._precise_start(values)
         return exact_period(problem.scene, values, q, v)
 
@@ -141,7 +163,7 @@ class FullMotion(StatesInTime):
         """PhysicsError of a period where nothing starts to move."""
         from vibcli.analyses.time_integration.motionless import starts_at_rest
 
-        if self.problem.scene.timed or not starts_at_rest(self.problem.given_start):
+        if self.problem.scene.timed or not starts_at_rest(self.problem.initial.given):
             return
         found = self.reaching(LOOK)
         if found.rests == found.end:
@@ -151,12 +173,12 @@ class FullMotion(StatesInTime):
         """The places and velocities at t = 0, to more digits than floats have where they are given."""
         from vibcli.results.high_precision_response import start
 
-        q, v = self.problem.start
+        q, v = self.problem.initial.start
         with suppress(PhysicsError):
             q, v = start(self.problem, values, q)
         return q.values(), v.values()
 
-    def period(self, tree):
+    def period(self, tree: NameRef | Power | Sum):
         """Of one conservative degree of freedom by quadrature; else the time after which a signal repeats itself."""
         from vibcli.analyses.time_integration.periodicity import searched_period
 
@@ -169,25 +191,18 @@ class FullMotion(StatesInTime):
             first = None
         return searched_period(self.signal(tree), first)
 
-    def states(self, known, trajectory):
-        """{name: array} of the time and of all coordinates with their rates, from what is `known` of them."""
-        from vibcli.symbolic.array_arithmetic import Arrays
-
-        scene = self.problem.scene
+    def states(self, known: float, trajectory: "Trajectory"):
         if trajectory.system.switches:
             raise PhysicsError("reactions are not found along a motion in which a force bends or jumps",
                                "ask for forces of springs and dampers, as in s.force + d.force")
-        names = [(name, primes) for name in self.problem.spec.coordinates if name not in trajectory.names
-                 for primes in range(3)]
-        values = evaluate([scene.symbol(name, primes) for name, primes in names], Arrays, known)
-        return {**known, **{name + "'" * primes: value for (name, primes), value in zip(names, values, strict=True)}}
+        return super().states(known, trajectory)
 
-    def places(self, times, trajectory):
+    def places(self, times: "np.ndarray", trajectory: "Trajectory"):
         """{name: array} of the time and of the coordinates that were integrated, with their rates."""
-        values = {**self.problem.floats, self.problem.scene.time.name: times}
+        values = {**self.problem.numeric.floats, self.problem.scene.time.name: times}
         for primes, rows in zip(("", "'", "''"), trajectory.at(times), strict=True):
             values |= {name + primes: row for name, row in zip(trajectory.names, rows, strict=True)}
         return values
 
-    def signal_of(self, node, forces):
-        return FullSignal(self, node, forces)
+    def signal_of(self, node: "Node", forces: Mapping[Any, Any], shared: "SharedFriction | None" = None):
+        return FullSignal(self, node, forces, shared)

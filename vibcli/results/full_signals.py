@@ -1,8 +1,17 @@
 """Signals of motions whose places, velocities and accelerations are known at any instant: integrated or prescribed."""
 
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.errors import PhysicsError
 from vibcli.results.signals import ComposedSignal, Signal, require_finite
 from vibcli.symbolic.evaluation import evaluate
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.results.shared_friction import SharedFriction
+    from vibcli.symbolic.node import Node
 
 
 class FullSignal(Signal):
@@ -11,11 +20,11 @@ class FullSignal(Signal):
 
     KIND = "a motion that is integrated"
 
-    def __init__(self, motion, node, forces=None):
-        self.motion, self.node, self.forces = motion, node, forces or {}
-        self.shared = None
+    def __init__(self, motion: Any, node: "Node", forces: Mapping[Any, Any] | None = None,
+                 shared: "SharedFriction | None" = None):
+        self.motion, self.node, self.forces, self.shared = motion, node, forces or {}, shared
 
-    def values(self, times, order=0):
+    def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
         if order:
             raise PhysicsError("rates of composed signals are not found", "ask for x' or x''")
         import numpy as np
@@ -23,7 +32,7 @@ class FullSignal(Signal):
         times = np.asarray(times, dtype=float)
         return self._along(self.motion.reaching(times.max(initial=0.0)), times)
 
-    def error(self, t):
+    def error(self, t: float) -> float:
         trajectory = self.motion.reaching(t)
         found = trajectory.shared.of_signal(self._along, t)
         return found if trajectory.fast is None or t < trajectory.fast.since else found + self._of_fast(trajectory, t)
@@ -45,7 +54,7 @@ class FullSignal(Signal):
         return sum(amplitudes[symbol.name] * abs(float(FullSignal(self.motion, slope).values(np.array([t]))[0]))
                    for symbol, slope in slopes.items() if symbol.name in amplitudes)
 
-    def error_of_time(self, t):
+    def error_of_time(self, t: float) -> float:
         return t * self.motion.reaching(t).shared.of_state(t)
 
     def _along(self, trajectory, times):
@@ -88,13 +97,13 @@ class FullSignal(Signal):
         values |= {symbol.name: sense for symbol, sense in zip(symbols.values(), found, strict=True)}
         return substitute([node], symbols)[0]
 
-    def zeros(self, start, end, level=0.0):
+    def zeros(self, start: float, end: float, level: float = 0.0) -> list[float]:
         """Instants at which the signal passes a level."""
         from vibcli.analyses.time_integration.level_crossings import passages
 
         return passages(self.motion.reaching(end), self.values, start, end, level)
 
-    def extreme(self, start, end, sense):
+    def extreme(self, start: Any, end: float, sense: int) -> tuple[float, float]:
         """(instant, value) of the largest (sense 1) or smallest (−1) value."""
         from vibcli.analyses.time_integration.level_crossings import extreme
 
@@ -109,17 +118,17 @@ class PrescribedSignal(FullSignal):
 
     KIND = "a motion that is prescribed"
 
-    extreme, zeros, period = ComposedSignal.extreme, ComposedSignal.zeros, None
+    extreme, zeros, period = ComposedSignal.extreme, ComposedSignal.zeros, None  # type: ignore[assignment]
     error, error_of_time = Signal.error, Signal.error_of_time
 
-    def along(self, end):
+    def along(self, end: float):
         """The Composition of the time alone; KeyError where places follow from loops, or forces from the equations."""
         from vibcli.analyses.transient.composition import Composition
 
         problem = self.motion.problem
         if self.forces or problem.scene.loops is not None:
             raise KeyError("loops")
-        return Composition(self.node, {}, problem.floats, problem.scene.time.name, require_finite, end)
+        return Composition(self.node, {}, problem.numeric.floats, problem.scene.time.name, require_finite, end)
 
     @property
     def work(self):

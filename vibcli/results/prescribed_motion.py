@@ -1,17 +1,28 @@
 """Motions of which nothing is free: all places are functions of the time, given outright or by closing loops."""
 
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.errors import PhysicsError
 from vibcli.results.full_response import StatesInTime
 from vibcli.results.full_signals import PrescribedSignal
-from vibcli.symbolic.evaluation import evaluate
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.analyses.time_integration.trajectory import Trajectory
+    from vibcli.results.problem import Problem
+    from vibcli.results.shared_friction import SharedFriction
+    from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import NameRef, Power, Sum
 
 
-class PrescribedMotion(StatesInTime):
+class PrescribedResponse(StatesInTime):
     """The kinematics of a scene without coordinates of its own."""
 
     KIND, WORDS = "prescribed", "prescribed by what drives it"
 
-    def __init__(self, problem):
+    def __init__(self, problem: "Problem"):
         super().__init__(problem)
         self._closed = [self._start()]
 
@@ -27,14 +38,14 @@ class PrescribedMotion(StatesInTime):
         raise PhysicsError("it is not known how long this motion is to be looked at",
                            f"say until when: find: [{{response: {{until: {self.problem.spec.example('10 s')}}}}}]")
 
-    def period(self, tree):
+    def period(self, tree: "NameRef | Power | Sum"):
         raise PhysicsError("the period of what is prescribed is that of what drives it",
                            "ask for zero[1](x), zero[2](x), argmax(x)")
 
     def _start(self):
         """{name: float} of all symbols at t = 0."""
         problem = self.problem
-        values = {**problem.floats, problem.scene.time.name: 0.0, **problem.drawn_floats}
+        values = {**problem.numeric.floats, problem.scene.time.name: 0.0, **problem.numeric.drawn_floats}
         return values if problem.scene.loops is None else self._followed(values, 0.0)
 
     def _followed(self, start, time):
@@ -48,16 +59,16 @@ class PrescribedMotion(StatesInTime):
     def known(self):
         return self.until
 
-    def reaching(self, t):
+    def reaching(self, t: float):
         """It needs no solution."""
 
-    def places(self, times, trajectory):
+    def places(self, times: "np.ndarray", trajectory: "Trajectory"):
         """{name: array} of the time and of what closes the loops."""
         import numpy as np
 
         times, problem = np.asarray(times, dtype=float), self.problem
         loops, time = problem.scene.loops, problem.scene.time.name
-        found = {**problem.floats, time: times}
+        found = {**problem.numeric.floats, time: times}
         if loops is None:
             return found
         order, here = np.argsort(times, kind="stable"), self._closed[0]
@@ -67,18 +78,5 @@ class PrescribedMotion(StatesInTime):
             values[:, k] = [here[name] for name in loops.names]
         return {**found, **dict(zip(loops.names, values, strict=True))}
 
-    def states(self, known, trajectory):
-        """{name: array} of the time and of all coordinates with their rates."""
-        import numpy as np
-
-        from vibcli.symbolic.array_arithmetic import Arrays
-
-        scene = self.problem.scene
-        times = known[scene.time.name]
-        names = [(name, primes) for name in self.problem.spec.coordinates for primes in range(3)]
-        values = evaluate([scene.symbol(name, primes) for name, primes in names], Arrays, known)
-        return {**known, **{name + "'" * primes: np.broadcast_to(value, np.shape(times))
-                            for (name, primes), value in zip(names, values, strict=True)}}
-
-    def signal_of(self, node, forces):
-        return PrescribedSignal(self, node, forces)
+    def signal_of(self, node: "Node", forces: Mapping[Any, Any], shared: "SharedFriction | None" = None):
+        return PrescribedSignal(self, node, forces, shared)

@@ -1,246 +1,179 @@
-"""Problem: the lazy pipeline from a Spec to its answers — the only cache, the only place that decides what to compute.
+"""Problem: the lazy pipeline from a Spec to its answers, by parts, each of which computes on first touch.
 
-    scene → form (linearised expressions) → equilibrium → elements → modes, damped modes
-                 └ energies, equations of motion in letters
+    system → numeric → configuration → modal            in letters: symbolic            in time: initial → response
 
-Each stage is computed on first touch, by one call to a pure function whose module is imported there.
+Each part is an object of its own and knows those to its left only; a Problem holds them all.
 """
 
-from copy import copy
+from collections.abc import Mapping
 from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import defined_as_drawn
-from vibcli.base.work import Work
-from vibcli.results.numeric import InNumbers
-from vibcli.results.on_demand import OnRequest
-from vibcli.results.stage import Stage
-from vibcli.results.symbolic import InLetters
-from vibcli.results.time_response import InTime
+from vibcli.analyses import OF_MODES
+from vibcli.analyses.modal.modal_analysis import ModalAnalysis
+from vibcli.base.stage import Stage
+from vibcli.mechanics.configuration import Configuration
+from vibcli.mechanics.numeric_system import NumericSystem
+from vibcli.mechanics.symbolic_system import SymbolicSystem
+from vibcli.mechanics.system import MechanicalSystem
 
-SHARED = ("scene", "preloads", "form", "timed_form", "drawn_form", "potential")
-STAGES = ("scene", "form", "equilibrium", "elements", "modes", "damped", "energies", "equations", "closed_forms",
-          "equilibria", "reactions", "shares", "sensitivities", "estimates")
-MOST = 10_000       # steps of a million products, for modes
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.analyses.closed_form.closed_forms import ClosedForms
+    from vibcli.base.work import Work
+    from vibcli.language.spec import Spec
+    from vibcli.mechanics.equilibrium.all_equilibria import Equilibria
+    from vibcli.results.frequency_response import FrequencyResponse
+    from vibcli.results.signals import LinearSignal
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
+
+STAGES = ("scene", "linearisation", "equilibrium", "linear_system", "modes", "damped", "energies", "equations",
+          "closed_forms", "equilibria", "reactions", *OF_MODES)
 
 
-class Problem(InNumbers, InLetters, InTime, OnRequest):
-    """A scene to be answered. `given`: exact values for parameters that the file leaves as symbols; `work`: what counts
-    its long work."""
+class Problem:
+    """A scene to be answered: its parts. `given`: exact values for parameters that the file leaves as symbols; `work`:
+    what counts its long work; `modal`: the parts of another Problem that this one shares; `choice`: what was chosen
+    (inverse), where this is the scene with its solution, `earlier` being what it cost before; `end`: of a motion in
+    time [s], where it is not that of the file; `signed`: have amplitudes a sign, so that a search sees where they
+    vanish?"""
 
-    def __init__(self, spec, given=None, holding=None, work=None):
-        """`holding`: the Problem whose motion starts under the force that lets go, where this one is held by it."""
-        self.spec, self.given, self.holding, self.work = spec, dict(given or {}), holding, work or Work()
-        self.costs, self.inner, self._cases = {}, 0.0, {}
-        self.end = None         # of a motion in time [s], where it is not that of the file
-        self.signed = False     # amplitudes have a sign, so that a search sees where they vanish
-        self.chosen = None      # what was chosen (inverse), where this is the scene with its solution
-
-    def without(self, damper):
-        """The problem with one damper taken out."""
-        spec = copy(self.spec)
-        dampers = {name: record for name, record in spec.get("dampers").items() if name != damper}
-        spec.sections = {**spec.sections, "dampers": dampers}
-        return Problem(spec, self.given, self.holding, self.work)
-
-    def with_values(self, given):
-        """The same scene with values for its symbols."""
-        return Problem(self.spec, {**self.given, **given}, self.holding, self.work)
-
-    def held_back(self):
-        """The same scene under the force that lets go where its motion starts."""
-        return Problem(self.spec, self.given, self, self.work)
-
-    def sharing(self, given):
-        """The same with the expressions of this scene: for values on which no sign in its geometry hangs."""
-        found = self.with_values(given)
-        self.scene, self.form, self.drawn_form  # noqa: B018
-        vars(found).update({stage: value for stage, value in vars(self).items() if stage in SHARED})
-        return found
-
-    def ending(self, end):
-        """The same scene with its motion looked at until an instant [s]."""
-        found = self.sharing({})
-        found.chosen, found.end = self.chosen, end
-        return found
-
-    def at_equilibrium(self, equilibrium):
-        """The same scene about another of its equilibria."""
-        found = self.sharing({})
-        found.chosen, found.equilibrium = self.chosen, equilibrium
-        return found
-
-    def case(self, name):
-        """The problem of a case of the file."""
-        if name not in self._cases:
-            given = {key: value for key, value in self.given.items() if key not in self.spec.choices}
-            self._cases[name] = Problem(self.spec.cases[name], given, work=self.work)
-        return self._cases[name]
-
-    def draw(self):
-        """Build the scene and its cases, asked or not: SpecError where the geometry contradicts itself."""
-        problems = [self, *(self.case(name) for name in self.spec.cases)]
-        problems += [problem.before for problem in problems if problem.before is not None]
-        return [problem.scene for problem in problems]
-
-    def dimension(self, coordinate):
-        """The dimension of a coordinate; a length where nothing settles it."""
-        from vibcli.base.units import LENGTH
-
-        found = self.spec.dimensions.of(coordinate)
-        return LENGTH if any(base.startswith("?") for base in found) else found
-
-    @Stage
-    def scene(self):
-        from vibcli.scene.build import build_scene
-
-        scene = build_scene(self.spec, self.given, holding=self.holding is not None)
-        if self.symbolic_parameters(scene):
-            from vibcli.mechanics.symbolic_equilibrium_linear import drawn_stable
-
-            scene = drawn_stable(self.spec, self.given, scene)
-        self.preloads = {}
-        if scene.static_preloads and self.holding is not None:
-            from vibcli.mechanics.static_preload import take_over
-
-            take_over(scene, self.holding.preloads)
-        elif scene.static_preloads:
-            from vibcli.mechanics.static_preload import settle_static_preloads
-
-            self.preloads = defined_as_drawn(settle_static_preloads, scene)
-        return scene
+    def __init__(self, spec: "Spec", given: "Mapping[str, Fraction] | None" = None, work: "Work | None" = None,
+                 modal: ModalAnalysis | None = None, choice: Any = None, earlier: Mapping[str, float] | None = None,
+                 end: Any = None, signed: bool = False):
+        if modal is None:
+            modal = ModalAnalysis(Configuration(NumericSystem(MechanicalSystem(spec, given, work))))
+        self.spec, self.modal, self.configuration, self.numeric = spec, modal, modal.configuration, modal.numeric
+        self.system, self.work, self.costs = modal.system, modal.work, modal.costs
+        self.symbolic = SymbolicSystem(self.configuration, ModalAnalysis)
+        self.choice, self.earlier, self.end, self.signed = choice, earlier or {}, end, signed
+        self._cases, self._curves = {}, {}
 
     @cached_property
-    def loose(self):
-        """The scene with all its coordinates, its closed loops held by multipliers; itself where it has none."""
-        if self.scene.loops is None:
-            return self.scene
-        from vibcli.scene.build import build_scene
-
-        return build_scene(self.spec, self.given, self.scene.attempt, loose=True,
-                           holding=self.holding is not None)
+    def scene(self) -> "Scene":
+        return self.system.scene
 
     @property
-    def symbolic(self):
-        """Are there parameters without value?"""
-        return self.symbolic_parameters(self.scene)
+    def timings(self) -> dict[str, float]:
+        """{stage: seconds}."""
+        return {**self.earlier, **self.costs}
 
-    def symbolic_parameters(self, scene):
-        return any(name not in self.given for name in scene.parameters.free)
+    def without(self, damper: str) -> "Problem":
+        """The problem with one damper taken out."""
+        dampers = {name: record for name, record in self.spec.get("dampers").items() if name != damper}
+        return self.with_spec(self.spec.with_sections(dampers=dampers))
+
+    def with_spec(self, spec: "Spec") -> "Problem":
+        """The scene of another Spec, with the same values and the same count of work."""
+        return Problem(spec, self.numeric.given, self.work)
+
+    def with_values(self, given: "Mapping[str, Fraction]") -> "Problem":
+        """The same scene with values for its symbols, drawn anew."""
+        return Problem(self.spec, {**self.numeric.given, **given}, self.work)
+
+    def sharing(self, given: "Mapping[str, Fraction]") -> "Problem":
+        """The same with the expressions of this scene: for values on which no sign in its geometry hangs."""
+        return self.about(Configuration(self.numeric.sharing(given)))
+
+    def until(self, end: Any) -> "Problem":
+        """The same scene with its motion looked at until an instant [s]."""
+        return self._copy(end=end)
+
+    def with_choice(self, choice: Any, problem: "Problem") -> "Problem":
+        """The same scene as one with the solution of what a Problem chose."""
+        return self._copy(choice=choice, earlier=problem.timings, end=problem.end)
+
+    def with_signs(self) -> "Problem":
+        """The same scene with amplitudes that have a sign."""
+        return self._copy(signed=True)
+
+    def about(self, configuration: Configuration, free: int = 0) -> "Problem":
+        """The same scene about another of its equilibria; `free`: in how many directions it moves freely there."""
+        return self._copy(modal=ModalAnalysis(configuration, free), end=None)
+
+    def _copy(self, **changes):
+        kept = {"modal": self.modal, "choice": self.choice, "earlier": self.earlier, "end": self.end}
+        return Problem(self.spec, **{**kept, **changes})
+
+    def case(self, name: str) -> "Problem":
+        """The problem of a case of the file."""
+        if name not in self._cases:
+            given = {key: value for key, value in self.numeric.given.items() if key not in self.spec.choices}
+            self._cases[name] = Problem(self.spec.cases[name], given, self.work)
+        return self._cases[name]
+
+    def draw(self) -> "list[Scene]":
+        """Build the scene and its cases, asked or not: SpecError where the geometry contradicts itself."""
+        systems = [problem.system for problem in (self, *(self.case(name) for name in self.spec.cases))]
+        systems += [system.preloaded for system in systems if system.preloaded is not None]
+        return [system.scene for system in systems]
+
+    @cached_property
+    def initial(self):
+        """The InitialState of its motion."""
+        from vibcli.mechanics.initial_state import InitialState
+
+        return InitialState(self.configuration)
 
     @Stage
-    def form(self):
-        from vibcli.base.errors import PhysicsError
-        from vibcli.mechanics.linearise import linearise
-        from vibcli.scene.constraints import words_of_locked
+    def closed_forms(self) -> "ClosedForms | None":
+        """Natural frequencies and modes in letters, by SymPy."""
+        from vibcli.analyses.closed_form.modes import closed_forms
 
-        if not self.scene.q and any(body.moves for body in self.scene.bodies.values()):
-            hint = "take a constraint out, or let one more body move"
-            until = self.spec.example("2 s")
-            in_time = f", or ask for its motion in time: find: [{{response: {{until: {until}}}}}]"
-            raise PhysicsError(words_of_locked(self.scene), hint + in_time * self.scene.timed)
-        if not self.scene.q:
-            raise PhysicsError("nothing moves in this scene: it has no coordinates",
-                               "give a body a motion, as in bodies: {block: {mass: 2 kg, slide: x}}")
-        found = defined_as_drawn(linearise, self.scene.vibrating)
-        if not self.scene.timed:
-            return found
-        from vibcli.mechanics.autonomous import steady
-
-        self.timed_form = found
-        return steady(self.scene.vibrating, found)
-
-    @cached_property
-    def drawn_form(self):
-        """The form in the drawn position, in letters: what vanishes there by structure is exactly zero."""
-        from vibcli.mechanics.linearisation import at_position
-
-        scene = self.scene.vibrating
-        try:
-            return at_position(self.form, scene.drawn_position)
-        except ZeroDivisionError:
-            from vibcli.mechanics.nonsmooth import without_slope
-
-            defined_as_drawn(without_slope, scene)
-
-    @cached_property
-    def is_linear(self):
-        """Do the equations not depend on where the scene is linearised?"""
-        form = self.form
-        terms = (*form.inertias, *form.springs, *form.dampers)
-        rows = [node for _, row in terms for node in row.values()]
-        parts = [node for part in (form.M, form.C, form.G, form.drag, *form.K) for node in part.values()]
-        return not any(node.mask for node in rows + parts) and not any(curvature for _, curvature, _ in form.curved)
-
-    @cached_property
-    def figure_size(self):
-        """The extent of the drawn figure in metres; 0 where nothing has a place."""
-        from vibcli.mechanics.equilibrium.equilibrium import figure_size
-
-        return figure_size(self)
-
-    @cached_property
-    def drawn_residual(self):
-        """The terms of each condition of equilibrium as drawn: lists of expressions."""
-        from vibcli.mechanics.linearisation import residual_terms
-
-        return residual_terms(self.drawn_form)
+        with self.work.task("the search for closed forms"):
+            return closed_forms(self.symbolic, self.modal)
 
     @Stage
-    def modes(self):
-        """The modes of the system without its dampers; none where it would not oscillate."""
-        from vibcli.analyses.modal.massless_coordinates import only_damped
-        from vibcli.analyses.modal.modes import natural_modes
+    def equilibria(self) -> "Equilibria":
+        """All equilibria within the bounds of the file, or within default ones."""
+        from vibcli.mechanics.equilibrium.all_equilibria import find_equilibria
 
-        if self.elements.massless and only_damped(self.elements):
-            return []
-        return self.named(natural_modes, self.elements, *self.sources)
+        return find_equilibria(self.configuration)
 
     @cached_property
-    def zero_modes(self):
-        """What each mode without frequency is: free, held or falling (mechanics/neutral.py)."""
-        from vibcli.mechanics.equilibrium.zero_modes import zero_modes
+    def about_each(self) -> "list[Problem]":
+        """The Problems about all equilibria."""
+        from vibcli.mechanics.equilibrium.degenerate import about
 
-        return zero_modes(self) if any(mode.rigid for mode in self.modes) else {}
+        forces = self.equilibria.forces
+        return [self.about(about(self.configuration, item, forces), len(item.free)) for item in self.equilibria.items]
 
     @Stage
-    def damped(self):
-        """The damped modes; None where nothing damps."""
-        elements = self.elements
-        if not (elements.dampers or elements.C):
-            return None
-        from vibcli.analyses.modal.modes import damped_modes
+    def response(self):
+        """The motion in time, as `motion:` of the file says."""
+        from vibcli.results import responses
 
-        return self.named(damped_modes, elements, lambda: self.modes, *self.sources)
+        if not self.scene.q and self.scene.timed:
+            from vibcli.results.prescribed_motion import PrescribedResponse
 
-    def shape(self, mode, how="first"):
-        """The shape of a mode in the normalisation asked for, as a list of numbers."""
-        from vibcli.analyses.modal.normalisation import normalised, weights
+            return PrescribedResponse(self)
+        kind = self.spec.get("motion")
+        if kind is None and self.scene.laws:
+            raise responses.nonlinear(self.spec, self.scene.laws[0].owner)
+        if kind == "full":
+            from vibcli.results.full_response import FullResponse
 
-        return normalised(mode.shape, how, weights(self.elements))
+            return FullResponse(self)
+        return responses.SmallResponse(self)
 
-    def named(self, solve, *args, **options):
-        """Solve for modes, and give a physical refusal the name of its coordinate."""
-        from vibcli.base.errors import PhysicsError
+    def symbolic_frequency_response(self, signal: "LinearSignal", driver: str, frequency: "str | Node" = "Omega"):
+        """The Formula of a frequency response; `frequency`: its letter, or an expression for it."""
+        from vibcli.analyses.closed_form.frequency_response import formula
 
-        try:
-            with self.work.task("the search for the modes", MOST):
-                return solve(*args, **options)
-        except PhysicsError as error:
-            index = getattr(error, "coordinate", None)
-            if index is not None:
-                name = self.scene.coordinates[index]
-                error.message = error.message.format(coordinate=name).replace(f"coordinate {index + 1}", f"'{name}'")
-                error.where = error.where or self.spec.coordinates[name].where
-            raise
+        return formula(self.symbolic, signal, driver, frequency)
 
-    def to_digits(self, digits):
-        """(modes, damped modes) recomputed to so many correct digits."""
-        from vibcli.analyses.modal.modes import damped_modes, natural_modes
+    def symbolic_steady_state(self, signal: "LinearSignal"):
+        """The Steady state of a signal in letters."""
+        from vibcli.analyses.closed_form.steady_state import steady_state
 
-        elements = self.elements
-        if self.sources[0] is None:
-            from vibcli.mechanics.high_precision import Degenerate
+        return steady_state(self.symbolic, signal)
 
-            raise Degenerate
-        modes = self.named(natural_modes, elements, *self.sources, digits=digits) if self.modes else []
-        return modes, self.named(damped_modes, self.elements, lambda: modes, *self.sources, digits=digits)
+    def frequency_response(self, signal: str, driver: str) -> "FrequencyResponse":
+        """The FrequencyResponse of a signal to an input."""
+        from vibcli.results.frequency_response import FrequencyResponse
+
+        if (signal, driver) not in self._curves:
+            self._curves[signal, driver] = FrequencyResponse(self, signal, driver)
+        return self._curves[signal, driver]

@@ -1,14 +1,37 @@
-"""Random states of motion at which expressions are compared: the same at every run."""
+"""Random values of free symbols and random states of motion, at which scenes are compared: the same at every run."""
 
 import random
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import PhysicsError
+from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.language.parameter_samples import sample_values
 from vibcli.symbolic.evaluation import evaluate
 
-STATES, NEAR, SEPARATE, MOST_HALVINGS = 5, 1e-4, 12, 30
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
+
+STATES, NEAR, SEPARATE, MOST_HALVINGS, CANDIDATES = 5, 1e-4, 12, 30, 40
 
 
-def states(problem):
+def random_instances(problem: "Problem") -> "Iterator[Problem]":
+    """The problem with random values for its free symbols, whenever the drawing fits together."""
+    for attempt in range(CANDIDATES):
+        values = sample_values(problem.symbolic.letters, attempt)
+        given = {name: Fraction(value).limit_denominator(1000) for name, value in values.items()}
+        candidate = problem.with_values(given)
+        try:
+            candidate.draw()
+        except (SpecError, PhysicsError):
+            continue
+        yield candidate
+
+
+def states(problem: Any) -> "tuple[dict[str, np.ndarray], list[slice]]":
     """Random states near the drawn position, in groups: {symbol name: array} and the slices of the groups.
 
     All at random; at rest, near and very near; velocities alone, accelerations alone; one coordinate alone: so a term
@@ -24,11 +47,10 @@ def states(problem):
     each, found = STATES + 3 * len(names), {}
     for name in names:
         scale = reach(problem, name)
-        for primes, (centre, spread) in enumerate(((problem.drawn_floats[name], 1), (0.0, 3), (0.0, 9))):
+        for primes, (centre, spread) in enumerate(((problem.numeric.drawn_floats[name], 1), (0.0, 3), (0.0, 9))):
             found[name + "'" * primes] = centre + spread * scale * np.array([
                 group[primes] * (name in group[3]) * generator.uniform(-1, 1) for group in groups for _ in range(each)])
-    if scene.timed:
-        found[scene.time.name] = np.array([generator.uniform(0, 3) for _ in range(len(groups) * each)])
+    found[scene.time.name] = np.array([generator.uniform(0, 3) for _ in range(len(groups) * each)])
     return _closed(problem, found), [slice(i * each, (i + 1) * each) for i in range(len(groups))]
 
 
@@ -39,7 +61,7 @@ def _closed(problem, found):
     loops, names, time = problem.scene.loops, problem.scene.coordinates, problem.scene.time.name
     if loops is None:
         return found
-    start = {**problem.floats, time: 0.0, **problem.drawn_floats}
+    start = {**problem.numeric.floats, time: 0.0, **problem.numeric.drawn_floats}
     found |= {name: [] for name in loops.names}
     for i in range(len(next(iter(found.values())))):
         for halving in range(MOST_HALVINGS):
@@ -58,7 +80,7 @@ def _closed(problem, found):
     return {name: np.array(values) for name, values in found.items()}
 
 
-def at_states(problem, nodes, states):
+def at_states(problem: "Problem", nodes: "Sequence[Node]", states: "Mapping[str, np.ndarray]") -> "list[np.ndarray]":
     """The values of expressions at all states, arrays of one length."""
     import numpy as np
 
@@ -66,13 +88,13 @@ def at_states(problem, nodes, states):
 
     count = max(map(len, states.values()))
     with np.errstate(all="ignore"):
-        values = evaluate(nodes, smooth_arrays(), {**problem.floats, **states})
+        values = evaluate(nodes, smooth_arrays(), {**problem.numeric.floats, **states})
     if not all(np.isfinite(value).all() and np.abs(value).max() < 1e150 for value in values):
         raise PhysicsError("this has no finite value in some positions near the drawn one",
                            "look for roots of what may be negative, and for powers out of range")
     return [np.broadcast_to(value, (count,)) for value in values]
 
 
-def reach(problem, name):
+def reach(problem: "Problem", name: str) -> float:
     """How far a random state strays: a fraction of the figure, or of a radian."""
-    return 0.2 * (problem.figure_size or 1.0) if problem.dimension(name) else 0.3
+    return 0.2 * problem.numeric.size_along(name) if problem.system.dimension(name) else 0.3

@@ -4,9 +4,11 @@ A signal is an expression of coordinates, places, forces (vibcli/language/signal
 constant factors is exact at any time; products and powers are evaluated instant by instant, their extremes refined.
 """
 
+from collections.abc import Callable
 from fractions import Fraction
 from functools import cached_property
 from math import tau
+from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.excitation.linear_output import LinearOutput, combined
 from vibcli.base.errors import PhysicsError
@@ -17,7 +19,12 @@ from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.semantics import lower
-from vibcli.symbolic.syntax import NameRef, QuantityRef
+from vibcli.symbolic.syntax import NameRef, Power, QuantityRef, Sum
+
+if TYPE_CHECKING:
+    from vibcli.language.spec import Spec
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 LONGEST = 1e12      # seconds
 FOLLOWED = 1e-9     # of the start: how nearly a place must be that to which a coordinate follows the others
@@ -27,11 +34,14 @@ class Response:
     """What all kinds of motion share: until when they are looked at, and what drives them. KIND: small, full or
     prescribed."""
 
-    def __init__(self, problem):
+    lasting: Callable[[], float]
+    known: float
+
+    def __init__(self, problem: "Problem"):
         self.problem = problem
 
     @property
-    def ends(self):
+    def ends(self) -> bool:
         """Is it said until when it is looked at?"""
         return self.problem.end is not None or "until" in (self._asked or ())
 
@@ -41,11 +51,11 @@ class Response:
         return find.in_time if find is not None else None
 
     @cached_property
-    def until(self):
+    def until(self) -> float:
         """The end of the motion [s]: what the file says, else some periods or until it has died out."""
         end, where, record = self.problem.end, None, self._asked
         if end is None and record is not None and "until" in record:
-            end, = evaluate([self.problem.scene.lower(record["until"])], Floats, self.problem.floats)
+            end, = evaluate([self.problem.scene.lower(record["until"])], Floats, self.problem.numeric.floats)
             where = record["until"].where
         if end is None:
             return self.lasting()
@@ -55,36 +65,36 @@ class Response:
         return end
 
     @property
-    def start(self):
+    def start(self) -> tuple[dict[str, float], dict[str, float]]:
         """({coordinate: value}, {coordinate: velocity}) at t = 0."""
-        return self.problem.start
+        return self.problem.initial.start
 
     @property
-    def title(self):
+    def title(self) -> str:
         """That of the scene, with where the motion ends to be known."""
         title = self.problem.spec.get("title") or ""
         return title if self.known >= self.until else f"{title} (known up to t = {self.known:.4g} s)".strip()
 
     @cached_property
-    def drive(self):
+    def drive(self) -> "dict[int, Node]":
         """{i: Q(t)} of the small oscillations, in letters."""
-        return self.problem.excitation if self.problem.scene.timed else {}
+        return self.problem.symbolic.excitation if self.problem.scene.timed else {}
 
 
-def nonlinear(spec, owner):
+def nonlinear(spec: "Spec", owner: str) -> PhysicsError:
     """The refusal of a motion in time that nobody said to linearise."""
-    record = {**spec.get("springs", {}), **spec.get("dampers", {})}.get(owner)
+    record = spec.connection(owner)
     return PhysicsError(f"'{owner}' has a nonlinear law: its motion in time is not that of small oscillations",
                         "write motion: full, or motion: small where the motion stays small", record and record.where)
 
 
-def check_start(problem, motion):
+def check_start(problem: "Problem", motion: Any) -> None:
     """Refuses a velocity of what has no inertia, and a place of what nothing holds back."""
     record = problem.spec.get("initial")
     if motion.system is None or record is None:
         return
     names, reach = problem.scene.coordinates, abs(motion.start).max() + abs(motion.q0).max()
-    for key in record.values:
+    for key in record:
         i = names.index(key.rstrip("'")) if key.rstrip("'") in names else None
         if i is None or motion.M[i, i]:
             continue
@@ -102,7 +112,7 @@ def _jumps(node, symbols):
     return any(part.name == "sign" and any(part.mask & symbol.mask for symbol in symbols) for part in reachable([node]))
 
 
-class SmallMotion(Response):
+class SmallResponse(Response):
     """Small oscillations about the equilibrium, exact in time."""
 
     KIND, WORDS = "small", "small oscillations about the equilibrium"
@@ -116,8 +126,8 @@ class SmallMotion(Response):
         """(q, v) at t = 0, counted from the equilibrium, as arrays."""
         import numpy as np
 
-        places, speeds = self.problem.start
-        rest = self.problem.equilibrium.values
+        places, speeds = self.problem.initial.start
+        rest = self.problem.configuration.equilibrium.values
         names = self.problem.scene.coordinates
         return (np.array([places[name] - rest[name] for name in names]), np.array([speeds[name] for name in names]))
 
@@ -126,43 +136,43 @@ class SmallMotion(Response):
         """M, C + G, K as arrays."""
         from vibcli.analyses.frequency_response.transfer_function import system
 
-        return system(self.problem)
+        return system(self.problem.configuration)
 
-    def forcing(self, direct=()):
+    def forcing(self, direct: Any = ()):
         """The Forcing of the coordinates; `direct`: nodes of the time on further channels."""
         from vibcli.analyses.excitation.decompose import forcing_of
         from vibcli.notation.plain import plain
 
         n = len(self.matrices[0])
         nodes = {**self.drive, **{n + number: node for number, node in enumerate(direct)}}
-        return forcing_of(nodes, self.problem.scene.time, self.problem.floats, n + len(direct), write=plain,
+        return forcing_of(nodes, self.problem.scene.time, self.problem.numeric.floats, n + len(direct), write=plain,
                           work=self.problem.work)
 
-    def moved(self, direct=()):
+    def moved(self, direct: Any = ()):
         """The LinearMotion under the excitation."""
         from vibcli.analyses.transient.linear_response import linear_motion
 
-        found = self.problem.named(linear_motion, *self.matrices, self.forcing(direct), *self.deviations,
-                                   modes=self.modes, work=self.problem.work)
+        found = self.problem.modal.solved(linear_motion, *self.matrices, self.forcing(direct), *self.deviations,
+                                          modes=self.modes, work=self.problem.work)
         check_start(self.problem, found)
         return found
 
     @property
     def start(self):
         """The start, and where what has no inertia stands then."""
-        places, speeds = self.problem.start
+        places, speeds = self.problem.initial.start
         if self.alone.system is None:
             return places, speeds
-        rest = self.problem.equilibrium.values
+        rest = self.problem.configuration.equilibrium.values
         return {name: rest[name] + float(x) for name, x in zip(places, self.alone.start, strict=True)}, speeds
 
     @cached_property
     def modes(self):
         """The undamped modes, which the element data tell better than K; None where they are not real."""
-        elements = self.problem.elements
+        elements = self.problem.configuration.linear_system
         if elements.G or elements.circulatory or elements.massless:
             return None
-        return self.problem.modes
+        return self.problem.modal.modes
 
     @cached_property
     def alone(self):
@@ -177,10 +187,10 @@ class SmallMotion(Response):
             speeds = [abs(wave.exponent.imag) for piece in forcing.pieces for wave in piece.waves]
         else:
             last, speeds = 0.0, [tau / forcing.turn]
-        modes = () if problem.damped or not self.alone.blocks else problem.modes
-        return duration(modes, problem.damped, last, [speed for speed in speeds if speed])
+        modes = () if problem.modal.damped or not self.alone.blocks else problem.modal.modes
+        return duration(modes, problem.modal.damped, last, [speed for speed in speeds if speed])
 
-    def signal(self, tree):
+    def signal(self, tree: NameRef | Power | Sum):
         """The signal of a tree."""
         parts = {}
         node = lower(tree, self.problem.scene.table, lambda name, primes, part: self._part(parts, name, primes, part))
@@ -191,7 +201,7 @@ class SmallMotion(Response):
                 or not all(isinstance(part[0], LinearOutput) for part in parts.values())):
             return self._composed(node, parts)
         used = [symbol for symbol in parts if symbol in slopes]
-        values = {**self.problem.floats, **{symbol.name: 0.0 for symbol in parts}}
+        values = {**self.problem.numeric.floats, **{symbol.name: 0.0 for symbol in parts}}
         constant, *factors = evaluate([node, *(slopes[symbol] for symbol in used)], Floats, values)
         return self._linear(constant, list(zip(factors, (parts[symbol] for symbol in used), strict=True)))
 
@@ -210,16 +220,16 @@ class SmallMotion(Response):
             return self._at_states(parts, energy(problem.scene, name, primes))
         elif is_quadratic(name):
             total = table.zero
-            for number, (weight, *found) in enumerate(quadratic_output(problem, name)):
+            for number, (weight, *found) in enumerate(quadratic_output(problem.configuration, name)):
                 square = table.variable(f"signal {name} {number}")
                 parts[square] = self._apart(*found)
                 total = total + square * square * table.number(Fraction(weight))
             return total
         else:
-            parts[symbol] = self._apart(*linear_output(problem, name + "'" * primes))
+            parts[symbol] = self._apart(*linear_output(problem.configuration, name + "'" * primes))
         return symbol
 
-    def state_signal(self, node):
+    def state_signal(self, node: "Node"):
         """The signal of an expression of coordinates, velocities and accelerations."""
         parts = {}
         return self._composed(self._at_states(parts, node), parts)
@@ -230,9 +240,9 @@ class SmallMotion(Response):
         if scene.loops is not None and any(part.op == "symbol" and part.name in scene.loops.names
                                            for part in reachable([node])):
             free = {q: self.signal(NameRef(0, 0, q, 0)) for q in scene.coordinates}
-            closing = Closing(scene.loops, self.problem.at_rest, free)
+            closing = Closing(scene.loops, self.problem.configuration.at_rest, free)
         return ComposedSignal(node, {symbol.name: self._one(part) for symbol, part in parts.items()},
-                              self.problem.floats, scene.time, closing, self.problem.work)
+                              self.problem.numeric.floats, scene.time, closing, self.problem.work)
 
     def _at_states(self, parts, node):
         """The same with the coordinates and their rates replaced by symbols of their signals."""

@@ -1,6 +1,16 @@
 """Signals of forces of dry friction that several elements share while they stick."""
 
+from collections.abc import Callable, Mapping, Set
+from typing import TYPE_CHECKING, Any
+
 from vibcli.symbolic.semantics import lower
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.analyses.time_integration.trajectory import Trajectory
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 TINY = 1e-7         # of what the forces alone would change
 
@@ -8,15 +18,15 @@ TINY = 1e-7         # of what the forces alone would change
 class SharedFriction:
     """A signal with a change of each friction force in it: does it change if these still balance?"""
 
-    def __init__(self, node, changes):
+    def __init__(self, node: "Node", changes: "Mapping[str, Node]"):
         self.node, self.changes = node, changes
 
     @classmethod
-    def of(cls, scene, tree, names, symbol):
+    def of(cls, scene: "Scene", tree: Any, names: Set[str], symbol: Callable) -> "SharedFriction | None":
         """That of a tree with the forces `names`; None where none of them is one of dry friction."""
-        from vibcli.mechanics.equilibrium.redundant_friction import signs_of_speeds
+        from vibcli.mechanics.equilibrium.dry_friction import signs_of_speeds
 
-        owners = {law.owner for law in scene.laws if law.damper and signs_of_speeds(scene, law.force(scene))}
+        owners = {law.owner for law in scene.laws if law.damper and signs_of_speeds(scene, [law.force(scene)])}
         changes = {name.removesuffix(".force"): scene.table.variable(f"change of {name}") for name in sorted(names)
                    if name.removesuffix(".force") in owners}
         if not changes:
@@ -28,7 +38,8 @@ class SharedFriction:
 
         return cls(lower(tree, scene.table, changed), changes)
 
-    def require_fixed(self, trajectory, times, values, value):
+    def require_fixed(self, trajectory: "Trajectory", times: Any, values: "Mapping[str, float | np.ndarray]",
+                      value: Callable) -> None:
         """PhysicsError at instants at which statics does not fix the signal; value(node, values): of a node there."""
         import numpy as np
 

@@ -2,21 +2,26 @@
 x = A e^{−δt} cos(ω_d t − φ), beside what the loads that do not oscillate add."""
 
 from math import inf, tau
+from typing import TYPE_CHECKING
 
 from vibcli.analyses.excitation.forcing import oscillates
 from vibcli.base.errors import PhysicsError
+
+if TYPE_CHECKING:
+    from vibcli.analyses.transient.textbook_form import Part
+    from vibcli.results.signals import LinearSignal
 
 ALONE = 1e-10       # amplitude of another vibration, relative to the largest, that counts as none
 UNDYING = 1e-13     # decay, relative to the angular frequency, that counts as none
 
 
-def kept_up(signal):
+def kept_up(signal: "LinearSignal") -> bool:
     """Do loads that oscillate without end drive the motion?"""
     forcing = signal.motion.forcing
     return forcing.period is not None or oscillates(forcing)
 
 
-def free_parts(signal):
+def free_parts(signal: "LinearSignal") -> "list[Part]":
     """The Parts of a signal after the last change of the loads, of which none oscillates without end."""
     from vibcli.analyses.transient.textbook_form import formula
 
@@ -29,7 +34,7 @@ def free_parts(signal):
     return formula(signal.motion, signal.output, -1)
 
 
-def vibration(signal):
+def vibration(signal: "LinearSignal") -> "Part":
     """The one Part A e^{rate τ} cos(ω τ − φ) of a free vibration, τ from the last change of the loads; PhysicsError
     where there are several or none."""
     parts = [part for part in free_parts(signal) if not part.forced and part.omega]
@@ -43,7 +48,7 @@ def vibration(signal):
     return waves[0]
 
 
-def from_the_start(signal):
+def from_the_start(signal: "LinearSignal") -> "Part":
     """The same of a vibration that is free from t = 0 on."""
     part, last = vibration(signal), signal.motion.forcing.segments(inf)[-1].start
     if last:
@@ -52,7 +57,7 @@ def from_the_start(signal):
     return part
 
 
-def amplitude(signal):
+def amplitude(signal: "LinearSignal") -> float:
     """Of the one free vibration; 0 of what stays at rest."""
     if all(not part.amplitude or not (part.omega or part.rate or part.power) for part in free_parts(signal)):
         return 0.0
@@ -60,20 +65,20 @@ def amplitude(signal):
     return part.amplitude if abs(part.rate) <= UNDYING * part.omega else from_the_start(signal).amplitude
 
 
-def decrement(signal):
+def decrement(signal: "LinearSignal") -> float:
     from vibcli.analyses.transient.free_vibration import decrement
 
     part = vibration(signal)
     return decrement(part.rate, part.omega) + 0.0       # 0 and not −0 where nothing damps
 
 
-def time_to(signal, fraction):
+def time_to(signal: "LinearSignal", fraction: float) -> float:
     from vibcli.analyses.transient.free_vibration import time_to
 
     return time_to(fraction, _decaying(signal).rate)
 
 
-def cycles_to(signal, fraction):
+def cycles_to(signal: "LinearSignal", fraction: float) -> float:
     from vibcli.analyses.transient.free_vibration import cycles_to
 
     part = _decaying(signal)
@@ -87,7 +92,7 @@ def _decaying(signal):
     return part
 
 
-def beat_period(signal):
+def beat_period(signal: "LinearSignal") -> float:
     """Of two vibrations that last, one of which a load may keep up."""
     from vibcli.analyses.transient.free_vibration import beat_period
 
@@ -99,16 +104,16 @@ def beat_period(signal):
                        "amplitude that last")
 
 
-def free_period(signal):
+def free_period(signal: "LinearSignal") -> float:
     return tau / vibration(signal).omega
 
 
-def mean(signal):
+def mean(signal: "LinearSignal"):
     """Of what lasts of a free motion."""
     return _lasting(signal)[0]
 
 
-def rms(signal):
+def rms(signal: "LinearSignal"):
     """√(c² + Σ A²/2) of c + Σ A cos(ω t − φ), what lasts of a free motion."""
     middle, sizes = _lasting(signal)
     return (middle * middle + sum(A * A for A in sizes) / 2) ** 0.5
@@ -123,11 +128,3 @@ def _lasting(signal):
     if not waves:
         raise PhysicsError("this signal comes to rest: it has no period to take a mean over", "ask for final(x)")
     return sum(part.amplitude for part in parts if not (part.omega or part.rate)), waves
-
-
-def envelope(signal, times):
-    """A e^{rate t} of a free vibration."""
-    import numpy as np
-
-    part = from_the_start(signal)
-    return part.amplitude * np.exp(part.rate * np.asarray(times))

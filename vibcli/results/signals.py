@@ -1,15 +1,26 @@
 """Signals in time: values at any instant, extremes, passages through zero; the exact ones of linear motions, and those
 that are composed of them."""
 
+from collections.abc import Mapping
 from functools import cached_property
 from math import tau
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Work
 from vibcli.symbolic.evaluation import evaluate
 
+if TYPE_CHECKING:
+    import mpmath
+    import numpy as np
 
-def require_finite(values, times):
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.analyses.transient.composition import Composition, Leaf
+    from vibcli.analyses.transient.linear_response import LinearMotion
+    from vibcli.symbolic.node import Node
+
+
+def require_finite(values: "np.ndarray", times: "np.ndarray") -> "np.ndarray":
     """The values; PhysicsError where one is no real number."""
     import numpy as np
 
@@ -26,11 +37,11 @@ class Signal:
 
     KIND, period = "a signal", None
 
-    def error(self, t):
+    def error(self, t: float) -> float:
         """How far its value at an instant may be off; 0 where that is rounding."""
         return 0.0
 
-    def error_of_time(self, t):
+    def error_of_time(self, t: float) -> float:
         """How far an instant that was searched may be off [s]."""
         return 0.0
 
@@ -51,13 +62,13 @@ class Signal:
 class LinearSignal(Signal):
     """A linear output of a linear motion. part: "steady" or "transient" where it is that of another."""
 
-    def __init__(self, motion, output, part=""):
+    def __init__(self, motion: "LinearMotion", output: "LinearOutput", part: str = ""):
         self.motion, self.output, self.part = motion, output, part
 
-    def values(self, times, order=0):
+    def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
         return self.motion.values(self.output, times, order)
 
-    def along(self, end):
+    def along(self, end: float) -> "Leaf":
         from vibcli.analyses.transient.composition import Leaf
 
         return Leaf(self.motion.pieces(end), self.output)
@@ -72,31 +83,31 @@ class LinearSignal(Signal):
         except PhysicsError:
             return None
 
-    def extreme(self, start, end, sense):
+    def extreme(self, start: Any, end: float, sense: int) -> tuple[float, float]:
         """(instant, value) of the largest (sense 1) or smallest (−1) value."""
         end = min(end, start + (self.period or end))      # later ones are the same but for rounding
         return self.motion.extreme(self.output, start, end, "max" if sense > 0 else "min")
 
-    def zeros(self, start, end):
+    def zeros(self, start: float, end: float) -> "np.ndarray":
         return self.motion.zeros(self.output, start, end)
 
-    def final(self):
+    def final(self) -> float:
         return self.motion.final(self.output)
 
     @cached_property
-    def steady(self):
+    def steady(self) -> "LinearSignal":
         return LinearSignal(self.motion.steady, self.output, "steady")
 
     @cached_property
-    def transient(self):
+    def transient(self) -> "LinearSignal":
         return LinearSignal(self.motion.transient, self.output, "transient")
 
     @cached_property
-    def envelope(self):
+    def envelope(self) -> "Envelope":
         return Envelope(self)
 
     @property
-    def phasors(self):
+    def phasors(self) -> list[tuple[float, complex]]:
         """[(Ω, complex X)] of the steady state Re Σ X e^{iΩt}, by ascending Ω."""
         from vibcli.results.steady_features import harmonics
 
@@ -106,10 +117,10 @@ class LinearSignal(Signal):
 class Closing:
     """Coordinates that close loops, as functions of the time: of the free ones, whose signals are {name: signal}."""
 
-    def __init__(self, loops, rest, free):
+    def __init__(self, loops: Any, rest: "Mapping[str, float | mpmath.mpf]", free: Any):
         self.loops, self.rest, self.free = loops, rest, free
 
-    def values(self, times, known):
+    def values(self, times: Any, known: Any):
         """{name: array}, `known` being the values of parameters and of the time."""
         found = self.loops.along(self.rest, {**known, **{name: one.values(times) for name, one in self.free.items()}})
         if found is None:
@@ -123,11 +134,12 @@ class ComposedSignal(Signal):
 
     KIND = "a signal composed of others"
 
-    def __init__(self, node, signals, floats, time, closing=None, work=None):
+    def __init__(self, node: "Node", signals: Mapping[str, LinearSignal], floats: Mapping[str, Any], time: "Node",
+                 closing: Any = None, work: Work | None = None):
         self.node, self.signals, self.floats, self.time, self.closing = node, signals, floats, time, closing
         self.work = work or Work()
 
-    def values(self, times, order=0):
+    def values(self, times: Any, order: int = 0) -> "np.ndarray":
         from vibcli.symbolic.array_arithmetic import Arrays
 
         if order:
@@ -141,7 +153,7 @@ class ComposedSignal(Signal):
             found = evaluate([self.node], Arrays, values)[0]
         return require_finite(np.broadcast_to(found, np.shape(times)), times)
 
-    def along(self, end):
+    def along(self, end: float) -> "Composition":
         """The Composition of the outputs up to an instant; KeyError where it holds what has no known bounds."""
         from vibcli.analyses.transient.composition import Composition
 
@@ -150,10 +162,10 @@ class ComposedSignal(Signal):
         leaves = {name: signal.along(end) for name, signal in self.signals.items()}
         return Composition(self.node, leaves, self.floats, self.time.name, require_finite, end)
 
-    def extreme(self, start, end, sense):
+    def extreme(self, start: Any, end: float, sense: int) -> tuple[float, float]:
         """(instant, value) of the largest (sense 1) or smallest (−1) value."""
-        from vibcli.analyses.transient.largest import extreme
-        from vibcli.results.sampled_extremes import SampledSearch
+        from vibcli.analyses.transient.extremes import extreme
+        from vibcli.analyses.transient.sampled_extremes import SampledSearch
 
         end = min(end, start + (self.period or end))
         try:
@@ -161,10 +173,10 @@ class ComposedSignal(Signal):
         except KeyError:
             return SampledSearch(self.values, start, end, self.work).extreme(sense)
 
-    def zeros(self, start, end):
+    def zeros(self, start: float, end: float) -> list[float]:
         """Instants at which the signal passes or touches zero."""
-        from vibcli.analyses.transient.extremes import zeros
-        from vibcli.results.sampled_extremes import SampledSearch
+        from vibcli.analyses.transient.sampled_extremes import SampledSearch
+        from vibcli.analyses.transient.zeros import zeros
 
         try:
             return zeros(self.along(end), None, start, end, self.work).tolist()
@@ -211,9 +223,13 @@ class ComposedSignal(Signal):
                 instead[symbol] = table.variable(f"steady {symbol.name}")
                 signals[f"steady {symbol.name}"] = self.steady.signals[symbol.name]
         node = self.node - substitute([self.node], instead)[0]
-        found = ComposedSignal(node, signals, self.floats, self.time, work=self.work)
-        found.KIND = "the transient part of a composed signal"
-        return found
+        return TransientOfComposed(node, signals, self.floats, self.time, work=self.work)
+
+
+class TransientOfComposed(ComposedSignal):
+    """What dies out of a composed signal."""
+
+    KIND = "the transient part of a composed signal"
 
 
 class Envelope(Signal):
@@ -221,22 +237,27 @@ class Envelope(Signal):
 
     KIND = "an envelope"
 
-    def __init__(self, signal):
+    def __init__(self, signal: LinearSignal):
         self.signal = signal
 
-    def values(self, times, order=0):
-        from vibcli.results.signal_features import envelope
-
-        return envelope(self.signal, times)
-
-    def along(self, end):
-        from vibcli.analyses.transient.composition import Decay
+    @cached_property
+    def part(self):
+        """The vibration, free from t = 0 on."""
         from vibcli.results.signal_features import from_the_start
 
-        part = from_the_start(self.signal)
-        return Decay(part.amplitude, part.rate)
+        return from_the_start(self.signal)
 
-    def extreme(self, start, end, sense):
+    def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
+        import numpy as np
+
+        return self.part.amplitude * np.exp(self.part.rate * np.asarray(times))
+
+    def along(self, end: float):
+        from vibcli.analyses.transient.composition import Decay
+
+        return Decay(self.part.amplitude, self.part.rate)
+
+    def extreme(self, start: Any, end: float, sense: int):
         """(instant, value) of the largest (sense 1) or smallest (−1) value: at an end."""
         import numpy as np
 
@@ -245,14 +266,11 @@ class Envelope(Signal):
         best = int(np.argmax(sense * found))
         return float(times[best]), float(found[best])
 
-    def zeros(self, start, end):
+    def zeros(self, start: float, end: float):
         """None: it dies out, or is 0 for good."""
         return []
 
     def final(self):
-        from vibcli.results.signal_features import from_the_start
-
-        part = from_the_start(self.signal)
-        if part.rate > 0:
+        if self.part.rate > 0:
             raise PhysicsError("the motion grows without end: it comes to no rest", "ask for a value at a time")
-        return 0.0 if part.rate else part.amplitude
+        return 0.0 if self.part.rate else self.part.amplitude

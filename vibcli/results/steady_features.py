@@ -1,14 +1,18 @@
 """Numbers that are read off the steady state of a signal which loads keep up."""
 
 from math import tau
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
+
+if TYPE_CHECKING:
+    from vibcli.results.signals import LinearSignal
 
 COMMENSURATE, MOST = 1e-9, 1000
 ALONE = 1e-10       # amplitude of another harmonic, relative to the largest, that counts as none
 
 
-def harmonics(signal):
+def harmonics(signal: "LinearSignal") -> list[tuple[float, complex]]:
     """[(Ω, X)] of the waves of the steady state that is no constant, where it has finitely many."""
     steady = signal.motion.steady
     if steady.period is not None:
@@ -18,7 +22,7 @@ def harmonics(signal):
     return [(Omega, X) for Omega, X in found if abs(X) > ALONE * largest]
 
 
-def fundamental(signal):
+def fundamental(signal: "LinearSignal") -> float:
     """The angular frequency of a periodic steady state; PhysicsError where it is not periodic."""
     steady = signal.motion.steady
     if steady.period is not None:
@@ -33,7 +37,7 @@ def fundamental(signal):
     raise PhysicsError("the frequencies of this steady state have no common period", "ask for max(x) and min(x)")
 
 
-def harmonic(signal, number):
+def harmonic(signal: "LinearSignal", number: int) -> complex:
     """The complex amplitude X of harmonic n of a periodic steady state."""
     steady, Omega = signal.motion.steady, fundamental(signal)
     if steady.period is not None:
@@ -42,7 +46,7 @@ def harmonic(signal, number):
     return near[0] if near else 0j
 
 
-def amplitude(signal):
+def amplitude(signal: "LinearSignal") -> float:
     """Of one harmonic |X|, of several half the range over a period."""
     if signal.motion.steady.period is None:
         found = harmonics(signal)

@@ -4,8 +4,17 @@ A step from a known position is taken whole where Newton's steps contract fast, 
 keeps its sign. So a linkage does not jump from one way of closing to another, nor pass a dead centre.
 """
 
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.errors import PhysicsError
 from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    import mpmath
+
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 CONTRACTION, SHORTEST, ROUNDS = 0.25, 2.0**-12, 40
 ALONG = 1e-14       # of its size: what is left of a step
@@ -16,11 +25,12 @@ class Loops:
 
     __slots__ = ("conditions", "names", "sizes", "slopes")
 
-    def __init__(self, unknowns, conditions, partial, sizes):
+    def __init__(self, unknowns: "Sequence[Node]", conditions: "Sequence[Node]", partial: "Sequence[list[Node]]",
+                 sizes: Sequence[float]):
         self.names, self.conditions, self.sizes = [z.name for z in unknowns], conditions, sizes
         self.slopes = [node for row in partial for node in row[:len(unknowns)]]
 
-    def followed(self, start, target):
+    def followed(self, start: Mapping[str, float], target: Mapping[str, float]) -> dict[str, float]:
         """{name: float} of `target` ({name: float}) with z, along the straight path from the position `start`; None
         where the loops cannot follow. What `start` leaves open, as a drawn position that is driven away from at once,
         is closed on the way."""
@@ -38,7 +48,10 @@ class Loops:
                 step *= 0.5
                 if step < SHORTEST:
                     return None
-        return here if moving or not n else self._polished(here, target)
+        if moving or not n:
+            return here
+        polished = {**target, **{name: here[name] for name in self.names}}
+        return polished if self._closed(polished, n) else None
 
     def _sense(self, values):
         """The sign of det ∂G/∂z: it changes where the loops are singular."""
@@ -47,10 +60,6 @@ class Loops:
         n = len(self.names)
         flat = evaluate(self.slopes, Floats, values)
         return np.linalg.slogdet(np.array(flat).reshape(n, n))[0]
-
-    def _polished(self, here, target):
-        trial = {**target, **{name: here[name] for name in self.names}}
-        return trial if self._closed(trial, len(self.names)) else None
 
     def _closed(self, values, n, gaps=0.0):
         """Newton's method for G = gaps, in place; False where it does not contract from the first step on."""
@@ -76,7 +85,7 @@ class Loops:
             before = size
         return False
 
-    def along(self, start, values):
+    def along(self, start: Mapping[str, float], values: Mapping[str, float]):
         """{name: array} of the unknowns for arrays of coordinates and instants near the closed position `start`; None
         where Newton's method does not find them."""
         import numpy as np
@@ -97,7 +106,7 @@ class Loops:
                 return dict(zip(self.names, z, strict=True))
         return None
 
-    def refined(self, values, arithmetic):
+    def refined(self, values: "dict[str, mpmath.mpf]", arithmetic: Any) -> "dict[str, mpmath.mpf]":
         """The same in mpmath at the working precision, from float values close to the solution; in place."""
         import mpmath
 
@@ -113,16 +122,9 @@ class Loops:
         raise PhysicsError("the loops of this scene do not close to more digits", "ask for fewer digits")
 
 
-def drawn_values(scene):
-    """{name: float} as drawn, with sample values for letters."""
-    names = {node.name: value for node, value in scene.drawn.items()}
-    found = evaluate(list(names.values()), Floats, scene.sample)
-    return {**scene.sample, **dict(zip(names, found, strict=True)), scene.time.name: 0.0}
-
-
-def nearby(scene, attempt):
+def nearby(scene: "Scene", attempt: int) -> dict[str, float]:
     """A closed position near the drawn one, other at each attempt; None where the loops do not close there."""
-    start = drawn_values(scene)
+    start = scene.drawn_values
     target = dict(start)
     for i, q in enumerate(q for q in scene.q if q not in scene.inputs):
         target[q.name] += 0.01 * (1 + (7 * i + 3 * attempt) % 5) * (-1) ** (i + attempt) * scene.unit_of(q.name)

@@ -5,90 +5,76 @@ the implicit one, z_q = −G_z⁻¹ G_q, an expression in q and z: its own deriv
 that all which is derived from z later is exact to any order.
 """
 
+from collections.abc import Callable, Sequence
 from math import isfinite
-from typing import NamedTuple
+from typing import TYPE_CHECKING
 
 from vibcli.scene.closed_loops import Loops, nearby
+from vibcli.scene.scene import Closure, Freedom, Scene
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import is_zero, textbook
 
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
+
 LOOSE = 1e-7
 
 
-class Constraint(NamedTuple):
-    """One condition node = 0 of the constraint `name` (a part of it: `name.x`); `form` is one of
-    equation, join, link, point, gear, belt, rope, release."""
-
-    name: str
-    node: object
-    where: object
-    form: str
-
-    @property
-    def whole(self):
-        """The name of the constraint that this is a part of."""
-        return self.name.partition(".")[0]
-
-
-class Freedom(NamedTuple):
-    """How many coordinates and independent conditions a scene has, and which constraints follow from others."""
-
-    coordinates: int
-    conditions: int
-    redundant: tuple
-
-
-def close(scenes):
-    """Express dependent coordinates by the others throughout a scene, and the same ones in the scene at rest if that is
-    another: {name: expression} in `dependent` of each.
+def closed(scene: Scene) -> Scene:
+    """The Scene with its dependent coordinates expressed by the others throughout, and the same ones in the scene at
+    rest if that is another: {name: expression} in `dependent` of each. What contradicts itself is reported.
 
     Where the file lists its coordinates, the first of them stay independent as far as can be; else those that no
     condition gives explicitly.
     """
-    scene, still = scenes[0], scenes[-1]
-    raw = [q for q in scene.q if q not in scene.inputs]
+    scenes = (scene, scene.still) if scene.still else (scene,)
+    still, raw = scenes[-1], [q for q in scene.q if q not in scene.inputs]
     nodes, *others = [dict(enumerate(textbook(tie.node) for tie in one.constraints)) for one in scenes]
     if _contradictory(scene, nodes.values()):
-        return
+        return scene
     allowed = raw
     if "coordinates" in scene.spec.sections:
         allowed = [q for _, q in _pivots(still, dict([nodes, *others][-1]), raw)]
     values, order = _explicit(scene, nodes, allowed)
-    found = [(scene, nodes, values), *((still, rest, _the_same(rest, order)) for rest in others)]
+    found = [(scene, nodes, values)]
+    for rest in others:
+        found.append((still, rest, {}))
+        for k, z in order:
+            _solve_for(rest, found[-1][2], k, z)
     pivots = _pivots(still, dict(found[-1][1]), [q for q in allowed if q not in values])
-    if scene.diagnostics:
-        return
+    if scene.setting.reports.diagnostics:
+        return scene
     left = [q for q in raw if q not in values and q not in {z for _, z in pivots}] + list(scene.inputs)
-    for one, conditions, given in found:
-        _settle(one, conditions, given, pivots, left)
-        one.freedom = Freedom(len(raw), len(given), tuple(scene.constraints[k].name for k in conditions))
+    settled = [_settled(one, conditions, given, pivots, left, one is not scene) for one, conditions, given in found]
+    return settled[0].with_parts(still=settled[1] if others else None)
 
 
-def _settle(scene, nodes, values, pivots, left):
-    """Put what the dependent coordinates are into a scene: `values`, and those that `pivots` leave implicit."""
-    tied = [nodes.pop(k) for k, _ in pivots]
-    scene.rename(left)
-    scene.loops = _implicit(scene, tied, [z for _, z in pivots], values, left) if pivots else None
+def _settled(scene, nodes, values, pivots, left, at_rest):
+    """The scene in which the dependent coordinates are `values`, or those that `pivots` leave implicit."""
+    count, tied = len(scene.q) - len(scene.inputs), [nodes.pop(k) for k, _ in pivots]
+    kept = scene.kinematics.keeping(left)
+    loops = _implicit(scene, tied, [z for _, z in pivots], values, left, at_rest) if pivots else None
     used = 0
     for node in (*(term.weight for term in scene.forces), *scene.energies.values()):
         used |= node.mask
-    velocities = {scene.symbol(z.name, 1): node for z, node in values.items()}
-    scene.replace({**values, **{v: scene.rate(node) for v, node in velocities.items() if v.mask & used}})
-    for z, node in values.items():
-        scene.define(z.name, node)
-    _redundant(scene, nodes, substitute(list(nodes.values()), values))
-    scene.dependent = {z.name: node for z, node in values.items()}
+    rates = {scene.symbol(z.name, 1): node for z, node in values.items()}
+    rates = {v: kept.rate(node) for v, node in rates.items() if v.mask & used}
+    redundant = tuple(scene.constraints[k].name for k in nodes)
+    closure = Closure(loops, {z.name: node for z, node in values.items()}, Freedom(count, len(values), redundant))
+    found = scene.replaced({**values, **rates}, coordinates=kept.defining(values), closure=closure)
+    _check_redundant(found, nodes, substitute(list(nodes.values()), values))
+    return found
 
 
 def _contradictory(scene, nodes):
     """A condition without coordinates cannot be met."""
-    before = len(scene.diagnostics)
+    before = len(scene.setting.reports.diagnostics)
     for constraint, node in zip(scene.constraints, nodes, strict=True):
         if not any(q in gradient(node) for q in scene.q) and not node.is_zero:
             scene.report(constraint.where, f"nothing can move so that the constraint '{constraint.name}' holds",
                          "one of the things that it ties must be able to move")
-    return len(scene.diagnostics) > before
+    return len(scene.setting.reports.diagnostics) > before
 
 
 def _pivots(scene, nodes, columns):
@@ -140,14 +126,6 @@ def _explicit(scene, nodes, allowed):
             del ranked[changed]
 
 
-def _the_same(nodes, order):
-    """{z: expression} of the same coordinates, from the conditions of the scene at rest."""
-    found = {}
-    for k, z in order:
-        _solve_for(nodes, found, k, z)
-    return found
-
-
 def _solve_for(nodes, found, k, z):
     """Take condition k out of `nodes` and z from it, `found` being {z: expression}; the numbers of those with z."""
     node = nodes.pop(k)
@@ -173,14 +151,14 @@ def _with(node, z, expression):
     return textbook(substitute([node], {z: expression})[0]) if node.mask & z.mask else node
 
 
-def _implicit(scene, nodes, waiting, values, left):
+def _implicit(scene, nodes, waiting, values, left, at_rest):
     """Adds the dependents `waiting` to `values` as symbols with implicit gradients; returns the Loops."""
     table = scene.table
     depends = [x for x in (*left, scene.time) if any(x in gradient(node) for node in nodes)]
     mask = 0
     for x in depends:
         mask |= x.mask
-    symbols = {z: table.dependent(z.name, mask, scene.at_rest) for z in waiting}
+    symbols = {z: table.dependent(z.name, mask, at_rest) for z in waiting}
     partial = [[gradient(node).get(x, table.zero) for x in (*waiting, *depends)] for node in nodes]
     moved = substitute([node for row in partial for node in row], symbols)
     width = len(waiting) + len(depends)
@@ -188,15 +166,14 @@ def _implicit(scene, nodes, waiting, values, left):
     drawn = {**scene.drawn, **{symbols[z]: scene.drawn[z] for z in waiting}, scene.time: table.zero}
     solution = solved(rows, len(waiting), lambda nodes: evaluate(substitute(nodes, drawn), Floats, scene.sample))
     for z, slopes in zip(waiting, solution, strict=True):
-        symbols[z].gradient = {x: -slope for x, slope in zip(depends, slopes, strict=True) if not slope.is_zero}
+        symbols[z].keep_gradient({x: -slope for x, slope in zip(depends, slopes, strict=True) if not slope.is_zero})
     for other, node in values.items():
         values[other] = substitute([node], symbols)[0]
     values.update(symbols)
-    scene.drawn.update({symbols[z]: scene.drawn[z] for z in waiting})
     return Loops(waiting, nodes, partial, [scene.unit_of(z.name) for z in waiting])
 
 
-def solved(rows, n, numbers):
+def solved(rows: "Sequence[list[Node]]", n: int, numbers: Callable) -> "list[list[Node]]":
     """A⁻¹B of rows [A | B] in letters, A being n × n: sparse elimination; pivots are not small as drawn."""
     work = [{j: node for j, node in enumerate(row) if not node.is_zero} for row in rows]
     order, free = [], set(range(n))
@@ -237,7 +214,7 @@ def _reduce(row, other, factor, skip):
                 row[k] = value
 
 
-def _redundant(scene, numbers, nodes):
+def _check_redundant(scene, numbers, nodes):
     """Conditions which the others imply as drawn must be implied in all positions."""
     for k, node in zip(numbers, nodes, strict=True):
         if is_zero(node):
@@ -268,7 +245,7 @@ def _rates(scene, node):
     return [sizes[0] / (sum(map(abs, sizes[1:])) or 1.0)]
 
 
-def words_of_locked(scene):
+def words_of_locked(scene: Scene) -> str:
     """What is said of a scene whose constraints leave no freedom."""
     if any(node.mask & scene.time.mask for node in scene.dependent.values()) or not scene.dependent:
         return "nothing moves freely: all motion is prescribed as a function of the time"

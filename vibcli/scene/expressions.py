@@ -1,80 +1,101 @@
-"""Parsed fields as expressions of a scene, and what can be said of their values as drawn."""
+"""Parsed fields as expressions of a scene, what can be said of their values as drawn, directions and distances, whose
+signs are those as drawn."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
-from vibcli.language.parameters import unusable
-from vibcli.language.reader import Expression
+from vibcli.language.parameters import Parameters, unusable
+from vibcli.language.reader import Expression, Record
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.normal_form import TooLong, collected, expanded, is_zero, reduced
-from vibcli.symbolic.parser import ExpressionError
-from vibcli.symbolic.semantics import lower, names_in
-from vibcli.symbolic.syntax import Sum
+from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.normal_form import TooLong, collected, expanded, is_zero, reduced, root_of_square, textbook
+from vibcli.symbolic.rationals import ONE
+from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.syntax import ExpressionError, Sum, parts_of
+
+if TYPE_CHECKING:
+    from vibcli.base.errors import Where
+    from vibcli.scene.builder import Reports
+    from vibcli.scene.coordinates import SceneCoordinates
+    from vibcli.symbolic.node import Node
 
 
 class Expressions:
-    """The part of a Scene that lowers fields to nodes and compares nodes."""
+    """Lowers fields to nodes of a scene and compares nodes in its drawn position, the `coordinates` being its own."""
 
-    def lower(self, expression, local=None):
+    __slots__ = ("coordinates", "parameters", "reports", "sample", "table")
+
+    def __init__(self, coordinates: "SceneCoordinates", parameters: Parameters, sample: Mapping[str, float],
+                 reports: "Reports"):
+        self.coordinates, self.parameters, self.sample, self.reports = coordinates, parameters, sample, reports
+        self.table = coordinates.table
+
+    def lower(self, expression: Expression, local: "tuple[str, Node] | None" = None) -> "Node":
         """The node of a parsed field; `local`: (name, node) of a name that is good there alone. Who reads more of a
         scene that is built has the values to judge it by."""
         def symbol(name, primes, tree):
-            return local[1] if local and name == local[0] and not primes else self._symbol(name, primes, tree)
+            if local and name == local[0] and not primes:
+                return local[1]
+            known = self.parameters.in_letters if name in self.parameters.in_letters else self.parameters.nodes
+            return known[name] if name in known else self.coordinates.symbol(name, primes)
 
         try:
             node = lower(expression.tree, self.table, symbol)
         except ExpressionError as error:
-            self.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)
+            self.reports.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)
             return self.table.one
-        if self.built or node.mask or node.op == "symbol":
+        if self.reports.finished or node.mask or node.op == "symbol":
             return node
-        problem = unusable(self._constant(node), Floats)
+        problem = unusable(evaluate([node], Floats, self.sample)[0], Floats)
         if problem:
-            self.report(expression.scalar.place(0, len(expression.text)), "this value is " + problem[0], problem[1])
+            where = expression.scalar.place(0, len(expression.text))
+            self.reports.report(where, "this value is " + problem[0], problem[1])
         return self.table.one if problem else node
 
-    def _constant(self, node):
-        return evaluate([node], Floats, self.sample)[0]
-
-    def positive(self, expression, what, zero=False):
+    def positive(self, expression: Expression, what: str, zero: bool = False) -> "Node":
         """The node of a field whose value must be positive, or not negative."""
         node = self.lower(expression)
-        value = self._constant(node)
+        value, = evaluate([node], Floats, self.sample)
         if not (value > 0 or (zero and value == 0)):
             found = f"{value:.6g} {units.text(expression.dimension or {})}".rstrip()
             wanted = "zero or more" if zero else "a positive value"
-            self.report(expression.where, f"{what} is {found}, expected {wanted}",
+            self.reports.report(expression.where, f"{what} is {found}, expected {wanted}",
                         "mind the signs" if value < 0 else None)
         return node
 
-    def load(self, expression):
+    def load(self, expression: Expression):
         """(steady part, part in time) of a load: what holds the time are its summands as they are written, so that
         F0*(1 - cos(W*t)) is in time as a whole."""
         tree, parts = expression.tree, ([], [])
         for sign, part in tree.parts if isinstance(tree, Sum) else [(1, tree)]:
-            parts["t" in {name for name, *_ in names_in(part)}].append((sign, part))
+            parts["t" in {name for name, *_ in parts_of(part).names}].append((sign, part))
         if not all(parts):
             whole = self.lower(expression)
             return (self.table.zero, whole) if parts[1] else (whole, self.table.zero)
-        return tuple(self.lower(Expression(expression.scalar, tree._replace(parts=tuple(part)), expression.unit,
-                                           expression.dimension)) for part in parts)
+        return tuple(self.lower(Expression(expression.scalar, tree._replace(parts=tuple(part)))) for part in parts)
 
-    def pair(self, expressions):
+    def pair(self, expressions: Sequence[Expression]) -> "tuple[Node, Node]":
+        """The nodes of two fields, such as a place [x, y]."""
         return self.lower(expressions[0]), self.lower(expressions[1])
 
-    def number(self, node):
+    def number(self, node: "Node") -> float:
         """The value of a node as drawn, with sample values for symbols."""
-        return evaluate(self.at_drawn(node), Floats, self.sample)[0]
+        return evaluate(self.coordinates.at_drawn(node), Floats, self.sample)[0]
 
-    def sign(self, node):
+    def sign(self, node: "Node") -> int:
+        """That of a node as drawn."""
         return -1 if self.number(node) < 0 else 1
 
-    def agree(self, a, b):
+    def agree(self, a: "Node", b: "Node") -> bool:
         """Are two expressions the same, by algebra or at the sample?"""
         if a is b or is_zero(a - b):
             return True
         x, y = self.number(a), self.number(b)
         return abs(x - y) <= 1e-9 * max(abs(x), abs(y))
 
-    def terms_with(self, node, mask):
+    def terms_with(self, node: "Node", mask: int) -> "Node":
         """The terms of an expression that depend on one of these symbols, multiplied out as far as it can be."""
         try:
             terms = reduced(expanded(node))
@@ -83,7 +104,7 @@ class Expressions:
         return collected(self.table, {monomial: value for monomial, value in terms.items()
                                       if any(atom.mask & mask for atom, _ in monomial)})
 
-    def vanishes(self, node):
+    def vanishes(self, node: "Node") -> bool:
         """Is an expression zero in all positions: by algebra, or term by term at the sample?"""
         if is_zero(node):
             return True
@@ -102,7 +123,53 @@ class Expressions:
                 return False
         return True
 
-    def require_equal(self, a, b, where, message, hint=None, size=0.0):
+    def require_equal(self, a: "Node", b: "Node", where: "Where", message: str, hint: str | None = None,
+                      size: float = 0.0) -> None:
         """Report `message` with both values where they differ in the drawn position by more than `size`."""
-        if not self.agree(*self.at_drawn(a, b)) and not abs(self.number(a) - self.number(b)) <= size:
-            self.report(where, message.format(f"{self.number(a):.6g}", f"{self.number(b):.6g}"), hint)
+        if not self.agree(*self.coordinates.at_drawn(a, b)) and not abs(self.number(a) - self.number(b)) <= size:
+            self.reports.report(where, message.format(f"{self.number(a):.6g}", f"{self.number(b):.6g}"), hint)
+
+    def unit(self, dx: Any, dy: Any, where: "Where | None" = None):
+        """The unit vector along (dx, dy), constants."""
+        length = self.distance(dx, dy)
+        if self.number(length) == 0:
+            self.reports.report(where, "this direction has no length",
+                                "give one such as [0, 1], or two different places")
+            return self.table.one, self.table.zero
+        return dx / length, dy / length
+
+    def absolute(self, node: "Node"):
+        """A node or its opposite, so that it is positive as drawn."""
+        return node if self.sign(node) > 0 else -node
+
+    def distance(self, dx: Any, dy: Any):
+        """√(dx² + dy²), rational where the direction never changes: there it is ±dx, ±dy or their projection."""
+        dx0, dy0 = self.coordinates.at_drawn(dx, dy)
+        for along, across in ((dx, dy), (dy, dx)):
+            if is_zero(across):
+                return self.absolute(along)
+        if not dx.mask and not dy.mask:
+            return self.table.sqrt(textbook(dx * dx + dy * dy))
+        if is_zero(dx * dy0 - dy * dx0):
+            return (dx * dx0 + dy * dy0) / self.distance(dx0, dy0)
+        square = dx * dx + dy * dy
+        root = root_of_square(square)
+        if root is not None:
+            return self.absolute(root)
+        return self.table.sqrt(textbook(square) if square.mask & self.coordinates.time.mask else square)
+
+    def unrooted(self, nodes: "Iterable[Node]"):
+        """The nodes with √(L² cos² θ) as L cos θ, with its sign as drawn."""
+        simpler = {}
+        for part in reachable(nodes):
+            roots = {base: root_of_square(base) for base, e in part.args
+                     if e.denominator == 2 and base.mask} if part.op == "product" else {}
+            if any(root is not None for root in roots.values()):
+                factors = [(base, e) if (root := roots.get(base)) is None else
+                           (self.absolute(root), 2 * e) for base, e in part.args]
+                simpler[part] = self.table.product((self.table.number(part.coefficient), ONE), *factors)
+        return substitute(nodes, simpler) if simpler else nodes
+
+    def height_of(self, surface: Record, x: "Node"):
+        """f(x) of a curve y = f(x)."""
+        return self.lower(surface["curve"], (surface["in"], x))

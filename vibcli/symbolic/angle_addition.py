@@ -1,18 +1,24 @@
 """Sines and cosines of sums in those of one angle: sin(2φ − α) by the addition theorems."""
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
 
 MOST = 6        # multiples of the angle that are opened
 
 
-def opened(nodes, angle):
+def opened(nodes: "Sequence[Node]", angle: "Node") -> "list[Node]":
     """The nodes with sin and cos of c·angle + rest, c whole, in sin(angle) and cos(angle)."""
     known = openings(nodes, angle)
     return substitute(nodes, known) if known else list(nodes)
 
 
-def openings(nodes, angle):
+def openings(nodes: "Sequence[Node]", angle: "Node") -> dict[Any, Any]:
     """{sin or cos of c·angle + rest below the nodes: the same in sin(angle) and cos(angle)}."""
     calls = [part for part in reachable(nodes) if part.op == "call" and part.name in ("sin", "cos")
              and part.args[0] is not angle and part.mask & angle.mask]

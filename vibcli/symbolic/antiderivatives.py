@@ -6,10 +6,15 @@
     sin u, cos u, tan u, exp u, sinh u, cosh u, tanh u:  F(u)/a            1/u:  log|u|/a
 """
 
+from typing import TYPE_CHECKING
+
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import TooLong, collected, expanded, is_zero, reduced
 from vibcli.symbolic.rationals import ONE
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
 
 _DEGREES = {"abs": 1, "sign": 0, "ramp": 1, "step": 0, "min": 1, "max": 1}
 _PRIMITIVES = {
@@ -23,7 +28,7 @@ _PRIMITIVES = {
 }
 
 
-def antiderivative(node, x):
+def antiderivative(node: "Node", x: "Node") -> "Node":
     """F(x) with dF/dx = node; None where no rule gives it."""
     found = _of_sum(node, x)
     if found is not None:
@@ -34,7 +39,7 @@ def antiderivative(node, x):
         return None
 
 
-def from_zero(node, x):
+def from_zero(node: "Node", x: "Node") -> "Node":
     """∫₀ˣ node dx; None where no rule gives it or it is not defined at 0."""
     found = antiderivative(node, x)
     try:

@@ -1,9 +1,17 @@
 """NumPy arithmetic for `evaluate`: one walk over the expressions for many states at once."""
 
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from vibcli.symbolic import discontinuous_functions
 from vibcli.symbolic.rationals import HALF
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.symbolic.sampled_functions import Samples
 
 
 class Arrays:
@@ -16,15 +24,15 @@ class Arrays:
                  **discontinuous_functions.on_arrays()}
 
     @staticmethod
-    def record(name, samples):
+    def record(name: str, samples: "Samples") -> Callable:
         return samples.on_arrays
 
     @staticmethod
-    def number(value):
+    def number(value: "Fraction | int") -> float:
         return value.numerator / value.denominator
 
     @staticmethod
-    def power(base, exponent):
+    def power(base: float | np.ndarray, exponent: "Fraction | int") -> float | np.ndarray:
         if exponent == HALF:
             return np.sqrt(base)
         if exponent.denominator == 1:

@@ -1,36 +1,39 @@
 """One fraction bar: a sum of quotients over a common denominator, all coefficients whole, common factors cancelled."""
 
+from collections.abc import Mapping
 from fractions import Fraction
 from math import gcd, lcm
+from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters, nested
-from vibcli.symbolic.normal_form import TooLong, add, expanded, factors_of, multiplied, reduced, times
+from vibcli.symbolic.normal_form import TooLong, add, cleared, expanded, factors_of, reduced, times
 from vibcli.symbolic.rationals import ONE, ZERO
 
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
 
-def single(node):
+
+def single(node: "Node") -> "Node":
     """The node as one fraction."""
     return node.table.product(*fraction(node))
 
 
-def shorter(node):
+def shorter(node: "Node") -> "Node":
     """The node, as one fraction where it divides by a sum and that is shorter."""
     divides = any(base.op == "sum" and e < 0 for part in reachable([node]) if part.op == "product"
                   for base, e in part.args)
     return min((node, single(node)), key=letters) if divides else node
 
 
-def fraction(node):
-    """((base, exponent), …): the node as a rational and powers of letters and of sums with whole coefficients.
-
-    The node alone where it is too long.
-    """
+def fraction(node: "Node") -> "tuple[tuple[Node, Fraction | int], ...]":
+    """((base, exponent), …): the node as a rational and powers of letters and of sums with whole coefficients. The node
+    alone where it is too long."""
     table = node.table
     try:
         terms = reduced(expanded(node))
         below = _denominator(terms)
-        above, factors = _cleared(terms, below), []
+        above, factors = cleared(terms, below), []
         for atom, e in below:
             for base, power in _parts(table, atom):
                 above, left = _cancelled(above, base, -power * e)
@@ -48,21 +51,6 @@ def _denominator(terms):
             if e < 0:
                 lowest[atom] = min(lowest.get(atom, ZERO), e)
     return tuple((atom, -e) for atom, e in sorted(lowest.items(), key=lambda pair: pair[0].index))
-
-
-def _cleared(terms, below):
-    """The polynomial times its denominator; sums expanded where their exponent is whole."""
-    found = {}
-    whole = {atom for atom, e in below if atom.op == "sum" and e.denominator == 1}
-    for monomial, value in terms.items():
-        above = times(monomial, below)
-        product = {tuple(pair for pair in above if pair[0] not in whole): value}
-        for atom, e in above:
-            for _ in range(int(e) if atom in whole else 0):
-                product = multiplied(product, expanded(atom, ()))
-        for part, c in product.items():
-            add(found, part, c)
-    return reduced(found)
 
 
 def _parts(table, atom):
@@ -90,7 +78,7 @@ def _cancelled(above, base, e):
     return above, e
 
 
-def divided(terms, divisor):
+def divided(terms: "Mapping[tuple[tuple[Node, int], ...], Fraction | int]", divisor: Any):
     """The polynomial terms/divisor where the division leaves no rest, else None."""
     lead = max(divisor, key=_rank)
     rest, found = dict(terms), {}

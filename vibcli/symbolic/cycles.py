@@ -5,29 +5,36 @@ of rad and rpm, PI of the factors π. A factor π turns one cycle into radians, 
 counts CYCLE − PERIOD cycles. A rate v/R or a number n counts neither, and is added to both.
 """
 
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
-from vibcli.symbolic.parser import FUNCTIONS, ExpressionError
+from vibcli.symbolic.parser import FUNCTIONS
 from vibcli.symbolic.rationals import HALF
 from vibcli.symbolic.semantics import ANY, constant, literal_unit
-from vibcli.symbolic.syntax import NameRef, Number
+from vibcli.symbolic.syntax import ExpressionError, NameRef, Number, Product, Sum
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.base.units import Unit
 
 CYCLE, PERIOD, RADIAN, PI = "cycle", "period", "radian", "pi"
 NEITHER = {}
-RATE = {"s": -1}
 OF_ANGLES = "an angular frequency is 2*pi*f: "
 
 
-def count_of(unit):
+def count_of(unit: "Unit") -> dict[str, int]:
     return {key: power for key, power in ((CYCLE, unit.cycles), (RADIAN, unit.radians)) if power}
 
 
-def left_over(count):
-    """How many cycles are not cleared by a factor π."""
+def left_over(count: "Mapping[str, Fraction | int]"):
+    """The number of cycles that no factor π clears."""
     return count.get(CYCLE, 0) - count.get(PERIOD, 0)
 
 
-def cleared(count):
+def cleared(count: "Mapping[str, Fraction | int]"):
     """The count with as many cycles turned into radians as it has factors π."""
     over, factors = left_over(count), count.get(PI, 0)
     if over > 0 and factors > 0:
@@ -39,25 +46,25 @@ def cleared(count):
     return units.times(count, {CYCLE: -1, PI: -1, RADIAN: 1}, turned)
 
 
-def is_period(count):
+def is_period(count: Any) -> bool:
     """Is it, if it is a time, one for each cycle: T = 1/f?"""
     return left_over(count) == -1 and not count.get(PERIOD) and count.get(PI, 0) <= 0
 
 
-def in_radians(count, dimension):
+def in_radians(count: "Mapping[str, Fraction | int]", dimension: "Mapping[str, Fraction | int] | None") -> bool:
     """May it stand where radians are due? A period is a time like any other, and may be a factor of anything."""
     if left_over(count) > 0:
         return False
     return count.get(CYCLE, 0) >= 0 or left_over(count) == 0 or (dimension == units.TIME and is_period(count))
 
 
-def fits_both(count, dimension):
+def fits_both(count: Any, dimension: "Mapping[str, Fraction | int] | None") -> bool:
     """Does it count neither, being a number or a rate, or what fits everywhere?"""
     angular = count.get(RADIAN, 0) > 0 and count.get(PI, 0) >= 0
-    return left_over(count) == 0 and not angular and dimension in (units.NONE, RATE, ANY)
+    return left_over(count) == 0 and not angular and dimension in (units.NONE, units.RATE, ANY)
 
 
-def agree(counts, dimensions):
+def agree(counts: "Sequence[dict[str, Fraction | int]]", dimensions: "Sequence[dict[str, Fraction | int]]") -> bool:
     """Can these be added or compared? All count as many cycles, or fit both."""
     over = set(map(left_over, counts))
     if over == {0, -1}:
@@ -66,24 +73,27 @@ def agree(counts, dimensions):
         left_over(count) or fits_both(count, dimension) for count, dimension in zip(counts, dimensions, strict=True)))
 
 
-class Cycles:
+class Cycles(NamedTuple):
     """Counts of the parts of trees, given `of(name)` and `quantity(tree)`, the counts of names and quantities, and
     `dimension(tree)`; every misfit is raised as an ExpressionError."""
 
-    def __init__(self, of, quantity, dimension, text=""):
-        self.of, self.quantity, self.dimension, self.text = of, quantity, dimension, text
+    of: Callable
+    quantity: Callable
+    dimension: Callable
+    text: str = ""
 
-    def count(self, tree):
+    def count(self, tree: Any):
         return getattr(self, "_" + tree.kind)(tree)
 
-    def require_radians(self, tree, message="this counts cycles (Hz) where radians are due", whole=False):
+    def require_radians(self, tree: Any, message: str = "this counts cycles (Hz) where radians are due",
+                        whole: bool = False) -> None:
         """Report a tree that counts cycles where an angle, a stiffness … is due."""
         if not in_radians(self.count(tree), self.dimension(tree)):
             start, end = (0, len(self.text)) if whole else (tree.start, tree.end)
             raise ExpressionError(start, end - start, message, self.advice(tree))
 
-    def advice(self, tree):
-        """Where a factor 2π is missing: at the first literal in Hz, or the first name that counts cycles."""
+    def advice(self, tree: NameRef | Number | Product | Sum) -> str:
+        """The place where a factor 2π is missing: at the first literal in Hz, or the first name that counts cycles."""
         if left_over(self.count(tree)) < 0 and self.dimension(tree) == units.TIME:
             return "the period of a frequency f in Hz is 1/f"
         part = self._uncleared(tree)
@@ -144,17 +154,15 @@ class Cycles:
         over = [left_over(count) for count in counts]
         if not agree(counts, [self.dimension(part) for part in parts] if len(set(over)) > 1 else ()):
             cyclic = max(range(len(parts)), key=lambda i: abs(over[i]))
-            other = next(i for i in range(len(parts)) if over[i] != over[cyclic])
-            self._misfit(parts[cyclic], parts[other], done)
+            other = next(part for i, part in enumerate(parts) if over[i] != over[cyclic])
+            cyclic = parts[cyclic]
+            raise ExpressionError(cyclic.start, cyclic.end - cyclic.start, f"these cannot be {done}: "
+                                  f"{quoted(self._text(cyclic))} counts cycles (Hz), as "
+                                  f"{quoted(self._text(other))} does not", self.advice(cyclic))
         if counts and all(count == counts[0] for count in counts):
             return counts[0]
         most = max(over, default=0) or (min(over, default=0) if 0 not in over else 0)
         return {CYCLE: most} if most else NEITHER
-
-    def _misfit(self, cyclic, other, done):
-        raise ExpressionError(cyclic.start, cyclic.end - cyclic.start, f"these cannot be {done}: "
-                              f"{quoted(self._text(cyclic))} counts cycles (Hz), as "
-                              f"{quoted(self._text(other))} does not", self.advice(cyclic))
 
     def _call(self, tree):
         name, args = tree.name, tree.args

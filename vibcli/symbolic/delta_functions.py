@@ -1,13 +1,18 @@
-"""What multiplies an impulse counts at its instant alone: f(t) δ(t − a) = f(a) δ(t − a), nothing where f(a) = 0; and of
-its rate f(t) δ′(t − a) = f(a) δ′(t − a) − f′(a) δ(t − a).
+"""Factors of an impulse, which count at its instant alone: f(t) δ(t − a) = f(a) δ(t − a), nothing where f(a) = 0; and
+of its rate f(t) δ′(t − a) = f(a) δ′(t − a) − f′(a) δ(t − a).
 """
+
+from typing import TYPE_CHECKING
 
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.normal_form import TooLong, expanded, is_zero
 from vibcli.symbolic.rationals import ONE
 
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
 
-def at_impulses(node, time):
+
+def at_impulses(node: "Node", time: "Node") -> "Node":
     """The node with what multiplies its impulses taken at their instants; as it is where it is too long for that."""
     table = node.table
     try:

@@ -1,17 +1,20 @@
 """Derivatives and substitution, each memoised: a shared part is treated once."""
 
+from collections.abc import Mapping
 from fractions import Fraction
+from operator import is_
+from typing import Any
 
-from vibcli.symbolic.expression import Node
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.node import Node
 from vibcli.symbolic.rationals import HALF, ONE
 
 
-def gradient(node):
+def gradient(node: Any) -> dict[Node, Node]:
     """{variable: ∂node/∂variable} for every variable that the node depends on. Memoised on the node."""
     if node.gradient is None:
         for part in _unfinished(node):
-            part.gradient = _RULES[part.op](part)
+            part.keep_gradient(_RULES[part.op](part))
     return node.gradient
 
 
@@ -65,15 +68,6 @@ _RULES = {"number": lambda node: {}, "pi": lambda node: {}, "symbol": _symbol, "
           "call": _call}
 
 
-def _power_slopes(node, base, exponent):
-    return (exponent * node / base, node * node.table.call("log", base))
-
-
-def _atan2_slopes(node, y, x):
-    square = x * x + y * y
-    return (x / square, -(y / square))
-
-
 def _extreme(sign):
     def slopes(node, a, b):
         step = node.table.call("sign", a - b) * Fraction(sign, 2)
@@ -82,7 +76,7 @@ def _extreme(sign):
 
 
 def _sign_slope(node, u):
-    """Where u is a function of the time alone, sign u jumps by 2 where it vanishes; of other kinks see kinks.py."""
+    """The jump of sign u, by 2 where a function u of the time alone vanishes; of other kinks see kinks.py."""
     time = node.table.time
     return (node.table.call("impulse", u) * 2 if time is not None and u.mask == time.mask else node.table.zero,)
 
@@ -101,7 +95,7 @@ _OUTER = {
     "asin": lambda node, u: ((1 - u * u) ** -HALF,),
     "acos": lambda node, u: (-((1 - u * u) ** -HALF),),
     "atan": lambda node, u: (1 / (u * u + 1),),
-    "atan2": _atan2_slopes,
+    "atan2": lambda node, y, x: (x / (x * x + y * y), -(y / (x * x + y * y))),
     "sinh": lambda node, u: (node.table.call("cosh", u),),
     "cosh": lambda node, u: (node.table.call("sinh", u),),
     "tanh": lambda node, u: (1 - node * node,),
@@ -116,40 +110,33 @@ _OUTER = {
     "sawtooth": _higher,
     "min": _extreme(-1),
     "max": _extreme(1),
-    "power": _power_slopes,
+    "power": lambda node, base, exponent: (exponent * node / base, node * node.table.call("log", base)),
 }
 
 
-def substitute(nodes, values):
+def substitute(nodes: Any, values: Mapping[Node, Node]) -> list[Node]:
     """The nodes with each symbol in `values` ({symbol: node}) replaced; parts without those symbols are kept."""
     done = {}
     for node in reachable(nodes):
         if node in values:
             done[node] = values[node]
         elif node.op == "sum":
-            done[node] = _rebuilt(node, done, node.table.sum, lambda table, c: (table.number(c), ONE))
+            done[node] = _rebuilt(node, done, node.table.sum)
         elif node.op == "product":
-            done[node] = _rebuilt(node, done, node.table.product, lambda table, c: (table.number(c), ONE))
+            done[node] = _rebuilt(node, done, node.table.product)
         elif node.op == "call":
             args = [done[arg] for arg in node.args]
-            done[node] = node if all(map(_same, args, node.args)) else _recalled(node, args)
+            if all(map(is_, args, node.args)):
+                done[node] = node
+            else:
+                done[node] = node.table.power(*args) if node.name == "power" else node.table.call(node.name, *args)
         else:
             done[node] = node
     return [done[node] for node in nodes]
 
 
-def _same(a, b):
-    return a is b
-
-
-def _rebuilt(node, done, build, constant):
+def _rebuilt(node, done, build):
     args = [(done[arg], c) for arg, c in node.args]
     if all(new is old for (new, _), (old, _) in zip(args, node.args, strict=True)):
         return node
-    return build(constant(node.table, node.coefficient), *args)
-
-
-def _recalled(node, args):
-    if node.name == "power":
-        return node.table.power(*args)
-    return node.table.call(node.name, *args)
+    return build((node.table.number(node.coefficient), ONE), *args)

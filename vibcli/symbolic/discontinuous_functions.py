@@ -9,23 +9,28 @@ argument. A value is that between the impulses; where one acts there is none (Na
 """
 
 import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import mpmath
 
 PULSES = ("step", "ramp", "impulse", "square", "sawtooth")
 
 
-def step(u):
+def step(u: "float | mpmath.mpf") -> float:
     return u if u != u else (1.0 if u >= 0 else 0.0)
 
 
-def ramp(u):
+def ramp(u: "float | mpmath.mpf") -> "float | mpmath.mpf":
     return u if u >= 0 or u != u else 0.0
 
 
-def impulse(u, order=0):
+def impulse(u: "float | mpmath.mpf", order: int = 0) -> float:
     return 0.0 if u else math.nan
 
 
-def on(pi, floor):
+def on(pi: "float | mpmath.mpf", floor: Callable) -> dict[str, Callable]:
     """square and sawtooth in numbers that compare, `floor` being that of their kind."""
     def square(u, order=0):
         turns = u / pi
@@ -43,7 +48,7 @@ def on(pi, floor):
     return {"step": step, "ramp": ramp, "impulse": impulse, "square": square, "sawtooth": sawtooth}
 
 
-def on_arrays():
+def on_arrays() -> dict[str, Callable]:
     """The same for NumPy arrays."""
     import numpy as np
 

@@ -4,7 +4,17 @@ Forward-mode automatic differentiation over any arithmetic of evaluate.py. What 
 a plain number of that arithmetic, so a Dual is met only where there is a derivative.
 """
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
 from vibcli.symbolic.rationals import HALF, ONE
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    import mpmath
+
+    from vibcli.symbolic.interval_arithmetic import Interval
 
 
 class Dual:
@@ -12,15 +22,15 @@ class Dual:
 
     __slots__ = ("slope", "value")
 
-    def __init__(self, value, slope):
+    def __init__(self, value: "float | mpmath.mpc | mpmath.mpf", slope: "float | mpmath.mpc | mpmath.mpf"):
         self.value, self.slope = value, slope
 
-    def __add__(self, other):
+    def __add__(self, other: "int | mpmath.mpf | Dual") -> "mpmath.mpf | Dual":
         if other.__class__ is Dual:
             return dual(self.value + other.value, self.slope + other.slope)
         return Dual(self.value + other, self.slope)
 
-    def __mul__(self, other):
+    def __mul__(self, other: "mpmath.mpf | Dual") -> "mpmath.mpf | Dual":
         if other.__class__ is Dual:
             return dual(self.value * other.value, self.value * other.slope + self.slope * other.value)
         return dual(self.value * other, self.slope * other)
@@ -30,29 +40,29 @@ class Dual:
     def __neg__(self):
         return Dual(-self.value, -self.slope)
 
-    def __sub__(self, other):
+    def __sub__(self, other: Any):
         return self + -other
 
-    def __rsub__(self, other):
+    def __rsub__(self, other: "Interval"):
         return -self + other
 
-    def __abs__(self):
+    def __abs__(self) -> "Dual":
         return Dual(abs(self.value), abs(self.slope))
 
-    def __bool__(self):
+    def __bool__(self) -> bool:
         return bool(self.value) or bool(self.slope)
 
 
-def dual(value, slope):
+def dual(value: "float | mpmath.mpc | mpmath.mpf", slope: "float | mpmath.mpc | mpmath.mpf") -> "mpmath.mpf | Dual":
     """The dual number, or the plain one where the slope is exactly zero."""
     return Dual(value, slope) if slope else value
 
 
-def value(x):
+def value(x: "mpmath.mpf | Dual") -> "float | mpmath.mpf":
     return x.value if x.__class__ is Dual else x
 
 
-def slope(x):
+def slope(x: "int | mpmath.mpf | Dual") -> "float | mpmath.mpf":
     return x.slope if x.__class__ is Dual else 0
 
 
@@ -61,17 +71,17 @@ class Duals:
 
     ordered = False
 
-    def __init__(self, inner):
+    def __init__(self, inner: Any):
         self.inner, self.number, self.pi = inner, inner.number, inner.pi
         self.functions = {name: self._function(name) for name in inner.functions}
 
-    def power(self, base, exponent):
+    def power(self, base: "mpmath.mpf | Dual", exponent: "Fraction | int") -> "mpmath.mpf | Dual":
         if base.__class__ is not Dual:
             return self.inner.power(base, exponent)
         steep = self.number(exponent) * self.inner.power(base.value, exponent - ONE)
         return dual(self.inner.power(base.value, exponent), steep * base.slope)
 
-    def record(self, name, samples):
+    def record(self, name: str, samples: Sequence[dict[str, float]]):
         plain = self.inner.record(name, samples)
 
         def at(u, order):

@@ -5,16 +5,25 @@ sums and products use the operators of the numbers themselves.
 """
 
 import math
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic import discontinuous_functions
 from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.rationals import HALF, ONE, bits
+from vibcli.symbolic.rationals import HALF, ONE, bits, exact_root
+
+if TYPE_CHECKING:
+    import sympy
+
+    from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.node import Node
+    from vibcli.symbolic.sampled_functions import Samples
 
 ELEMENTARY = ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "log")
 
 
-def evaluate(nodes, arithmetic, values):
+def evaluate(nodes: "Sequence[Node]", arithmetic: Any, values: Any) -> list[Any]:
     """The values of `nodes`, given {symbol name: number}."""
     number, power, functions = arithmetic.number, arithmetic.power, arithmetic.functions
     done = {}
@@ -38,54 +47,15 @@ def evaluate(nodes, arithmetic, values):
         elif node.op == "pi":
             done[node] = arithmetic.pi
         elif node.name in node.table.records:
-            done[node] = _recorded(node, arithmetic, done[node.args[0]])
+            order = node.args[1].coefficient if len(node.args) > 1 else 0
+            done[node] = arithmetic.record(node.name, node.table.records[node.name])(done[node.args[0]], order)
         else:
             done[node] = functions[node.name](*[done[arg] for arg in node.args])
     return [done[node] for node in nodes]
 
 
-def _recorded(node, arithmetic, u):
-    """The value of a record, or of a rate of it."""
-    order = node.args[1].coefficient if len(node.args) > 1 else 0
-    return arithmetic.record(node.name, node.table.records[node.name])(u, order)
-
-
 def _sign(x):
     return 1 if x > 0 else -1 if x < 0 else 0       # truths of NumPy cannot be subtracted
-
-
-class Floats:
-    """Python floats. What has no value there (√−1, log 0, overflow, a rational too small) is NaN, for the caller to
-    refuse."""
-
-    pi, ordered = math.pi, True
-
-    @staticmethod
-    def number(value):
-        try:
-            found = value.numerator / value.denominator
-        except OverflowError:
-            return math.nan
-        return found if found or not value else math.nan
-
-    @staticmethod
-    def power(base, exponent):
-        try:
-            if exponent.denominator == 1:
-                return base**exponent.numerator
-            if exponent == HALF:
-                return math.sqrt(base)
-            return base ** (exponent.numerator / exponent.denominator) if base >= 0 else math.nan
-        except (ValueError, OverflowError, ZeroDivisionError):
-            return math.nan
-
-    @staticmethod
-    def isfinite(value):
-        return math.isfinite(value)
-
-    @staticmethod
-    def record(name, samples):
-        return samples.at
 
 
 def _guarded(function):
@@ -98,9 +68,40 @@ def _guarded(function):
     return call
 
 
-Floats.functions = {name: _guarded(getattr(math, name)) for name in ELEMENTARY}
-Floats.functions.update(abs=abs, sign=_sign, min=min, max=max, power=_guarded(lambda b, e: b**e),
-                        **{name: _guarded(f) for name, f in discontinuous_functions.on(math.pi, math.floor).items()})
+class Floats:
+    """Python floats. What has no value there (√−1, log 0, overflow, a rational too small) is NaN, for the caller to
+    refuse."""
+
+    pi, ordered = math.pi, True
+    functions = {
+        **{name: _guarded(getattr(math, name)) for name in ELEMENTARY},
+        "abs": abs, "sign": _sign, "min": min, "max": max, "power": _guarded(lambda b, e: b**e),
+        **{name: _guarded(f) for name, f in discontinuous_functions.on(math.pi, math.floor).items()}}
+
+    @staticmethod
+    def number(value: Fraction | int) -> float:
+        try:
+            found = value.numerator / value.denominator
+        except OverflowError:
+            return math.nan
+        return found if found or not value else math.nan
+
+    @staticmethod
+    def power(base: float, exponent: Fraction | int) -> float:
+        try:
+            if exponent.denominator == 1:
+                return base**exponent.numerator
+            if exponent == HALF:
+                return math.sqrt(base)
+            return base ** (exponent.numerator / exponent.denominator) if base >= 0 else math.nan
+        except (ValueError, OverflowError, ZeroDivisionError):
+            return math.nan
+
+    isfinite = staticmethod(math.isfinite)
+
+    @staticmethod
+    def record(name: str, samples: "Samples") -> Callable:
+        return samples.at
 
 
 class Rationals:
@@ -118,22 +119,22 @@ class Rationals:
     number = Fraction
 
     @classmethod
-    def record(cls, name, samples):
+    def record(cls, name: str, samples: Sequence[dict[str, float]]):
         raise cls.Irrational
 
     @classmethod
-    def power(cls, base, exponent):
+    def power(cls, base: Fraction, exponent: Fraction | int) -> Fraction:
         if bits(base) * abs(exponent.numerator) > 10**5:
             raise cls.Irrational
         if exponent.denominator == 1:
             return Fraction(base) ** exponent.numerator
-        up, down = math.isqrt(abs(base.numerator)), math.isqrt(base.denominator)
-        if exponent.denominator == 2 and base >= 0 and up * up == base.numerator and down * down == base.denominator:
-            return Fraction(up, down) ** exponent.numerator
-        raise cls.Irrational
+        root = exact_root(base) if exponent.denominator == 2 and base >= 0 else None
+        if root is None:
+            raise cls.Irrational
+        return root ** exponent.numerator
 
 
-def evaluate_rational(nodes, values):
+def evaluate_rational(nodes: "Sequence[Node]", values: Mapping[str, Fraction]) -> list[Fraction] | None:
     """As `evaluate` in exact rationals; None where a part of it is irrational or undefined."""
     try:
         return evaluate(nodes, Rationals(), values)
@@ -194,7 +195,7 @@ def sympy_arithmetic():
     return Symbolic()
 
 
-def from_sympy(table, expression, symbols):
+def from_sympy(table: "Table", expression: "sympy.Basic", symbols: "Mapping[sympy.Symbol, Node]") -> "Node":
     """A SymPy expression as a node; `symbols` maps SymPy symbols to nodes. ValueError where it cannot be said."""
     if expression in symbols:
         return symbols[expression]

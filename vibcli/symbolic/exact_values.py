@@ -4,9 +4,15 @@ What begins at t = 0 has not begun in the drawn position: step(0) and a record a
 the mean of its jump.
 """
 
+from collections.abc import Sequence
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from vibcli.symbolic.rationals import HALF, ONE, ZERO
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.node import Node
 
 _EXACT = {"sin": (0, 0), "cos": (0, 1), "tan": (0, 0), "asin": (0, 0), "atan": (0, 0), "sinh": (0, 0), "cosh": (0, 1),
           "tanh": (0, 0), "exp": (0, 1), "log": (1, 0), "abs": (0, 0),
@@ -18,7 +24,7 @@ _SQUARED_SINES = {ZERO: ZERO, Fraction(1, 12): Fraction(1, 4), Fraction(1, 8): H
                   Fraction(1, 4): ONE}
 
 
-def folded(table, name, args):
+def folded(table: "Table", name: str, args: "Sequence[Node]") -> "Node | None":
     """The simpler node that name(args) equals exactly, or None."""
     value = _EXACT.get(name)
     if value is not None and args[0].op == "number" and args[0].coefficient == value[0] and len(args) == 1:

@@ -1,83 +1,39 @@
-"""Hash-consed expressions: equal expressions are one object, so shared parts are differentiated and evaluated once.
-
-A node is one of
-
-    number   an exact rational                     symbol   a parameter or a variable (coordinate, velocity)
-    sum      c₀ + Σ cᵢ·nodeᵢ                        product  c·Π nodeᵢ^eᵢ, rational cᵢ, c, eᵢ
-    call     a function of nodes                   pi
+"""The table of expressions: equal expressions are one node, so shared parts are differentiated and evaluated once.
 
 Rationals are ints where they are whole, else Fractions. Only rational literals fold, and only while the result stays
 within BITS; parameters are leaves. Every walk is iterative, because a node is always made after its parts: ascending
 `index` is an order of evaluation.
 """
 
+from collections.abc import Sequence
 from fractions import Fraction
-from operator import attrgetter
+from typing import Any
 
 from vibcli.symbolic.exact_values import folded
+from vibcli.symbolic.node import Node
 from vibcli.symbolic.rationals import BITS, HALF, ONE, ZERO, bits, exact, rational_power, square_part
 
 
-class Node:
-    """One immutable expression, owned by its Table. `mask` has a bit for each variable that it depends on."""
-
-    __slots__ = ("args", "coefficient", "gradient", "index", "mask", "name", "op", "table")
-
-    def __add__(self, other):
-        return self.table.sum((self, ONE), (self.table.node(other), ONE))
-
-    def __sub__(self, other):
-        return self.table.sum((self, ONE), (self.table.node(other), -ONE))
-
-    def __mul__(self, other):
-        return self.table.product((self, ONE), (self.table.node(other), ONE))
-
-    def __truediv__(self, other):
-        return self.table.product((self, ONE), (self.table.node(other), -ONE))
-
-    def __pow__(self, exponent):
-        return self.table.power(self, exponent)
-
-    def __neg__(self):
-        return self.table.scaled(self, -ONE)
-
-    def __rsub__(self, other):
-        return self.table.node(other) - self
-
-    def __rtruediv__(self, other):
-        return self.table.node(other) / self
-
-    __radd__, __rmul__ = __add__, __mul__
-
-    @property
-    def is_zero(self):
-        return self.op == "number" and not self.coefficient
-
-    def __repr__(self):
-        if self.op in ("sum", "product"):
-            return f"{self.op}({self.coefficient}, {', '.join(f'{a!r}^{e}' for a, e in self.args)})"
-        return str(self.coefficient) if self.op == "number" else f"{self.name}({', '.join(map(repr, self.args))})"
-
-
 class Table:
-    """All nodes of one scene. Symbols are made by `parameter` and `variable`; the rest by the operators.
+    """All nodes of one scene. Symbols are made by `parameter` and `variable`; the rest by the operators. `sample`:
+    float values of the parameters, once they are known; they decide only how R − r is written, and with
+    `squares_at_sample` how (R − r)² is."""
 
-    `sample`: float values of the parameters, once they are known; they decide only how R − r is written, and with
-    `squares_at_sample` how (R − r)² is.
-    """
+    time: Node
 
-    def __init__(self):
+    def __init__(self, records: dict[Any, Any] | None = None, squares_at_sample: bool = False):
+        """`records`: {name: samples} of functions of the time."""
         self._nodes = {}
         self._count = 0
         self.variables, self.called = [], set()
-        self.sample, self._signs, self.squares_at_sample = None, {}, False
-        self.time, self.records = None, {}      # the variable that is the time; sampled functions of it by name
+        self.sample, self._signs, self.squares_at_sample = None, {}, squares_at_sample
+        self.time, self.records = None, records or {}
         self.positive = set()
         self.zero, self.one = self.number(ZERO), self.number(ONE)
         self.pi = self._make("pi", (), ONE, 0, "pi")
         self.positive.add(self.pi)
 
-    def __len__(self):
+    def __len__(self) -> int:
         return self._count
 
     def _make(self, op, args, coefficient, mask, name=None):
@@ -90,19 +46,19 @@ class Table:
             self._count += 1
         return node
 
-    def number(self, value):
+    def number(self, value: Fraction | int) -> Node:
         return self._make("number", (), value if value.__class__ is int else exact(value), 0)
 
-    def node(self, value):
+    def node(self, value: Fraction | int | Node):
         return value if isinstance(value, Node) else self.number(value)
 
-    def parameter(self, name, positive=True):
+    def parameter(self, name: str, positive: bool = True) -> Node:
         node = self._make("symbol", (), ONE, 0, name)
         if positive:
             self.positive.add(node)
         return node
 
-    def variable(self, name):
+    def variable(self, name: str) -> Node:
         """A symbol to differentiate by."""
         known = self._nodes.get(("symbol", name, ONE, ()))
         if known is not None:
@@ -111,18 +67,23 @@ class Table:
         self.variables.append(node)
         return node
 
-    def dependent(self, name, mask, at_rest=False):
+    def time_variable(self, name: Any) -> Node:
+        """The variable that is the time."""
+        self.time = self.variable(name)
+        return self.time
+
+    def dependent(self, name: str, mask: int, at_rest: bool = False) -> Node:
         """A symbol that depends on variables through an equation: its `gradient` is set where that is solved.
         `at_rest`: that of this name in the scene at rest, which has another gradient."""
         return self._make("symbol", (self.zero if at_rest else self.one,), ONE, mask, name)
 
-    def scaled(self, node, factor):
+    def scaled(self, node: Node, factor: float | Fraction) -> Node:
         """factor·node, the factor rational; over a sum it is distributed."""
         if factor == 1:
             return node
         return self.sum((node, factor))
 
-    def sum(self, *terms):
+    def sum(self, *terms: Any):
         """Σ cᵢ·nodeᵢ of (node, rational c) pairs; sums within sums are flattened, equal terms collected."""
         constant, collected = ZERO, {}
         for node, factor in terms:
@@ -169,7 +130,11 @@ class Table:
             mask |= node.mask
         return self._make("sum", tuple(args), exact(constant), mask)
 
-    def product(self, *factors):
+    def total(self, nodes: Sequence[Node]):
+        """Σ nodeᵢ."""
+        return self.sum(*((node, 1) for node in nodes))
+
+    def product(self, *factors: tuple[Node, Fraction | int]):
         """Π nodeᵢ^eᵢ of (node, rational e) pairs; products are flattened and equal bases collected."""
         coefficient, collected = ONE, {}
         for node, exponent in factors:
@@ -247,29 +212,27 @@ class Table:
     def _leads_negative(self, total):
         """Of a sum and its negative only one stands in products, so that R − r and r − R cancel: of parameters the
         one that is positive at the sample values."""
-        if self.sample is not None and not total.mask:
-            if total not in self._signs:
-                self._signs[total] = self._sample_sign(total)
-            return self._signs[total]
-        return (total.coefficient or total.args[0][1]) < 0
+        leads = (total.coefficient or total.args[0][1]) < 0
+        if self.sample is None or total.mask:
+            return leads
+        if total not in self._signs:
+            from vibcli.symbolic.evaluation import Floats, evaluate
 
-    def resample(self, sample):
+            try:
+                self._signs[total] = evaluate([total], Floats, self.sample)[0] < 0
+            except KeyError:  # a symbol that is no parameter of the scene
+                self._signs[total] = leads
+        return self._signs[total]
+
+    def resample(self, sample: Any) -> None:
         """Decide by other values of the parameters from now on how R − r is written."""
         self.sample, self._signs = sample, {}
-
-    def _sample_sign(self, total):
-        from vibcli.symbolic.evaluation import Floats, evaluate
-
-        try:
-            return evaluate([total], Floats, self.sample)[0] < 0
-        except KeyError:  # a symbol that is no parameter of the scene
-            return (total.coefficient or total.args[0][1]) < 0
 
     def _splits(self, product):
         """(Π bᵢ^eᵢ)^e = Π bᵢ^(eᵢe) holds for fractional e where every base is positive."""
         return product.coefficient > 0 and all(self.is_positive(base) for base, _ in product.args)
 
-    def is_positive(self, node, depth=4):
+    def is_positive(self, node: Node, depth: int = 4) -> bool:
         """Is a node positive whatever the values of the variables? Sums and products of what is, to some depth."""
         if node.op == "number":
             return node.coefficient > 0
@@ -282,7 +245,7 @@ class Table:
             self.positive.add(node)
         return found
 
-    def power(self, base, exponent):
+    def power(self, base: Node, exponent: Fraction | int | Node) -> Node:
         """base^exponent, the exponent a rational or a node."""
         if isinstance(exponent, Node):
             if exponent.op != "number":
@@ -297,10 +260,10 @@ class Table:
             raise ZeroDivisionError("division by zero")
         return self.product((base, exponent))
 
-    def sqrt(self, node):
+    def sqrt(self, node: Node) -> Node:
         return self.power(node, HALF)
 
-    def call(self, name, *args):
+    def call(self, name: str, *args: Node) -> Node:
         """A function of nodes; its value is folded only where it is exact (sin 0 = 0)."""
         value = folded(self, name, args)
         if value is not None:
@@ -310,9 +273,6 @@ class Table:
             mask |= arg.mask
         self.called.add(name)
         return self._make("call", tuple(args), ONE, mask, name)
-
-
-_index = attrgetter("index")
 
 
 def _index_of_first(pair):

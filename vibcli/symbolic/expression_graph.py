@@ -1,12 +1,16 @@
 """The walk over the shared parts of expressions."""
 
-
+from collections.abc import Mapping, Sequence
 from operator import attrgetter
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
 
 _index = attrgetter("index")
 
 
-def reachable(nodes, known=()):
+def reachable(nodes: Any, known: "Mapping[Node, str] | Sequence[Any]" = ()) -> "list[Node]":
     """All nodes below `nodes`, themselves included, in an order of evaluation; without what only `known` ones need."""
     seen, pending = set(), list(nodes)
     while pending:

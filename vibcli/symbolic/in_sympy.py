@@ -1,10 +1,18 @@
 """Expressions handed over to SymPy: coordinates as functions of t, their rates as derivatives."""
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 from vibcli.symbolic.evaluation import evaluate, sympy_arithmetic
 from vibcli.symbolic.expression_graph import reachable
 
+if TYPE_CHECKING:
+    import sympy
 
-def in_sympy(nodes, moving=()):
+    from vibcli.symbolic.node import Node
+
+
+def in_sympy(nodes: "Sequence[Node]", moving: Sequence[str] = ()) -> "list[sympy.Expr]":
     """SymPy expressions of nodes of one table; names in `moving` are functions of the time t. Parameters are positive
     where the scene has them so."""
     import sympy
@@ -26,7 +34,7 @@ def in_sympy(nodes, moving=()):
     return evaluate(nodes, sympy_arithmetic(), symbols)
 
 
-def equation_in_sympy(sides, moving=()):
+def equation_in_sympy(sides: "Sequence[Node]", moving: Sequence[str] = ()) -> "sympy.Basic":
     """The SymPy equation of two nodes."""
     import sympy
 

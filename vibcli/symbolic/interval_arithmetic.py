@@ -4,9 +4,15 @@ Bounds are rounded outwards by more than the error of NumPy's functions. What is
 may be any number there: such bounds prove nothing, but nothing false.
 """
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from vibcli.symbolic.rationals import HALF
+
+if TYPE_CHECKING:
+    from fractions import Fraction
 
 PAD = 2.0**-50      # relative error allowed to NumPy's functions
 FARTHEST = 1e8      # of an angle whose turn is still known
@@ -17,43 +23,43 @@ class Interval:
 
     __slots__ = ("high", "low")
 
-    def __init__(self, low, high):
+    def __init__(self, low: float | np.ndarray, high: float | np.ndarray):
         unknown = np.isnan(low) | np.isnan(high)
         if np.any(unknown):
             low, high = np.where(unknown, -np.inf, low), np.where(unknown, np.inf, high)
         self.low, self.high = low, high
 
-    def __add__(self, other):
+    def __add__(self, other: "Interval") -> "Interval":
         return outward(self.low + other.low, self.high + other.high)
 
-    def __sub__(self, other):
+    def __sub__(self, other: "Interval") -> "Interval":
         return outward(self.low - other.high, self.high - other.low)
 
-    def __mul__(self, other):
+    def __mul__(self, other: "Interval") -> "Interval":
         with np.errstate(invalid="ignore", over="ignore"):
             ends = [a * b for a in (self.low, self.high) for b in (other.low, other.high)]
         return outward(np.minimum.reduce(np.broadcast_arrays(*ends)), np.maximum.reduce(np.broadcast_arrays(*ends)))
 
     @property
-    def size(self):
+    def size(self) -> float | np.ndarray:
         """The largest magnitude."""
         return np.maximum(np.abs(self.low), np.abs(self.high))
 
-    def holds_zero(self):
+    def holds_zero(self) -> bool | np.ndarray:
         return (self.low <= 0) & (self.high >= 0)
 
 
-def outward(low, high):
+def outward(low: float | np.ndarray, high: float | np.ndarray) -> Interval:
     return Interval(np.nextafter(low, -np.inf), np.nextafter(high, np.inf))
 
 
-def padded(low, high, least=-np.inf, most=np.inf):
+def padded(low: float | np.ndarray, high: float | np.ndarray, least: float = -np.inf, most: float = np.inf) -> Interval:
     """An interval widened by the error of a function, whose values lie between `least` and `most`."""
     return Interval(np.maximum(np.nextafter(low - PAD * np.abs(low), -np.inf), least),
                     np.minimum(np.nextafter(high + PAD * np.abs(high), np.inf), most))
 
 
-def exact(value):
+def exact(value: float | np.ndarray):
     value = np.asarray(value, dtype=float)
     return Interval(value, value)
 
@@ -63,7 +69,7 @@ def _known(where, found):
     return Interval(np.where(where, found.low, -np.inf), np.where(where, found.high, np.inf))
 
 
-def inverse(u):
+def inverse(u: Interval) -> Interval:
     """1/u, without a bound on the side of 0 where that is an end, and without any where it lies within."""
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         low, high = 1 / u.high, 1 / u.low
@@ -151,22 +157,21 @@ class Intervals:
     pi = outward(np.asarray(np.pi), np.asarray(np.pi))
 
     @staticmethod
-    def number(value):
+    def number(value: "Fraction | int") -> Interval:
         found = value.numerator / value.denominator
         return exact(found) if found == value else outward(np.asarray(found), np.asarray(found))
 
     power = staticmethod(_power)
 
     @staticmethod
-    def record(name, samples):
+    def record(name: str, samples: Sequence[dict[str, float]]):
         raise KeyError(name)
 
-
-Intervals.functions = {
-    "sin": _sin, "cos": _cos, "tan": lambda u: _sin(u) * inverse(_cos(u)), "cosh": _cosh, "acos": _acos,
-    "asin": _rising(np.arcsin, low=-1.0, high=1.0), "atan": _rising(np.arctan), "sinh": _rising(np.sinh),
-    "tanh": _rising(np.tanh, -1.0, 1.0), "exp": _rising(np.exp, 0.0),
-    "log": _rising(np.log, low=np.nextafter(0.0, 1.0)), "abs": _abs, "sign": _sign, "step": _step,
-    "min": lambda u, v: Interval(np.minimum(u.low, v.low), np.minimum(u.high, v.high)),
-    "max": lambda u, v: Interval(np.maximum(u.low, v.low), np.maximum(u.high, v.high)),
-    "ramp": lambda u: Interval(np.maximum(u.low, 0.0), np.maximum(u.high, 0.0))}
+    functions = {
+        "sin": _sin, "cos": _cos, "tan": lambda u: _sin(u) * inverse(_cos(u)), "cosh": _cosh, "acos": _acos,
+        "asin": _rising(np.arcsin, low=-1.0, high=1.0), "atan": _rising(np.arctan), "sinh": _rising(np.sinh),
+        "tanh": _rising(np.tanh, -1.0, 1.0), "exp": _rising(np.exp, 0.0),
+        "log": _rising(np.log, low=np.nextafter(0.0, 1.0)), "abs": _abs, "sign": _sign, "step": _step,
+        "min": lambda u, v: Interval(np.minimum(u.low, v.low), np.minimum(u.high, v.high)),
+        "max": lambda u, v: Interval(np.maximum(u.low, v.low), np.maximum(u.high, v.high)),
+        "ramp": lambda u: Interval(np.maximum(u.low, 0.0), np.maximum(u.high, 0.0))}

@@ -3,13 +3,19 @@
 Letters that several terms share are taken out, one after the other, as long as that saves letters.
 """
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.symbolic.normal_form import TooLong, expanded, factors_of, reduced
 from vibcli.symbolic.rationals import HALF, ONE
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.node import Node
 
 MANY = 12       # terms, above which a polynomial is left flat
 
 
-def grouped(node):
+def grouped(node: "Node") -> "Node":
     """The node expanded and nested again; the node itself where it is too long."""
     try:
         terms = reduced(expanded(node, ()))
@@ -18,13 +24,13 @@ def grouped(node):
     return nested(node.table, terms)
 
 
-def nested(table, terms):
+def nested(table: "Table", terms: Any) -> "Node":
     """{monomial: coefficient} as a node: its content, and its terms nested where that is shorter."""
     return _nested(table, frozenset(terms.items()), {})
 
 
-def letters(node):
-    """How many symbols, functions, numbers other than one, and powers a node shows when it is written out."""
+def letters(node: "Node") -> int:
+    """The number of symbols, functions, numbers other than one, and powers a node shows when it is written out."""
     if node.op == "product":
         powers = sum(abs(e) not in (1, HALF) for _, e in node.args)
         return (node.coefficient not in (1, -1)) + powers + sum(letters(arg) for arg, _ in node.args)

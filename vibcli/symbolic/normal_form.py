@@ -4,13 +4,19 @@ The rules are few: expand, sin² + cos² = 1, the addition theorems for products
 factors taken out. Work is bounded; what grows beyond MOST terms is left as it is.
 """
 
+from collections.abc import Collection, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
-from math import gcd, isqrt
+from math import gcd
+from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.rationals import HALF, ONE, ZERO
+from vibcli.symbolic.rationals import HALF, ONE, ZERO, exact_root
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.node import Node
 
 MOST = 300
 
@@ -19,11 +25,9 @@ class TooLong(ArithmeticError):
     """More than MOST terms."""
 
 
-def expanded(node, kept=None):
-    """{monomial: coefficient}, a monomial being a tuple of (atom, exponent) in the order of the atoms' indices.
-
-    Sums that stand in a denominator are atoms, above as well as below the line, so that they cancel.
-    """
+def expanded(node: "Node", kept: "Collection[Node] | None" = None):
+    """{monomial: coefficient}, a monomial being a tuple of (atom, exponent) in the order of the atoms' indices. Sums
+    that stand in a denominator are atoms, above as well as below the line, so that they cancel."""
     kept = _denominators(node) if kept is None else kept
     if node.op == "number":
         return {(): node.coefficient} if node.coefficient else {}
@@ -57,7 +61,7 @@ def _expanded_power(base, exponent, kept):
     return {((base, exponent),): ONE}
 
 
-def add(found, monomial, value):
+def add(found: Any, monomial: Any, value: Any) -> None:
     total = found.get(monomial, ZERO) + value
     if total:
         found[monomial] = total
@@ -67,7 +71,7 @@ def add(found, monomial, value):
         raise TooLong
 
 
-def multiplied(left, right):
+def multiplied(left: Any, right: Any) -> "dict[tuple[tuple[Node, Fraction | int], ...], Fraction | int]":
     found = {}
     if len(left) * len(right) > 20 * MOST:
         raise TooLong
@@ -84,7 +88,8 @@ def multiplied(left, right):
     return found
 
 
-def times(a, b, power=1):
+def times(a: "Sequence[tuple[Node, Fraction | int]]", b: Any,
+          power: int = 1) -> "tuple[tuple[Node, Fraction | int], ...]":
     """The monomial a·b^power."""
     exponents = dict(a)
     for atom, e in b:
@@ -96,7 +101,7 @@ def times(a, b, power=1):
     return tuple(sorted(exponents.items(), key=lambda pair: pair[0].index))
 
 
-def reduced(terms):
+def reduced(terms: Any) -> "dict[tuple[tuple[Node, Fraction | int], ...], Fraction | int]":
     """The same polynomial with the trigonometric identities applied wherever they shorten it."""
     changed = True
     while changed:
@@ -153,7 +158,7 @@ def _addition(terms, monomial, a, b):
         cosine_first = other if a.name == "sin" else value
         new, factor = table.call("sin", u + w if sine_first == cosine_first else u - w), sine_first
     polynomial = multiplied({rest: ONE}, expanded(new))
-    _move(terms, (monomial, partner), None, None)
+    del terms[monomial], terms[partner]
     for extra, c in polynomial.items():
         add(terms, extra, c * factor)
     return True
@@ -161,39 +166,44 @@ def _addition(terms, monomial, a, b):
 
 def _move(terms, old, new, value):
     for monomial in old:
-        terms.pop(monomial)
-    if new is not None:
-        add(terms, new, value)
+        del terms[monomial]
+    add(terms, new, value)
 
 
-def is_zero(node):
+def is_zero(node: "Node") -> bool:
     """Is the expression zero by expansion and the identities? False where that does not show it."""
     try:
-        return node.is_zero or not reduced(_cleared(expanded(node)))
+        return node.is_zero or not _numerator(expanded(node))
     except (TooLong, ZeroDivisionError):
         return False
 
 
-def _cleared(terms):
-    """The polynomial times its denominators, expanded: zero if and only if the quotient is."""
+def _numerator(terms):
+    """The polynomial times the sums that it is divided by: zero if and only if the quotient is."""
     lowest = {}
     for monomial in terms:
         for atom, e in monomial:
             if atom.op == "sum" and e.denominator == 1:
                 lowest[atom] = min(lowest.get(atom, ZERO), e)
+    return cleared(terms, tuple((atom, -e) for atom, e in lowest.items()))
+
+
+def cleared(terms: "Mapping[tuple[tuple[Node, Fraction | int], ...], Fraction | int]", below: Any):
+    """The polynomial times a denominator ((atom, exponent), …); sums of it expanded where their exponent is whole."""
     found = {}
+    whole = {atom for atom, e in below if atom.op == "sum" and e.denominator == 1}
     for monomial, value in terms.items():
-        above = times(monomial, tuple(lowest.items()), -1)
-        whole = {tuple(pair for pair in above if pair[0] not in lowest): value}
+        above = times(monomial, below)
+        product = {tuple(pair for pair in above if pair[0] not in whole): value}
         for atom, e in above:
-            if atom in lowest:
-                whole = reduce(multiplied, [expanded(atom, ())] * int(e), whole)
-        for part, c in whole.items():
+            if atom in whole:
+                product = reduce(multiplied, [expanded(atom, ())] * int(e), product)
+        for part, c in product.items():
             add(found, part, c)
-    return found
+    return reduced(found)
 
 
-def textbook(node):
+def textbook(node: "Node"):
     """The expression expanded, collected by its variable parts, each coefficient with common factors taken out."""
     try:
         terms = reduced(expanded(_unnested(node)))
@@ -212,7 +222,7 @@ def _unnested(node):
     return substitute([node], simpler)[0] if simpler else node
 
 
-def collected(table, terms):
+def collected(table: "Table", terms: "Mapping[tuple[tuple[Node, Fraction | int], ...], Fraction | int]") -> "Node":
     """A polynomial as a node: Σ (factored coefficient of parameters)·(part that holds variables)."""
     groups = {}
     for monomial, value in terms.items():
@@ -223,7 +233,7 @@ def collected(table, terms):
     return table.sum(*((part, ONE) for part in parts))
 
 
-def factors_of(table, terms):
+def factors_of(table: "Table", terms: Any) -> "tuple[tuple[Node, Fraction | int], ...]":
     """A polynomial as factors: its content — rational factor and common monomial — and what is left in brackets."""
     monomials = list(terms)
     if not monomials:
@@ -254,9 +264,9 @@ def _scale(values):
     return -scale if all(v < 0 for v in values) else scale
 
 
-def square_root(terms):
+def square_root(terms: Any) -> "dict[tuple[tuple[Node, Fraction], ...], Fraction] | None":
     """The polynomial whose square this is (up to sign), None where there is none of up to four terms."""
-    squares = {monomial: _exact_root(value) for monomial, value in terms.items()
+    squares = {monomial: exact_root(value) for monomial, value in terms.items()
                if all(e.denominator == 1 and e.numerator % 2 == 0 for _, e in monomial) and value > 0}
     roots = [(tuple((atom, e * HALF) for atom, e in monomial), value) for monomial, value in squares.items() if value]
     k = len(roots)
@@ -270,12 +280,7 @@ def square_root(terms):
     return None
 
 
-def _exact_root(value):
-    up, down = isqrt(value.numerator), isqrt(value.denominator)
-    return Fraction(up, down) if up * up == value.numerator and down * down == value.denominator else None
-
-
-def root_of_square(node):
+def root_of_square(node: "Node") -> "Node | None":
     """√node up to sign as a node where that needs no root, else None."""
     try:
         terms = reduced(expanded(node))
@@ -283,7 +288,7 @@ def root_of_square(node):
         return None
     if len(terms) == 1:
         (monomial, value), = terms.items()
-        root = _exact_root(value) if value > 0 else None
+        root = exact_root(value) if value > 0 else None
         if root is None or any((e * HALF).denominator > 1 for _, e in monomial):
             return None
         return node.table.product((node.table.number(root), ONE), *((atom, e * HALF) for atom, e in monomial))

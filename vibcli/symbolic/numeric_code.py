@@ -8,11 +8,19 @@ What bends or jumps with the motion is smooth while its switches σ stay as they
     step u = (1 + σ)/2             ramp u = (1 + σ) u/2
 """
 
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.errors import PhysicsError
 from vibcli.symbolic.discontinuous_functions import PULSES
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import HALF
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.symbolic.node import Node
 
 SWITCHED = ("abs", "sign", "min", "max", "step", "ramp")
 NUMPY = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2", "min": "minimum", "max": "maximum"}
@@ -23,15 +31,16 @@ LONGEST = 40            # terms on one line
 
 class Source:
     """Lines of assignments to slots that compute expressions, given {symbol: slot} and the values of parameters.
-
     switches: {argument: slot} of the sign of each argument, to which unknown ones are added; None: |u|, sign u, min,
-    max and pulses are what they are. records: {name: slot} of the sampled functions that are called."""
+    max and pulses are what they are. records: {name: slot} of the sampled functions that are called. constants: {node:
+    value} of what is known already."""
 
-    def __init__(self, slots, floats, switches):
+    def __init__(self, slots: "Mapping[Node, str]", floats: Mapping[str, float], switches: "dict[Node, str] | None",
+                 constants: "Mapping[Node, float] | Sequence[Any]" = ()):
         self.slots, self.floats, self.switches = dict(slots), floats, switches
-        self.lines, self.constants, self.records = [], {}, {}
+        self.lines, self.constants, self.records = [], dict(constants), {}
 
-    def add(self, nodes):
+    def add(self, nodes: Any) -> list[str]:
         """Write what computes the nodes; their slots or constants are returned as texts."""
         parts = reachable(nodes, self.slots)
         known = [part for part in parts if not part.mask and part not in self.constants]
@@ -43,7 +52,7 @@ class Source:
                 self.lines.append(f"{slot}={text}")
         return [self.text(node) for node in nodes]
 
-    def text(self, node):
+    def text(self, node: Any) -> str:
         return self.slots[node] if node.mask else number(self.constants[node])
 
     def _symbol(self, node):
@@ -51,7 +60,7 @@ class Source:
 
     def _sum(self, node):
         total = node.coefficient + sum(c * self.constants[part] for part, c in node.args if not part.mask)
-        terms = [self._term(part, c) for part, c in node.args if part.mask]
+        terms = [_signed(c, self.slots[part]) for part, c in node.args if part.mask]
         terms.sort(key=lambda term: term[0] == "-")
         if total:
             terms.append(_signed(total))
@@ -60,10 +69,6 @@ class Source:
             self.lines.append(f"{slot}=" + "".join(terms[:LONGEST]).removeprefix("+"))
             terms = ["+" + slot, *terms[LONGEST:]]
         return "".join(terms).removeprefix("+")
-
-    def _term(self, part, c):
-        """+c·slot, with its sign."""
-        return _signed(c, self.slots[part])
 
     def _product(self, node):
         factor, above, below = Floats.number(node.coefficient), [], []
@@ -94,15 +99,13 @@ class Source:
         if node.name in ("min", "max"):
             a, b = node.args
             if not (a - b).mask:
-                return args[0] if (self._constant(a - b) > 0) == (node.name == "max") else args[1]
+                larger = evaluate([a - b], Floats, self.floats)[0] > 0
+                return args[0] if larger == (node.name == "max") else args[1]
             sense, sign = self._switch(a - b), "+" if node.name == "max" else "-"
             return f"0.5*({args[0]}+{args[1]}{sign}{sense}*({args[0]}-{args[1]}))"
         sense = self._switch(node.args[0])
         return {"sign": sense, "abs": f"{sense}*{args[0]}", "step": f"0.5*(1.0+{sense})",
                 "ramp": f"0.5*(1.0+{sense})*{args[0]}"}[node.name]
-
-    def _constant(self, node):
-        return evaluate([node], Floats, self.floats)[0]
 
     def _switch(self, argument):
         """The slot of sign(argument); of −u it is that of u, negative."""
@@ -112,7 +115,7 @@ class Source:
         return "(-" + self._switch(-argument) + ")"
 
 
-def number(value):
+def number(value: Any) -> str:
     """A rational or float as source: the repr of a float."""
     if not isinstance(value, float):
         value = Floats.number(value)
@@ -129,7 +132,7 @@ def _signed(c, factors=""):
     return f"{'-' if c < 0 else '+'}{abs(c)!r}" + (f"*{factors}" if factors else "")
 
 
-def rooted(nodes):
+def rooted(nodes: "Sequence[Node]") -> bool:
     """Is a root of |u|, or of what is u on one side alone, in them? It has no series at u = 0."""
     return any(_never_negative(base) and e.denominator != 1 for node in reachable(nodes) if node.op == "product"
                for base, e in node.args)
@@ -156,7 +159,7 @@ def _powers(slot, exponent, bent=False):
     return [f"{size}**{float(exponent)!r}"]
 
 
-def function(head, lines, result, records=()):
+def function(head: str, lines: Sequence[str], result: str, records: Sequence[Any] = ()) -> Callable:
     """The function of a text made of slots; NumPy's functions act on floats and arrays. `records`: (slot, function)."""
     import numpy as np
 
@@ -171,23 +174,22 @@ def function(head, lines, result, records=()):
 
 class Compiled:
     """Expressions of (t, q, v) as functions of arrays over instants: q and v are of shape (coordinates, instants).
-
     `switches`: {argument: slot}, shared by what is to be smooth; None where |u|, sign u, min and max may bend.
-    """
+    `prepared(t)`: the parts that depend on the time alone, at the instants t."""
 
-    def __init__(self, scene, floats, switches, nodes):
+    def __init__(self, scene: Any, floats: Mapping[str, float], switches: "dict[Node, str] | None", nodes: Any):
         time = scene.time
         below = reachable(nodes)
         _require_known(below, time)
         outer = _outermost([part for part in below if part.mask == time.mask and part is not time], below, nodes)
         early = Source({time: "t"}, floats, None)
-        prepared = early.add(outer)
-        self._prepare = function("t", early.lines, _tuple(prepared), _called(scene, early))
+        prepared = _tuple(early.add(outer))
+        records = [(slot, scene.table.records[name].on_arrays) for name, slot in early.records.items()]
+        self.prepared = function("t", early.lines, prepared, records)
         slots = {time: "t", **{node: f"c{i}" for i, node in enumerate(outer)}}
         slots |= {node: f"{kind}{i}" for kind, symbols in (("q", scene.q), ("v", scene.v))
                   for i, node in enumerate(symbols)}
-        late = Source(slots, floats, switches)
-        late.constants = dict(early.constants)
+        late = Source(slots, floats, switches, early.constants)
         result = late.add(nodes)
         head = [f"{_tuple(f'{kind}{i}' for i in range(len(scene.q)))}={kind}" for kind in "qv"]
         if outer:
@@ -197,21 +199,14 @@ class Compiled:
         self.count, self.work = len(nodes), len(late.lines)
         self._evaluate = function("t,q,v,g,c", head + late.lines, _tuple(result))
 
-    def prepared(self, t):
-        """What depends on the time alone, at the instants t."""
-        return self._prepare(t)
-
-    def __call__(self, t, q, v, g=(), c=None):
+    def __call__(self, t: "np.ndarray", q: Any, v: "np.ndarray", g: "Sequence[float | np.ndarray] | np.ndarray" = (),
+                 c: Any = None) -> "tuple[float | np.ndarray, ...]":
         """The values as a tuple of arrays; those of constants are floats. g: the senses of the switches."""
-        return self._evaluate(t, q, v, g, self._prepare(t) if c is None else c)
+        return self._evaluate(t, q, v, g, self.prepared(t) if c is None else c)
 
 
 def _tuple(texts):
     return "(" + "".join(text + "," for text in texts) + ")"
-
-
-def _called(scene, source):
-    return [(slot, scene.table.records[name].on_arrays) for name, slot in source.records.items()]
 
 
 def _require_known(below, time):

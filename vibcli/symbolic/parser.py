@@ -7,15 +7,17 @@ Nothing is ever evaluated as code.
 
 import re
 from fractions import Fraction
+from operator import methodcaller
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.diagnostics import quoted
-from vibcli.base.unit_suggestions import TAKEN, unit_meant
-from vibcli.base.units import UNITS
-from vibcli.symbolic.syntax import Call, Equation, NameRef, Number, Power, Product, QuantityRef, Sum, UnitPower
+from vibcli.symbolic.literals import literal
+from vibcli.symbolic.syntax import Call, Equation, ExpressionError, NameRef, Number, Power, Product, QuantityRef, Sum
+
+if TYPE_CHECKING:
+    from re import Match
 
 LONGEST, DEEPEST, PARTS = 2000, 64, 400
-SMALLEST, LARGEST = 1e-60, 1e60
-RANGE = "in SI units a value is zero or between 1e-60 and 1e60 in size"
 FUNCTIONS = {"sin": 1, "cos": 1, "tan": 1, "asin": 1, "acos": 1, "atan": 1, "atan2": 2, "sinh": 1, "cosh": 1,
              "tanh": 1, "exp": 1, "log": 1, "sqrt": 1, "abs": 1, "sign": 1, "min": 2, "max": 2, "step": 1,
              "ramp": 1, "impulse": 1, "square": 1, "sawtooth": 1}
@@ -25,34 +27,18 @@ VALUE = "value"         # the head of x(2 s), and of what is written like a func
 GREEK = dict(zip("αβγδεζηθικλμνξοπρστυφχψωΓΔΘΛΞΠΣΦΨΩϕϑϵ", (
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigma tau upsilon phi "
     "chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega phi theta epsilon").split(), strict=True))
+plain_name = methodcaller("translate", str.maketrans(GREEK))      # a name with Greek letters spelt out: φ1 is phi1
 
 _NUMBER = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?")
 _WHOLE = re.compile(r"[0-9]{1,15}")
 _NAME = re.compile(r"[A-Za-z_α-ωΑ-Ωϕϑϵ][A-Za-z0-9_α-ωΑ-Ωϕϑϵ]*")
-_UNIT = re.compile(r"\s*([*/·])?\s*([A-Za-zµμ°%]+)(?:\s*(?:\^|\*\*)\s*(?:"
-                   r"(-?\d+(?:\.\d+)?)(?!\d)|\(\s*(-?\d+(?:\.\d+|\s*/\s*\d+)?)\s*\))|([²³⁴]))?(?![\w.(\[])")
 _PER_UNIT = re.compile(r"1\s*/\s*[A-Za-z]")
 _PART = re.compile(r"\.(?:[A-Za-z_][A-Za-z0-9_]*|[0-9]{1,3})")
 _INDEX = re.compile(r"\[([^][]{1,80})\]")
-_SUPERSCRIPTS = {"²": "2", "³": "3", "⁴": "4"}
-_POWER_SIGN = re.compile(r"\s*(?:\^|\*\*)")
 _SPACE = re.compile(r"[ \t\n]*")
 
 
-class ExpressionError(Exception):
-    """Not an expression: offset and width of the place in the text, what is wrong, and what to write."""
-
-    def __init__(self, offset, width, message, hint=None):
-        super().__init__(message)
-        self.offset, self.width, self.message, self.hint = offset, max(width, 1), message, hint
-
-
-def plain_name(text):
-    """A name with Greek letters spelt out: φ1 is phi1."""
-    return text if text.isascii() else "".join(GREEK.get(letter, letter) for letter in text)
-
-
-def parse(text, equation=None):
+def parse(text: str, equation: str | None = None):
     """The syntax tree of `text`; of `left = right` where `equation` gives an example of one."""
     if len(text) > LONGEST:
         raise ExpressionError(0, 1, f"this expression has {len(text)} characters; the limit is {LONGEST}",
@@ -73,28 +59,25 @@ def parse(text, equation=None):
         if parser.text.startswith("=", parser.at):
             raise ExpressionError(parser.at, 1, "an equation has one '='", "write left = right")
         tree = Equation(0, len(text), tree, right)
-    parser.finish()
+    parser.skip()
+    if parser.at < len(text):
+        parser.fail_after()
     return tree
 
 
 class _Parser:
-    def __init__(self, text):
+    def __init__(self, text: str):
         self.text, self.at, self.depth = text, 0, 0
 
-    def skip(self):
+    def skip(self) -> None:
         self.at = _SPACE.match(self.text, self.at).end()
 
-    def take(self, token):
+    def take(self, token: str) -> bool:
         self.skip()
         if self.text.startswith(token, self.at):
             self.at += len(token)
             return True
         return False
-
-    def finish(self):
-        self.skip()
-        if self.at < len(self.text):
-            self.fail_after()
 
     def fail_after(self):
         """Something stands where an operator or the end was expected."""
@@ -112,14 +95,14 @@ class _Parser:
                               "expressions are made of numbers, units, names, + - * / ^ ( ) and functions")
 
     def _joined(self, what):
-        """What to write where a number or name is followed by another."""
+        """The hint where a number or name is followed by another."""
         if _PER_UNIT.match(self.text, self.at):
             return "the unit 1/s is written s^-1: 3 s^-1"
         if self.text[self.at - 1].isdigit() and what[0] in "_xXob":
             return "numbers are written in decimal digits alone: 1000"
         return "there is no implicit multiplication: write a * between factors"
 
-    def expression(self, depth):
+    def expression(self, depth: int):
         """A sum of products."""
         if depth > DEEPEST:
             raise ExpressionError(self.at, 1, f"more than {DEEPEST} levels of parentheses", "name the inner parts")
@@ -142,7 +125,7 @@ class _Parser:
             return terms[0][1]
         return Sum(start, self.at, tuple(terms))
 
-    def product(self, depth):
+    def product(self, depth: int):
         self.skip()
         start, factors, power = self.at, [], 1
         while True:
@@ -160,7 +143,7 @@ class _Parser:
                 break
         return factors[0][1] if len(factors) == 1 else Product(start, self.at, tuple(factors))
 
-    def power(self, depth):
+    def power(self, depth: int):
         self.skip()
         start = self.at
         base = self.atom(depth)
@@ -176,12 +159,14 @@ class _Parser:
             return Power(start, self.at, base, exponent)
         return base
 
-    def atom(self, depth):
+    def atom(self, depth: int):
         self.skip()
         start = self.at
         number = _NUMBER.match(self.text, start)
         if number:
-            return self.number(number)
+            found = literal(self.text, number)
+            self.at = found.end
+            return found
         word = _NAME.match(self.text, start)
         if word:
             return self.applied(self.word(word, depth), start, depth)
@@ -197,7 +182,7 @@ class _Parser:
         raise ExpressionError(start, 1, f"expected a number, a name or '(', found {quoted(self.text[start])}",
                               "expressions are made of numbers, units, names, + - * / ^ ( ) and functions")
 
-    def applied(self, tree, start, depth):
+    def applied(self, tree: Any, start: int, depth: int):
         """x(2 s) of a tree x that is no function; `start` is where its text starts."""
         while self.text.startswith("(", self.at):
             if depth > DEEPEST:
@@ -208,7 +193,7 @@ class _Parser:
             tree = QuantityRef(start, self.at, self.text[start:self.at], VALUE, (), component, (tree, *args))
         return tree
 
-    def arguments(self, depth):
+    def arguments(self, depth: int) -> list[Any]:
         """The trees within round brackets."""
         start, self.at = self.at, self.at + 1
         args = [self.expression(depth + 1)]
@@ -217,59 +202,14 @@ class _Parser:
         self.close(start, ")")
         return args
 
-    def close(self, start, bracket):
+    def close(self, start: int, bracket: str) -> None:
         if not self.take(bracket):
             self.skip()
             if self.at >= len(self.text):
                 raise ExpressionError(start, 1, "this bracket is never closed", f"write '{bracket}' where it ends")
             self.fail_after()
 
-    def number(self, match):
-        start, self.at = match.start(), match.end()
-        text = match.group()
-        digits, _, exponent = text.lower().partition("e")
-        if len(digits) > 80 or len(exponent) > 4 or abs(int(exponent or 0)) > 60:
-            raise ExpressionError(start, len(text), "this number is out of range", RANGE)
-        chain = self.units(start)
-        return Number(start, self.at, Fraction(text), tuple(chain))
-
-    def units(self, start):
-        """The longest chain of units after a number."""
-        chain = []
-        while True:
-            match = _UNIT.match(self.text, self.at)
-            if not match or bool(match.group(1)) != bool(chain):
-                return chain
-            word = match.group(2).replace("μ", "µ")
-            if word not in UNITS:
-                if not chain:
-                    self.unknown_unit(match, start)
-                return chain
-            power = self.unit_power(match)
-            chain.append(UnitPower(word, -power if match.group(1) == "/" else power, match.start(2), match.end(2)))
-            self.at = match.end()
-            if _POWER_SIGN.match(self.text, self.at):
-                raise ExpressionError(match.start(2), len(word), f"the power of the unit '{word}' is no number",
-                                      f"write {word}^2 or {word}^(1/2), or brackets around what is raised")
-
-    def unit_power(self, match):
-        """The power of a unit: 2, -1, 0.5 or (3/2)."""
-        text = match.group(3) or match.group(4) or _SUPERSCRIPTS.get(match.group(5), "1")
-        above, _, below = text.partition("/")
-        if len(text) > 12 or (below and not int(below)) or abs(power := Fraction(above) / Fraction(below or 1)) > 12:
-            raise ExpressionError(match.start(2), match.end() - match.start(2), "this power is out of range",
-                                  "units have powers such as -2, 1/2 or 1.5, at most 12")
-        return int(power) if power.denominator == 1 else power
-
-    def unknown_unit(self, match, start):
-        word = match.group(2)
-        meant = None if word == "pi" else unit_meant(word)
-        product = f"a product is written with *: {self.text[start:self.at]}*{word}"
-        raise ExpressionError(match.start(2), len(word), f"'{word}' is not a unit",
-                              f"write {meant}; {product}" if word in TAKEN else
-                              f"did you mean '{meant}'?" if meant else product)
-
-    def word(self, match, depth):
+    def word(self, match: "Match", depth: int) -> Call | NameRef | QuantityRef:
         start, self.at = match.start(), match.end()
         name = match.group()
         if len(name) > 32:
@@ -290,7 +230,7 @@ class _Parser:
             raise ExpressionError(start, self.at - start, "pi has no derivative", "only coordinates move")
         return NameRef(start, self.at, plain_name(name), primes)
 
-    def call(self, start, name, depth):
+    def call(self, start: int, name: str, depth: int) -> Call | QuantityRef:
         args = self.arguments(depth)
         wanted = FUNCTIONS.get(name, 1)
         if len(args) == 1 and name in OF_SIGNALS and (wanted != 1 or name not in FUNCTIONS):
@@ -301,7 +241,7 @@ class _Parser:
                                   f"write {name}(" + ", ".join("xy"[:wanted]) + ")")
         return Call(start, self.at, name, tuple(args))
 
-    def quantity(self, start, head, depth):
+    def quantity(self, start: int, head: str, depth: int) -> QuantityRef:
         if head in FUNCTIONS:
             raise ExpressionError(self.at, 1, f"{head} takes its argument in round brackets", f"write {head}(…)")
         indices = []
@@ -314,7 +254,7 @@ class _Parser:
         component = self.component()
         return QuantityRef(start, self.at, self.text[start:self.at], head, tuple(indices), component, tuple(args))
 
-    def component(self):
+    def component(self) -> str:
         """The word after a dot, such as x of centre[rod].x, or nothing."""
         if self.text.startswith(".", self.at) and (word := _NAME.match(self.text, self.at + 1)):
             self.at = word.end()

@@ -1,14 +1,19 @@
 """Roots of quadratics in letters, and determinants."""
 
+from collections.abc import Sequence
 from math import gcd
+from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.normal_form import expanded, textbook
 from vibcli.symbolic.radicals import root
 from vibcli.symbolic.rationals import ONE
 
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
 
-def quadratic_roots(coefficients, sample):
+
+def quadratic_roots(coefficients: "Sequence[Node]", sample: Any) -> "list[Node]":
     """The roots of a λ² + b λ + c or a λ + b, over one denominator, the common rational factor cancelled."""
     if len(coefficients) == 2:
         a, b = coefficients
@@ -28,7 +33,7 @@ def _divisor(node):
     return gcd(*(v.numerator for v in values)) if all(v.denominator == 1 for v in values) else 1
 
 
-def determinant(rows):
+def determinant(rows: "Sequence[list[Node]]") -> "Node":
     """By expansion along the first row."""
     if len(rows) == 1:
         return rows[0][0]

@@ -1,13 +1,18 @@
 """Square roots taken factor by factor."""
 
+from collections.abc import Sequence
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from vibcli.symbolic.common_denominator import fraction
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.rationals import HALF, ONE
 
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
 
-def root(node, samples=()):
+
+def root(node: "Node", samples: Sequence[dict[str, float]] = ()) -> "Node":
     """√node of a quotient whose value is positive. A perfect square gives its root: with the sign that makes it
     positive at all `samples` ({letter: float}), else between bars."""
     table = node.table
@@ -20,12 +25,8 @@ def root(node, samples=()):
             return table.sqrt(node)
         base, e = factors[turned]
         factors[turned], scale = (table.sum((base, -ONE)), e), -scale
-    roots = ((positive(base, samples) if _is_even(e) else base, e * HALF) for base, e in factors)
+    roots = ((positive(base, samples) if e.denominator == 1 and e % 2 == 0 else base, e * HALF) for base, e in factors)
     return table.product((table.sqrt(table.number(scale)), ONE), *roots)
-
-
-def _is_even(e):
-    return e.denominator == 1 and e.numerator % 2 == 0
 
 
 def _factors(factors):
@@ -39,7 +40,7 @@ def _factors(factors):
     return scale, *found.items()
 
 
-def positive(base, samples):
+def positive(base: "Node", samples: Sequence[dict[str, float]]) -> "Node":
     """±base, or |base| where its sign is not the same at all samples."""
     table = base.table
     if table.is_positive(base):

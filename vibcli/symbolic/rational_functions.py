@@ -3,13 +3,19 @@
 Atoms are symbols, functions and roots. Squares of roots and of sines are replaced by what they are (`settled`).
 """
 
+from collections.abc import Sequence
 from fractions import Fraction
+from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import grouped, letters
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import HALF, ONE
 from vibcli.symbolic.time_limit import within
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.node import Node
 
 CALLS = 4_000_000       # for one factorisation
 LONG = 100          # terms of a polynomial that is not written in factors
@@ -18,7 +24,7 @@ LONG = 100          # terms of a polynomial that is not written in factors
 class Quotients:
     """The field of quotients in the atoms of some nodes, and one unknown more."""
 
-    def __init__(self, table, nodes, unknown="λ"):
+    def __init__(self, table: "Table", nodes: "Sequence[Node]", unknown: str = "λ"):
         from sympy import QQ
         from sympy.polys.rings import PolyRing
 
@@ -29,10 +35,10 @@ class Quotients:
         *gens, self.unknown = self.field.gens
         self._gens = dict(zip(self.atoms, gens, strict=True)) | {(self.symbol, ONE): self.unknown}
 
-    def number(self, value):
+    def number(self, value: Fraction | int):
         return self.field(self.ring.domain(value.numerator, value.denominator))
 
-    def __call__(self, node):
+    def __call__(self, node: Any):
         """A node as an element of the field."""
         done = {}
         for part in reachable([node]):
@@ -44,7 +50,7 @@ class Quotients:
                 done[part] = self.number(part.coefficient) if part.op == "number" else self._gens.get((part, ONE))
         return self.settled(done[node])
 
-    def settled(self, element):
+    def settled(self, element: Any):
         """The element with what stands under a root in place of the root's square, and 1 − cos² in place of sin²."""
         for (base, e), gen in self._gens.items():
             if (e == HALF or base.name == "sin") and max(
@@ -67,7 +73,7 @@ class Quotients:
             total *= factor ** e.numerator
         return total
 
-    def polynomial(self, element):
+    def polynomial(self, element: Any) -> "Node":
         """A polynomial of the ring as a node: nested, not factored."""
         factors = [*self.atoms, (self.symbol, ONE)]
         return grouped(self.table.sum(*(self._term(powers, value, factors) for powers, value in element.terms())))
@@ -77,20 +83,16 @@ class Quotients:
         return product, self.rational(value)
 
     @staticmethod
-    def rational(value):
+    def rational(value: Any) -> Fraction:
         """A number of the ring's domain as a Fraction."""
         return Fraction(int(value.numerator), int(value.denominator))
 
-    def factors(self, polynomial):
+    def factors(self, polynomial: Any):
         """(rational, [(irreducible factor, multiplicity)]) of a polynomial of the ring."""
         whole = polynomial.ring.domain(1), [(polynomial, 1)]
         return within(CALLS, polynomial.factor_list, whole)
 
-    def generator(self, atom, exponent=ONE):
-        """The element that stands for an atom."""
-        return self._gens[atom, exponent]
-
-    def cleared(self, elements):
+    def cleared(self, elements: Sequence[Any]) -> tuple[list[dict[tuple[Any, ...], Any]], dict[tuple[int, ...], Any]]:
         """(polynomials, denominator): elements of the field over a common denominator."""
         below = self.ring(1)
         for element in elements:
@@ -98,14 +100,18 @@ class Quotients:
         whole = [element * self.field(below) for element in elements]
         return [element.numer.quo_ground(element.denom.LC) for element in whole], below
 
-    def coefficients(self, polynomial):
-        """The coefficients of a polynomial in the unknown, from the lowest, as elements of the field."""
-        found = {}
+    def generator(self, atom: "Node", exponent: Any = ONE):
+        """The polynomial that stands for an atom."""
+        return self._gens[atom, exponent].numer
+
+    def coefficients(self, polynomial: Any, atom: "Node | None" = None, exponent: Fraction | int = ONE) -> list[Any]:
+        """The coefficients of a polynomial in an atom, or in the unknown, from the lowest, as elements of the field."""
+        i, found = self.ring.gens.index(self.generator(self.symbol if atom is None else atom, exponent)), {}
         for powers, value in polynomial.terms():
-            found.setdefault(powers[-1], {})[(*powers[:-1], 0)] = value
+            found.setdefault(powers[i], {})[(*powers[:i], 0, *powers[i + 1:])] = value
         return [self.field(self.ring.from_dict(found.get(i, {}))) for i in range(max(found, default=0) + 1)]
 
-    def node(self, element):
+    def node(self, element: Any):
         """An element of the field as a node: one fraction, above and below the line factored."""
         parts = []
         for polynomial, sign in ((element.numer, ONE), (element.denom, -ONE)):
@@ -125,7 +131,7 @@ class Quotients:
 
 def _atoms(nodes):
     """{(base, e)}: symbols and functions with e = 1, bases of roots with e = 1/2 and the like."""
-    found = set()
+    found: set = set()
     cosines = [part.table.call("cos", *part.args) for part in reachable(nodes) if part.name == "sin"]
     for part in reachable([*nodes, *cosines]):
         if part.op in ("symbol", "call", "pi"):
@@ -135,7 +141,7 @@ def _atoms(nodes):
     return found
 
 
-def factored(node):
+def factored(node: "Node"):
     """A quotient of polynomials cancelled and factored; the node itself where that takes too long."""
     return within(2 * CALLS, lambda: _factored(textbook(node)), node)
 

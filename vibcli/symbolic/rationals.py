@@ -7,18 +7,18 @@ BITS = 256
 ZERO, ONE, HALF = 0, 1, Fraction(1, 2)
 
 
-def exact(value):
+def exact(value: Fraction | int):
     """A rational as an int where it is whole (an order of magnitude faster than a Fraction), else as a Fraction."""
     if value.__class__ is not Fraction:
         value = Fraction(value)
     return value.numerator if value.denominator == 1 else value
 
 
-def bits(value):
+def bits(value: Fraction | int) -> int:
     return value.numerator.bit_length() + value.denominator.bit_length()
 
 
-def rational_power(base, exponent):
+def rational_power(base: Fraction | int, exponent: Fraction | int) -> Fraction | int | None:
     """base^exponent where it is rational and within BITS, else None."""
     if exponent == 1:
         return base
@@ -30,13 +30,18 @@ def rational_power(base, exponent):
         power = exponent.numerator
         return exact(Fraction(base)**power) if bits(base) * abs(power) <= BITS else None
     if exponent.denominator == 2 and base >= 0:
-        up, down = isqrt(base.numerator), isqrt(base.denominator)
-        if up * up == base.numerator and down * down == base.denominator:
-            return rational_power(exact(Fraction(up, down)), exact(exponent * 2))
+        root = exact_root(base)
+        return None if root is None else rational_power(exact(root), exact(exponent * 2))
     return None
 
 
-def square_part(value):
+def exact_root(value: Fraction | int):
+    """√value of a rational that is not negative as a Fraction; None where it is irrational."""
+    up, down = isqrt(value.numerator), isqrt(value.denominator)
+    return Fraction(up, down) if up * up == value.numerator and down * down == value.denominator else None
+
+
+def square_part(value: Fraction | int) -> tuple[Fraction | int, Fraction | int]:
     """(r, n) with value = r²·n and n an integer without small square factors: √8 = 2√2, √(1/2) = √2/2."""
     inside, outside = value.numerator * value.denominator, Fraction(1, value.denominator)
     if value <= 0 or inside.bit_length() > BITS // 2:

@@ -1,22 +1,30 @@
 """A record: a function of time given by samples, linear between them and zero outside."""
 
 from bisect import bisect_right
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import mpmath
+    import numpy as np
 
 
 class Samples:
     """`times` ascending [s] and `values` (SI), as floats."""
 
+    _arrays: tuple
+
     __slots__ = ("_arrays", "times", "values")
 
-    def __init__(self, times, values):
+    def __init__(self, times: Sequence[float], values: Sequence[float]):
         self.times, self.values, self._arrays = tuple(times), tuple(values), None
 
     @property
-    def jumps(self):
+    def jumps(self) -> bool:
         """Does the record begin or end elsewhere than at zero?"""
         return bool(self.values[0] or self.values[-1])
 
-    def at(self, u, order=0):
+    def at(self, u: "float | mpmath.mpf", order: int = 0) -> "float | mpmath.mpf":
         """The value at the instant u, or its rate (0 of the second order: there are impulses at the samples), for
         floats and mpmath numbers."""
         zero, last = u * 0, len(self.times) - 1
@@ -27,7 +35,7 @@ class Samples:
         slope = (self.values[i + 1] - start) / (self.times[i + 1] - low)
         return slope if order else start + slope * (u - low)
 
-    def on_arrays(self, u, order=0):
+    def on_arrays(self, u: "np.ndarray", order: float = 0) -> "np.ndarray":
         """The same for NumPy arrays."""
         import numpy as np
 

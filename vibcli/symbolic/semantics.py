@@ -1,74 +1,44 @@
-"""What a syntax tree means: its dimension, checked part by part, and the expression it stands for."""
+"""The meaning of a syntax tree: its dimension, checked part by part, and the expression it stands for."""
 
+from collections.abc import Callable, Sequence
 from fractions import Fraction
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
-from vibcli.symbolic.parser import FUNCTIONS, ExpressionError
+from vibcli.symbolic.parser import FUNCTIONS
 from vibcli.symbolic.rationals import HALF, ONE
-from vibcli.symbolic.syntax import Call, Equation, NameRef, Number, Power, Product, QuantityRef, Sum
+from vibcli.symbolic.syntax import ExpressionError, Number, Sum, UnitPower, whole_literal
+
+if TYPE_CHECKING:
+    from vibcli.base.units import Unit
+    from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.node import Node
 
 ALL_NUMBERS = "all"
 ANY = None          # the dimension of what fits everywhere: 0, and bare numbers in a scene without units
 
 
-def _within(tree, kind):
-    """The parts of a tree that are of one kind."""
-    pending, found = [tree], []
-    while pending:
-        part = pending.pop()
-        if isinstance(part, kind):
-            found.append(part)
-        pending.extend(part.children)
-    return found
-
-
-def names_in(tree):
-    """(name, primes, start, end) of each name of a tree."""
-    return [(part.name, part.primes, part.start, part.end) for part in _within(tree, NameRef)]
-
-
-def quantities_in(tree):
-    """The quantity trees (`omega[1]`) within a tree."""
-    return _within(tree, QuantityRef)
-
-
-def calls_in(tree):
-    """The calls of functions and records within a tree."""
-    return _within(tree, Call)
-
-
-def literals_in(tree):
-    """The number trees within a tree."""
-    return _within(tree, Number)
-
-
-def literal_unit(chain):
+def literal_unit(chain: Sequence[UnitPower]) -> "Unit":
     return units.combine(tuple((name, power) for name, power, _, _ in chain))
 
 
-def whole_literal(tree):
-    """The number tree of a field that is one literal, perhaps with a sign; else None."""
-    if isinstance(tree, Sum) and len(tree.parts) == 1:
-        tree = tree.parts[0][1]
-    return tree if isinstance(tree, Number) else None
+class DimensionCheck(NamedTuple):
+    """The dimension of trees, given `of(name, primes)`, that of a name, and `quantity(tree)`, that of a quantity (None:
+    any); every misfit is raised as an ExpressionError, which quotes the text. `free_numbers`: the scene uses no units
+    at all, so a bare number may stand for any quantity; small whole ones are factors, unless it is ALL_NUMBERS: then
+    everything fits, as a factor 1 with a unit is not written."""
 
-
-class DimensionCheck:
-    """The dimension of trees, given `of(name, primes) -> dimension`; every misfit is raised as an ExpressionError.
-
-    `free_numbers`: the scene uses no units at all, so a bare number may stand for any quantity; small whole ones are
-    factors, unless it is ALL_NUMBERS: then everything fits, as a factor 1 with a unit is not written.
-    """
-
-    def __init__(self, dimensions, of, free_numbers=False, quantity=None, text=""):
-        self.dimensions, self.of, self.free_numbers, self.quantity = dimensions, of, free_numbers, quantity
-        self.text = text
+    dimensions: units.Dimensions
+    of: Callable
+    free_numbers: bool | str = False
+    quantity: Callable | None = None
+    text: str = ""
 
     def _same(self, one, other):
         return self.dimensions.equate(one, other) or self.free_numbers == ALL_NUMBERS
 
-    def dimension(self, tree):
+    def dimension(self, tree: Any) -> dict[str, Fraction | int] | None:
         return getattr(self, "_" + tree.kind)(tree)
 
     def _number(self, tree):
@@ -160,7 +130,6 @@ class DimensionCheck:
         self._pure(args[0], f"the argument of {name}")
         return units.NONE
 
-
     def _record(self, tree, name, args):
         """The dimension of a record, at a time."""
         if len(args) != 1:
@@ -173,40 +142,40 @@ class DimensionCheck:
         return self.dimensions.of(name + "()")
 
 
-def constant(tree):
+def constant(tree: Any):
     """The rational value of a tree made of plain numbers, else None."""
     if isinstance(tree, Number):
         return None if tree.units else tree.value
-    if isinstance(tree, (Sum, Product)):
-        total = Fraction(0) if isinstance(tree, Sum) else ONE
+    if tree.kind in ("sum", "product"):
+        total = Fraction(0) if tree.kind == "sum" else ONE
         for sign, part in tree.parts:
             value = constant(part)
-            if value is None or (isinstance(tree, Product) and sign < 0 and not value):
+            if value is None or (tree.kind == "product" and sign < 0 and not value):
                 return None
-            total = total + sign * value if isinstance(tree, Sum) else total * value**sign
+            total = total + sign * value if tree.kind == "sum" else total * value**sign
         return total
     return None
 
 
-def lower(tree, table, symbol):
+def lower(tree: Any, table: "Table", symbol: Callable) -> "Node":
     """The expression that a tree stands for; `symbol(name, primes, tree)` gives the node of a name or quantity."""
-    if isinstance(tree, Number):
+    if tree.kind == "number":
         return _literal(tree, table)
-    if isinstance(tree, NameRef):
+    if tree.kind == "name":
         return table.pi if tree.name == "pi" and not tree.primes else symbol(tree.name, tree.primes, tree)
-    if isinstance(tree, QuantityRef):
+    if tree.kind == "quantity":
         return symbol(tree.text, 0, tree)
     try:
-        if isinstance(tree, Sum):
+        if tree.kind == "sum":
             return table.sum(*((lower(part, table, symbol), sign) for sign, part in tree.parts))
-        if isinstance(tree, Product):
+        if tree.kind == "product":
             factors = [(lower(part, table, symbol), power) for power, part in tree.parts]
             if any(power < 0 and node.is_zero for node, power in factors):
                 raise ZeroDivisionError
             return table.product(*factors)
-        if isinstance(tree, Power):
+        if tree.kind == "power":
             return table.power(lower(tree.base, table, symbol), lower(tree.exponent, table, symbol))
-        if isinstance(tree, Equation):
+        if tree.kind == "equation":
             return lower(tree.left, table, symbol) - lower(tree.right, table, symbol)
         args = [lower(arg, table, symbol) for arg in tree.args]
         return table.sqrt(args[0]) if tree.name == "sqrt" else table.call(tree.name, *args)

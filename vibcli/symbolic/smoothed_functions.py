@@ -7,6 +7,7 @@ square(u + π) = −square u.
 
 from functools import partial
 from math import pi, sin
+from typing import Any
 
 from vibcli.symbolic.evaluation import Floats
 
@@ -43,7 +44,7 @@ class SmoothFloats(Floats):
     record = staticmethod(partial(_record, sin))
 
 
-def smooth_arrays():
+def smooth_arrays() -> type[Any]:
     """NumPy arrays with the stand-ins."""
     import numpy as np
 

@@ -1,18 +1,22 @@
 """The two roots of a quadratic equation with letters for coefficients: rational ± factor·√D as one fraction."""
 
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.radicals import root
 from vibcli.symbolic.rationals import ONE, square_part
 
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
+
 
 class Pair:
     """x = rational ± factor·√D of p₂x² + p₁x + p₀ = 0, D a polynomial without square factors, factor > 0 at the sample.
+    `modulus`: [p₀, p₁, p₂] as elements of the field of `quotients`; `sample`: a value of each letter."""
 
-    `modulus`: [p₀, p₁, p₂] as elements of the field of `quotients`; `sample`: a value of each letter.
-    """
-
-    def __init__(self, quotients, modulus, sample):
+    def __init__(self, quotients: Any, modulus: Sequence[Any], sample: Mapping[str, float]):
         c, b, a = quotients.cleared(modulus)[0]
         self.quotients, self.sample, field = quotients, sample, quotients.field
         self.parts = [field(part) for part in (a, b, c)]
@@ -21,7 +25,9 @@ class Pair:
         if self._negative(quotients.node(self.factor)):
             self.factor = -self.factor
         self.inside = self._shortest(inside, outside)
-        self.root, self.in_letters = self._root(), not inside.is_ground
+        turned = self.inside.op == "product" and self.inside.coefficient < 0
+        self.root = root(self.inside) if turned else quotients.table.sqrt(self.inside)
+        self.in_letters = not inside.is_ground
 
     def _shortest(self, inside, outside):
         """D factored, or as b² − 4ac, whichever is shorter."""
@@ -33,21 +39,17 @@ class Pair:
         whole = table.sum((table.product((quotients.node(b), ONE + ONE)), ONE), (quotients.node(a * c), -4 * ONE))
         return min((node, whole), key=letters)
 
-    def _root(self):
-        turned = self.inside.op == "product" and self.inside.coefficient < 0
-        return root(self.inside) if turned else self.quotients.table.sqrt(self.inside)
-
     def equation(self):
         """The coefficients as nodes, from the highest, which is positive."""
         found = [self.quotients.node(part) for part in self.parts]
         return [-node for node in found] if self._negative(found[0]) else found
 
-    def both(self, surd):
+    def both(self, surd: Any):
         """The root with `surd` in place of √D."""
         front, rest = self.written(self.rational, self.factor, surd)
         return front * rest
 
-    def written(self, rational, factor, surd=None):
+    def written(self, rational: Any, factor: Any, surd: Any = None) -> "tuple[Node, Node]":
         """(front, rest): rational + factor·√D as front·rest, rest a sum that holds the root; `surd` stands for it."""
         quotients, table = self.quotients, self.quotients.table
         if not factor:

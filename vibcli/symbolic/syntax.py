@@ -1,7 +1,16 @@
 """The syntax tree of an expression: what each part holds, and where it stands in the text."""
 
 from fractions import Fraction
-from typing import NamedTuple
+from operator import attrgetter
+from typing import Any, NamedTuple
+
+
+class ExpressionError(Exception):
+    """Not an expression: offset and width of the place in the text, what is wrong, and what to write."""
+
+    def __init__(self, offset: int, width: int, message: str, hint: str | None = None):
+        super().__init__(message)
+        self.offset, self.width, self.message, self.hint = offset, max(width, 1), message, hint
 
 
 class UnitPower(NamedTuple):
@@ -21,10 +30,7 @@ class Number(NamedTuple):
     value: Fraction
     units: tuple[UnitPower, ...]
     kind: str = "number"
-
-    @property
-    def children(self):
-        return ()
+    children = ()
 
 
 class NameRef(NamedTuple):
@@ -35,10 +41,7 @@ class NameRef(NamedTuple):
     name: str
     primes: int
     kind: str = "name"
-
-    @property
-    def children(self):
-        return ()
+    children = ()
 
 
 class QuantityRef(NamedTuple):
@@ -53,10 +56,7 @@ class QuantityRef(NamedTuple):
     component: str = ""
     args: tuple = ()
     kind: str = "quantity"
-
-    @property
-    def children(self):
-        return ()
+    children = ()
 
 
 class Sum(NamedTuple):
@@ -66,10 +66,7 @@ class Sum(NamedTuple):
     end: int
     parts: tuple
     kind: str = "sum"
-
-    @property
-    def children(self):
-        return [part for _, part in self.parts]
+    children = property(lambda self: [part for _, part in self.parts])
 
 
 class Product(NamedTuple):
@@ -79,10 +76,7 @@ class Product(NamedTuple):
     end: int
     parts: tuple
     kind: str = "product"
-
-    @property
-    def children(self):
-        return [part for _, part in self.parts]
+    children = property(lambda self: [part for _, part in self.parts])
 
 
 class Power(NamedTuple):
@@ -93,10 +87,7 @@ class Power(NamedTuple):
     base: tuple
     exponent: tuple
     kind: str = "power"
-
-    @property
-    def children(self):
-        return self.base, self.exponent
+    children = property(attrgetter("base", "exponent"))
 
 
 class Call(NamedTuple):
@@ -107,10 +98,7 @@ class Call(NamedTuple):
     name: str
     args: tuple
     kind: str = "call"
-
-    @property
-    def children(self):
-        return self.args
+    children = property(attrgetter("args"))
 
 
 class Equation(NamedTuple):
@@ -121,7 +109,40 @@ class Equation(NamedTuple):
     left: tuple
     right: tuple
     kind: str = "equation"
+    children = property(attrgetter("left", "right"))
 
-    @property
-    def children(self):
-        return self.left, self.right
+
+class Parts(NamedTuple):
+    """The parts of a tree by their kinds: (name, primes, start, end) of each name, the numbers, the calls of functions
+    and records, the quantities (`omega[1]`); `whole`: the number that it is as a whole, perhaps signed, or None."""
+
+    names: list[tuple]
+    numbers: list[Number]
+    calls: list[Call]
+    quantities: list[QuantityRef]
+    whole: Number | None
+
+
+def parts_of(tree: Any) -> Parts:
+    """The Parts of a tree, in one walk."""
+    names, numbers, calls, quantities, pending = [], [], [], [], [tree]
+    while pending:
+        part = pending.pop()
+        if part.kind == "name":
+            names.append((part.name, part.primes, part.start, part.end))
+        elif part.kind == "number":
+            numbers.append(part)
+        elif part.kind == "quantity":
+            quantities.append(part)
+        else:
+            if part.kind == "call":
+                calls.append(part)
+            pending.extend(part.children)
+    return Parts(names, numbers, calls, quantities, whole_literal(tree))
+
+
+def whole_literal(tree: Any) -> Number | None:
+    """The number tree of a field that is one literal, perhaps with a sign; else None."""
+    if isinstance(tree, Sum) and len(tree.parts) == 1:
+        tree = tree.parts[0][1]
+    return tree if isinstance(tree, Number) else None

@@ -4,6 +4,8 @@ Calls of functions written in Python are counted, not seconds, so that every mac
 """
 
 import sys
+from collections.abc import Callable
+from typing import Any
 
 from vibcli.base.work import under_way
 
@@ -14,12 +16,10 @@ class CallsSpent(BaseException):
     """The calls are used up. No Exception, so that nothing on the way catches it by mistake."""
 
 
-def within(calls, work, otherwise):
-    """What `work()` gives, or `otherwise` where it takes more calls, times the patience of the task that is under way.
-
+def within(calls: int, work: Callable, otherwise: Any):
+    """The result of `work()`, or `otherwise` where it takes more calls, times the patience of the task under way.
     Within another call the nearer of the two ends counts. What the work imports is imported before: an import that is
-    broken off leaves modules half made.
-    """
+    broken off leaves modules half made."""
     import sympy  # noqa: F401
 
     task = under_way()
@@ -40,8 +40,8 @@ def within(calls, work, otherwise):
     except CallsSpent as error:
         if error is not spent:
             raise
-        if task:
-            task.work.cut = True
-        return otherwise
     finally:
         sys.settrace(outer)
+    if task:
+        task.work.give_up_closed_form()
+    return otherwise

@@ -1,25 +1,32 @@
 """Expressions of one table written again in another."""
 
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.expression_graph import reachable
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.node import Node
 
 
 class _Nodes:
     """The nodes of a table as an arithmetic of `evaluate`."""
 
-    def __init__(self, table):
+    def __init__(self, table: "Table"):
         self.table, self.number, self.pi, self.power = table, table.number, table.pi, table.power
         self.functions = self
 
-    def record(self, name, samples):
+    def record(self, name: Any, samples: Sequence[dict[str, float]]):
         self.table.records[name] = samples
         return lambda u, order: self.table.call(name, u, *([self.number(order)] if order else []))
 
-    def __getitem__(self, name):
+    def __getitem__(self, name: str) -> Callable:
         return self.table.power if name == "power" else lambda *args: self.table.call(name, *args)
 
 
-def copied(nodes, table):
+def copied(nodes: "Sequence[Node]", table: "Table") -> "list[Node]":
     """The nodes as those of `table`, symbols by their names."""
     symbols = {node.name: table.variable(node.name) if node.mask
                else table.parameter(node.name, node in node.table.positive)

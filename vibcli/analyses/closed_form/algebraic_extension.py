@@ -1,15 +1,18 @@
 """Arithmetic with a root λ of a polynomial: elements u₀ + u₁λ + … are lists of coefficients."""
 
+from collections.abc import Sequence
+from typing import Any
+
 
 class Extension:
     """F[λ]/(p) for an irreducible p over a field F. `modulus`: [p₀, …, p_d] with p_d ≠ 0; `zero` of F."""
 
-    def __init__(self, field, modulus):
+    def __init__(self, field: Any, modulus: Sequence[Any]):
         self.field, self.zero, self.one = field, field(0), field(1)
         lead = modulus[-1]
         self.modulus = [c / lead for c in modulus]
 
-    def reduced(self, element):
+    def reduced(self, element: list[Any]) -> list[Any]:
         element = list(element)
         d = len(self.modulus) - 1
         while len(element) > d:
@@ -19,15 +22,15 @@ class Extension:
                     element[len(element) - d + i] -= top * self.modulus[i]
         return _trimmed(element)
 
-    def times(self, a, b):
+    def times(self, a: Sequence[Any], b: Any) -> list[Any]:
         return self.reduced(self._product(a, b))
 
-    def minus(self, a, b):
+    def minus(self, a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
         n = max(len(a), len(b))
         a, b = (list(x) + [self.zero] * (n - len(x)) for x in (a, b))
         return _trimmed([x - y for x, y in zip(a, b, strict=True)])
 
-    def inverse(self, a):
+    def inverse(self, a: Sequence[Any]) -> list[Any]:
         """1/a by Euclid's algorithm on (p, a)."""
         r, s = (list(self.modulus), a), ([], [self.one])
         while len(r[1]) > 1:
@@ -51,7 +54,7 @@ class Extension:
             a = _trimmed([x - factor * b[i - shift] if i >= shift else x for i, x in enumerate(a)][:-1])
         return quotient, a
 
-    def null_vectors(self, rows):
+    def null_vectors(self, rows: Sequence[list[list[Any]]]) -> list[list[list[Any]]]:
         """A basis of the solutions of A x = 0; in each vector the first free coordinate is 1."""
         n, work, pivots = len(rows[0]), [list(row) for row in rows], []
         for column in reversed(range(n)):

@@ -1,5 +1,8 @@
 """The modes of one block in letters."""
 
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
 from vibcli.analyses.closed_form.algebraic_extension import Extension
 from vibcli.analyses.closed_form.amplitude_ratios import OMEGA, of_omega
 from vibcli.analyses.closed_form.characteristic import Characteristic
@@ -9,8 +12,14 @@ from vibcli.analyses.closed_form.damping import proportions
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.rationals import HALF
 
+if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.decoupling import DecoupledBlock
+    from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.node import Node
 
-def block_modes(table, n, part, damping, values):
+
+def block_modes(table: "Table", n: int, part: "DecoupledBlock", damping: "Mapping[tuple[int, int], Node]",
+                values: Sequence[dict[str, float]]) -> "tuple[list[ClosedMode], list[list[Node]]]":
     """(modes, unsolved polynomials) of a block of a system with n coordinates; `damping`: its C, `values`: samples."""
     M, G, K = part.matrices
     chi = Characteristic(table, len(part), (M, damping, G, K), values[0])
@@ -30,16 +39,15 @@ def block_modes(table, n, part, damping, values):
 def _mode(table, root, shape, shares, values):
     sign = -1 if evaluate([root.square], Floats, values[0])[0] < 0 else 1
     mode = ClosedMode(root.square, root.omega(values, sign), shape and [root.value(x) for x in shape], sign < 0,
-                      root.pair)
-    mode.solves = root if isinstance(root, Turning) else None
+                      root.pair, solves=root if isinstance(root, Turning) else None)
     pair = root.pair if root.pair is not None and root.pair.in_letters else None
     if shape and pair:
-        mode.pattern = [of_omega(pair.quotients, x) for x in shape]
-    if shares and sign > 0 and not root.square.is_zero:
-        mode.zeta = root.value(shares) / (2 * mode.omega)
-        mode.omega_d = mode.omega * (1 - mode.zeta * mode.zeta) ** HALF
-        mode.zeta_pattern = pair and of_omega(pair.quotients, shares) / (2 * table.parameter(OMEGA))
-    return mode
+        mode = mode._replace(pattern=[of_omega(pair.quotients, x) for x in shape])
+    if not shares or sign < 0 or root.square.is_zero:
+        return mode
+    zeta = root.value(shares) / (2 * mode.omega)
+    return mode._replace(zeta=zeta, omega_d=mode.omega * (1 - zeta * zeta) ** HALF,
+                         zeta_pattern=pair and of_omega(pair.quotients, shares) / (2 * table.parameter(OMEGA)))
 
 
 def _amplitudes(chi, modulus, part, vector, n):

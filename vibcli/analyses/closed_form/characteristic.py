@@ -3,11 +3,18 @@
 SymPy's steps are bounded in calls: a polynomial that is not factored is taken whole.
 """
 
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
 from vibcli.analyses.closed_form.algebraic_extension import Extension
 from vibcli.analyses.closed_form.characteristic_roots import solutions
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.rational_functions import Quotients
 from vibcli.symbolic.time_limit import within
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.node import Node
 
 CALLS, LARGEST = 6_000_000, 6
 
@@ -15,7 +22,7 @@ CALLS, LARGEST = 6_000_000, 6
 class Characteristic:
     """A block of M, C, G, K with its elements in a field of quotients, and the factors of its polynomial in λ."""
 
-    def __init__(self, table, n, matrices, sample):
+    def __init__(self, table: "Table", n: int, matrices: Any, sample: Mapping[str, float]):
         nodes = [node for matrix in matrices for node in matrix.values()]
         self.sample, self.quotients = sample, Quotients(table, nodes)
         self.M, self.C, self.G, self.K = ([[self._element(matrix, i, j) for j in range(n)] for i in range(n)]
@@ -36,11 +43,9 @@ class Characteristic:
         return self._in_lambda(self.quotients.settled(self.quotients.field(whole)).numer)
 
     def _in_lambda(self, polynomial):
-        found = {}
-        for powers, value in polynomial.terms():
-            half = powers[-1] // 2
-            found[(*powers[:-1], half)] = value * (-1) ** half
-        return self.quotients.ring.from_dict(found)
+        halved = {(*powers[:-1], powers[-1] // 2): value * (-1) ** (powers[-1] // 2)
+                  for powers, value in polynomial.terms()}
+        return self.quotients.ring.from_dict(halved)
 
     def _split(self, polynomial):
         """[(coefficients from the lowest, multiplicity)] of the factors that hold λ."""
@@ -48,12 +53,12 @@ class Characteristic:
         parts = [(self.quotients.coefficients(factor), power) for factor, power in factors]
         return [(modulus, power) for modulus, power in parts if len(modulus) > 1]
 
-    def roots(self, modulus):
+    def roots(self, modulus: Sequence[Any]):
         """The solutions of a factor, None where there are none that are short."""
         turns = any(map(any, self.G))
         return within(CALLS, lambda: solutions(self.quotients, modulus, self.sample, turns), None)
 
-    def null_vectors(self, modulus):
+    def null_vectors(self, modulus: Sequence[Any]):
         """A basis of (K − λM) x = 0 as elements of F[λ]/(modulus); none where that takes too long, or where G turns."""
         if any(map(any, self.G)):
             return []
@@ -68,15 +73,15 @@ class Characteristic:
                 return []
         return within(CALLS, work, [])
 
-    def polynomial(self, modulus):
+    def polynomial(self, modulus: Sequence[Any]) -> "list[Node]":
         """The coefficients of an unsolved factor from the highest, as nodes."""
         sign = -1 if evaluate([self.quotients.node(modulus[-1])], Floats, self.sample)[0] < 0 else 1
         return [self.quotients.node(sign * c) for c in reversed(modulus)]
 
 
-def determinant(rows, ring):
+def determinant(rows: Sequence[list[dict[tuple[Any, ...], Any]]], ring: Any) -> dict[tuple[int, ...], Any]:
     """By expansion along the rows, each minor computed once."""
-    minors = {(): ring(1)}
+    minors: dict[tuple[int, ...], Any] = {(): ring(1)}
     n = len(rows)
     for size in range(1, n + 1):
         row, found = rows[n - size], {}

@@ -4,11 +4,18 @@ Degree one: a quotient. Degree two: (B ∓ S√D)/A. Higher: s + t·2cos(jπ/N) 
 (cosines.py), else unsolved.
 """
 
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
 from vibcli.analyses.closed_form.algebraic_extension import Extension
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.radicals import positive, root
 from vibcli.symbolic.rationals import HALF
 from vibcli.symbolic.surds import Pair
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
+    from vibcli.symbolic.rational_functions import Quotients
 
 
 class Simple:
@@ -16,14 +23,14 @@ class Simple:
 
     pair = None
 
-    def __init__(self, quotients, modulus):
+    def __init__(self, quotients: "Quotients", modulus: Sequence[Any]):
         self.quotients, self.square = quotients, quotients.node(-modulus[0] / modulus[1])
 
-    def value(self, element):
+    def value(self, element: Sequence[Any]) -> "Node":
         """u₀ as an expression."""
         return self.quotients.node(element[0]) if element else self.quotients.table.zero
 
-    def omega(self, samples, sign=1):
+    def omega(self, samples: Sequence[dict[str, float]], sign: int = 1) -> "Node":
         """√(±λ)."""
         return root(sign * self.square, samples)
 
@@ -31,18 +38,18 @@ class Simple:
 class Surd:
     """One of the two roots of p₂λ² + p₁λ + p₀."""
 
-    def __init__(self, pair, sign):
+    def __init__(self, pair: Pair, sign: int):
         self.pair, self.sign = pair, sign
         self.front, self.rest = pair.written(pair.rational, pair.factor * sign)
         self.square = self.front * self.rest
 
-    def value(self, element):
+    def value(self, element: Sequence[Any]) -> "Node":
         """u₀ + u₁λ as an expression."""
         u, v = (list(element) + [self.pair.quotients.field(0)] * 2)[:2]
         front, rest = self.pair.written(u + v * self.pair.rational, v * self.pair.factor * self.sign)
         return front * rest
 
-    def omega(self, samples, sign=1):
+    def omega(self, samples: Sequence[dict[str, float]], sign: int = 1) -> "Node":
         """√(±λ)."""
         return root(self.front, samples) * (sign * self.rest) ** HALF
 
@@ -52,14 +59,14 @@ class Turning:
 
     pair = None
 
-    def __init__(self, pair, modulus, sign):
+    def __init__(self, pair: Pair, modulus: Sequence[Any], sign: int):
         self.parts, self.modulus = pair, modulus
         front, rest = pair.written(pair.rational, pair.factor * sign)
         self.sign = 1 if evaluate([front * rest], Floats, pair.sample)[0] > 0 else -1
         self.frequency = front * (self.sign * rest)
         self.square = self.frequency * self.frequency
 
-    def ratio(self, above, below):
+    def ratio(self, above: str, below: Any):
         """Σ aᵢωⁱ/Σ bᵢωⁱ of nodes where it does not depend on ω, else None."""
         quotients = self.parts.quotients
         field = Extension(quotients.field, self.modulus)
@@ -67,11 +74,11 @@ class Turning:
         found = field.times(field.reduced(a), field.inverse(field.reduced(b)))
         return quotients.node(found[0]) if len(found) == 1 else None
 
-    def omega(self, samples, sign=1):
+    def omega(self, samples: Sequence[dict[str, float]], sign: int = 1):
         return positive(self.frequency, samples)
 
 
-def solutions(quotients, modulus, sample, turns=False):
+def solutions(quotients: "Quotients", modulus: Sequence[Any], sample: Mapping[str, float], turns: bool = False):
     """The roots of a factor with these coefficients, from the lowest; None where they are not solved. `turns`: try ω
     before ω²."""
     if len(modulus) == 2:

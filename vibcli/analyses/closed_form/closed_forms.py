@@ -1,11 +1,13 @@
 """What closed forms are: frequencies, shapes and damping as expressions."""
 
+from typing import Any, NamedTuple
+
 from vibcli.symbolic.nested_form import letters
 
 READABLE = 50       # letters in all amplitudes of a mode
 
 
-class ClosedMode:
+class ClosedMode(NamedTuple):
     """One mode. index: its number, from 1, at the sample values; square: ω²; omega: ω, or the growth rate √(−ω²) where
     `unstable`; shape: amplitudes by coordinate with the first that moves 1, or None; pattern: the same as functions of
     ω where that is shorter, and `turns` where the second is a quarter period apart from the first; zeta, omega_d:
@@ -13,24 +15,28 @@ class ClosedMode:
     surds.Pair that it shares with the other root of its quadratic equation, or None; solves: the solutions.Turning of
     a gyroscopic mode whose ω is itself a root."""
 
-    __slots__ = ("index", "omega", "omega_d", "pair", "pattern", "shape", "solves", "square", "turns", "unstable",
-                 "zeta", "zeta_pattern")
-
-    def __init__(self, square, omega, shape=None, unstable=False, pair=None):
-        self.square, self.omega, self.shape, self.unstable, self.pair = square, omega, shape, unstable, pair
-        self.index, self.pattern, self.turns, self.solves = 1, None, False, None
-        self.zeta, self.omega_d, self.zeta_pattern = None, None, None
+    square: Any
+    omega: Any
+    shape: list = None
+    unstable: bool = False
+    pair: Any = None
+    index: int = 1  # type: ignore[assignment]
+    pattern: list = None
+    turns: bool = False
+    solves: Any = None
+    zeta: Any = None
+    omega_d: Any = None
+    zeta_pattern: Any = None
 
     @property
-    def readable(self):
+    def readable(self) -> bool:
         return self.shape is not None and sum(map(letters, self.shape)) <= READABLE
 
 
-class ClosedForms:
+class ClosedForms(NamedTuple):
     """modes: ascending at the sample values; polynomials: factors in λ = ω² that are not solved, lists of coefficients
     from the highest; critical: (symbol, value) of the damping coefficient for which ζ = 1, or None."""
 
-    __slots__ = ("critical", "modes", "polynomials")
-
-    def __init__(self, modes, polynomials=(), critical=None):
-        self.modes, self.polynomials, self.critical = modes, list(polynomials), critical
+    modes: list
+    polynomials: list = []
+    critical: tuple = None

@@ -1,9 +1,16 @@
 """Damping that leaves the modes as they are: C = αM + βK within each block, so 2ζω = α + βω²."""
 
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
 from vibcli.symbolic.normal_form import is_zero
 
+if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.decoupling import DecoupledBlock
+    from vibcli.symbolic.node import Node
 
-def damps_each(parts, C):
+
+def damps_each(parts: "Sequence[DecoupledBlock]", C: "Mapping[tuple[int, int], Node]") -> bool:
     """Does C couple no two of these blocks?"""
     for part in parts:
         for other in parts:
@@ -18,7 +25,7 @@ def _vanishes(C, left, right):
     return not terms or is_zero(terms[0][0].table.sum(*terms))
 
 
-def proportions(M, C, K):
+def proportions(M: Sequence[list[Any]], C: Sequence[list[Any]], K: Sequence[list[Any]]) -> tuple[Any, Any] | None:
     """(α, β) of the rows of a block, elements of a field, with C = αM + βK; None where there are none."""
     if len(M) == 1:
         return (C[0][0] / M[0][0], C[0][0] * 0) if M[0][0] else None

@@ -4,7 +4,14 @@ A signed exchange of coordinates P with PᵀMP = M, PᵀKP = K and P² = 1 leave
 are looked for again within each block.
 """
 
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
 from vibcli.symbolic.normal_form import textbook
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.node import Node
 
 SEARCHED = 20000    # assignments tried in the search for a symmetry
 
@@ -14,14 +21,14 @@ class DecoupledBlock:
 
     __slots__ = ("columns", "matrices")
 
-    def __init__(self, columns, matrices):
+    def __init__(self, columns: Sequence[dict[int, int]], matrices: "Sequence[dict[tuple[int, int], Node]]"):
         self.columns, self.matrices = columns, matrices
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self.columns)
 
 
-def blocks(table, n, matrices):
+def blocks(table: "Table", n: int, matrices: Any) -> list[DecoupledBlock]:
     """The Blocks into which `matrices` ({(i, j): node} each) fall, as small as they are found."""
     pending, found = [DecoupledBlock([{i: 1} for i in range(n)], list(matrices))], []
     while pending:
@@ -37,7 +44,7 @@ def blocks(table, n, matrices):
     return found
 
 
-def components(block):
+def components(block: DecoupledBlock) -> list[list[dict[int, int]]]:
     """The parts that no matrix couples, as lists of columns {a: 1}."""
     owner = list(range(len(block)))
     for matrix in block.matrices:
@@ -48,7 +55,7 @@ def components(block):
     return [[{a: 1} for a in range(len(block)) if owner[a] == part] for part in sorted(set(owner))]
 
 
-def eigenspaces(exchange):
+def eigenspaces(exchange: Sequence[tuple[int, int]]) -> list[list[dict[int, int]]]:
     """The columns with x = Px and those with x = −Px."""
     same, other = [], []
     for a, (b, sign) in enumerate(exchange):
@@ -60,13 +67,14 @@ def eigenspaces(exchange):
     return [same, other]
 
 
-def projected(table, block, columns):
+def projected(table: "Table", block: DecoupledBlock, columns: Sequence[dict[int, int]]) -> DecoupledBlock:
     """The block on some columns: TᵀAT of each matrix."""
     matrices = [congruent(table, matrix, columns) for matrix in block.matrices]
     return DecoupledBlock([_combined(block.columns, column) for column in columns], matrices)
 
 
-def congruent(table, matrix, columns):
+def congruent(table: "Table", matrix: "Mapping[tuple[int, int], Node]",
+              columns: Sequence[dict[int, int]]) -> "dict[tuple[int, int], Node]":
     found = {}
     for a, left in enumerate(columns):
         for b, right in enumerate(columns):
@@ -85,7 +93,7 @@ def _combined(columns, column):
     return {i: value for i, value in found.items() if value}
 
 
-def symmetry(block):
+def symmetry(block: DecoupledBlock):
     """[(b, ±1)] for each coordinate a: an exchange that changes no matrix, other than ±1 as a whole; None where none
     is found."""
     search = _Search(block)
@@ -95,11 +103,13 @@ def symmetry(block):
 class _Search:
     """Coordinate after coordinate is sent to itself or another one, with either sign, as long as the entries agree."""
 
-    def __init__(self, block):
+    exchange: list
+
+    def __init__(self, block: DecoupledBlock):
         self.n, self.matrices, self.tried = len(block), block.matrices, 0
         self.exchange = [None] * self.n
 
-    def extend(self, a):
+    def extend(self, a: Any) -> bool:
         while a < self.n and self.exchange[a] is not None:
             a += 1
         if a == self.n:
@@ -117,7 +127,7 @@ class _Search:
                 self.exchange[a] = self.exchange[b] = None
         return False
 
-    def agrees(self, a):
+    def agrees(self, a: Any) -> bool:
         """Do the entries of row a and those at the images agree, as far as coordinates are placed?"""
         b, sign = self.exchange[a]
         for c, image in enumerate(self.exchange):

@@ -7,12 +7,18 @@
     m = 0          q₀ e^{−(k/c) t}
 """
 
-from typing import NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import NotInLetters
 from vibcli.symbolic.common_denominator import shorter
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.radicals import root
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.symbolic.node import Node
 
 UNDAMPED, UNDER, CRITICAL, OVER = "undamped", "under-damped", "critically damped", "over-damped"
 RELAXATION = "relaxation"
@@ -23,13 +29,14 @@ class FreeMotion(NamedTuple):
     what that is."""
 
     regime: str
-    decay: object
-    wave: object
-    rate: object
-    value: object
+    decay: Any
+    wave: Any
+    rate: Any
+    value: Any
 
 
-def free_motions(m, c, k, start, rates, t, samples):
+def free_motions(m: "Node", c: "Node", k: "Node", start: "Sequence[Node]", rates: "Mapping[str, Node]", t: "Node",
+                 samples: Sequence[dict[str, float]]) -> list[FreeMotion]:
     """The FreeMotions of each regime that there may be; start: (q₀, q̇₀); rates: {regime: symbol of its frequency}."""
     if k.is_zero:
         raise NotInLetters("nothing brings this motion back: it is found in numbers", "give numbers with --set")
@@ -53,7 +60,7 @@ def free_motions(m, c, k, start, rates, t, samples):
     return found
 
 
-def regime_at(m, c, k):
+def regime_at(m: float, c: "np.ndarray", k: "np.ndarray"):
     """The regime for numbers m, c, k."""
     if not m:
         return RELAXATION

@@ -5,7 +5,8 @@ Products of entries are not multiplied out, and sums have the sign that they hav
 textbook prints them. |H| = s √((N_r² + Ω²N_i²)/(D_r² + Ω²D_i²)), tan θ = Ω (N_r D_i − N_i D_r)/(N_r D_r + Ω²N_i D_i).
 """
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import NotInLetters
 from vibcli.mechanics.symbolic_linear import coefficients
@@ -17,6 +18,11 @@ from vibcli.symbolic.normal_form import TooLong, expanded, textbook
 from vibcli.symbolic.rationals import ONE, ZERO
 from vibcli.symbolic.transfer_between_tables import copied
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.mechanics.system import MechanicalSystem
+    from vibcli.symbolic.node import Node
+
 SQUARE = "Omega squared"        # the symbol of Ω² while a formula is being made
 MOST = 2                        # degrees of freedom
 SLOW = 1e-4                     # Ω where signs are looked at, relative to its sample value
@@ -25,9 +31,9 @@ SLOW = 1e-4                     # Ω where signs are looked at, relative to its 
 class Peak(NamedTuple):
     """Ω of a maximum, which there is where `less` < `more`."""
 
-    Omega: object
-    less: object
-    more: object
+    Omega: Any
+    less: Any
+    more: Any
 
 
 class Formula:
@@ -37,7 +43,8 @@ class Formula:
 
     __slots__ = ("Omega", "denominator", "numerator", "order", "peak", "poles", "scale", "short", "table", "zeros")
 
-    def __init__(self, table, Omega, numerator, denominator, order, short):
+    def __init__(self, table: Table, Omega: "Node", numerator: "Sequence[Node]", denominator: "Sequence[Node]",
+                 order: int, short: bool):
         w, square = table.variable(SQUARE), {table.variable(SQUARE): Omega * Omega}
         self.table, self.Omega, self.order, self.short = table, Omega, order, short
         nothing = _nothing(numerator)
@@ -50,21 +57,21 @@ class Formula:
         self.peak = _peak(self.scale, Omega, numerator, denominator, w) if peaked else None
 
     @property
-    def vanishes(self):
+    def vanishes(self) -> bool:
         """Does the input not reach the output at all?"""
         return _nothing(self.numerator)
 
     @property
-    def undamped(self):
+    def undamped(self) -> bool:
         return self.numerator[1].is_zero and self.denominator[1].is_zero
 
     @property
-    def ahead(self):
+    def ahead(self) -> bool:
         """Is H imaginary: that of a rate without damping?"""
         return self.numerator[0].is_zero and self.denominator[1].is_zero and not self.numerator[1].is_zero
 
     @property
-    def amplitude(self):
+    def amplitude(self) -> "Node":
         """|H|; without damping H itself, or H/i of a rate, whose sign tells the phase."""
         scale = self.scale * self.Omega**self.order if self.order else self.scale
         if self.undamped and self.order % 2 == 0:
@@ -76,7 +83,7 @@ class Formula:
         return scale * self._size(self.numerator) / self._size(self.denominator)
 
     @property
-    def square(self):
+    def square(self) -> "tuple[Node, Node]":
         """(above, below) of |H|², polynomials in Ω."""
         squares = [real * real + (self.Omega * imaginary) ** 2 for real, imaginary in (self.numerator,
                                                                                       self.denominator)]
@@ -91,7 +98,7 @@ class Formula:
         return self.table.sqrt(real * real + (self.Omega * imaginary) ** 2)
 
     @property
-    def tangent(self):
+    def tangent(self) -> "Node":
         """tan θ of the lag θ = −arg H of the undifferentiated output; None where θ is a right angle everywhere."""
         (a, b), (c, d) = self.numerator, self.denominator
         above, below = a * d - b * c, a * c + self.Omega * self.Omega * b * d
@@ -102,29 +109,31 @@ class Formula:
         return self.Omega * above / below
 
 
-def formula(problem, signal, driven_by, frequency="Omega", order=0):
+def formula(symbolic: "SymbolicSystem", signal: Any, driven_by: str, frequency: "str | Node" = "Omega",
+            order: int = 0) -> Formula:
     """The Formula of a signal for a unit of a named input; `frequency`: Ω as a node, or its letter."""
-    require_few(problem)
-    return from_parts(problem, *coefficients(problem, signal, driven_by),
-                      problem.scene.table.parameter(frequency) if isinstance(frequency, str) else frequency, order)
+    require_few(symbolic.system)
+    return from_parts(symbolic, *coefficients(symbolic, signal, driven_by),
+                      symbolic.scene.table.parameter(frequency) if isinstance(frequency, str) else frequency, order)
 
 
-def require_few(problem):
+def require_few(system: "MechanicalSystem") -> None:
     """NotInLetters of more than two degrees of freedom."""
-    if len(problem.scene.q) > MOST:
+    if len(system.scene.q) > MOST:
         raise NotInLetters("amplitudes in letters are found for one and two degrees of freedom",
                            "give numbers with --set")
 
 
-def from_parts(problem, b, c, d, Omega, order=0):
+def from_parts(symbolic: "SymbolicSystem", b: "Sequence[dict[int, Node]]", c: "Sequence[dict[int, Node]]",
+               d: "Sequence[dict[int, Node]]", Omega: "Node", order: int = 0) -> Formula:
     """The Formula of H = cᵀ D⁻¹ b + d, each [{i: node}] of the powers of s = iΩ; d has the one entry 0."""
-    table = Table()
-    *_, Omega = copied([*problem.scene.parameters.nodes.values(), Omega], table)    # letters in the order of the scene
-    matrices = [_copied([entries], table)[0] for entries in problem.matrices_in_letters]
+    table = Table(squares_at_sample=True)
+    *_, Omega = copied([*symbolic.scene.parameters.nodes.values(), Omega], table)    # letters in the order of the scene
+    matrices = [_copied([entries], table)[0] for entries in symbolic.matrices]
     M, C, G, K = matrices
-    table.sample, table.squares_at_sample = _slowly(problem.scene.sample, Omega, matrices), True
+    table.resample(_slowly(symbolic.scene.sample, Omega, matrices))
     b, c, d = (_copied(part, table) for part in (b, c, d))
-    n, w, zero = len(problem.scene.q), table.variable(SQUARE), table.zero
+    n, w, zero = len(symbolic.scene.q), table.variable(SQUARE), table.zero
     D = [[(textbook(K.get((i, j), zero) - w * M.get((i, j), zero)), C.get((i, j), zero) + G.get((i, j), zero))
           for j in range(n)] for i in range(n)]
     b, c = ([_pair(part, i, w, zero) for i in range(n)] for part in (b, c))

@@ -1,7 +1,9 @@
 """One degree of freedom in letters: ω² = K/M, ζ = C/(2√(K M)), and the damper that makes ζ = 1. Without SymPy."""
 
+from collections.abc import Sequence
 from fractions import Fraction
 from math import gcd, lcm
+from typing import TYPE_CHECKING
 
 from vibcli.analyses.closed_form.closed_forms import ClosedForms, ClosedMode
 from vibcli.analyses.closed_form.numeric_verification import confirmed, damping_confirmed, samples, squares
@@ -11,14 +13,21 @@ from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.radicals import root
 from vibcli.symbolic.rationals import ONE, ZERO
 
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.modal_analysis import ModalAnalysis
+    from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
-def one_degree(problem, M, C, K):
+
+def one_degree(symbolic: "SymbolicSystem", modal: "ModalAnalysis", M: "Node", C: "Node",
+               K: "Node") -> ClosedForms | None:
     """The ClosedForms of a scene with one coordinate; None where they do not hold."""
-    table, (M, C, K) = problem.scene.table, map(single, (M, C, K))
-    candidates = [] if M.is_zero else samples(problem)
+    table, (M, C, K) = symbolic.scene.table, map(single, (M, C, K))
+    candidates = [] if M.is_zero else samples(symbolic, modal)
     if not candidates:
         return None
-    values = [candidate.floats for candidate in candidates]
+    values = [candidate.numeric.floats for candidate in candidates]
     square = single(K / M)
     unstable = squares(candidates[0])[0] < 0
     mode = ClosedMode(square, root(-square if unstable else square, values), [table.one], unstable=unstable)
@@ -26,20 +35,13 @@ def one_degree(problem, M, C, K):
         return None
     if C.is_zero or K.is_zero or unstable:
         return ClosedForms([mode])
-    mode.zeta = damping_ratio(M, C, K, values)
-    mode.omega_d = damped_frequency(M, C, K, values)
-    if not damping_confirmed([mode], candidates):
-        mode.zeta = None
-        return ClosedForms([mode])
-    return ClosedForms([mode], critical=critical(problem.scene, M, C, K, values))
+    damped = mode._replace(zeta=C / (2 * root(K, values) * root(M, values)), omega_d=damped_frequency(M, C, K, values))
+    if not damping_confirmed([damped], candidates):
+        return ClosedForms([damped._replace(zeta=None)])
+    return ClosedForms([damped], critical=critical(symbolic.scene, M, C, K, values))
 
 
-def damping_ratio(M, C, K, values):
-    """ζ = C/(2√(K M))."""
-    return C / (2 * root(K, values) * root(M, values))
-
-
-def damped_frequency(M, C, K, values):
+def damped_frequency(M: "Node", C: "Node", K: "Node", values: Sequence[dict[str, float]]) -> "Node":
     """√(K/M − C²/(4M²)), as one fraction or as √(4KM − C²)/(2M) with its parts as they are, whichever is shorter."""
     table, below = M.table, ((base, -e) for base, e in fraction(2 * M))
     flat = root(single(K / M - C * C / (4 * M * M)), values)
@@ -70,7 +72,8 @@ def _difference(table, a, b):
             table.sum((rest[0], x / scale), (rest[1], -y / scale)))
 
 
-def critical(scene, M, C, K, values):
+def critical(scene: "Scene", M: "Node", C: "Node", K: "Node",
+             values: Sequence[dict[str, float]]) -> "tuple[Node, Node] | None":
     """(c, 2√(K M)/(C/c)) where all dampers have the coefficient c, else None."""
     weights = {term.weight for term in scene.dampers}
     if len(weights) != 1:

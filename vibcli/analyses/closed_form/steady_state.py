@@ -5,16 +5,19 @@ A load A sin(Ωt + φ) + B cos(Ωt + φ) is the imaginary part of (A + iΩ·B/Ω
 scene it is the real part of (B − iΩ·A/Ω) e^{i(Ωt + φ)}, and y = X cos(Ωt + φ − θ).
 """
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.analyses.closed_form.frequency_response import from_parts, require_few
 from vibcli.base.errors import NotInLetters
 from vibcli.mechanics.symbolic_linear import outputs
 from vibcli.symbolic.common_denominator import shorter
-from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import TooLong, expanded, is_zero, textbook
 from vibcli.symbolic.rationals import ONE
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.symbolic_system import SymbolicSystem
 
 WAVES = ("sin", "cos")
 
@@ -23,18 +26,18 @@ class Steady(NamedTuple):
     """formula: the Formula of X and θ; wave: sin or cos; argument: Ωt + φ as a node of the scene; mean: what constants
     of the drive shift y by, None where there are none."""
 
-    formula: object
+    formula: Any
     wave: str
-    argument: object
-    mean: object = None
+    argument: Any
+    mean: Any = None
 
 
-def steady_state(problem, signal):
+def steady_state(symbolic: "SymbolicSystem", signal: Any) -> Steady:
     """The Steady of a coordinate or signal; NotInLetters where it is none of one harmonic."""
-    require_few(problem)
-    scene, n = problem.scene, len(problem.scene.q)
-    rows, direct = outputs(problem, signal)
-    drive = {**problem.excitation, n: direct}
+    require_few(symbolic.system)
+    scene, n = symbolic.scene, len(symbolic.scene.q)
+    rows, direct = outputs(symbolic, signal)
+    drive = {**symbolic.excitation, n: direct}
     waves = {i: _waves(scene, node) for i, node in drive.items()}
     arguments = {argument for found in waves.values() for argument, _ in found}
     if len(arguments) != 1:
@@ -47,23 +50,23 @@ def steady_state(problem, signal):
     for i, parts in loads.items():
         for power, part in enumerate(parts):
             (b if i < n else d)[power][i if i < n else 0] = part
-    found = from_parts(problem, b, rows, d, Omega)
+    found = from_parts(symbolic, b, rows, d, Omega)
     if all(is_zero(part) for part in found.denominator):
         raise NotInLetters("this scene is driven at a natural frequency without damping: its amplitude grows with the "
                            "time, and there is no steady state",
                            "give numbers with --set, and see the motion from its start")
-    return Steady(found, wave, argument, _mean(problem, rows, drive))
+    return Steady(found, wave, argument, _mean(symbolic, rows, drive))
 
 
-def _mean(problem, rows, drive):
+def _mean(symbolic, rows, drive):
     """What the constants in {i: function of the time} do to the signal of these rows."""
-    scene, n = problem.scene, len(problem.scene.q)
+    scene, n = symbolic.scene, len(symbolic.scene.q)
     fixed = {i: textbook(node - scene.terms_with(node, scene.time.mask)) for i, node in drive.items()}
     fixed = {i: node for i, node in fixed.items() if not node.is_zero}
     if not fixed:
         return None
     b = [{i: node for i, node in fixed.items() if i < n}, {}, {}]
-    found = from_parts(problem, b, rows, [{0: fixed[n]} if n in fixed else {}, {}, {}], scene.table.zero, order=1)
+    found = from_parts(symbolic, b, rows, [{0: fixed[n]} if n in fixed else {}, {}, {}], scene.table.zero, order=1)
     if is_zero(found.denominator[0]):
         raise NotInLetters("nothing holds this scene where what drives it stays displaced", "give numbers with --set")
     return shorter(textbook(found.scale * found.numerator[0] / found.denominator[0]))
@@ -107,8 +110,3 @@ def _in_phase(found, argument, wave, Omega):
     A, B = (found.get((argument, name), Omega.table.zero) for name in WAVES)
     ahead = textbook((B if wave == "sin" else -A) / Omega)
     return A if wave == "sin" else B, ahead
-
-
-def at_start(argument, scene):
-    """φ, what Ωt + φ is at t = 0."""
-    return substitute([argument], {scene.time: scene.table.zero})[0]

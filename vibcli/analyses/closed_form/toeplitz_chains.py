@@ -4,13 +4,19 @@
 numbers 2cos(2πj/N) to many digits: a rational map that takes the one set into the other exactly is unique.
 """
 
+from collections.abc import Sequence
 from fractions import Fraction
 from math import gcd
+from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.radicals import root
 from vibcli.symbolic.rationals import ONE
 
-LARGEST, DIGITS, HEIGHT = 60, 60, 60        # N; working digits; numerators and denominators of the map
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
+    from vibcli.symbolic.rational_functions import Quotients
+
+LARGEST, DIGITS, HEIGHT = 60, 60, 59        # N; working digits; denominators of the map
 
 
 class Cosine:
@@ -18,7 +24,7 @@ class Cosine:
 
     pair = None
 
-    def __init__(self, quotients, shift, scale, j, N):
+    def __init__(self, quotients: "Quotients", shift: Any, scale: Any, j: int, N: int):
         self.quotients, self.shift, self.scale, self.j, self.N = quotients, shift, scale, j, N
         self.square = self._short() or self.value([quotients.field(0), quotients.field(1)])
 
@@ -30,18 +36,20 @@ class Cosine:
         angle = self.quotients.table.pi * (turns if self.shift == -2 * self.scale else abs(Fraction(1, 2) - turns))
         return self.quotients.node(self.shift * 2) * self.quotients.table.call("sin", angle) ** 2
 
-    def value(self, element):
+    def value(self, element: Sequence[Any]) -> "Node":
         """u₀ + u₁λ + u₂λ² + … as a sum of cosines of multiples of θ."""
         powers = [self.quotients.field(0)]
         for u in reversed(element):             # Horner, in λ = s + t·2cos θ
-            powers = _plus([self.shift * w for w in powers], _doubled([self.scale * w for w in powers]))
+            shifted, powers = [self.shift * w for w in powers], _doubled([self.scale * w for w in powers])
+            for k, w in enumerate(shifted):
+                powers[k] += w
             powers[0] += u
         table = self.quotients.table
         angles = [table.pi * Fraction(2 * self.j * k, self.N) for k in range(len(powers))]
         waves = [table.one, *(2 * table.call("cos", angle) for angle in angles[1:])]
         return table.sum(*((self.quotients.node(w) * wave, ONE) for w, wave in zip(powers, waves, strict=True) if w))
 
-    def omega(self, samples, sign=1):
+    def omega(self, samples: Sequence[dict[str, float]], sign: int = 1) -> "Node":
         """√(±λ)."""
         return root(sign * self.square, samples)
 
@@ -58,11 +66,7 @@ def _doubled(waves):
     return found
 
 
-def _plus(a, b):
-    return [x + (a[i] if i < len(a) else 0) for i, x in enumerate(b)]
-
-
-def cosines(quotients, modulus):
+def cosines(quotients: "Quotients", modulus: Sequence[Any]) -> list[Cosine] | None:
     """The roots of p₀ + p₁λ + …, ascending, or None."""
     d = len(modulus) - 1
     numbers = _numeric(quotients, modulus)
@@ -87,7 +91,7 @@ def _numeric(quotients, modulus):
         if scale is None:
             continue
         numbers = [c / scale ** (d - i) for i, c in enumerate(moved)]
-        if all(_is_number(c) for c in numbers):
+        if all(c.numer.is_ground and c.denom.is_ground for c in numbers):
             return scale, shift, [quotients.rational(c.numer.LC / c.denom.LC) if c else 0 for c in numbers]
     return None
 
@@ -122,10 +126,6 @@ def _moved(coefficients, shift, zero):
     return found[:len(coefficients)]
 
 
-def _is_number(element):
-    return element.numer.is_ground and element.denom.is_ground
-
-
 def _matched(coefficients, d):
     """(N, a, b) with the roots of the polynomial the numbers a + b·2cos(2πj/N), j prime to N; None where none are."""
     import mpmath
@@ -155,17 +155,10 @@ def _map(waves, roots, mpmath):
     b = (roots[-1] - roots[0]) / (waves[-1] - waves[0])
     a = roots[0] - b * waves[0]
     tolerance = mpmath.mpf(10) ** (20 - DIGITS)
-    rational = [_short_fraction(x, tolerance, mpmath) for x in (a, b)]
-    if None in rational or any(abs(a + b * w - r) > tolerance for w, r in zip(waves, roots, strict=True)):
+    rational = [Fraction(mpmath.nstr(x, DIGITS)).limit_denominator(HEIGHT) for x in (a, b)]
+    a, b = (mpmath.mpf(x.numerator) / x.denominator for x in rational)
+    if any(abs(a + b * w - r) > tolerance for w, r in zip(waves, roots, strict=True)):
         return None
     return rational
-
-
-def _short_fraction(x, tolerance, mpmath):
-    for below in range(1, HEIGHT):
-        above = mpmath.nint(x * below)
-        if abs(x * below - above) < tolerance:
-            return Fraction(int(above), below)
-    return None
 
 

@@ -1,14 +1,20 @@
 """Exact sums of functions of time as the segments of a Forcing, every coefficient rounded once."""
 
 from bisect import bisect_right
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
+from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.excitation.exponential_polynomials import added, convolved, shifted
 from vibcli.analyses.excitation.forcing import Forcing, Irregular, Segment, Wave, task_of
 from vibcli.analyses.excitation.impulses import blows_of, nearest
 from vibcli.analyses.excitation.periods import common_period, shortest
-from vibcli.analyses.excitation.piecewise_linear import Instant
+from vibcli.analyses.excitation.piecewise_linear import Instant, Periodic
 from vibcli.base.errors import PhysicsError
+
+if TYPE_CHECKING:
+    from vibcli.analyses.excitation.tabulated import TabulatedFunction
+    from vibcli.base.work import Work
 
 NEAR = 1e-6
 SHORTER = "let it change less often, or for a shorter time"
@@ -20,7 +26,8 @@ class WaveGroup:
 
     __slots__ = ("channel", "end", "exponent", "gates", "instants", "places", "ps", "wave")
 
-    def __init__(self, channel, gates, wave, terms, numbers):
+    def __init__(self, channel: int, gates: "Sequence[Periodic | TabulatedFunction]", wave: Sequence[Fraction | int],
+                 terms: Sequence[tuple[Fraction | None, tuple[Fraction, ...]]], numbers: type[Any]):
         self.channel, self.gates, self.wave = channel, gates, wave
         self.exponent = numbers.complex(numbers.number(wave[0]), numbers.number(wave[1]))
         self.end = min((gate.end for gate in gates if gate.end is not None), default=None)
@@ -31,12 +38,12 @@ class WaveGroup:
             self.ps.append(total.get(None, ()))
         self.places = [numbers.number(instant) for instant in self.instants]
 
-    def at(self, middle):
+    def at(self, middle: float) -> tuple[Fraction, ...]:
         """The polynomial at an instant, a number."""
         i = bisect_right(self.places, middle) - 1
         return self.ps[i] if i >= 0 else ()
 
-    def spans(self):
+    def spans(self) -> Iterator[tuple[Fraction, Fraction | None]]:
         """(low, high) of each span in which it acts, high None where it does not end."""
         for T, p, following in zip(self.instants, self.ps, [*self.instants[1:], None], strict=True):
             low = max(T, Fraction(0))
@@ -46,7 +53,8 @@ class WaveGroup:
                 yield low, high
 
 
-def assembled(sums, channels, numbers, work=None):
+def assembled(sums: Mapping[int, dict[tuple[Fraction | None, tuple[Any, ...], tuple[Any, ...]], tuple[Fraction, ...]]],
+              channels: int, numbers: type[Any], work: "Work | None" = None) -> Forcing:
     """The Forcing of {channel: Sum}; work: what counts its segments."""
     terms = {}
     for channel, total in sums.items():
@@ -108,7 +116,8 @@ def _pieces(groups, cuts, last, since, numbers, task=None):
         if task is not None:
             task.step(i / len(places), 0.5)
         waves = _waves(groups, at, numbers)
-        if i in (0, first) or blows.get(i) or pieces[-1].waves != waves or not all(map(_is_level, waves)):
+        level = not any(wave.power or wave.exponent for wave in waves)
+        if i in (0, first) or blows.get(i) or pieces[-1].waves != waves or not level:
             pieces.append(Segment(at.start, waves, tuple(blows.get(i, {}).items())))
     return pieces
 
@@ -116,10 +125,6 @@ def _pieces(groups, cuts, last, since, numbers, task=None):
 def _place(low, high, numbers):
     start, middle = numbers.number(low), (low + high) / 2
     return Instant(start, numbers.exact(start), numbers.number(middle), middle)
-
-
-def _is_level(wave):
-    return not (wave.power or wave.exponent)
 
 
 def _cuts(spans):

@@ -1,6 +1,8 @@
 """Expressions of the time as exact sums of functions of time."""
 
+from collections.abc import Callable, Mapping
 from fractions import Fraction
+from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.excitation.assembly import assembled
 from vibcli.analyses.excitation.exponential_polynomials import TooManyTerms, added, constant, linear, multiplied, raised
@@ -10,11 +12,18 @@ from vibcli.base.errors import PhysicsError
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.expression_graph import reachable
 
+if TYPE_CHECKING:
+    from vibcli.analyses.excitation.forcing import Forcing
+    from vibcli.base.work import Work
+    from vibcli.notation.plain import Plain
+    from vibcli.symbolic.node import Node
+
 FULL = "`motion: full` integrates the equations as they are"
 LARGEST = 60        # whole powers that are multiplied out
 
 
-def forcing_of(nodes, time, values, channels=None, precise=False, write=repr, work=None):
+def forcing_of(nodes: "Mapping[int, Node]", time: "Node", values: Mapping[str, float], channels: int | None = None,
+               precise: bool = False, write: "Callable | Plain" = repr, work: "Work | None" = None) -> "Forcing":
     """The Forcing of {channel: expression of the time}; `values`: {name: number} of all other symbols.
 
     `precise`: in mpmath numbers at the working precision, else in floats. `write` says an expression in a message;
@@ -26,7 +35,7 @@ def forcing_of(nodes, time, values, channels=None, precise=False, write=repr, wo
     return assembled(sums, max(nodes, default=-1) + 1 if channels is None else channels, numbers, work)
 
 
-def sums_of(nodes, time, values, numbers, write=repr):
+def sums_of(nodes: Any, time: Any, values: Any, numbers: Any, write: Any = repr) -> Any:
     """Expressions of the time as Sums."""
     below = reachable(nodes)
     known = _constants(below, nodes, time, values, numbers)

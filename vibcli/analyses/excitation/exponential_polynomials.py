@@ -6,7 +6,9 @@ constant on. All are rationals, so that nothing cancels wrongly before the terms
 segment; q keeps sines exact: sin u = cos(u − π/2), sin² + cos² = 1.
 """
 
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from typing import Any
 
 HALF = Fraction(1, 2)
 STILL = (0, 0, 0, 0, 0)
@@ -18,16 +20,17 @@ class TooManyTerms(ArithmeticError):
     """More terms, or higher powers, than can be kept."""
 
 
-def constant(value):
+def constant(value: Fraction | int):
     return {ALWAYS: (value,)} if value else {}
 
 
-def linear(b, a):
+def linear(b: Fraction, a: Fraction):
     """a·t + b."""
     return {ALWAYS: (b, a)} if a else constant(b)
 
 
-def wave(r, w, r0, w0, q, size=1):
+def wave(r: Any, w: Any, r0: Any, w0: Any, q: int,
+         size: Any = 1) -> dict[tuple[Any, tuple[Any, ...], tuple[Fraction | int, ...]], tuple[Fraction, ...]]:
     """size·e^{r t + r0} cos(w t + w0 + q π/2) as a Sum."""
     sign, key = _upright(r, w, r0, w0, q)
     return {(None, (), key): (sign * size,)} if sign and size else {}
@@ -44,17 +47,17 @@ def _upright(r, w, r0, w0, q):
     return sign, (r, w, r0, w0, q % 2)
 
 
-def gate(function):
+def gate(function: Any) -> dict[tuple[Any, tuple[Any, ...], tuple[int, ...]], tuple[int, ...]]:
     """A function that changes from piece to piece, as a Sum."""
     return {(None, (function,), STILL): (1,)}
 
 
-def since(instant):
+def since(instant: Fraction):
     """1 from an instant on, 0 before; those before t = 0 do not count."""
     return {(instant, (), STILL): (1,)} if instant >= 0 else constant(1)
 
 
-def added(*parts):
+def added(*parts: Any) -> Any:
     """Σ c·Sum of (Sum, c) pairs."""
     found = {}
     for part, c in parts:
@@ -76,7 +79,9 @@ def _gather(found, key, p, c=1):
         found.pop(key, None)
 
 
-def multiplied(left, right):
+def multiplied(
+        left: Any,
+        right: Any) -> dict[tuple[Fraction | None, tuple[Any, ...], tuple[Fraction | int, ...]], tuple[Fraction, ...]]:
     if len(left) * len(right) > 20 * MOST:
         raise TooManyTerms
     found = {}
@@ -90,11 +95,11 @@ def multiplied(left, right):
     return found
 
 
-def convolved(p, o):
+def convolved(p: Sequence[float | Fraction], o: Sequence[float | Fraction]) -> tuple[float | Fraction, ...]:
     """The coefficients of a product of polynomials."""
     if len(o) == 1:
         return tuple(x * o[0] for x in p)
-    found = [0] * (len(p) + len(o) - 1)
+    found: list = [0] * (len(p) + len(o) - 1)
     for i, x in enumerate(p):
         for j, y in enumerate(o):
             found[i + j] += x * y
@@ -111,7 +116,8 @@ def _products(one, other):
     return [(HALF * sign, key) for sign, key in found if sign]
 
 
-def raised(base, power):
+def raised(base: Mapping[tuple[Fraction | None, tuple[Any, ...], tuple[Fraction | int, ...]], tuple[Fraction, ...]],
+           power: int):
     """A whole power of a Sum, 1 or more."""
     found = None
     while power:
@@ -122,7 +128,7 @@ def raised(base, power):
     return found
 
 
-def smooth_pieces(total):
+def smooth_pieces(total: Any) -> list[tuple[Any, dict[tuple[Any, ...], tuple[Any, ...]]]]:
     """[(T, {wave: p})] of a Sum without gates: what it is from each T on; the first T is None."""
     instants = sorted({T for T, _, _ in total if T is not None})
     found = []
@@ -135,7 +141,7 @@ def smooth_pieces(total):
     return found
 
 
-def shifted(p, start):
+def shifted(p: Sequence[Fraction], start: Fraction) -> list[Fraction]:
     """The coefficients in τ = t − start of the polynomial p(t), exactly."""
     found = list(p)
     if start:

@@ -4,11 +4,15 @@ On each segment a channel is f(τ) = Σ Re(c τᵏ e^{sτ}), τ = t − start: s
 and all their products. Counting from the start of the segment keeps a 5 ms pulse at t = 50 s exact.
 """
 
+from collections.abc import Callable, Sequence
 from math import ceil, inf
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Work
+
+if TYPE_CHECKING:
+    from contextlib import AbstractContextManager
 
 MOST = 100_000      # segments
 
@@ -17,7 +21,7 @@ class TooOften(PhysicsError):
     """There are more segments than may be followed."""
 
 
-def task_of(work, count, ask="ask for an earlier instant"):
+def task_of(work: Work | None, count: float, ask: str = "ask for an earlier instant") -> "AbstractContextManager":
     """The task of finding so many segments; TooOften where they are too many. ask: what helps then."""
     work, count = work or Work(), float(count)
     if count > MOST * work.patience:
@@ -44,7 +48,7 @@ class Segment(NamedTuple):
     impulses: tuple = ()
 
 
-def oscillates(forcing):
+def oscillates(forcing: "Forcing") -> bool:
     """Do loads that are no repeated pieces oscillate without end?"""
     return any(wave.exponent.imag and not wave.exponent.real and wave.coefficient
                for wave in forcing.segments(inf)[-1].waves)
@@ -52,24 +56,16 @@ def oscillates(forcing):
 
 class Forcing:
     """Segments in order of time, the first from 0 on; of periodic forcing those of the first period, repeated from
-    `since` + `period` on (None: not periodic). `channels`: how many there are."""
+    `since` + `period` on (None: not periodic). `channels`: how many there are; `listed`: are its segments so many that
+    all can be told? `turn`: the longest time after which something of it repeats for ever; None where nothing does."""
 
-    __slots__ = ("channels", "period", "pieces", "since")
+    __slots__ = ("channels", "listed", "period", "pieces", "since", "turn")
 
-    def __init__(self, channels, pieces, period=None, since=0.0):
-        self.channels, self.pieces, self.period, self.since = channels, tuple(pieces), period, since
+    def __init__(self, channels: int, pieces: Sequence[Segment], period: Any = None, since: float = 0.0):
+        self.channels, self.pieces, self.since = channels, tuple(pieces), since
+        self.period, self.turn, self.listed = period, period, period is None
 
-    @property
-    def listed(self):
-        """Are its segments so many that all can be told?"""
-        return self.period is None
-
-    @property
-    def turn(self):
-        """The longest time after which something of it repeats for ever; None where nothing does."""
-        return self.period
-
-    def segments(self, until, work=None):
+    def segments(self, until: float, work: Work | None = None) -> list[Segment]:
         """The segments that start before `until`; work: what counts them."""
         found = [piece for piece in self.pieces if piece.start < until or not piece.start]
         if self.period is None:
@@ -97,10 +93,10 @@ class Irregular:
 
     period, listed = None, False
 
-    def __init__(self, channels, build, turn, refusal):
+    def __init__(self, channels: int, build: Callable, turn: float, refusal: PhysicsError):
         self.channels, self.build, self.turn, self.refusal = channels, build, turn, refusal
 
-    def segments(self, until, work=None):
+    def segments(self, until: float, work: Work | None = None) -> list[Segment]:
         """The segments that start before `until`; PhysicsError where that is infinite."""
         if until == inf:
             raise self.refusal

@@ -3,8 +3,10 @@
 An argument that is another line from some instant on (a ramp that is held) is treated line by line.
 """
 
+from collections.abc import Callable
 from fractions import Fraction
 from functools import partial
+from typing import Any
 
 from vibcli.analyses.excitation import piecewise_linear
 from vibcli.analyses.excitation.exponential_polynomials import (
@@ -27,7 +29,7 @@ class NotSaid(Exception):
     """A function that is no sum of polynomials, exponentials, sines, steps and impulses; with the reason."""
 
 
-def called(name, args, order, numbers, record=None):
+def called(name: Any, args: Any, order: Any, numbers: Any, record: Any = None) -> Any:
     """A function of Sums as a Sum; `order`: of the rate; `record`: the samples where it is one of them."""
     if name in ("min", "max"):
         a, b = args
@@ -47,7 +49,7 @@ def called(name, args, order, numbers, record=None):
     raise NotSaid(f"{name} of what changes in time has no closed form here")
 
 
-def by_line(total, function):
+def by_line(total: Any, function: Any) -> Any:
     """Σ of function(piece) from each instant to the next; `function` takes {wave: polynomial}."""
     if any(key[1] for key in total):
         raise NotSaid("its argument jumps or turns again and again")
@@ -100,7 +102,7 @@ def _sign(here, numbers, at_zero=0):
         if abs(height) >= 1:
             return constant(ONE if height > 0 else -ONE)
         angle = numbers.arc_sine(numbers.number(height))
-        return gate(piecewise_linear.sign_of_sine(a, b, height, angle, numbers.pi, None))
+        return gate(piecewise_linear.sign_of_sine(a, b, angle, numbers.pi, None))
     a, b = line
     if not a:
         return constant(Fraction((b > 0) - (b < 0) if b else at_zero))
@@ -148,7 +150,7 @@ def _impulse(here, order, numbers):
             return {}
         steep = numbers.arithmetic.power(numbers.number(1 - height * height), HALF)
         arc = numbers.arc_sine(numbers.number(height))
-        return gate(piecewise_linear.sign_of_sine(a, b, height, arc, numbers.pi, 1 / (size * a * numbers.exact(steep))))
+        return gate(piecewise_linear.sign_of_sine(a, b, arc, numbers.pi, 1 / (size * a * numbers.exact(steep))))
     a, b = line
     if not (a or b):
         raise NotSaid("an impulse acts at an instant, here at all times")
@@ -173,12 +175,12 @@ def _record(here, samples, order, numbers):
     return constant(numbers.exact(samples.at(numbers.number(b), order)))
 
 
-_PLAIN = {
+_PLAIN: dict[str, Callable] = {
     "sin": partial(_sine, quarter=-1), "cos": partial(_sine, quarter=0),
     "exp": partial(_exponential, parts=((1, ONE),)),
     "sinh": partial(_exponential, parts=((1, HALF), (-1, -HALF))),
     "cosh": partial(_exponential, parts=((1, HALF), (-1, HALF))),
     "step": _step, "sign": _sign,
 }
-ORDERED = {"impulse": _impulse, "square": partial(_wave_form, name="square"),
+ORDERED: dict[str, Callable] = {"impulse": _impulse, "square": partial(_wave_form, name="square"),
             "sawtooth": partial(_wave_form, name="sawtooth")}

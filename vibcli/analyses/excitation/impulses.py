@@ -1,15 +1,21 @@
 """The impulses of exact sums: each with what stands beside it at its instant."""
 
 from bisect import bisect_left
+from collections.abc import Sequence
 from fractions import Fraction
+from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.excitation.piecewise_linear import Instant
 from vibcli.base.errors import PhysicsError
 
+if TYPE_CHECKING:
+    from vibcli.analyses.excitation.assembly import WaveGroup
+
 ALIKE = Fraction(1, 10**9)
 
 
-def blows_of(groups, cuts, last, numbers):
+def blows_of(groups: "Sequence[WaveGroup]", cuts: Sequence[Fraction], last: Fraction,
+             numbers: type[Any]) -> dict[Any, Any]:
     """{number of a segment: {channel: size}} of the impulses from the first cut on, before `last`."""
     found = {}
     for group in groups:
@@ -25,7 +31,7 @@ def blows_of(groups, cuts, last, numbers):
     return found
 
 
-def nearest(cuts, instant):
+def nearest(cuts: Sequence[Fraction], instant: Fraction | int) -> int:
     i = bisect_left(cuts, instant)
     near = [j for j in (i - 1, i) if 0 <= j < len(cuts)]
     return min(near, key=lambda j: abs(cuts[j] - instant))

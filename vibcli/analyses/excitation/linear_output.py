@@ -1,6 +1,6 @@
 """What is read off a linear system: y = constant + q·δ + v·δ̇ + a·δ̈ + channels, δ the deviation from equilibrium."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 
 class LinearOutput(NamedTuple):
@@ -13,7 +13,7 @@ class LinearOutput(NamedTuple):
     channels: dict = {}
 
 
-def combined(terms):
+def combined(terms: Any) -> LinearOutput:
     """Σ factor·output of (factor, LinearOutput) pairs."""
     constant, parts = 0.0, ({}, {}, {}, {})
     for factor, output in terms:

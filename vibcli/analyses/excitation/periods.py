@@ -1,16 +1,24 @@
 """The period of what repeats for ever: the least common multiple of the periods of its parts, or a part of that."""
 
+from collections.abc import Sequence
 from fractions import Fraction
 from math import gcd, lcm
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+
+if TYPE_CHECKING:
+    import mpmath
+
+    from vibcli.analyses.excitation.assembly import WaveGroup
+    from vibcli.analyses.excitation.forcing import Segment
 
 TURNS, ALIKE = 1000, Fraction(1, 10**9)
 PARTS = (2, 3, 5, 7)
 INSTANTS = "ask for its values at instants, or for max(x) and min(x)"
 
 
-def common_period(groups, numbers):
+def common_period(groups: "Sequence[WaveGroup]", numbers: type[Any]) -> Fraction:
     """The period of all that lasts for ever; PhysicsError where there is none."""
     periods = []
     for group in groups:
@@ -33,18 +41,16 @@ def common_period(groups, numbers):
                        INSTANTS)
 
 
-def shortest(pieces, period, since, same):
+def shortest(pieces: "Sequence[Segment]", period: "float | mpmath.mpf", since: "float | mpmath.mpf", same: Fraction):
     """(pieces, period) of the shortest period: |sin| repeats after half a turn."""
-    parts = iter(PARTS)
-    part = next(parts)
-    while part is not None:
-        repeated = [piece for piece in pieces if piece.start >= since]
-        n = len(repeated) // part
-        if len(repeated) % part or not all(_alike(one, other, period / part, same * period)
-                                           for one, other in zip(repeated, repeated[n:], strict=False)):
-            part = next(parts, None)
-            continue
-        pieces, period = [piece for piece in pieces if piece.start < since] + repeated[:n], period / part
+    for part in PARTS:
+        while True:
+            repeated = [piece for piece in pieces if piece.start >= since]
+            n = len(repeated) // part
+            if len(repeated) % part or not all(_alike(one, other, period / part, same * period)
+                                               for one, other in zip(repeated, repeated[n:], strict=False)):
+                break
+            pieces, period = [piece for piece in pieces if piece.start < since] + repeated[:n], period / part
     return pieces, period
 
 

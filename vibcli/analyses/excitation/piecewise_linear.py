@@ -7,15 +7,15 @@ piece that holds the middle of an Instant; `impulses(low, high)` as (instant, si
 from bisect import bisect_right
 from fractions import Fraction
 from math import ceil, floor
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 
 class Instant(NamedTuple):
     """A segment: its start, and an instant within it, as numbers of the arithmetic and exactly."""
 
-    start: object
+    start: Any
     exact_start: Fraction
-    middle: object
+    middle: Any
     exact_middle: Fraction
 
 
@@ -35,7 +35,7 @@ class Periodic(NamedTuple):
     def period(self):
         return 1 / self.a
 
-    def count(self, low, high):
+    def count(self, low: Any, high: Any):
         """About how many breaks there are."""
         return (high - low) * self.a * len(self.corners)
 
@@ -45,10 +45,10 @@ class Periodic(NamedTuple):
                  for j, corner in enumerate(self.corners)]
         return [pair for pair in found if low <= pair[0] <= high]
 
-    def breaks(self, low, high):
+    def breaks(self, low: Fraction, high: Fraction) -> list[Fraction]:
         return [instant for instant, _ in self._instants(low, high)]
 
-    def line(self, at):
+    def line(self, at: Instant) -> tuple[Fraction, Fraction]:
         turns = self.a * at.exact_middle + self.b
         whole = floor(turns)
         j = bisect_right(self.corners, turns - whole) - 1
@@ -57,7 +57,7 @@ class Periodic(NamedTuple):
         from_corner = self.a * at.exact_start + self.b - whole - self.corners[j]
         return value + slope * from_corner, slope * self.a
 
-    def impulses(self, low, high):
+    def impulses(self, low: Fraction, high: Fraction) -> list[tuple[Fraction, Fraction]]:
         return [(instant, self.blows[j]) for instant, j in self._instants(low, high)] if self.blows else []
 
 
@@ -69,20 +69,20 @@ class Blow(NamedTuple):
 
     period = None
 
-    def count(self, low, high):
+    def count(self, low: Any, high: Any):
         return 1
 
-    def breaks(self, low, high):
+    def breaks(self, low: Fraction, high: Fraction) -> list[Fraction]:
         return [self.end] if low <= self.end <= high else []
 
-    def line(self, at):
+    def line(self, at: Instant) -> tuple[int, int]:
         return 0, 0
 
-    def impulses(self, low, high):
+    def impulses(self, low: Fraction, high: Fraction) -> list[tuple[Fraction, Fraction]]:
         return [(self.end, self.size)] if low <= self.end <= high else []
 
 
-def square(a, b, pi, order):
+def square(a: Fraction, b: Fraction, pi: Fraction, order: int) -> Periodic:
     """square(u), u = a·t + b, or its rate by u: impulses of 2 and −2."""
     sign, a, b = (1, a, b) if a > 0 else (-1, -a, -b)
     halves = (Fraction(0), Fraction(1, 2))
@@ -91,7 +91,7 @@ def square(a, b, pi, order):
     return Periodic(a / (2 * pi), b / (2 * pi), halves, ((sign, 0), (-sign, 0)))
 
 
-def sawtooth(a, b, pi, order):
+def sawtooth(a: Fraction, b: Fraction, pi: Fraction, order: int) -> Periodic:
     """sawtooth(u), u = a·t + b, or its rate by u: 1/π, and impulses of −2."""
     sign, a, b = (1, a, b) if a > 0 else (-1, -a, -b)
     if order:
@@ -99,7 +99,7 @@ def sawtooth(a, b, pi, order):
     return Periodic(a / (2 * pi), b / (2 * pi), (Fraction(0),), ((-sign, 2 * sign),))
 
 
-def sign_of_sine(a, b, height, arc, pi, rate):
+def sign_of_sine(a: Fraction, b: Fraction, arc: Fraction, pi: Fraction, rate: Fraction | None) -> Periodic:
     """The sign of sin u + height, u = a·t + b, |height| < 1, arc = asin(height); or, as a `rate`, δ(sin u + height)."""
     rise, fall = -arc / (2 * pi), Fraction(1, 2) + arc / (2 * pi)
     corners = ((rise % 1, 1), (fall % 1, -1))

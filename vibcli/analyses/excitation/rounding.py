@@ -3,6 +3,7 @@
 import cmath
 import math
 from fractions import Fraction
+from typing import Any
 
 from vibcli.symbolic.evaluation import Floats, multiprecision
 
@@ -17,26 +18,26 @@ class Floating:
     number, real, complex = float, float, complex
 
     @staticmethod
-    def exact(value):
+    def exact(value: float):
         return Fraction(value) if math.isfinite(value) else None
 
     @staticmethod
-    def turned(growth, phase, quarters=0):
+    def turned(growth: Fraction, phase: Fraction, quarters: int = 0) -> Any:
         """i^quarters e^{growth + i phase} of rationals, quarters 0 or 1."""
         phase = phase - 2 * PI * round(phase / (2 * PI)) if phase else 0
         found = cmath.rect(math.exp(growth), float(phase))
         return found * 1j if quarters else found
 
     @staticmethod
-    def polar(size):
+    def polar(size: Any) -> tuple[float, Fraction]:
         return abs(size), Fraction(cmath.phase(size))
 
     @staticmethod
-    def arc_sine(x):
+    def arc_sine(x: float) -> Fraction:
         return Fraction(math.asin(x))
 
 
-def multiprecise():
+def multiprecise() -> type[Any]:
     """The same in mpmath numbers."""
     import mpmath
 
@@ -45,12 +46,13 @@ def multiprecise():
         return (-1) ** sign * Fraction(int(man)) * Fraction(2) ** exp
 
     with mpmath.workprec(mpmath.mp.prec + 200):
-        pi = rational(+mpmath.mp.pi)
+        exact_pi = rational(+mpmath.mp.pi)
 
     class Multiple:
         arithmetic = multiprecision()
         same = Fraction(1, 2 ** (mpmath.mp.prec - 7))
         real, complex = mpmath.mpf, mpmath.mpc
+        pi = exact_pi
 
         @staticmethod
         def number(value):
@@ -62,7 +64,7 @@ def multiprecise():
 
         @classmethod
         def turned(cls, growth, phase, quarters=0):
-            phase = phase - 2 * pi * round(phase / (2 * pi)) if phase else 0
+            phase = phase - 2 * cls.pi * round(phase / (2 * cls.pi)) if phase else 0
             found = mpmath.exp(mpmath.mpc(cls.number(growth), cls.number(phase)))
             return found * 1j if quarters else found
 
@@ -74,5 +76,4 @@ def multiprecise():
         def arc_sine(x):
             return rational(mpmath.asin(x))
 
-    Multiple.pi = pi
     return Multiple

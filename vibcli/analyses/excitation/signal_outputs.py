@@ -1,33 +1,40 @@
 """Signals as LinearOutputs of the response methods, each with the channel of what drives it directly."""
 
 from fractions import Fraction
+from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.excitation.linear_output import LinearOutput
-from vibcli.mechanics.inputs_outputs.linear_functions import rate
+from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction, rate
 from vibcli.mechanics.inputs_outputs.outputs import linear_row, squares
 from vibcli.symbolic.rationals import ONE
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.symbolic.node import Node
 
-def linear_output(problem, text, order=0, channel=None):
+
+def linear_output(configuration: "Configuration", text: str, order: int = 0,
+                  channel: Any = None) -> "tuple[LinearOutput, dict[int, Node]]":
     """(LinearOutput, {channel: what it carries, a node of the time}) of the order-th derivative of a signal, x' and x''
     included; `channel`: the number of its own channel, that after the coordinates if none is given."""
-    row = linear_row(problem, text)
+    row = linear_row(configuration, text)
     for _ in range(order):
-        row = rate(row, problem.opened.scene)
-    return as_output(problem, row, channel)
+        row = rate(row, configuration.with_inputs.scene)
+    return as_output(configuration, row, channel)
 
 
-def quadratic_output(problem, text, channel=None):
+def quadratic_output(configuration: "Configuration", text: str) -> "list[tuple[float, LinearOutput, dict[int, Node]]]":
     """[(weight, LinearOutput, {channel: node})] with signal = Σ weight·output²: the energy of a spring, the power of a
     damper; further outputs take the next channels."""
-    first = len(problem.scene.q) if channel is None else channel
-    return [(weight, *as_output(problem, row, first + i)) for i, (weight, row) in enumerate(squares(problem, text))]
+    return [(weight, *as_output(configuration, row, len(configuration.scene.q) + i))
+            for i, (weight, row) in enumerate(squares(configuration, text))]
 
 
-def as_output(problem, row, channel=None):
+def as_output(configuration: "Configuration", row: LinearFunction,
+              channel: Any = None) -> "tuple[LinearOutput, dict[int, Node]]":
     """(LinearOutput, {channel: node of the time}) of a LinearFunction."""
-    channel = len(problem.scene.q) if channel is None else channel
-    opened, n = problem.opened, problem.opened.n
+    channel = len(configuration.scene.q) if channel is None else channel
+    opened, n = configuration.with_inputs, configuration.with_inputs.n
     kept = [{i: x for i, x in part.items() if i < n} for part in (row.q, row.v, row.a)]
     node = _direct(opened, row)
     if node is None:

@@ -2,6 +2,11 @@
 
 from bisect import bisect_right
 from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from vibcli.analyses.excitation.piecewise_linear import Instant
+    from vibcli.symbolic.sampled_functions import Samples
 
 
 class TabulatedFunction:
@@ -12,7 +17,7 @@ class TabulatedFunction:
 
     period = None
 
-    def __init__(self, samples, a, b, order, numbers):
+    def __init__(self, samples: "Samples", a: Fraction | int, b: Fraction | int, order: int, numbers: type[Any]):
         self.samples, self.a, self.b, self.order, self.number = samples, a, b, order, numbers.number
         times, values = samples.times, samples.values
         steep = numbers.number(a)
@@ -26,22 +31,22 @@ class TabulatedFunction:
         self.places = [numbers.number(instant) for instant in self.instants]
         self.end = self.instants[-1]
 
-    def __eq__(self, other):
+    def __eq__(self, other: Any):
         return isinstance(other, TabulatedFunction) and self._key() == other._key()
 
-    def __hash__(self):
+    def __hash__(self) -> int:
         return hash(self._key())
 
     def _key(self):
         return id(self.samples), self.a, self.b, self.order
 
-    def count(self, low, high):
+    def count(self, low: Any, high: Any):
         return len(self.instants)
 
-    def breaks(self, low, high):
+    def breaks(self, low: Fraction, high: Fraction) -> list[Fraction]:
         return [instant for instant in self.instants if low <= instant <= high]
 
-    def line(self, at):
+    def line(self, at: "Instant") -> tuple[float, float]:
         i = bisect_right(self.places, at.middle) - 1
         if self.order > 1 or not 0 <= i < len(self.slopes):
             return 0, 0
@@ -51,7 +56,7 @@ class TabulatedFunction:
         late = at.exact_start - self.instants[i]
         return self.values[i] + slope * self.number(late) if late else self.values[i], slope
 
-    def impulses(self, low, high):
+    def impulses(self, low: Fraction, high: Fraction) -> list[tuple[Fraction, float]]:
         """Of the first rate at the ends of a record that jumps there, of the second one wherever the slope changes."""
         if self.order == 0:
             return []

@@ -5,6 +5,8 @@ the output does not see it: then that mode is left out. With x = D⁻¹b and y =
 dH/ds = c′ᵀx + yᵀ(b′ − D′x) + d′.
 """
 
+from typing import Any
+
 import numpy as np
 
 from vibcli.analyses.frequency_response.transfer_function import polynomial, slope
@@ -15,14 +17,14 @@ UNSEEN = 1e-9           # share of b or c along a mode, below which the mode tak
 BLOCK = 2.0**22         # entries of the matrices that are factored at once
 
 
-def direct(system, s, steep=False):
+def direct(system: Any, s: np.ndarray, steep: bool = False):
     """(H, dH/ds or None, whether there is a pole) by LU, in blocks of frequencies."""
     size = max(1, int(BLOCK / max(system.n, 1) ** 2))
     parts = [_block(system, s[k:k + size], steep) for k in range(0, max(len(s), 1), size)]
     return tuple(np.concatenate(part) if part[0] is not None else None for part in zip(*parts, strict=True))
 
 
-def scales(system, s):
+def scales(system: Any, s: np.ndarray) -> np.ndarray:
     """Powers of two that bring rows and columns to the size 1: (N, n)."""
     Omega = np.abs(s)[:, None]
     parts = [np.abs(matrix) for matrix in (system.K, system.C, system.M)]
@@ -32,7 +34,7 @@ def scales(system, s):
     return np.exp2(-np.round(np.log2(size) / 2))
 
 
-def probe(n):
+def probe(n: int) -> np.ndarray:
     """A vector with a part along every mode."""
     return 1.0 + 0.5 * np.sin(np.arange(1, n + 1) * 2.399963)
 
@@ -66,7 +68,7 @@ def _solved(D, right):
         return np.concatenate([_solved(D[:half], right[:half]), _solved(D[half:], right[half:])])
 
 
-def along(system, s, x, y):
+def along(system: Any, s: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
     """dH/ds from x = D⁻¹b and y = D⁻ᵀc."""
     moved = x @ system.C.T + 2 * s[:, None] * (x @ system.M.T)
     return (np.einsum("ki,ki->k", slope(system.c, s), x) + slope(system.d, s)

@@ -3,6 +3,8 @@
 Few degrees of freedom, or few frequencies: LU of every matrix (direct.py); else a method of large_systems.py.
 """
 
+from typing import Any
+
 import numpy as np
 
 from vibcli.analyses.frequency_response.direct import direct
@@ -11,8 +13,8 @@ from vibcli.base.errors import PhysicsError
 WORK = 2e8      # elimination of so many frequencies by LU is not worth a search for a faster method
 
 
-def frf(system, Omega):
-    """H(iΩ) of a Transfer, complex; PhysicsError where a frequency is that of a pole."""
+def frf(system: Any, Omega: float | np.ndarray) -> np.ndarray:
+    """H(iΩ) of a TransferFunction, complex; PhysicsError where a frequency is that of a pole."""
     values, resonant = sampled(system, Omega)
     if resonant.any():
         Omega = float(np.ravel(Omega)[np.ravel(resonant)][0])
@@ -21,13 +23,13 @@ def frf(system, Omega):
     return values
 
 
-def sampled(system, Omega):
+def sampled(system: Any, Omega: float | np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(H, whether there is a pole) at each frequency; H is 0 at poles."""
     values, _, resonant = _at(system, Omega, False)
     return values, resonant
 
 
-def sloped(system, Omega):
+def sloped(system: Any, Omega: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """(H, dH/ds, whether there is a pole) at each frequency; both are 0 at poles."""
     return _at(system, Omega, True)
 
@@ -43,17 +45,12 @@ def _at(system, Omega, steep):
     return *parts, resonant.reshape(shape)
 
 
-def undifferentiated(system, s, steep=False):
-    """(H, dH/ds or None, whether there is a pole) of the output itself at complex s."""
-    return _method(system, len(s))(system, s, steep)
+def undifferentiated(system: Any, s: np.ndarray,
+                     steep: bool = False) -> tuple[np.ndarray, np.ndarray | None, np.ndarray]:
+    """(H, dH/ds or None, whether there is a pole) of the output itself at complex s; the method for many is found once
+    and kept with the system."""
+    if system.evaluated_by() is None and len(s) * system.n**3 <= WORK:
+        return direct(system, s, steep)
+    from vibcli.analyses.frequency_response.large_systems import chosen
 
-
-def _method(system, count):
-    """The method for so many frequencies; that of many is found once and kept with the system."""
-    if system.method is None:
-        if count * system.n**3 <= WORK:
-            return direct
-        from vibcli.analyses.frequency_response.large_systems import chosen
-
-        system.method = chosen(system) or direct
-    return system.method
+    return system.evaluated_by(lambda system: chosen(system) or direct)(system, s, steep)

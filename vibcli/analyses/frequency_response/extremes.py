@@ -5,16 +5,17 @@ zero, an antiresonance without damping.
 """
 
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from vibcli.analyses.frequency_response.evaluate import sampled, sloped
 from vibcli.analyses.frequency_response.poles_and_zeros import endless, pace, poles, zeros
+from vibcli.numerics.bracketing import zeros_between
 
 SPREAD = np.array([0.0, 0.03, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 20.0])     # places about a pole, in widths
 COARSE, FEW = np.array([0.0, 0.25, 1.0, 5.0]), 40                       # where there are more poles and zeros
-NARROWEST, WIDE, ROUNDS, SAME = 1e-9, 1e4, 150, 2.0**-51
+NARROWEST, WIDE = 1e-9, 1e4
 ANYWHERE = np.array([0.37, 1.19, 3.1])  # times a typical frequency
 BESIDE, ENDLESS = 1e-9, 3e3     # a peak that is so much higher than beside it has a damping ratio below 3e-13: none
 
@@ -27,13 +28,13 @@ class Extreme(NamedTuple):
     maximum: bool
 
 
-def extremes(system):
+def extremes(system: Any) -> list[Extreme]:
     """The Extremes of |H(iΩ)| for Ω > 0, ascending; none where the input does not reach the output."""
     if not sampled(system, pace(system) * ANYWHERE)[0].any():
         return []
     low, high = _brackets(system)
     maximum = steepness(system, low) > 0
-    Omega = narrowed(lambda at: steepness(system, at), low, high)
+    Omega = zeros_between(lambda at: steepness(system, at), low, high)
     values, _, resonant = sloped(system, Omega)
     if system.undamped:
         turning = ~_through(system, low, high) & ~resonant
@@ -63,14 +64,14 @@ def _nearest(places, Omega):
     return places[np.abs(Omega[:, None] - places).argmin(axis=1)] if len(Omega) else Omega
 
 
-def steepness(system, Omega):
+def steepness(system: Any, Omega: np.ndarray) -> np.ndarray:
     """d log|H|/dΩ; NaN where H is zero or unbounded."""
     values, slopes, _ = sloped(system, Omega)
     with np.errstate(all="ignore"):
         return np.where(values == 0, np.nan, (1j * slopes / np.where(values == 0, 1.0, values)).real)
 
 
-def places(system, low=None, high=None):
+def places(system: Any) -> np.ndarray:
     """Frequencies near poles and zeros, and between them, ascending and different."""
     marks = np.concatenate([poles(system), zeros(system)])
     marks = marks[(marks.imag > 0) & np.isfinite(marks)]
@@ -81,8 +82,7 @@ def places(system, low=None, high=None):
     between = np.sort(middle)
     near = np.concatenate([near, (between[1:] + between[:-1]) / 2, between * 0.9, between * 1.1])
     typical = pace(system)
-    low = low or min([typical, *middle]) / WIDE
-    high = high or max([typical, *middle]) * WIDE
+    low, high = min([typical, *middle]) / WIDE, max([typical, *middle]) * WIDE
     near = np.concatenate([near, np.geomspace(low, high, 161)])
     return np.unique(near[(near >= low) & (near <= high)])
 
@@ -94,36 +94,3 @@ def _brackets(system):
     known = np.flatnonzero(np.isfinite(sign) & (sign != 0))
     ends = [(i, j) for i, j in pairwise(known) if sign[i] != sign[j]]
     return tuple(Omega[[pair[k] for pair in ends]] if ends else np.zeros(0) for k in (0, 1))
-
-
-def narrowed(function, low, high):
-    """The zero of a function in each of the intervals at whose ends its signs differ, to rounding.
-
-    Chords, each third step a halving; a chord that falls near an end is moved inwards, so that both ends close in.
-    """
-    low, high = low.copy(), high.copy()
-    at_low, at_high = function(low), function(high)
-    for step in range(ROUNDS):
-        wide = np.flatnonzero(high - low > SAME * high)
-        if not len(wide):
-            break
-        a, b, fa, fb = (part[wide] for part in (low, high, at_low, at_high))
-        trial = _trial(a, b, fa, fb, step)
-        f = np.nan_to_num(np.array(function(trial)), nan=0.0)
-        left = (np.sign(f) == np.sign(fa)) | (f == 0)
-        right = ~left | (f == 0)
-        low[wide], at_low[wide] = np.where(left, trial, a), np.where(left & (f != 0), f, fa)
-        high[wide], at_high[wide] = np.where(right, trial, b), np.where(right & (f != 0), f, fb)
-    return (low + high) / 2
-
-
-def _trial(a, b, fa, fb, step):
-    middle = (a + b) / 2
-    if step % 3 == 2:
-        return middle
-    with np.errstate(all="ignore"):
-        chord = a + (b - a) * (fa / (fa - fb))
-        share = (b - a) * (0.0 if step % 3 == 0 else 1e-3)
-        chord = np.where(chord - a < b - chord, np.maximum(chord + (chord - a), a + share),
-                         np.minimum(chord - (b - chord), b - share)) if step % 3 else chord
-    return np.where((chord > a) & (chord < b), chord, middle)

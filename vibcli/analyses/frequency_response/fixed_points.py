@@ -4,14 +4,15 @@ A damper c adds s c r rᵀ to K + sC + s²M, so that H = (A + c B)/(1 + c E) at 
 |H| is the same for all c exactly where it is the same for c = 0 and c → ∞: |A| = |B/E|.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from vibcli.analyses.frequency_response.evaluate import sampled
-from vibcli.analyses.frequency_response.extremes import narrowed, places
+from vibcli.analyses.frequency_response.extremes import places
 from vibcli.analyses.frequency_response.poles_and_zeros import pace
-from vibcli.analyses.frequency_response.transfer_function import Transfer
+from vibcli.analyses.frequency_response.transfer_function import TransferFunction
+from vibcli.numerics.bracketing import zeros_between
 
 SAME, STATIC, STRONG, FELT = 1e-8, 1e-3, 1e4, 1e-6
 
@@ -23,8 +24,8 @@ class FixedPoint(NamedTuple):
     value: float
 
 
-def fixed_points(without, with_one):
-    """The FixedPoints with Ω > 0, ascending, from the Transfers with c = 0 and c = 1 (in any unit)."""
+def fixed_points(without: Any, with_one: Any) -> list[FixedPoint]:
+    """The FixedPoints with Ω > 0, ascending, from the TransferFunctions with c = 0 and c = 1 (in any unit)."""
     typical = _typical(without, with_one)
     systems = [without, *(blended(without, with_one, typical * share) for share in (1.0, 2.0, STRONG))]
     Omega = np.unique(np.concatenate([places(system) for system in systems]))
@@ -44,14 +45,14 @@ def fixed_points(without, with_one):
     known = np.flatnonzero(np.isfinite(gaps))
     change = known[:-1][np.sign(gaps[known[:-1]]) != np.sign(gaps[known[1:]])]
     after = known[np.searchsorted(known, change) + 1]
-    found = narrowed(difference, Omega[change], Omega[after]) if len(change) else np.zeros(0)
+    found = zeros_between(difference, Omega[change], Omega[after]) if len(change) else np.zeros(0)
     heights = [np.abs(sampled(system, found)[0]) for system in systems]
     low = STATIC * pace(without)
     return [FixedPoint(float(at), float(height)) for at, height, *others in zip(found, *heights, strict=True)
             if at > low and all(abs(other - height) <= SAME * height for other in others)]
 
 
-def limit(free, once, twice):
+def limit(free: np.ndarray, once: np.ndarray, twice: np.ndarray) -> np.ndarray:
     """H for c → ∞ from those for c = 0, c₁ and 2c₁."""
     with np.errstate(all="ignore"):
         one, two = once - free, (twice - free) / 2
@@ -59,13 +60,13 @@ def limit(free, once, twice):
         return (one + once * E) / E
 
 
-def blended(without, with_one, c):
-    """The Transfer with a damper c, from those with c = 0 and c = 1."""
+def blended(without: Any, with_one: Any, c: float):
+    """The TransferFunction with a damper c, from those with c = 0 and c = 1."""
     def part(name):
         zero = getattr(without, name)
         return zero + c * (getattr(with_one, name) - zero)
 
-    return Transfer(*map(part, ("M", "C", "K", "b", "c", "d")), without.order)
+    return TransferFunction(*map(part, ("M", "C", "K", "b", "c", "d")), without.order)
 
 
 def _typical(without, with_one):

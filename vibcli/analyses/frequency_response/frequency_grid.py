@@ -3,26 +3,31 @@
 Between neighbours the curve of log |H| and arg H is straight to TOLERANCE, seen over log Ω or Ω.
 """
 
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
 
 from vibcli.analyses.frequency_response.evaluate import sampled
-from vibcli.analyses.frequency_response.extremes import extremes, places
+from vibcli.analyses.frequency_response.extremes import Extreme, extremes, places
 
 TOLERANCE, ROUNDS, MOST, EVEN = 0.004, 12, 4000, 61
 CLOSEST, NARROW = 1e-5, 1e-13       # nearest place to where H is zero or unbounded, and to each other, relative to Ω
 LEAST = 1e-14                       # of the largest value, where a curve ends
 
 
-def adaptive(system, low, high, log=True, known=None):
+def adaptive(system: Any, low: float, high: float, log: Any = True,
+             known: Sequence[Extreme] | None = None) -> tuple[np.ndarray, np.ndarray]:
     """(Ω ascending, H) between two frequencies; poles and zeros are left out, as are places next to them."""
     known = extremes(system) if known is None else known
     endless = np.array([one.Omega for one in known if not one.value])
     even = np.geomspace(low, high, EVEN) if log else np.linspace(low, high, EVEN)
     near = [*places(system), *(one.Omega for one in known)]
-    Omega = _clear(_apart(np.unique([*even, *(x for x in near if low < x < high)])), endless)
+    Omega = np.unique([*even, *(x for x in near if low < x < high)])
+    Omega = _clear(Omega[np.append(True, np.diff(Omega) > NARROW * Omega[1:])], endless)
     values = sampled(system, Omega)[0]
     for _ in range(ROUNDS):
-        gaps = np.flatnonzero(_bent(Omega, values, log)) if len(Omega) <= MOST else []
+        gaps: Any = np.flatnonzero(_bent(Omega, values, log)) if len(Omega) <= MOST else []
         if not len(gaps):
             break
         middle = np.sqrt(Omega[gaps] * Omega[gaps + 1]) if log else (Omega[gaps] + Omega[gaps + 1]) / 2
@@ -31,10 +36,6 @@ def adaptive(system, low, high, log=True, known=None):
         Omega, values = (np.concatenate(pair)[order] for pair in ((Omega, middle),
                                                                    (values, sampled(system, middle)[0])))
     return Omega, values
-
-
-def _apart(Omega):
-    return Omega[np.append(True, np.diff(Omega) > NARROW * Omega[1:])]
 
 
 def _clear(Omega, endless):

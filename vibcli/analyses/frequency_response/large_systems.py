@@ -1,18 +1,22 @@
 """H(iΩ) of many degrees of freedom at many frequencies: banded LU, real modes where damping does not couple them, else
 complex modes. Each method gives (H, dH/ds or None, whether there is a pole) at each s."""
 
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 
 from vibcli.analyses.frequency_response.direct import SINGULAR, along, direct, probe, scales
 from vibcli.analyses.frequency_response.transfer_function import polynomial, slope
 from vibcli.base.work import counted
 from vibcli.numerics.fixed_point import MILLION
+from vibcli.numerics.state_space import first_order
 
 NARROW, COUPLED = 16, 1e-14     # widest band on either side; coupling relative to the damping of two modes
 DEPENDENT = 1e5                 # condition of complex modes from which on they lose too many digits
 
 
-def chosen(system):
+def chosen(system: Any) -> Callable:
     """The method for this system; None where none of them fits."""
     order, width = _ordered(system)
     if width <= NARROW:
@@ -112,8 +116,7 @@ def _complex_modes(K, C, back):
     """(λ, right and left shapes) of the first-order form; None where its vectors are nearly dependent."""
     n = len(K)
     pace = np.sqrt(max(np.abs(K).max(), np.finfo(float).tiny))
-    A = np.block([[np.zeros((n, n)), pace * np.eye(n)], [-K / pace, -C]])
-    values, right = np.linalg.eig(A)
+    values, right = np.linalg.eig(first_order(K, C, pace))
     left = np.linalg.inv(right)
     if np.linalg.norm(left, 2) * np.linalg.norm(right, 2) > DEPENDENT:
         return None

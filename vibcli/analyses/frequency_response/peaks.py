@@ -4,22 +4,26 @@ A peak is a maximum that a pole makes, an antiresonance a minimum that a zero ma
 half-power points of a peak are where |H| = peak/√2 on either side of it; Q = Ω_peak/(Ω₂ − Ω₁).
 """
 
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
 
 from vibcli.analyses.frequency_response.evaluate import frf, sampled
-from vibcli.analyses.frequency_response.extremes import WIDE, extremes, narrowed
+from vibcli.analyses.frequency_response.extremes import WIDE, Extreme, extremes
 from vibcli.analyses.frequency_response.poles_and_zeros import pace, poles, zeros
 from vibcli.base.errors import PhysicsError
+from vibcli.numerics.bracketing import zeros_between
 
 
-def peaks(system, known=None):
+def peaks(system: Any, known: Sequence[Extreme] | None = None) -> list[Extreme]:
     """The Extremes that are peaks, ascending; their value is None where damping does not bound them."""
     known = extremes(system) if known is None else known
     tops = [one for one in known if one.maximum and not (system.undamped and one.value is not None)]
     return _made_by(poles(system), tops, [one.Omega for one in known if not one.maximum])
 
 
-def antiresonances(system, known=None):
+def antiresonances(system: Any, known: Sequence[Extreme] | None = None) -> list[Extreme]:
     """The Extremes that are antiresonances, ascending."""
     known = extremes(system) if known is None else known
     dips = [one for one in known if not one.maximum and not (system.undamped and one.value)]
@@ -38,7 +42,7 @@ def _made_by(marks, found, between):
     return kept
 
 
-def half_power(system, peak, known=None):
+def half_power(system: Any, peak: Extreme, known: Sequence[Extreme] | None = None) -> tuple[float, float]:
     """(Ω₁, Ω₂) at which |H| is peak/√2, on either side of a peak."""
     if peak.value is None:
         raise PhysicsError("an undamped peak has no bound, and so no half-power points", "add damping")
@@ -55,7 +59,7 @@ def half_power(system, peak, known=None):
         raise PhysicsError(f"the response does not fall to peak/√2 {side} the peak at {peak.Omega:.6g} rad/s",
                            "its bandwidth is not defined")
     low, high = np.minimum(ends, inner), np.maximum(ends, inner)
-    found = narrowed(lambda Omega: np.abs(frf(system, Omega)) - level, low, high)
+    found = zeros_between(lambda Omega: np.abs(frf(system, Omega)) - level, low, high)
     return float(found[0]), float(found[1])
 
 

@@ -7,6 +7,8 @@ With s = σ(1 + 1/μ) about a point σ to the right of all poles the leading mat
 at infinity goes to μ = 0. They are starting values: what is told of H is located on H itself.
 """
 
+from typing import Any
+
 import numpy as np
 
 from vibcli.analyses.frequency_response.evaluate import undifferentiated
@@ -17,12 +19,12 @@ STEPS, NEAR, STILL = 6, 0.03, 1e-6
 BESIDE = 1e-9   # where Newton's method for a pole starts that rounding hides at its own place
 
 
-def poles(system):
+def poles(system: Any) -> np.ndarray:
     """The poles with Im s ≥ 0."""
     return _roots([system.K, system.C, system.M], pace(system))
 
 
-def zeros(system):
+def zeros(system: Any) -> np.ndarray:
     """The zeros with Im s ≥ 0."""
     parts = [np.block([[matrix, -b[:, None]], [c[None, :], np.atleast_2d(d)]]) for matrix, b, c, d in
              zip((system.K, system.C, system.M), system.b, system.c, system.d, strict=True)]
@@ -33,7 +35,7 @@ def zeros(system):
     return _kept(system, _roots(parts, pace(system)))
 
 
-def endless(system):
+def endless(system: Any) -> list[np.ndarray]:
     """(poles, zeros) of H on the axis, without damping: Ω > 0 of the modes that take part, to rounding."""
     found = [_kept(system, poles(system), 1), zeros(system)]
     return [np.unique(marks.imag[marks.imag > 0]) for marks in found]
@@ -54,7 +56,7 @@ def _kept(system, places, sign=-1):
     return at[(np.abs(step) <= STILL * np.abs(at)) & (np.abs(at - places) <= NEAR * np.abs(places))]
 
 
-def pace(system):
+def pace(system: Any) -> float:
     """A frequency between the lowest and the highest: the geometric mean of √(Kᵢᵢ/Mᵢᵢ)."""
     K, M, C = (np.abs(np.diag(matrix)) for matrix in (system.K, system.M, system.C))
     both, slow = (K > 0) & (M > 0), (K > 0) & (C > 0)

@@ -3,27 +3,40 @@
 An input cos Ωt gives the output Re(H e^{iΩt}) in the steady state: amplitude |H|, lag θ = −arg H.
 """
 
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from vibcli.mechanics.inputs_outputs.inputs import direct_part, input_columns, named_input
 from vibcli.mechanics.inputs_outputs.outputs import linear_row
 
+if TYPE_CHECKING:
+    from fractions import Fraction
 
-class Transfer:
+    from vibcli.mechanics.configuration import Configuration
+
+
+class TransferFunction:
     """M, C (gyroscopic terms included), K: (n, n) arrays; b, c: (3, n) coefficients of s⁰, s¹, s², d: (3,); `order`:
-    how often the output is differentiated (receptance 0, mobility 1, accelerance 2); `method`: how it is evaluated at
-    many frequencies, once that is decided."""
+    how often the output is differentiated (receptance 0, mobility 1, accelerance 2)."""
 
-    __slots__ = ("C", "K", "M", "b", "c", "d", "method", "order")
+    __slots__ = ("C", "K", "M", "_method", "b", "c", "d", "order")
 
-    def __init__(self, M, C, K, b, c, d=(0.0, 0.0, 0.0), order=0):
+    def __init__(self, M: np.ndarray, C: np.ndarray, K: np.ndarray, b: "Fraction", c: np.ndarray,
+                 d: Any = (0.0, 0.0, 0.0), order: int = 0):
         self.M, self.C, self.K = (np.asarray(matrix, dtype=float) for matrix in (M, C, K))
         self.b, self.c, self.d = (np.asarray(part) for part in (b, c, d))
-        self.order, self.method = order, None
+        self.order, self._method = order, None
 
     @property
     def n(self):
         return len(self.K)
+
+    def evaluated_by(self, choose: Any = None):
+        """How it is evaluated at many frequencies; that is chosen once, and None before if nobody chooses."""
+        if self._method is None and choose is not None:
+            self._method = choose(self)
+        return self._method
 
     @property
     def undamped(self):
@@ -32,39 +45,32 @@ class Transfer:
         return not odd and not any(np.iscomplexobj(part) and part.imag.any() for part in (self.b, self.c, self.d))
 
 
-def polynomial(coefficients, s):
+def polynomial(coefficients: np.ndarray, s: np.ndarray) -> np.ndarray:
     """Σ coefficientₖ sᵏ; s (N,) gives (N, …)."""
     s = np.asarray(s).reshape(-1, *[1] * (np.ndim(coefficients) - 1))
     return coefficients[0] + s * (coefficients[1] + s * coefficients[2])
 
 
-def slope(coefficients, s):
+def slope(coefficients: np.ndarray, s: np.ndarray) -> np.ndarray:
     """The derivative of the same polynomial."""
     s = np.asarray(s).reshape(-1, *[1] * (np.ndim(coefficients) - 1))
     return coefficients[1] + 2 * s * coefficients[2]
 
 
-def transfer(problem, signal, driven_by, order=0):
-    """The Transfer of a signal of a problem to a named input."""
-    row, chosen, n = linear_row(problem, signal), named_input(problem, driven_by), len(problem.scene.q)
-    M, C, K = system(problem)
-    b = _dense(input_columns(problem, chosen), n)
+def transfer(configuration: "Configuration", signal: str, driven_by: str, order: int = 0):
+    """The TransferFunction of a signal to a named input."""
+    row, chosen = linear_row(configuration, signal), named_input(configuration, driven_by)
+    n = len(configuration.scene.q)
+    M, C, K = system(configuration)
+    b = _dense(input_columns(configuration, chosen), n)
     c = _dense((row.q, row.v, row.a), n)
-    return Transfer(M, C, K, b, c, np.array(direct_part(row, chosen)), order)
+    return TransferFunction(M, C, K, b, c, np.array(direct_part(row, chosen)), order)
 
 
-def system(problem):
+def system(configuration: "Configuration"):
     """(M, C + G, K) of the small oscillations as arrays."""
-    n = len(problem.scene.q)
-    M, C, G, K = (_matrix(entries, n) for entries in problem.elements.matrices())
+    M, C, G, K = configuration.linear_system.arrays()
     return M, C + G, K
-
-
-def _matrix(entries, n):
-    found = np.zeros((n, n))
-    for (i, j), x in entries.items():
-        found[i, j] = x
-    return found
 
 
 def _dense(parts, n):

@@ -1,24 +1,48 @@
 """Damped free vibration: (λ² M + λ (C + G) + K) x = 0.
 
-Up to CERTIFIED coordinates in fixed point with a bound of every eigenvalue: modes without damping first,
-then the damping in them (quadratic.py), or directly where coordinates without inertia are damped or K is not
-symmetric (massless.py, circulatory.py). Larger systems in floats (damped_floating.py), enclosed too where their bound
-is above ENOUGH.
+In fixed point with a bound of every eigenvalue: modes without damping first, then the damping in them
+(damped_in_modal_coordinates.py), or directly where coordinates without inertia are damped or K is not symmetric
+(massless_coordinates.py, nonsymmetric.py). Larger systems (method.py) in floats (damped_large.py,
+nonsymmetric_large.py).
 """
 
 import math
+from collections.abc import Callable
+from typing import Any
 
-from vibcli.analyses.modal.scaling import exponent
-from vibcli.analyses.modal.undamped import CERTIFIED, DIGITS, ENOUGH, ESCALATE, EVALUATED, EXACT, decimal, prepared
+import numpy as np
 
-CERTIFIABLE = 80
+from vibcli.analyses.modal.damped_in_modal_coordinates import ModalDamping
+from vibcli.analyses.modal.damped_modes import DampedMode, collected
+from vibcli.analyses.modal.massless_coordinates import MassiveSystem
+from vibcli.analyses.modal.method import (
+    ENCLOSED,
+    FIRST_ORDER,
+    FOLLOWER,
+    IN_DIGITS,
+    IN_FLOATS,
+    SQUARES,
+    choose,
+    damped_at_all,
+    dragged,
+    form_of,
+)
+from vibcli.analyses.modal.mode_numbers import Digits, NearestFloats, in_units
+from vibcli.analyses.modal.rigid_body_modes import undamped_rigid
+from vibcli.analyses.modal.scaling import Scaling, exponent
+from vibcli.analyses.modal.undamped import DIGITS, ENOUGH, ESCALATE, EVALUATED, EXACT, decimal, prepared, within_floats
+from vibcli.analyses.modal.undamped_certified import enclosed, spread
+from vibcli.numerics import fixed_point as fx
+from vibcli.numerics.precision import working_bits
+
 GOAL = 160
 WANTED = 60
 TRIES = 4
 FARTHEST = 2000
 
 
-def damped(elements, precise=None, exact=None, digits=None):
+def damped(elements: Any, precise: Callable | None = None, exact: Callable | None = None,
+           digits: int | None = None) -> list[DampedMode]:
     """The damped modes by ascending |λ|; None where nothing damps or turns (no C, no G) and K is symmetric.
 
     With neither C nor G the first of each ±λ alone is given.
@@ -27,36 +51,25 @@ def damped(elements, precise=None, exact=None, digits=None):
     irrational); without either the floats are taken for exact. `digits`: this many correct digits, and
     numbers of mpmath.
     """
-    damps = any(c for c, _ in elements.dampers) or any(elements.C.values())
-    if not damps and not any(elements.G.values()) and not elements.circulatory:
+    if form_of(elements) == SQUARES:
         return None
-    import numpy as np
-
-    try:
-        with np.errstate(all="ignore"):
-            return _damped(elements, precise, exact, digits)
-    except OverflowError:
-        from vibcli.analyses.modal.mode_numbers import beyond
-
-        raise beyond() from None
+    return within_floats(_damped, elements, precise, exact, digits)
 
 
 def _damped(elements, precise, exact, digits):
-    if digits is not None:
+    arithmetic = choose(elements, digits).arithmetic
+    if arithmetic == IN_DIGITS:
         return damped_digits(elements, precise, exact, digits)
-    if elements.n > CERTIFIABLE and elements.circulatory:
+    if arithmetic == IN_FLOATS and elements.circulatory:
         from vibcli.analyses.modal.nonsymmetric_large import follower_floats
 
         return follower_floats(elements)
-    if elements.n > CERTIFIED and not elements.circulatory:
+    if arithmetic != ENCLOSED:
         from vibcli.analyses.modal.damped_large import damped_floats
 
         modes = damped_floats(elements)
-        if elements.n > CERTIFIABLE or max(mode.error for mode in modes) <= ENOUGH:
+        if arithmetic == IN_FLOATS or max(mode.error for mode in modes) <= ENOUGH:
             return modes
-    from vibcli.analyses.modal.damped_modes import collected
-    from vibcli.analyses.modal.mode_numbers import NearestFloats
-
     data = _exactly(exact, elements)
     unit = EVALUATED if data is None and precise is not None else EXACT
     answer = CertifiedEigenvalues(elements, data or elements, GOAL, WANTED, unit)
@@ -65,11 +78,9 @@ def _damped(elements, precise, exact, digits):
     return collected(answer, NearestFloats, answer.shapes())
 
 
-def damped_digits(elements, precise, exact, digits):
+def damped_digits(elements: Any, precise: Callable | None, exact: Callable | None, digits: int) -> list[DampedMode]:
     """The damped modes to `digits` correct digits, in numbers of mpmath."""
-    from vibcli.analyses.modal.damped_modes import collected
-    from vibcli.analyses.modal.mode_numbers import Digits
-    from vibcli.numerics.precision import working_bits
+    from vibcli.analyses.modal.damped_shapes_precise import shapes
 
     wanted = working_bits(digits)
     goal = GOAL + 2 * wanted
@@ -81,21 +92,17 @@ def damped_digits(elements, precise, exact, digits):
             answer = CertifiedEigenvalues(elements, precise(dps), goal, wanted, decimal(dps))
             if answer.settled(-digits * math.log2(10)):
                 break
-    return collected(answer, Digits, answer.shapes_in_digits())
+    return collected(answer, Digits, shapes(answer.system, answer.found, answer.scale))
 
 
 def _exactly(exact, elements):
     """The data as Fractions, or None; on what K is not symmetric by, rounding has no part then."""
     data = exact() if exact is not None else None
-    if data is not None and elements.circulatory:
-        data.K_size = {}
-    return data
+    return data.with_parts(K_size=None) if data is not None and elements.circulatory else data
 
 
-def depth(elements, scale):
+def depth(elements: Any, scale: Scaling) -> tuple[int, int]:
     """Bits that soft springs and strong damping, and that very weak damping need besides."""
-    from vibcli.analyses.modal.undamped_certified import spread
-
     p, sizes = scale.coordinates, [0]
     for weight, row in elements.dampers:
         felt = [exponent(x) + p[i] for i, x in row.items() if x]
@@ -115,30 +122,28 @@ class CertifiedEigenvalues:
     follower: nothing depends on velocities, and K is not symmetric.
     """
 
+    system: Any
+
     __slots__ = ("conservative", "decided", "follower", "found", "scale", "system", "undamped")
 
-    def __init__(self, elements, data, goal, wanted, unit):
-        from vibcli.analyses.modal import massless_coordinates
-        from vibcli.analyses.modal.rigid_body_modes import undamped_rigid
-
-        follows, dragged = elements.circulatory, bool(massless_coordinates.dragged(elements))
-        self.undamped = not any(c for c, _ in elements.dampers) and not any(elements.C.values())
-        self.conservative = self.undamped and not follows
-        self.follower = self.undamped and follows and not any(elements.G.values())
-        self.scale, zeros = prepared(elements, dragged)
+    def __init__(self, elements: Any, data: Any, goal: Any, wanted: int, unit: float):
+        form, follows, held = form_of(elements), elements.circulatory, bool(dragged(elements))
+        self.undamped = not damped_at_all(elements)
+        self.conservative, self.follower = self.undamped and not follows, form == FOLLOWER
+        self.scale, zeros = prepared(elements, held)
         self.decided = zeros is not None
-        if dragged:
+        if held:
             double = undamped_rigid(elements, zeros, data)
             zeros = None if double is None else zeros + double
         strong, weak = depth(elements, self.scale)
         goal, deep = goal + strong + weak, goal - 50 + weak
         for _ in range(TRIES):
-            if self.follower:
+            if form == FOLLOWER:
                 from vibcli.analyses.modal.nonsymmetric import Follower
 
                 self.system = Follower(data, self.scale, None, goal, deep)
-            elif dragged or follows:
-                self.system = massless_coordinates.MassiveSystem(data, self.scale, zeros, goal, deep)
+            elif form == FIRST_ORDER:
+                self.system = MassiveSystem(data, self.scale, zeros, goal, deep)
             else:
                 self.system = self._modal(elements, data, goal, deep, zeros, unit)
             self.found = self.system.eigenvalues(wanted)
@@ -149,9 +154,9 @@ class CertifiedEigenvalues:
         if self.follower and (unit > EXACT or data.K_size):
             self.found = self.system.rounded(data, self.scale, unit)
         elif unit > EXACT or data.K_size:
-            from vibcli.analyses.modal.rounding import add_data_error
+            from vibcli.analyses.modal.rounding import with_data_error
 
-            add_data_error(self.found, self.system, data, self.scale, unit)
+            self.found = with_data_error(self.found, self.system, data, self.scale, unit)
         if follows:
             from vibcli.analyses.modal.nonsymmetric import rested
 
@@ -159,10 +164,6 @@ class CertifiedEigenvalues:
             self.decided = all(d.re or d.im for d in self.found)
 
     def _modal(self, elements, data, goal, deep, zeros, unit):
-        from vibcli.analyses.modal.damped_in_modal_coordinates import ModalDamping
-        from vibcli.analyses.modal.rigid_body_modes import undamped_rigid
-        from vibcli.analyses.modal.undamped_certified import enclosed
-
         answer = enclosed(data, self.scale, zeros, goal=goal)
         if unit > EXACT or data.K_size:
             answer.add_data_error(data, self.scale, unit)
@@ -170,34 +171,21 @@ class CertifiedEigenvalues:
         still = undamped_rigid(elements, zeros, data)
         return ModalDamping(answer, data, self.scale, still, goal, deep)
 
-    def worst(self):
+    def worst(self) -> float:
         """log2 of the largest relative bound of an eigenvalue; under follower forces of each of its parts."""
-        from vibcli.numerics.fixed_point import log2
-
         bits, moving = self.system.bits, [d for d in self.found if d.re or d.im]
-        sizes = [log2(math.isqrt(d.re * d.re + d.im * d.im), bits) for d in moving]
+        sizes = [fx.log2(math.isqrt(d.re * d.re + d.im * d.im), bits) for d in moving]
         if self.follower:
-            sizes = [log2(min(part for part in (d.re, d.im) if part), bits) for d in moving]
+            sizes = [fx.log2(min(part for part in (d.re, d.im) if part), bits) for d in moving]
         return max((d.radius - size for d, size in zip(moving, sizes, strict=True)), default=-math.inf)
 
-    def settled(self, goal):
+    def settled(self, goal: float) -> bool:
         """Whether every eigenvalue is known to 2^goal and every zero follows from the structure."""
         return self.decided and self.worst() <= goal
 
-    def shapes(self):
+    def shapes(self) -> np.ndarray:
         """The vectors in all coordinates, a column for each eigenvalue, their largest component real."""
-        import numpy as np
-
-        from vibcli.analyses.modal.mode_numbers import in_units
-        from vibcli.numerics import fixed_point as fx
-
         basis = in_units(fx.floats(self.system.basis, self.system.bits), self.scale)[1]
         out = basis @ np.array([d.x for d in self.found]).T
         lead = out[np.argmax(np.abs(out), axis=0), range(out.shape[1])]
         return out * np.where(lead == 0, 1.0, np.abs(lead) / np.where(lead == 0, 1.0, lead))
-
-    def shapes_in_digits(self):
-        """The same in numbers of mpmath."""
-        from vibcli.analyses.modal.damped_shapes_precise import shapes
-
-        return shapes(self.system, self.found, self.scale)

@@ -5,26 +5,38 @@ first-order form v' = −C v − Ω u, u' = Ω v with u = Ω q. A rigid mode has
 """
 
 import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from vibcli.numerics import fixed_point as fx
-from vibcli.numerics.general_eigenvalues import eigenvalues
-from vibcli.numerics.symmetric_eigenvalues import components, spectrum
+from vibcli.numerics.components import clusters, components
+from vibcli.numerics.general_eigenvalues import Root, eigenvalues
+from vibcli.numerics.symmetric_eigenvalues import spectrum
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.analyses.modal.scaling import Scaling
+    from vibcli.analyses.modal.undamped_certified import EnclosedEigenvalues
+    from vibcli.symbolic.interval_arithmetic import Interval
 
 
-class Eigenvalue:
+class Eigenvalue(NamedTuple):
     """λ = re + i im in fixed point, |exact − λ| <= 2^radius, of a conjugate pair that with im > 0.
 
     x: the vector in the columns of `basis`. left: row y with y (δM λ² + δC λ + δK) x the change of −λ.
     mode: the undamped mode that it belongs to alone, or None; excess: then c² − 4 ω̂² in fixed point.
     """
 
-    __slots__ = ("excess", "im", "left", "mode", "radius", "re", "x")
-
-    def __init__(self, re, im, radius, x, left, mode=None, excess=None):
-        self.re, self.im, self.radius, self.x, self.left = re, im, radius, x, left
-        self.mode, self.excess = mode, excess
+    re: int
+    im: int
+    radius: float
+    x: np.ndarray
+    left: np.ndarray
+    mode: int | None = None
+    excess: int | None = None
 
 
 class ModalDamping:
@@ -36,7 +48,8 @@ class ModalDamping:
 
     __slots__ = ("basis", "bits", "c", "coupled", "decided", "deep", "same", "values")
 
-    def __init__(self, answer, elements, scale, untouched, goal, deep):
+    def __init__(self, answer: "EnclosedEigenvalues", elements: Any, scale: "Scaling", untouched: int | None, goal: int,
+                 deep: int):
         self.bits, self.values, self.basis = answer.bits, answer.values.copy(), answer.shapes
         self.values[answer.zero] = 0
         self.same, self.coupled, self.deep = goal - 60, goal - 30, deep
@@ -54,7 +67,7 @@ class ModalDamping:
         same = gap <= np.ldexp(np.maximum.outer(size, size), -self.same)
         np.fill_diagonal(same, False)
         small = max(abs(x) for x in self.c.ravel().tolist()) >> self.coupled
-        for part in components(same):
+        for part in clusters(same):
             block = self.c[np.ix_(part, part)]
             block = (block + block.T) >> 1
             if (np.abs(block - np.diag(block.diagonal())) > small).any():
@@ -72,15 +85,13 @@ class ModalDamping:
         self.c[rigid, :] = 0
         self.c[:, rigid] = 0
 
-    def groups(self):
+    def groups(self) -> list[list[int]]:
         """The modes coupled by damping, as lists of indices; a mode on its own is a list of one."""
         linked = ((self.c != 0) | (self.c.T != 0)).astype(bool)
         np.fill_diagonal(linked, False)
-        parts = components(linked)
-        coupled = {i for part in parts for i in part}
-        return parts + [[i] for i in range(len(self.values)) if i not in coupled]
+        return sorted(components(linked), key=lambda part: len(part) == 1)
 
-    def eigenvalues(self, wanted):
+    def eigenvalues(self, wanted: int) -> list[Eigenvalue]:
         """Every eigenvalue, to `wanted` bits of its real part unless that is negligible."""
         out = []
         for part in self.groups():
@@ -149,7 +160,7 @@ class Coupled:
 
     __slots__ = ("bits", "c", "elastic", "matrix", "omega", "pull", "rigid")
 
-    def __init__(self, modal, part):
+    def __init__(self, modal: ModalDamping, part: Sequence[int]):
         self.bits, self.c, values = modal.bits, modal.c[np.ix_(part, part)], modal.values[part]
         self.elastic, self.rigid = np.flatnonzero(values != 0), np.flatnonzero(values == 0)
         roots = [math.isqrt(abs(int(values[i])) << self.bits) for i in self.elastic]
@@ -164,7 +175,7 @@ class Coupled:
             self.matrix[at, self.elastic] = fx.floats(self.omega, self.bits)
             self.matrix[self.elastic, at] = -fx.floats(self.pull, self.bits)
 
-    def apply(self, y):
+    def apply(self, y: np.ndarray) -> np.ndarray:
         """The matrix times fixed-point columns."""
         k, bits = len(self.c), self.bits
         v, u = y[:k], y[k:]
@@ -172,21 +183,21 @@ class Coupled:
         out[self.elastic] -= self.pull[:, None] * u >> bits
         return out
 
-    def place(self, u):
+    def place(self, u: "Interval"):
         """q from u = Ω q, for a motion too slow for its velocities to count."""
         q = np.zeros(len(self.c), complex)
         q[self.elastic] = u / fx.floats(self.omega, self.bits)
         return q
 
 
-def known(root, bits, wanted, deep, floor):
+def known(root: Root, bits: int, wanted: int, deep: int, floor: float) -> bool:
     """Whether Re λ is known to `wanted` bits, or λ to `deep` bits, or both are below 2^floor."""
     size = fx.log2(root.re * root.re + root.im * root.im, 2 * bits) / 2
     radius = root.radius
     return radius <= max(fx.log2(root.re, bits) - wanted, size - deep) or max(size, radius) <= floor
 
 
-def vanishing(found, zeros, bits, top):
+def vanishing(found: Sequence[Root], zeros: int | None, bits: int, top: float) -> list[tuple[Root, bool]]:
     """(root, whether it is zero), twice for a zero found as a conjugate pair.
 
     zeros: how many vanish by structure; where that is None, those which nothing but the working precision keeps
@@ -204,7 +215,7 @@ def vanishing(found, zeros, bits, top):
     return out
 
 
-def turning(elements):
+def turning(elements: Any) -> "dict[tuple[int, int], float | Fraction]":
     """C + G as one dict."""
     out = dict(elements.C)
     for at, x in elements.G.items():

@@ -6,22 +6,27 @@ heavily damped systems from the inverse, known entry by entry (Tisseur & Meerber
 """
 
 import math
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.analyses.modal.damped_in_modal_coordinates import turning
 from vibcli.analyses.modal.damped_modes import DampedMode
+from vibcli.analyses.modal.method import damped_at_all
 from vibcli.analyses.modal.mode_numbers import in_units
 from vibcli.analyses.modal.rigid_body_modes import undamped_rigid
 from vibcli.analyses.modal.undamped import prepared
-from vibcli.analyses.modal.undamped_large import approximate, dense
+from vibcli.analyses.modal.undamped_large import Approximate, approximate, dense
 from vibcli.base.errors import PhysicsError
 from vibcli.numerics.fixed_point import count_floats
+
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.scaling import Scaling
 
 UNIT = 2.0 ** -53
 
 
-def damped_floats(elements):
+def damped_floats(elements: Any) -> list[DampedMode]:
     """DampedMode objects of many coordinates."""
     scale, zeros = prepared(elements)
     if elements.massless:
@@ -32,10 +37,10 @@ def damped_floats(elements):
     size = np.abs(modal.shapes.T) @ np.abs(c) @ np.abs(modal.shapes)
     c = modal.shapes.T @ c @ modal.shapes
     form = FirstOrder(modal, c, size)
-    damps = any(w for w, _ in elements.dampers) or any(elements.C.values())
+    damps = damped_at_all(elements)
     values, vectors, radius = form.general() if damps or (modal.values < 0).any() else form.conservative()
     if not damps:
-        on_the_axis(values, radius)
+        values.real[np.abs(values.real) <= radius] = 0.0        # the spectrum mirrors itself in the imaginary axis
     still = np.argsort(np.abs(values), kind="stable")[:form.still(elements, zeros)]
     values[still], radius[still] = 0.0, 0.0
     return _modes(form, values, vectors, radius, scale, damps)
@@ -46,7 +51,7 @@ class FirstOrder:
 
     __slots__ = ("elastic", "k", "matrix", "omega", "rigid", "shapes", "size")
 
-    def __init__(self, modal, c, size):
+    def __init__(self, modal: Approximate, c: np.ndarray, size: np.ndarray):
         self.k, self.shapes = len(modal.values), modal.shapes
         self.elastic, self.rigid = np.flatnonzero(modal.values), np.flatnonzero(modal.values == 0)
         self.omega = np.sqrt(np.abs(modal.values[self.elastic]))
@@ -58,7 +63,7 @@ class FirstOrder:
         for i, j in ((at, self.elastic), (self.elastic, at)):
             self.size[i, j] = self.omega * (modal.errors[self.elastic] + UNIT)
 
-    def still(self, elements, zeros):
+    def still(self, elements: Any, zeros: int | None) -> int:
         """How many eigenvalues vanish besides one for each rigid mode."""
         known = undamped_rigid(elements, zeros, elements)
         if known is not None or not len(self.rigid):
@@ -66,14 +71,14 @@ class FirstOrder:
         sigma = np.linalg.svd(self.matrix[np.ix_(self.rigid, self.rigid)], compute_uv=False)
         return int((sigma <= 1e-13 * np.abs(self.matrix[:self.k, :self.k]).max()).sum())
 
-    def conservative(self):
+    def conservative(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Eigenvalues i times real numbers, from a Hermitian matrix."""
         skew = (self.matrix - self.matrix.T) / 2
         values, vectors = np.linalg.eigh(1j * skew)
         error = 4 * len(skew) * UNIT * np.linalg.norm(skew, 2) + np.linalg.norm(self.size)
         return -1j * values, vectors, np.full(len(values), error)
 
-    def general(self):
+    def general(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Eigenvalues of the matrix, the small ones of its inverse where that is better."""
         count_floats(len(self.matrix))
         values, vectors = np.linalg.eig(self.matrix)
@@ -97,12 +102,7 @@ class FirstOrder:
         return out
 
 
-def on_the_axis(values, radius):
-    """Takes to the imaginary axis what nothing tells from it, where the spectrum mirrors itself in it."""
-    values.real[np.abs(values.real) <= radius] = 0.0
-
-
-def bounds(matrix, rounding, values, vectors):
+def bounds(matrix: np.ndarray, rounding: np.ndarray, values: np.ndarray, vectors: np.ndarray):
     """Radii from the residual seen by the left vectors, with the rounding of both."""
     try:
         left = np.linalg.inv(vectors)
@@ -130,7 +130,7 @@ def _modes(form, values, vectors, radius, scale, damps):
     return numbered(found, form.shapes, scale)
 
 
-def numbered(found, shapes, scale):
+def numbered(found: list[tuple[complex, np.ndarray, float]], shapes: np.ndarray, scale: "Scaling") -> list[DampedMode]:
     """DampedMode objects of (λ̂, vector in the columns of `shapes`, relative error) in any order."""
     found.sort(key=lambda entry: abs(entry[0]))
     basis, out = in_units(shapes, scale)[1], []

@@ -1,10 +1,20 @@
 """Damped modes as they are handed on: numbered, two real eigenvalues of one over-damped mode as a pair."""
 
 import math
+from collections.abc import Sequence
 from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from vibcli.analyses.modal.undamped import kind
 from vibcli.numerics import fixed_point as fx
+
+if TYPE_CHECKING:
+    import mpmath
+
+    from vibcli.analyses.modal.damped import CertifiedEigenvalues
+    from vibcli.analyses.modal.damped_in_modal_coordinates import Eigenvalue
 
 ULP = 2.0 ** -52
 PROPORTIONAL = 1e-12
@@ -24,7 +34,9 @@ class DampedMode:
     __slots__ = ("decay", "eigenvalue", "error", "growth_rate", "index", "note", "omega", "omega_d", "shape",
                  "zeta")
 
-    def __init__(self, index, eigenvalue, omega, zeta, shape, error, note=None, decay=None):
+    def __init__(self, index: int, eigenvalue: "complex | mpmath.mpc", omega: "float | mpmath.mpf",
+                 zeta: "float | mpmath.mpf | None", shape: np.ndarray, error: "float | mpmath.mpf", note: Any = None,
+                 decay: float | None = None):
         self.index, self.eigenvalue, self.omega, self.zeta = index, eigenvalue, omega, zeta
         self.shape, self.error, self.note = shape, error, note
         re, im = eigenvalue.real, eigenvalue.imag
@@ -32,13 +44,17 @@ class DampedMode:
         self.decay = decay if decay is not None else -re if re else abs(re)
         self.growth_rate = re if re > 0 else None
 
+    def numbered(self, index: int, shape: np.ndarray) -> "DampedMode":
+        """The same with another index and shape."""
+        return DampedMode(index, self.eigenvalue, self.omega, self.zeta, shape, self.error, self.note, self.decay)
+
     @property
-    def kind(self):
+    def kind(self) -> str:
         """rigid, oscillation, decay, flutter or divergence."""
         return kind(self.eigenvalue.real, self.omega_d)
 
 
-def collected(answer, numbers, shapes):
+def collected(answer: "CertifiedEigenvalues", numbers: type[Any], shapes: np.ndarray) -> list[DampedMode]:
     """DampedMode objects by ascending |λ| of a damped.Answer; shapes: a column for each of its eigenvalues."""
     system, found, scale = answer.system, answer.found, answer.scale
     bits, index, out = system.bits, {}, []
@@ -56,7 +72,7 @@ def collected(answer, numbers, shapes):
             square = math.isqrt(int(system.values[mode]) << bits)
             zeta = numbers.number((int(system.c[mode, mode]) << bits) // (2 * square), bits)
             decay = numbers.number(int(system.c[mode, mode]), bits + 1 - scale.time)
-        note = _note(system, d, zeta)
+        note = _note(d, zeta)
         key = ("mode", mode) if mode is not None else ("own", i)
         place = index.setdefault(key, len(index) + 1)
         least = fx.magnitude(min(abs(re), d.im), bits) if answer.undamped and re and d.im else size
@@ -85,7 +101,7 @@ def _imaginary(d, size, answer):
     return near and d.radius <= size - (40 if answer.conservative else answer.system.deep - 5)
 
 
-def pairs(system, found):
+def pairs(system: Any, found: "Sequence[Eigenvalue]") -> dict[int, int]:
     """{place: mode} of the real eigenvalues that are two of one over-damped mode.
 
     A mode has two of its own if no damping couples it, or only as much as rounding of the data would.
@@ -113,8 +129,6 @@ def _real(d, bits):
 
 def _nearly_alone(system):
     """Over-damped modes coupled no more than by rounding, each with its two eigenvalues."""
-    import numpy as np
-
     c, values = fx.floats(system.c, system.bits), fx.floats(system.values, system.bits)
     own = np.abs(c.diagonal())
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -127,7 +141,7 @@ def _nearly_alone(system):
             yield i, (far, values[i] / far)
 
 
-def _note(system, d, zeta):
+def _note(d, zeta):
     """What to say of a mode at or next to critical damping, and of a zero."""
     if not d.re and not d.im:
         return "rigid motion: λ = 0"

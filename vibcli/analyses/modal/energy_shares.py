@@ -6,37 +6,41 @@ K and M are the sums of their parts, so the shares of a mode add up to one. A pa
 an inverted pendulum, has a negative share. Of gyroscopic and damped modes they are those of the mean over a period.
 """
 
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import mpmath
+
 from vibcli.analyses.modal.modes_precise import WORKING, coinciding
 from vibcli.mechanics.element_contributions import owned_forms
 from vibcli.mechanics.inner_products import inner
 
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.modal_analysis import ModalAnalysis
+
 NONE = 1e-20    # a share, or of its scale a sum, that is rounding
 
 
-class Shares:
+class Shares(NamedTuple):
     """potential, kinetic: {index of a mode: {name: share}}; dissipation: [(damped mode, {name: share})], None where
     nothing damps. Where there is no such energy, as V of a rigid mode, there are no shares. coinciding: lists of the
     indices of modes of one frequency, whose shapes may be mixed at will."""
 
-    __slots__ = ("coinciding", "dissipation", "kinetic", "potential")
+    potential: dict
+    kinetic: dict
+    dissipation: list
+    coinciding: list
 
-    def __init__(self, potential, kinetic, dissipation, coinciding):
-        self.potential, self.kinetic, self.dissipation = potential, kinetic, dissipation
-        self.coinciding = coinciding
 
-
-def shares(problem):
-    """The Shares of a numeric problem."""
-    import mpmath
-
+def shares(modal: "ModalAnalysis", _: Any) -> Shares:
+    """The Shares of a system."""
     with mpmath.workdps(WORKING):
-        owned, modes, dissipation = owned_forms(problem), problem.sharp_modes, None
+        owned, modes, dissipation = owned_forms(modal.configuration), modal.sharp_modes, None
         kinetic = {mode.index: _shares(owned.kinetic, mode.shape) for mode in modes}
         potential = {mode.index: {} if mode.rigid else _shares(
             owned.potential, mode.shape, _energy(owned, mode.shape, mode.omega or mode.growth_rate)) for mode in modes}
-        if problem.damped is not None:
+        if modal.damped is not None:
             dissipation = []
-            for mode in (mode for mode in problem.damped if mode.omega):
+            for mode in (mode for mode in modal.damped if mode.omega):
                 shape = [mpmath.mpmathify(complex(x)) for x in mode.shape]
                 lost = _shares(owned.dissipation, shape, _energy(owned, shape, mode.omega) / mode.omega)
                 dissipation.append((mode, lost))

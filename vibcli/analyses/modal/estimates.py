@@ -7,49 +7,56 @@ Both hold where K is positive definite and nothing gyroscopic acts (Rayleigh 187
 coordinate that measures what the first one with inertia does, lengths or angles, and 0 in the others.
 """
 
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import mpmath
+
 from vibcli.analyses.modal.modes_precise import WORKING
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.element_contributions import owned_forms
 from vibcli.mechanics.inner_products import along
 
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.modal_analysis import ModalAnalysis
+    from vibcli.language.document.nodes import Scalar
 
-class Estimates:
+
+class Estimates(NamedTuple):
     """omega, rayleigh, dunkerley in rad/s; deflection: δ by coordinate, its largest part 1; alone: {body: ωⱼⱼ}."""
 
-    __slots__ = ("alone", "deflection", "dunkerley", "omega", "rayleigh")
+    omega: float
+    rayleigh: float
+    dunkerley: float
+    deflection: dict
+    alone: dict
 
-    def __init__(self, omega, rayleigh, dunkerley, deflection, alone):
-        self.omega, self.rayleigh, self.dunkerley = omega, rayleigh, dunkerley
-        self.deflection, self.alone = deflection, alone
 
-
-def estimates(problem):
-    """The Estimates of a numeric problem; PhysicsError where the bounds do not hold."""
-    import mpmath
-
+def estimates(modal: "ModalAnalysis", _: Any) -> Estimates:
+    """The Estimates of a system; PhysicsError where the bounds do not hold."""
     with mpmath.workdps(WORKING):
-        _require_bounds(problem)
-        elements = problem.precise_elements(WORKING)
-        M, _, _, K = (_matrix(entries, elements.n) for entries in elements.matrices())
+        _require_bounds(modal)
+        elements = modal.configuration.precise_system(WORKING)
+        M, _, _, K = (matrix_of(entries, elements.n) for entries in elements.matrices())
         flexibility = _flexibility(K)
-        pulled = M * mpmath.matrix(_unit_displacement(problem, elements))
+        pulled = M * mpmath.matrix(_unit_displacement(modal.system, elements))
         deflection = flexibility * pulled
-        rayleigh = mpmath.sqrt(_dot(deflection, pulled) / _dot(deflection, M * deflection))
+        rayleigh = mpmath.sqrt((deflection.T * pulled)[0] / (deflection.T * M * deflection)[0])
         alone = {name: _trace(rows, matrix, flexibility)
-                 for name, (rows, matrix) in owned_forms(problem).kinetic.items()}
+                 for name, (rows, matrix) in owned_forms(modal.configuration).kinetic.items()}
         largest = max(deflection, key=abs)
         return Estimates(
-            float(problem.sharp_modes[0].omega), float(rayleigh), float(1 / mpmath.sqrt(sum(alone.values()))),
-            {name: float(x / largest) for name, x in zip(problem.scene.coordinates, deflection, strict=True)},
+            float(modal.sharp_modes[0].omega), float(rayleigh), float(1 / mpmath.sqrt(sum(alone.values()))),
+            {name: float(x / largest) for name, x in zip(modal.scene.coordinates, deflection, strict=True)},
             {name: float(1 / mpmath.sqrt(square)) for name, square in alone.items() if square > 0})
 
 
-def _require_bounds(problem):
+def _require_bounds(modal):
     """Refuse a scene of which K is not positive definite, or which has gyroscopic terms."""
     what = "the estimates of Rayleigh and Dunkerley need "
-    if any(problem.elements.G.values()):
+    if any(modal.configuration.linear_system.G.values()):
         raise PhysicsError(what + "a system without gyroscopic terms", "their bounds hold for M and K alone")
-    first = problem.sharp_modes[0]
+    first = modal.sharp_modes[0]
     if first.rigid:
         raise PhysicsError(what + "a stiffness along every motion, and mode 1 is a rigid-body mode",
                            "hold the scene by a spring, or ask for omega[i]")
@@ -59,8 +66,6 @@ def _require_bounds(problem):
 
 def _flexibility(K):
     """K⁻¹; PhysicsError where K is not positive definite, which massless coordinates may hide from the modes."""
-    import mpmath
-
     try:
         mpmath.cholesky(K)
     except ValueError:
@@ -69,15 +74,14 @@ def _flexibility(K):
     return mpmath.inverse(K)
 
 
-def _unit_displacement(problem, elements):
+def _unit_displacement(system, elements):
     heavy = [i for i in range(elements.n) if i not in elements.massless]
-    kinds = [problem.dimension(name) for name in problem.scene.coordinates]
+    kinds = [system.dimension(name) for name in system.scene.coordinates]
     return [int(kind == kinds[heavy[0]]) for kind in kinds]
 
 
-def _matrix(entries, n):
-    import mpmath
-
+def matrix_of(entries: "Mapping[str, tuple[Scalar, Scalar]] | None", n: int):
+    """{(i, j): number} as a matrix of mpmath's."""
     found = mpmath.zeros(n)
     for pair, entry in entries.items():
         found[pair] = entry
@@ -92,7 +96,3 @@ def _trace(rows, matrix, flexibility):
         bent = {i: along(row, [flexibility[i, j] for j in range(n)]) for i in row}
         total += weight * along(row, bent)
     return total
-
-
-def _dot(a, b):
-    return sum(x * y for x, y in zip(a, b, strict=True))

@@ -10,34 +10,32 @@ equations are taken along other columns than the coordinates.
 """
 
 import math
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.analyses.modal.damped_in_modal_coordinates import Eigenvalue, known, turning, vanishing
+from vibcli.analyses.modal.method import dragged
 from vibcli.analyses.modal.undamped_certified import condensed, inverted, reduced_by_mass, spread
 from vibcli.base.errors import PhysicsError
 from vibcli.numerics import fixed_point as fx
 from vibcli.numerics.general_eigenvalues import eigenvalues
 from vibcli.numerics.symmetric_eigenvalues import spectrum
 
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.scaling import Scaling
+
 LOOSE = 1e-13       # of the largest stiffness: what springs do not hold
 
 
-def dragged(elements):
-    """The massless coordinates that a damper touches."""
-    touched = {i for c, row in elements.dampers if c for i, x in row.items() if x}
-    touched.update(i for at, x in turning(elements).items() if x for i in at)
-    return sorted(touched.intersection(elements.massless))
-
-
-def only_damped(elements):
+def only_damped(elements: Any) -> bool:
     """Is there no system without the dampers: has nothing inertia, or do dampers alone hold what has none?"""
     if not dragged(elements):
         return False
     if len(elements.massless) == elements.n:
         return True
-    bare, stiffness = sorted(elements.massless), elements.matrices()[3]
-    K = np.array([[float(stiffness.get((i, j), 0.0)) for j in bare] for i in bare])
+    bare = sorted(elements.massless)
+    K = elements.stiffness_array()[np.ix_(bare, bare)]
     unit = 1 / np.sqrt(np.maximum(np.abs(K).max(axis=1), np.finfo(float).tiny))
     return bool(np.linalg.svd(unit[:, None] * K * unit)[1][-1] <= LOOSE)
 
@@ -51,7 +49,7 @@ class MassiveSystem:
 
     __slots__ = ("basis", "bits", "c", "coupled", "deep", "k", "left", "massive", "release", "symmetric", "zeros")
 
-    def __init__(self, elements, scale, zeros, goal, deep):
+    def __init__(self, elements: Any, scale: "Scaling", zeros: int | None, goal: int, deep: int):
         n, p = elements.n, scale.coordinates
         self.bits = bits = 2 * goal + spread(elements, scale)
         self.coupled, self.deep, self.zeros = goal - 30, deep, zeros
@@ -64,7 +62,7 @@ class MassiveSystem:
         heavy = [i for i in range(n) if i not in bare]
         turn, loose = _loose(c[np.ix_(moved, moved)], bits)
         order = heavy + moved
-        basis = fx.zeros((n, len(order)))
+        basis = np.zeros((n, len(order)), object)
         basis[order, range(len(order))] = 1 << bits
         z = range(len(heavy), len(order))
         basis[np.ix_(moved, z)] = turn
@@ -77,7 +75,7 @@ class MassiveSystem:
     def _condense(self, basis, k, kept, still, bits):
         """Lets the undamped massless directions follow."""
         gone = [j for j in range(basis.shape[1]) if j not in kept]
-        free = fx.zeros((len(basis), len(still)))
+        free = np.zeros((len(basis), len(still)), object)
         free[still, range(len(still))] = 1 << bits
         whole = np.concatenate([basis[:, kept], basis[:, gone], free], axis=1)
         k = fx.product(whole.T, fx.product(k, whole, bits), bits)
@@ -106,7 +104,7 @@ class MassiveSystem:
         self.left, self.basis, self.c, self.k, self.massive = left, basis, c, k, h
         self.release, _ = inverted(c[h:, h:], list(range(len(c) - h)), bits)
 
-    def eigenvalues(self, wanted):
+    def eigenvalues(self, wanted: int) -> list[Eigenvalue]:
         """Every eigenvalue, to `wanted` bits of its real part unless that is negligible."""
         bits, h = self.bits, self.massive
         a = self._matrix()
@@ -133,7 +131,7 @@ class MassiveSystem:
     def _matrix(self):
         """y' = A y for y = (a', a, z)."""
         bits, h, n = self.bits, self.massive, len(self.c)
-        out = fx.zeros((n + h, n + h))
+        out = np.zeros((n + h, n + h), object)
         rates = np.concatenate([self.c[h:, :h], self.k[h:]], axis=1)
         out[2 * h:] = -fx.product(self.release, rates, bits)
         out[:h] = -np.concatenate([self.c[:h, :h], self.k[:h]], axis=1)

@@ -6,90 +6,83 @@ while they oscillate. A rigid-body mode is one entry in both lists, though a mod
 zero twice.
 """
 
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from vibcli.analyses.modal.method import SQUARES, damped_at_all, form_of
 from vibcli.analyses.modal.undamped import Mode, undamped
-from vibcli.mechanics.factored_system import OscillatorElements, summed
+from vibcli.mechanics.factored_system import summed
+
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.damped_modes import DampedMode
 
 
-def natural_modes(elements, precise=None, exact=None, digits=None):
+def natural_modes(elements: Any, precise: Callable | None = None, exact: Callable | None = None,
+                  digits: int | None = None) -> list[Mode]:
     """The modes of the system without its dampers: those that grow, the rigid ones, the others by ascending ω.
 
     What decays is left out where it only mirrors what grows: where there is no G, or K is symmetric.
     """
-    if elements.drag:
-        return natural_modes(_without(elements, "drag"), _following(precise, "drag"), _following(exact, "drag"), digits)
-    turning, follows = any(elements.G.values()), elements.circulatory
-    if not turning and not follows:
+    sources = _changed(_still, elements, precise, exact)
+    if form_of(sources[0]) == SQUARES:
         return undamped(elements, precise=precise, digits=digits)
     from vibcli.analyses.modal.damped import damped
 
-    def sources(*kinds):
-        return _without(elements, *kinds), _following(precise, *kinds), _following(exact, *kinds), digits
-
-    found = damped(*sources("dampers", "C"))
+    turning, follows = any(elements.G.values()), elements.circulatory
+    found = damped(*sources, digits)
     if turning and any(not mode.omega for mode in found):
-        found = _one_each(found, natural_modes(*sources("dampers", "C", "G")))
+        still = natural_modes(*_changed(lambda form: form.with_parts(G=None), *sources), digits)
+        found = _one_each(found, still)
     modes = [_natural(mode) for mode in found if (turning and follows) or not mode.eigenvalue.real < 0]
     modes.sort(key=lambda mode: (1, mode.omega) if mode.growth_rate is None else (0, -mode.growth_rate))
-    for index, mode in enumerate(modes, 1):
-        mode.index = index
-    return modes
+    return [mode._replace(index=index) for index, mode in enumerate(modes, 1)]
 
 
-def damped_modes(elements, natural, precise=None, exact=None, digits=None):
+def damped_modes(elements: Any, natural: Callable, precise: Callable | None = None, exact: Callable | None = None,
+                 digits: int | None = None) -> "list[DampedMode] | None":
     """The damped modes, None where nothing damps; `natural()` gives the modes without dampers."""
-    if not any(c for c, _ in elements.dampers) and not any(elements.C.values()) and not any(elements.drag.values()):
+    if not damped_at_all(elements) and not any(elements.drag.values()):
         return None
     from vibcli.analyses.modal.damped import damped
 
     if elements.drag:
-        elements, precise, exact = _dragged(elements), _then(_dragged, precise), _then(_dragged, exact)
-
+        elements, precise, exact = _changed(_dragged, elements, precise, exact)
     found = damped(elements, precise=precise, exact=exact, digits=digits)
     still = natural() if any(not mode.omega for mode in found) else ()
     return _one_each(found, still) if still else found
 
 
-def _without(elements, *kinds):
-    """The same elements but for some kinds."""
-    parts = {kind: getattr(elements, kind) for kind in OscillatorElements.__slots__ if kind not in kinds}
-    return OscillatorElements(**parts)
+def _still(elements):
+    """The same elements without dampers and what else loads add to C."""
+    return elements.with_parts(dampers=(), C=None, drag=None)
 
 
 def _dragged(elements):
     """The same elements, the skew part of what loads add to C among the gyroscopic terms."""
-    parts = {kind: getattr(elements, kind) for kind in OscillatorElements.__slots__}
-    return OscillatorElements(**parts | {"G": summed(elements.G, elements.drag), "drag": {}})
+    return elements.with_parts(G=summed(elements.G, elements.drag), drag=None)
 
 
-def _following(evaluate, *kinds):
-    """The same re-evaluation of the elements, without some kinds."""
-    return _then(lambda elements: _without(elements, *kinds), evaluate)
+def _changed(change, elements, *evaluations):
+    """The elements with a change, and their re-evaluations with it, of which any may be None or give None."""
+    def following(evaluate):
+        def changed(*args):
+            found = evaluate(*args)
+            return None if found is None else change(found)
+        return None if evaluate is None else changed
 
-
-def _then(change, evaluate):
-    """A re-evaluation of the elements with a change; None where there is none."""
-    if evaluate is None:
-        return None
-
-    def changed(*args):
-        elements = evaluate(*args)
-        return None if elements is None else change(elements)
-    return changed
+    return change(elements), *map(following, evaluations)
 
 
 def _one_each(found, natural):
     """The list with one entry for each rigid-body mode, in the shape of that mode, numbered again."""
     shapes = [mode.shape for mode in natural if mode.rigid]
     resting = [mode for mode in found if not mode.omega][:len(shapes)]
-    for mode, shape in zip(resting, shapes, strict=False):
-        mode.shape = shape
-    moving = [mode for mode in found if mode.omega]
+    rigid = [mode.numbered(index, shape) for index, (mode, shape) in enumerate(zip(resting, shapes, strict=False), 1)]
     numbers = {}
-    for mode in moving:
-        mode.index = len(resting) + numbers.setdefault(mode.index, len(numbers) + 1)
-    for index, mode in enumerate(resting, 1):
-        mode.index = index
-    return resting + moving
+    return rigid + [mode.numbered(len(rigid) + numbers.setdefault(mode.index, len(numbers) + 1), mode.shape)
+                    for mode in found if mode.omega]
 
 
 def _natural(mode):
@@ -101,6 +94,4 @@ def _natural(mode):
 
 
 def _real(shape):
-    import numpy as np
-
     return np.array([x.real for x in shape.tolist()])

@@ -6,6 +6,8 @@ real axis lies on it, for μ̄ is an eigenvalue too: the real part of its λ is 
 """
 
 import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -14,6 +16,9 @@ from vibcli.analyses.modal.massless_coordinates import MassiveSystem
 from vibcli.analyses.modal.rounding import last_bit, magnitudes
 from vibcli.numerics import fixed_point as fx
 from vibcli.numerics.general_eigenvalues import block_diagonal
+
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.scaling import Scaling
 
 NEARLY_ONE = 0.9        # log2 |√a + √b|/|√a| for b next to a
 COARSE, ALIKE = 20, 1e-6
@@ -24,7 +29,7 @@ class Follower(MassiveSystem):
 
     __slots__ = ("form", "norms", "top")
 
-    def eigenvalues(self, wanted):
+    def eigenvalues(self, wanted: int) -> list[Eigenvalue]:
         """Every eigenvalue, the rate of a growth to `wanted` bits unless that is negligible."""
         bits, a = self.bits, self.k
         matrix = fx.floats(a, bits)
@@ -35,12 +40,14 @@ class Follower(MassiveSystem):
         noise = self.top - 2 * self.coupled
 
         def enough(root):
-            return self._enough(root, wanted, noise + 60)
+            size = fx.magnitude(math.isqrt(root.re * root.re + root.im * root.im), bits)
+            rate = fx.magnitude(root.im, bits) - wanted if root.im else -math.inf
+            return root.radius <= max(size - self.deep, rate, noise + 60)
 
         self.form, self.norms = block_diagonal(lambda y: fx.product(a, y, bits), matrix, bits, enough, noise)
         return self._all(self.norms)
 
-    def rounded(self, data, scale, unit):
+    def rounded(self, data: Any, scale: "Scaling", unit: float) -> list[Eigenvalue]:
         """The eigenvalues with bounds that hold for every rounding of the data, which adds to V⁻¹ K V."""
         if self.form is None:
             return self.eigenvalues(0)
@@ -55,15 +62,11 @@ class Follower(MassiveSystem):
 
     def _all(self, norms):
         found = [value for root in self.form.all_roots(norms) for value in self._of(root)]
-        _spread(fx.floats(self.k, self.bits), [d for d in found if not d.re and not d.im])
+        resting = [i for i, d in enumerate(found) if not d.re and not d.im]
+        shapes = _chained(fx.floats(self.k, self.bits), [found[i].x for i in resting])
+        for i, x in zip(resting, shapes, strict=True):
+            found[i] = found[i]._replace(x=x)
         return found
-
-    def _enough(self, root, wanted, floor):
-        size = fx.magnitude(math.isqrt(root.re * root.re + root.im * root.im), self.bits)
-        goal = size - self.deep
-        if root.im:
-            goal = max(goal, fx.magnitude(root.im, self.bits) - wanted)
-        return root.radius <= max(goal, floor)
 
     def _of(self, root):
         """The λ of one μ: two for a pair that nothing tells from two real ones."""
@@ -97,19 +100,16 @@ def _parts(x, im):
             for part, size in zip(parts, sizes, strict=True)]
 
 
-def _spread(matrix, resting):
-    """Gives motions at rest that coincide the shapes of a chain: K x₁ = 0, K x₂ ~ x₁, …"""
-    if not resting:
-        return
-    size = np.linalg.svd(np.array([d.x for d in resting]), compute_uv=False)
-    if size[-1] < ALIKE:
-        inner = np.linalg.svd(np.linalg.matrix_power(matrix, len(resting)))[2][-len(resting):].T
-        chain = np.linalg.svd(inner.T @ matrix @ inner)[2][::-1]
-        for d, x in zip(resting, (inner @ chain.T).T, strict=True):
-            d.x = x.astype(complex)
+def _chained(matrix, shapes):
+    """The shapes of motions at rest; of those that coincide those of a chain, K x₁ = 0, K x₂ ~ x₁, …"""
+    if not shapes or np.linalg.svd(np.array(shapes), compute_uv=False)[-1] >= ALIKE:
+        return shapes
+    inner = np.linalg.svd(np.linalg.matrix_power(matrix, len(shapes)))[2][-len(shapes):].T
+    chain = np.linalg.svd(inner.T @ matrix @ inner)[2][::-1]
+    return list((inner @ chain.T).T.astype(complex))
 
 
-def rested(found, bits):
+def rested(found: Sequence[Eigenvalue], bits: int) -> list[Eigenvalue]:
     """The eigenvalues, with those at zero that the rounding of the data alone keeps from it."""
     sizes = [fx.magnitude(math.isqrt(d.re * d.re + d.im * d.im), bits) for d in found]
     top, out = max(sizes), []

@@ -3,6 +3,8 @@
 Without C and G the eigenvalues μ of L⁻¹ K̂ L⁻ᵀ, M̂ = L Lᵀ, give λ = √−μ; else y = (q', q): q'' = −C q' − K q.
 """
 
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from vibcli.analyses.modal.damped_in_modal_coordinates import turning
@@ -11,8 +13,11 @@ from vibcli.analyses.modal.undamped import prepared
 from vibcli.analyses.modal.undamped_large import UNIT, back_from, dense, mass_triangle, stiffness
 from vibcli.base.errors import PhysicsError
 
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.damped_modes import DampedMode
 
-def follower_floats(elements):
+
+def follower_floats(elements: Any) -> "list[DampedMode]":
     """DampedMode objects of many coordinates; without C and G the first of each ±λ."""
     scale, _ = prepared(elements)
     if elements.massless:

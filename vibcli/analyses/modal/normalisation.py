@@ -4,11 +4,19 @@ first: the first coordinate is 1 (the next that moves where it rests); largest: 
 mass: φᵀMφ = 1, as the shapes come from the eigenvalue problem.
 """
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    import mpmath
+    import numpy as np
+
 NEGLIGIBLE, ROUNDING = 1e-9, 4e-16
 WORDS = {"first": "the first coordinate that moves is 1", "largest": "the largest amplitude is 1", "mass": "φᵀMφ = 1"}
 
 
-def normalised(shape, how="first", weights=None):
+def normalised(shape: "Sequence[complex] | np.ndarray", how: str = "first",
+               weights: Sequence[float] | None = None) -> "list[complex | mpmath.mpf]":
     """A mode shape in the normalisation asked for, as a list of numbers.
 
     `weights` √Mᵢᵢ make amplitudes of different units comparable, so that what rests is told from what moves little.
@@ -34,7 +42,7 @@ def _clean(value):
     return value
 
 
-def weights(elements):
+def weights(elements: Any) -> list[float]:
     """√Mᵢᵢ of each coordinate, of those without inertia an equivalent by stiffness."""
     M, K = [0.0] * elements.n, [0.0] * elements.n
     for diagonal, rows, extra in ((M, elements.inertias, elements.M), (K, elements.springs, elements.K)):

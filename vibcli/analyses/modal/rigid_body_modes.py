@@ -6,20 +6,20 @@ dependent where what is left of them by complete pivoting is below 1e-14 n.
 """
 
 import math
+from collections.abc import Sequence
 from fractions import Fraction
+from typing import Any
+
+import numpy as np
 
 from vibcli.analyses.modal.scaling import exponent
+from vibcli.numerics.components import components
 
 PRIMES = (1 << 61) - 1, (1 << 59) - 55
 MANY = 200
 
 
-def rigid_count(n, rows, exact_rows=None):
-    """n − rank of rows {coordinate: component}; exact_rows: the same as Fractions where they are rational."""
-    return n - rank(n, rows, exact_rows)
-
-
-def undamped_rigid(elements, zeros, data):
+def undamped_rigid(elements: Any, zeros: int | None, data: Any) -> int | None:
     """How many of the `zeros` rigid motions no damper resists; None where the structure does not tell.
 
     data: the elements in the arithmetic that decides about rows which are not rational.
@@ -34,8 +34,8 @@ def undamped_rigid(elements, zeros, data):
     return elements.n - rank(elements.n, rows, rows if rational else None)
 
 
-def rank(n, rows, exact_rows=None):
-    """The rank of sparse rows."""
+def rank(n: int, rows: Sequence[dict[int, float]], exact_rows: Sequence[dict[int, Fraction]] | None = None) -> int:
+    """The rank of sparse rows {coordinate: component}; exact_rows: the same as Fractions where they are rational."""
     if exact_rows is not None:
         rows = exact_rows
     if all(_is_difference(row) for row in rows):
@@ -52,20 +52,14 @@ def _is_difference(row):
 
 
 def _floating_components(n, rows):
-    """Connected parts of the coordinates that no row ties to the ground."""
-    parent = list(range(n + 1))
-
-    def root(i):
-        while parent[i] != i:
-            parent[i] = parent[parent[i]]
-            i = parent[i]
-        return i
-
+    """How many connected parts of the coordinates no row ties to the ground."""
+    tied = np.zeros((n + 1, n + 1), bool)
     for row in rows:
         ends = [i for i, x in row.items() if x]
         if ends:
-            parent[root(ends[0])] = root(ends[1] if len(ends) == 2 else n)
-    return len({root(i) for i in range(n)} - {root(n)})
+            i, j = ends[0], ends[1] if len(ends) == 2 else n
+            tied[i, j] = tied[j, i] = True
+    return len(components(tied)) - 1
 
 
 def _rank_modulo(rows, prime):
@@ -95,8 +89,6 @@ def _rank_modulo(rows, prime):
 
 def _rank_of_floats(n, rows):
     """Rank of rows with rounding in their components, by Gaussian elimination with complete pivoting."""
-    import numpy as np
-
     a = np.zeros((len(rows), n))
     for place, row in enumerate(rows):
         top = max((exponent(x) for x in row.values() if x), default=0)

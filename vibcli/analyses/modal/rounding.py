@@ -4,37 +4,46 @@
 """
 
 import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.analyses.modal.damped_in_modal_coordinates import turning
+from vibcli.analyses.modal.damped_in_modal_coordinates import Eigenvalue, ModalDamping, turning
 from vibcli.numerics import fixed_point as fx
 
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.massless_coordinates import MassiveSystem
+    from vibcli.analyses.modal.scaling import Scaling
 
-def add_data_error(found, system, elements, scale, unit):
-    """Widens every radius by the effect of a relative rounding 2^unit of every weight and component.
+
+def with_data_error(found: Sequence[Eigenvalue], system: "ModalDamping | MassiveSystem", elements: Any,
+                    scale: "Scaling", unit: float) -> list[Eigenvalue]:
+    """The eigenvalues, every radius widened by the effect of a relative rounding 2^unit of every weight and component.
 
     K given with K_size carries 2⁻⁵³ of it even where the other data are exact.
     """
     m, c, k = magnitudes(system, elements, scale, unit)
     unit = last_bit(unit)
-    for d in found:
-        if d.re or d.im:
-            value = math.hypot(fx.to_float(d.re, system.bits), fx.to_float(d.im, system.bits))
-            change = (value * value * m + value * c + k) @ np.abs(d.x)
-            first = float(np.abs(d.left) @ change) if np.isfinite(d.left).all() else math.inf
-            if d.mode is not None:
-                first = min(first, math.sqrt(float(change[d.mode])) * 2.0 ** min(-unit / 2, 1000.0))
-            if first:
-                d.radius = float(np.logaddexp2(d.radius, math.log2(first) + unit))
+
+    def widened(d):
+        value = math.hypot(fx.to_float(d.re, system.bits), fx.to_float(d.im, system.bits))
+        change = (value * value * m + value * c + k) @ np.abs(d.x)
+        first = float(np.abs(d.left) @ change) if np.isfinite(d.left).all() else math.inf
+        if d.mode is not None:
+            first = min(first, math.sqrt(float(change[d.mode])) * 2.0 ** min(-unit / 2, 1000.0))
+        return d._replace(radius=float(np.logaddexp2(d.radius, math.log2(first) + unit))) if first else d
+
+    return [widened(d) if d.re or d.im else d for d in found]
 
 
-def last_bit(unit):
+def last_bit(unit: float) -> float:
     """log2 of the rounding that numbers carry which are exact but for the sums in K."""
     return unit if math.isfinite(unit) else -53.0
 
 
-def magnitudes(system, elements, scale, unit):
+def magnitudes(system: "ModalDamping | MassiveSystem", elements: Any, scale: "Scaling",
+               unit: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """What the roundings of M, C and K are proportional to, in the columns of the system."""
     right, p = np.abs(fx.floats(system.basis, system.bits)), scale.coordinates
     left = np.abs(fx.floats(system.left, system.bits)) if hasattr(system, "left") else right
@@ -50,13 +59,8 @@ def _size(terms, matrix, powers, scale, left, right):
     """3 Σ |w| |sᵀ left|ᵀ|sᵀ right| + 3 |left|ᵀ |matrix| |right|, in scaled coordinates."""
     out = np.zeros((left.shape[1], right.shape[1]))
     for weight, row in terms:
-        ends = [sum(abs(_scaled(x, powers[i])) * basis[i] for i, x in row.items()) for basis in (left, right)]
-        out += abs(_scaled(weight, -scale)) * np.multiply.outer(*ends)
+        ends = [sum(abs(fx.times_power(x, powers[i])) * basis[i] for i, x in row.items()) for basis in (left, right)]
+        out += abs(fx.times_power(weight, -scale)) * np.multiply.outer(*ends)
     for (i, j), x in matrix.items():
-        out += abs(_scaled(x, powers[i] + powers[j] - scale)) * np.multiply.outer(left[i], right[j])
+        out += abs(fx.times_power(x, powers[i] + powers[j] - scale)) * np.multiply.outer(left[i], right[j])
     return 3 * out
-
-
-def _scaled(x, power):
-    m, e = fx.mantissa(x)
-    return fx.to_float(m, -(e + power))

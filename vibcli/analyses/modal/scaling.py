@@ -6,11 +6,18 @@ and λ = 2^((k − m)/2) λ̂ is exact.
 """
 
 import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import PhysicsError
+from vibcli.base.errors import PhysicsError, Where
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    import mpmath
 
 
-def exponent(x):
+def exponent(x: "float | Fraction | mpmath.mpf") -> int:
     """e with 2^(e-1) <= |x| < 2^(e+1), for a float, an mpf or a Fraction that is not zero."""
     if hasattr(x, "_mpf_"):
         return x._mpf_[2] + x._mpf_[3]
@@ -24,17 +31,17 @@ class Scaling:
 
     __slots__ = ("coordinates", "mass", "stiffness", "time")
 
-    def __init__(self, coordinates, mass, stiffness):
+    def __init__(self, coordinates: Sequence[int], mass: int, stiffness: int):
         self.coordinates, self.mass, self.stiffness = coordinates, mass, stiffness
         self.time = (stiffness - mass) // 2
 
     @property
-    def damping(self):
+    def damping(self) -> int:
         """The power c of C = 2^c D⁻¹ Ĉ D⁻¹, so that λ̂² M̂ + λ̂ Ĉ + K̂ is the scaled pencil."""
         return self.mass + self.time
 
 
-def scaling(elements):
+def scaling(elements: Any) -> Scaling:
     """The Scaling read off the largest terms of the diagonals of M and K."""
     check_finite(elements)
     inertia = _diagonal_exponents(elements.inertias, elements.M)
@@ -64,33 +71,22 @@ def scaling(elements):
 
 def _diagonal_exponents(terms, matrix):
     """For each coordinate the exponent of its largest diagonal term Σ w sᵢ²."""
+    found = [(i, exponent(weight) + 2 * exponent(x)) for weight, row in terms if weight for i, x in row.items() if x]
+    found += [(i, exponent(value)) for (i, j), value in matrix.items() if i == j and value]
     largest = {}
-    for weight, row in terms:
-        if weight:
-            e = exponent(weight)
-            for i, component in row.items():
-                if component:
-                    term = e + 2 * exponent(component)
-                    if term > largest.get(i, term - 1):
-                        largest[i] = term
-    for (i, j), value in matrix.items():
-        if i == j and value:
-            term = exponent(value)
-            if term > largest.get(i, term - 1):
-                largest[i] = term
+    for i, e in found:
+        largest[i] = max(e, largest.get(i, e))
     return largest
 
 
-def check_finite(elements):
+def check_finite(elements: Any) -> None:
     """Refuses what is not a finite real number, with the name of the property."""
     named = (("inertia", elements.inertias, elements.M), ("stiffness", elements.springs, elements.K),
              ("damping", elements.dampers, elements.C), ("gyroscopic coupling", (), elements.G))
     for name, terms, matrix in named:
-        for weight, row in terms:
-            for value in (weight, *row.values()):
-                if not _finite(value):
-                    raise PhysicsError(f"the {name} is not a finite number at this equilibrium",
-                                       hint="look for a length, an angle or a law that is singular there")
+        if not all(_finite(value) for weight, row in terms for value in (weight, *row.values())):
+            raise PhysicsError(f"the {name} is not a finite number at this equilibrium",
+                               hint="look for a length, an angle or a law that is singular there")
         for (i, j), value in matrix.items():
             if not _finite(value):
                 raise PhysicsError(f"the {name} between coordinates {i + 1} and {j + 1} is not finite",
@@ -105,17 +101,24 @@ def _finite(x):
     return hasattr(x, "numerator") or math.isfinite(x)
 
 
-def unmoved(i):
+class UnheldCoordinate(PhysicsError):
+    """The refusal of a coordinate by its number; who knows its name tells it by that."""
+
+    def __init__(self, message: str, hint: str, number: int, name: str | None = None, where: Where | None = None):
+        super().__init__(message.format(name or f"coordinate {number + 1}"), hint, where)
+        self.text, self.number = message, number
+
+    def named(self, name: str, where: Where) -> "UnheldCoordinate":
+        """The same with the name of the coordinate, and where it is declared."""
+        return UnheldCoordinate(self.text, self.hint, self.number, f"'{name}'", where)
+
+
+def unmoved(i: int) -> UnheldCoordinate:
     """The refusal of a coordinate, or a combination led by it, which no inertia moves."""
-    error = PhysicsError(f"no positive inertia moves with coordinate {i + 1}",
-                         hint="give what it moves a mass or inertia")
-    error.coordinate = i
-    return error
+    return UnheldCoordinate("no positive inertia moves with {}", "give what it moves a mass or inertia", i)
 
 
-def mechanism(i):
+def mechanism(i: int) -> UnheldCoordinate:
     """The refusal of a massless coordinate which nothing ties."""
-    error = PhysicsError(f"coordinate {i + 1} has no inertia and no spring ties it: it is a mechanism",
-                         hint="give it a mass, tie it with a spring, or take it out")
-    error.coordinate = i
-    return error
+    return UnheldCoordinate("{} has no inertia and no spring ties it: it is a mechanism",
+                            "give it a mass, tie it with a spring, or take it out", i)

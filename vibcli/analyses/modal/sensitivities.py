@@ -7,18 +7,26 @@ eigenvector, u itself where there is no G (R. L. Fox & M. P. Kapoor, AIAA Journa
 coincide split: their derivatives, as p grows, are the eigenvalues of φᵀ(K′ − ω²M′)φ/2ω over all shapes φ of them.
 """
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import mpmath
+
 from vibcli.analyses.modal.modes_precise import SAME, WORKING, by_frequency, coinciding
 from vibcli.base.errors import PhysicsError
-from vibcli.language.parameters import independent
 from vibcli.mechanics.inner_products import conjugate, inner, only
-from vibcli.mechanics.parameter_derivatives import perturbed_elements
+from vibcli.mechanics.parameter_derivatives import perturbed_system
 from vibcli.symbolic.dual_numbers import Dual, slope
+
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.modal_analysis import ModalAnalysis
+    from vibcli.analyses.modal.undamped import Mode
 
 ROUNDING = 1e-25    # of a frequency
 SIMPLE = 1e-10      # relative distance from the next eigenvalue below which one does not count as simple
 
 
-class Sensitivities:
+class Sensitivities(NamedTuple):
     """Derivatives by each independent parameter, as floats.
 
     values: {parameter: number}; omega: {parameter: {index of a mode: ∂ω/∂p}}; damped: [DampedSensitivity], None where
@@ -26,47 +34,41 @@ class Sensitivities:
     remark: why the damped modes are missing, or None.
     """
 
-    __slots__ = ("coinciding", "damped", "omega", "refused", "remark", "values")
+    values: dict
+    omega: dict
+    damped: list
+    remark: str
+    coinciding: list
+    refused: dict
 
-    def __init__(self, values, omega, damped, remark, coinciding, refused):
-        self.values, self.omega, self.damped, self.remark = values, omega, damped, remark
-        self.coinciding, self.refused = coinciding, refused
 
-
-class DampedSensitivity:
+class DampedSensitivity(NamedTuple):
     """∂λ/∂p, ∂ζ/∂p of one damped mode, {parameter: number}; None of an eigenvalue that is not simple."""
 
-    __slots__ = ("eigenvalue", "mode", "zeta")
+    mode: Any
+    eigenvalue: dict
+    zeta: dict
 
-    def __init__(self, mode, eigenvalue, zeta):
-        self.mode, self.eigenvalue, self.zeta = mode, eigenvalue, zeta
 
-
-def sensitivities(problem):
-    """The Sensitivities of a numeric problem."""
-    import mpmath
-
+def sensitivities(modal: "ModalAnalysis", _: Any) -> Sensitivities:
+    """The Sensitivities of a system."""
     with mpmath.workdps(WORKING):
-        modes, (damped, remark) = problem.sharp_modes, _damped_modes(problem)
-        elements = problem.precise_elements(WORKING)
+        modes, (damped, remark) = modal.sharp_modes, _damped_modes(modal)
+        elements = modal.configuration.precise_system(WORKING)
         groups = [_Group(group, elements) for group in by_frequency(modes)]
         free = [mode.shape for mode in modes if mode.rigid]
         changes, refused = {}, {}
-        for name in independent(problem.spec.parameters):
+        for name in modal.spec.independent_parameters:
             try:
-                changes[name] = only(perturbed_elements(problem, name, free), _changes)
+                changes[name] = only(perturbed_system(modal.configuration, name, free), lambda x: x.__class__ is Dual)
             except PhysicsError as error:
                 refused[name] = error.message
             except ZeroDivisionError:
                 refused[name] = f"the forces have no derivative by '{name}' at this value"
-        values = {name: problem.floats[name] for name in (*changes, *refused)}
+        values = {name: modal.numeric.floats[name] for name in (*changes, *refused)}
         omega = {name: _natural(groups, change, values[name]) for name, change in changes.items()}
         found = None if damped is None else _of_damped(damped, changes, elements, values)
     return Sensitivities(values, omega, found, remark, coinciding(modes), refused)
-
-
-def _changes(x):
-    return x.__class__ is Dual
 
 
 def _rounded(rate, value, size):
@@ -77,17 +79,15 @@ def _rounded(rate, value, size):
 class _Group:
     """Modes of one frequency, and φᴴ(2ωM − iG)φ of the first."""
 
-    def __init__(self, modes, elements):
+    def __init__(self, modes: "Sequence[Mode]", elements: Any):
         self.modes, self.omega, self.turning = modes, modes[0].omega, any(elements.G.values())
         shape = modes[0].shape
         self.size = 2 * self.omega * inner(elements.inertias, elements.M, shape, shape)
         if self.turning:
             self.size -= 1j * inner((), elements.G, shape, shape)
 
-    def rates(self, change):
+    def rates(self, change: Any) -> list[mpmath.mpf]:
         """∂ω/∂p of the modes, ascending; None of gyroscopic modes that coincide."""
-        import mpmath
-
         shapes = [mode.shape for mode in self.modes]
         if not shapes[1:]:
             return [mpmath.re(self._entry(change, shapes[0], shapes[0]) / self.size)]
@@ -112,12 +112,12 @@ def _natural(groups, change, value):
 # damped
 
 
-def _damped_modes(problem):
+def _damped_modes(modal):
     """(the damped modes or None, why there are none although something damps)."""
-    if problem.damped is None:
+    if modal.damped is None:
         return None, None
     try:
-        return problem.sharp_damped, None
+        return modal.sharp_damped, None
     except PhysicsError as error:
         return None, error.message
 
@@ -164,8 +164,6 @@ def _eigenvalue_rates(mode, changes, elements):
 
 def _left(root, elements):
     """y with yᵀ(λ²M + λ(C + G) + K) = 0, by one step of inverse iteration next to λ."""
-    import mpmath
-
     M, C, G, K = elements.matrices()
     near = root * (1 + mpmath.mpf(SAME))
     D = mpmath.zeros(elements.n)

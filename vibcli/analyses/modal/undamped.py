@@ -1,18 +1,28 @@
 """Undamped free vibration: natural frequencies and mode shapes of M q̈ + K q = 0.
 
-Up to CERTIFIED coordinates the eigenvalues are enclosed rigorously in fixed-point arithmetic
-(certified.py). Larger systems are solved in floats from the factors √k ∇s and √w ∇s with a bound of their
-rounding (floating.py); up to CERTIFIABLE coordinates they are enclosed too where that bound is above ENOUGH.
+The eigenvalues are enclosed rigorously in fixed-point arithmetic (undamped_certified.py); those of larger systems
+(method.py) are found in floats from the factors √k ∇s and √w ∇s with a bound of their rounding (undamped_large.py).
 """
 
 import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from vibcli.analyses.modal.rigid_body_modes import rigid_count
-from vibcli.analyses.modal.scaling import mechanism, scaling
+import numpy as np
+
+from vibcli.analyses.modal.method import ENCLOSED, IN_DIGITS, IN_FLOATS, choose
+from vibcli.analyses.modal.mode_numbers import Digits, NearestFloats, beyond, in_units
+from vibcli.analyses.modal.rigid_body_modes import rank
+from vibcli.analyses.modal.scaling import Scaling, mechanism, scaling
+from vibcli.analyses.modal.undamped_certified import EnclosedEigenvalues, enclosed
 from vibcli.base.errors import Inertless
+from vibcli.numerics.precision import working_bits
 
-CERTIFIED = 40
-CERTIFIABLE = 120
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.analyses.modal.undamped_large import Approximate
+
 ENOUGH = 5e-13
 EXACT = -math.inf
 EVALUATED = -51.0
@@ -20,7 +30,7 @@ ESCALATE = 1e-13
 DIGITS = 60
 
 
-class Mode:
+class Mode(NamedTuple):
     """One mode, q = Re(shape e^{λt}), λ = growth_rate + i omega, with shapeᴴ M shape = 1.
 
     omega: 0 exactly if rigid, None where nothing oscillates (divergence); growth_rate: Re λ, None where it is zero;
@@ -28,59 +38,64 @@ class Mode:
     independent of units.
     """
 
-    __slots__ = ("direction", "error", "growth_rate", "index", "omega", "rigid", "shape")
-
-    def __init__(self, index, omega, growth_rate, shape, direction, error):
-        self.index, self.shape, self.direction, self.error = index, shape, direction, error
-        self.omega, self.growth_rate = omega, growth_rate
-        self.rigid = not omega and growth_rate is None
+    index: int  # type: ignore[assignment]
+    omega: Any
+    growth_rate: Any
+    shape: Any
+    direction: Any
+    error: Any
 
     @property
-    def kind(self):
+    def rigid(self) -> bool:
+        """Does it move without a force?"""
+        return not self.omega and self.growth_rate is None
+
+    @property
+    def kind(self) -> str:
         """rigid, oscillation, decay, flutter or divergence."""
         return kind(self.growth_rate, self.omega)
 
 
-def kind(growth, omega):
+def kind(growth: float | None, omega: float | None) -> str:
     """What a motion e^{(growth + i omega)t} is called; either number may be None for zero."""
     if growth and growth > 0:
         return "flutter" if omega else "divergence"
     return "oscillation" if omega else "decay" if growth else "rigid"
 
 
-def undamped(elements, precise=None, digits=None):
+def undamped(elements: Any, precise: Callable | None = None, digits: int | None = None) -> list[Mode]:
     """The modes by ascending ω²: unstable, then rigid, then the others, each with its relative error bound.
 
     `precise(dps)` evaluates the same elements to dps digits and is called where floats do not decide;
     without it the floats are taken for exact. `digits`: this many correct digits, and numbers of mpmath.
     """
-    import numpy as np
+    return within_floats(_undamped, elements, precise, digits)
 
+
+def within_floats(solve: Callable, *data: Any):
+    """What solves for modes; the refusal of those that floats cannot hold."""
     try:
         with np.errstate(all="ignore"):
-            return _undamped(elements, precise, digits)
+            return solve(*data)
     except OverflowError:
-        from vibcli.analyses.modal.mode_numbers import beyond
-
         raise beyond() from None
 
 
 def _undamped(elements, precise, digits):
     scale, zeros = prepared(elements)
-    if digits is not None:
+    arithmetic = choose(elements, digits).arithmetic
+    if arithmetic == IN_DIGITS:
         return undamped_digits(elements, scale, zeros, precise, digits)
-    if elements.n > CERTIFIED:
+    if arithmetic != ENCLOSED:
         from vibcli.analyses.modal.undamped_large import approximate
 
         answer = approximate(elements, scale, zeros)
-        if elements.n > CERTIFIABLE or answer.errors.max() <= ENOUGH:
+        if arithmetic == IN_FLOATS or answer.errors.max() <= ENOUGH:
             return many_modes(answer, scale)
-    from vibcli.analyses.modal.mode_numbers import NearestFloats
-
     return modes(certain(elements, scale, zeros, precise), scale, NearestFloats)
 
 
-def prepared(elements, dragged=False):
+def prepared(elements: Any, dragged: bool = False) -> tuple[Scaling, int | None]:
     """The powers of two that scale the data, and the number of rigid modes or None where K has to tell.
 
     `dragged`: massless coordinates may be held by dampers alone.
@@ -90,13 +105,11 @@ def prepared(elements, dragged=False):
         check_ties(elements)
         if len(elements.massless) == elements.n:
             raise Inertless
-    return scale, rigid_count(elements.n, *spring_rows(elements)) if factored(elements) else None
+    return scale, elements.n - rank(elements.n, *spring_rows(elements)) if factored(elements) else None
 
 
-def certain(elements, scale, zeros, precise):
+def certain(elements: Any, scale: Scaling, zeros: int | None, precise: Callable | None) -> EnclosedEigenvalues:
     """Enclosed eigenvalues of the floats, or of more digits where their rounding shows."""
-    from vibcli.analyses.modal.undamped_certified import enclosed
-
     answer = enclosed(elements, scale, zeros)
     if precise is None:
         if elements.K_size:
@@ -110,12 +123,9 @@ def certain(elements, scale, zeros, precise):
     return answer
 
 
-def undamped_digits(elements, scale, zeros, precise, digits):
+def undamped_digits(elements: Any, scale: Scaling, zeros: int | None, precise: Callable | None,
+                    digits: int) -> list[Mode]:
     """The modes to `digits` correct digits, in numbers of mpmath."""
-    from vibcli.analyses.modal.mode_numbers import Digits
-    from vibcli.analyses.modal.undamped_certified import enclosed
-    from vibcli.numerics.precision import working_bits
-
     goal = working_bits(digits)
     if precise is None:
         return modes(enclosed(elements, scale, zeros, goal), scale, Digits)
@@ -128,24 +138,24 @@ def undamped_digits(elements, scale, zeros, precise, digits):
     return modes(answer, scale, Digits)
 
 
-def decimal(dps):
+def decimal(dps: int) -> float:
     """log2 of the rounding of numbers evaluated to dps digits."""
     return (2 - dps) * math.log2(10)
 
 
-def factored(elements):
+def factored(elements: Any) -> bool:
     """Whether all stiffness is Σ k ∇s ∇sᵀ with k >= 0."""
     return not any(elements.K.values()) and all(k >= 0 for k, _ in elements.springs)
 
 
-def spring_rows(elements):
+def spring_rows(elements: Any) -> "tuple[list[dict[int, float]], list[dict[int, Fraction]] | None]":
     """The rows of springs that have stiffness: as floats, and as Fractions or None."""
     kept = [i for i, (k, _) in enumerate(elements.springs) if k]
     exact = elements.rational_rows
     return [elements.springs[i][1] for i in kept], None if exact is None else [exact[i] for i in kept]
 
 
-def check_ties(elements):
+def check_ties(elements: Any) -> None:
     """Refuses a coordinate with neither inertia nor stiffness."""
     tied = {i for k, row in elements.springs if k for i, x in row.items() if x}
     tied.update(i for (i, j), x in elements.K.items() if x)
@@ -154,10 +164,8 @@ def check_ties(elements):
             raise mechanism(i)
 
 
-def modes(answer, scale, numbers):
+def modes(answer: EnclosedEigenvalues, scale: Scaling, numbers: type[Any]) -> list[Mode]:
     """Mode objects of enclosed eigenvalues, in floats or mpmath's numbers."""
-    import numpy as np
-
     bits = answer.bits
     powers = bits - np.broadcast_to(np.array(scale.coordinates)[:, None], answer.shapes.shape)
     direction = numbers.array(answer.shapes, powers)
@@ -176,12 +184,8 @@ def modes(answer, scale, numbers):
     return out
 
 
-def many_modes(answer, scale):
+def many_modes(answer: "Approximate", scale: Scaling) -> list[Mode]:
     """Mode objects of approximate eigenvalues in floats."""
-    import numpy as np
-
-    from vibcli.analyses.modal.mode_numbers import in_units
-
     (direction, full), out = in_units(answer.shapes, scale), []
     for place, i in enumerate(np.argsort(answer.values, kind="stable").tolist(), 1):
         value = float(answer.values[i])

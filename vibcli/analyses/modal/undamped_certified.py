@@ -4,12 +4,14 @@ M̂ = L Lᵀ, A = L⁻¹ K̂ L⁻ᵀ, massless coordinates eliminated first: K_a
 """
 
 import math
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
-from vibcli.analyses.modal.scaling import exponent, mechanism, unmoved
+from vibcli.analyses.modal.scaling import Scaling, exponent, mechanism, unmoved
 from vibcli.numerics import fixed_point as fx
-from vibcli.numerics.symmetric_eigenvalues import spectrum
+from vibcli.numerics.symmetric_eigenvalues import Spectrum, spectrum
 
 GUARDS = (160, 640, 2560)
 STEEP = 24
@@ -25,7 +27,7 @@ class EnclosedEigenvalues:
 
     __slots__ = ("bits", "off", "shapes", "values", "zero", "zeros")
 
-    def __init__(self, found, reduced, zeros):
+    def __init__(self, found: Spectrum, reduced: "StandardForm", zeros: int | None):
         self.values, self.bits, self.zeros = found.values, found.bits, zeros
         self.off = np.log2(np.maximum(found.radius, 1e-300)) - found.shift
         self.shapes = reduced.full(found.vectors)
@@ -43,7 +45,7 @@ class EnclosedEigenvalues:
         with np.errstate(divide="ignore"):
             return np.log2(np.abs(fx.floats(self.values, self.bits)))
 
-    def add_data_error(self, elements, scale, unit):
+    def add_data_error(self, elements: Any, scale: Scaling, unit: float) -> None:
         """Takes a relative rounding 2^unit of every weight and component into the bounds."""
         sizes = self.sizes()
         rows, sums = sensitivity(elements, scale, fx.floats(self.shapes, self.bits), 2.0 ** sizes)
@@ -52,19 +54,19 @@ class EnclosedEigenvalues:
             self.off = np.logaddexp2(self.off, np.log2(sums) + (unit if unit > -np.inf else -53.0))
         self._find_zeros()
 
-    def errors(self):
+    def errors(self) -> np.ndarray:
         """log2 of the relative bounds of √|λ̂|, their last rounding not counted; −inf for zeros."""
         relative = self.off - self.sizes()
         relative[self.zero] = -np.inf
         return np.where(relative < -2, relative - 1 + 2.0 ** np.minimum(relative + 1, 0), relative + 1)
 
-    def settled(self, goal):
+    def settled(self, goal: float) -> bool:
         """Whether every value is known to `goal` and every zero follows from the structure."""
         decided = self.zeros is not None or not self.zero.any()
         return decided and bool((self.errors() <= math.log2(goal)).all())
 
 
-def enclosed(elements, scale, zeros, goal=60):
+def enclosed(elements: Any, scale: Scaling, zeros: int | None, goal: int = 60) -> EnclosedEigenvalues:
     """Encloses the eigenvalues of the numbers in `elements`, taken as exact, to 2^-goal."""
     for guard in GUARDS:
         bits = guard + goal + spread(elements, scale)
@@ -78,7 +80,7 @@ def enclosed(elements, scale, zeros, goal=60):
     return answer
 
 
-def from_factor(elements, scale, reduced):
+def from_factor(elements: Any, scale: Scaling, reduced: "StandardForm") -> np.ndarray | None:
     """Approximate eigenvectors of A = XᵀX from X = √k̂ ∇s L⁻ᵀ, which holds twice the digits of A; or None."""
     from vibcli.analyses.modal.undamped_large import scaled_rows
 
@@ -90,7 +92,7 @@ def from_factor(elements, scale, reduced):
     return np.linalg.svd(x)[2].T
 
 
-def spread(elements, scale):
+def spread(elements: Any, scale: Scaling) -> int:
     """Bits between the largest and the smallest stiffness or inertia that a scaled coordinate feels."""
     p, sizes = scale.coordinates, [0]
     for terms, base in ((elements.springs, scale.stiffness), (elements.inertias, scale.mass)):
@@ -106,12 +108,13 @@ class StandardForm:
 
     __slots__ = ("bits", "follow", "lower", "massive", "massless", "n", "slack")
 
-    def __init__(self, n, massive, massless, lower, follow, bits, growth):
+    def __init__(self, n: int, massive: Sequence[int], massless: Sequence[int], lower: np.ndarray,
+                 follow: np.ndarray | None, bits: int, growth: float):
         self.n, self.massive, self.massless, self.bits = n, massive, massless, bits
         self.lower, self.follow = lower, follow
         self.slack = 4 + 2 * math.log2(n) + growth
 
-    def full(self, vectors):
+    def full(self, vectors: np.ndarray) -> np.ndarray:
         """Shapes of all coordinates, M̂-normalised."""
         if self.lower.ndim == 1:
             a = (vectors << self.bits) // self.lower[:, None]
@@ -119,13 +122,13 @@ class StandardForm:
             a = fx.backward(self.lower, vectors, self.bits)
         if not self.massless:
             return a
-        out = fx.zeros((self.n, a.shape[1]))
+        out = np.zeros((self.n, a.shape[1]), object)
         out[self.massive] = a
         out[self.massless] = -fx.product(self.follow, a, self.bits)
         return out
 
 
-def standard(elements, scale, bits):
+def standard(elements: Any, scale: Scaling, bits: int) -> tuple[np.ndarray, StandardForm]:
     """A = L⁻¹ K̂ L⁻ᵀ with the massless coordinates condensed, and the way back."""
     n, p = elements.n, scale.coordinates
     m = fx.assembled(n, elements.inertias, elements.M, p, scale.mass, bits)
@@ -140,7 +143,8 @@ def standard(elements, scale, bits):
     return a, StandardForm(n, massive, massless, lower, follow, bits, growth + more)
 
 
-def reduced_by_mass(m, k, massive, bits):
+def reduced_by_mass(m: np.ndarray, k: np.ndarray, massive: Sequence[int],
+                    bits: int) -> tuple[np.ndarray, np.ndarray, float]:
     """A = L⁻¹ k L⁻ᵀ; L, or its diagonal alone where m is diagonal; by how many bits rounding grew."""
     n = len(m)
     if fx.is_diagonal(m):
@@ -157,7 +161,8 @@ def reduced_by_mass(m, k, massive, bits):
     return (a + a.T) >> 1, lower, growth_bits(fx.forward(lower, fx.identity(n, bits), bits), bits)
 
 
-def condensed(k, massive, massless, bits, names=None, symmetric=True):
+def condensed(k: np.ndarray, massive: Sequence[int], massless: Sequence[int], bits: int,
+              names: Sequence[int] | None = None, symmetric: bool = True) -> tuple[np.ndarray, np.ndarray, float]:
     """The stiffness left to the massive coordinates when the massless ones follow: z = −follow a."""
     inverse, growth = inverted(k[np.ix_(massless, massless)], names or massless, bits)
     follow = fx.product(inverse, k[np.ix_(massless, massive)], bits)
@@ -165,7 +170,7 @@ def condensed(k, massive, massless, bits, names=None, symmetric=True):
     return (left + left.T) >> 1 if symmetric else left, follow, growth
 
 
-def inverted(a, names, bits):
+def inverted(a: np.ndarray, names: Sequence[int], bits: int) -> tuple[np.ndarray, float]:
     """The inverse of a fixed-point matrix by Gauss–Jordan elimination, and by how many bits rounding may grow."""
     n = len(a)
     work = np.concatenate([a, fx.identity(n, bits)], axis=1)
@@ -185,7 +190,7 @@ def inverted(a, names, bits):
     return out, growth_bits(out, bits)
 
 
-def growth_bits(inverse, bits):
+def growth_bits(inverse: np.ndarray, bits: int) -> float:
     """log2 of (1 + n² max|inverse|)⁴, by which rounding may grow in a product with the inverse on both sides."""
     if not len(inverse):
         return 4.0
@@ -193,7 +198,7 @@ def growth_bits(inverse, bits):
     return 4.0 * max(1.0, 1 + largest.bit_length() - bits + 2 * math.log2(len(inverse)))
 
 
-def sensitivity(elements, scale, shapes, sizes):
+def sensitivity(elements: Any, scale: Scaling, shapes: np.ndarray, sizes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """First-order change of each λ̂ per relative rounding of every weight and component; of the sums in K."""
     p, rows, sums = scale.coordinates, np.zeros(shapes.shape[1]), np.zeros(shapes.shape[1])
     kinds = (elements.springs, scale.stiffness, 1.0), (elements.inertias, scale.mass, sizes)
@@ -201,20 +206,14 @@ def sensitivity(elements, scale, shapes, sizes):
         for weight, row in terms:
             value, size = 0.0, 0.0
             for i, x in row.items():
-                part = _scaled(x, p[i]) * shapes[i]
+                part = fx.times_power(x, p[i]) * shapes[i]
                 value, size = value + part, size + np.abs(part)
-            rows += factor * abs(_scaled(weight, -base)) * np.abs(value) * (3 * size)
+            rows += factor * abs(fx.times_power(weight, -base)) * np.abs(value) * (3 * size)
     for (i, j), x in (elements.K_size or {at: abs(x) for at, x in elements.K.items()}).items():
-        felt = np.abs(_scaled(x, p[i] + p[j] - scale.stiffness) * shapes[i] * shapes[j])
+        felt = np.abs(fx.times_power(x, p[i] + p[j] - scale.stiffness) * shapes[i] * shapes[j])
         rows += felt
         if elements.K_size:
             sums += felt
     for (i, j), x in elements.M.items():
-        rows += sizes * np.abs(_scaled(x, p[i] + p[j] - scale.mass) * shapes[i] * shapes[j])
+        rows += sizes * np.abs(fx.times_power(x, p[i] + p[j] - scale.mass) * shapes[i] * shapes[j])
     return rows, sums
-
-
-def _scaled(x, power):
-    """x 2^power as a float."""
-    m, e = fx.mantissa(x)
-    return fx.to_float(m, -(e + power))

@@ -4,27 +4,32 @@ Where all stiffness is Σ k ∇s ∇sᵀ the frequencies are singular values of 
 assembled. Otherwise they are eigenvalues of L⁻¹ K̂ L⁻ᵀ, to 4 n ε of its assembled magnitudes.
 """
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
 import numpy as np
 
-from vibcli.analyses.modal.scaling import mechanism, unmoved
+from vibcli.analyses.modal.scaling import Scaling, mechanism, unmoved
 from vibcli.numerics.factored_svd import mass_factor, singular_vectors
+
+if TYPE_CHECKING:
+    import mpmath
 
 UNIT = 2.0 ** -53
 
 
-class Approximate:
+class Approximate(NamedTuple):
     """λ̂ = ω̂² (0 for rigid modes), M̂-normalised shapes in columns, relative bounds of √|λ̂|.
 
     The bound is 0 for a zero that follows from the structure, 1 for a value whose sign floats cannot tell.
     """
 
-    __slots__ = ("errors", "shapes", "values")
+    values: np.ndarray
+    shapes: np.ndarray
+    errors: np.ndarray
 
-    def __init__(self, values, shapes, errors):
-        self.values, self.shapes, self.errors = values, shapes, errors
 
-
-def approximate(elements, scale, zeros):
+def approximate(elements: Any, scale: Scaling, zeros: int | None) -> Approximate:
     """The undamped eigenvalues in floats."""
     if zeros is None or elements.massless:
         return _assembled(elements, scale, zeros)
@@ -38,7 +43,8 @@ def approximate(elements, scale, zeros):
     return Approximate(sigma ** 2, back_from(lower, v), bound + 2 * UNIT)
 
 
-def scaled_rows(terms, powers, scale, n):
+def scaled_rows(terms: "Sequence[tuple[float | mpmath.mpf, dict[int, float | mpmath.mpf]]]", powers: Sequence[int],
+                scale: int, n: int) -> np.ndarray:
     """√(2^-scale w) s D as a dense array, a term to a row; powers of two enter exactly."""
     out = np.zeros((len(terms), n))
     for place, (weight, row) in enumerate(terms):
@@ -50,7 +56,8 @@ def scaled_rows(terms, powers, scale, n):
     return out
 
 
-def dense(terms, matrix, powers, scale, n):
+def dense(terms: Sequence[tuple[float, dict[int, float]]], matrix: Any, powers: Sequence[int], scale: int,
+          n: int) -> np.ndarray:
     """2^-scale D (Σ w s sᵀ + matrix) D in floats."""
     out = np.zeros((n, n))
     for weight, row in terms:
@@ -64,7 +71,7 @@ def dense(terms, matrix, powers, scale, n):
     return out
 
 
-def stiffness(elements, scale):
+def stiffness(elements: Any, scale: Scaling) -> tuple[np.ndarray, np.ndarray]:
     """K̂ in floats, and the sum of the magnitudes of the terms of each entry."""
     n, p = elements.n, scale.coordinates
     springs = [(abs(w), {i: abs(x) for i, x in row.items()}) for w, row in elements.springs]
@@ -73,7 +80,7 @@ def stiffness(elements, scale):
             dense(springs, sums, p, scale.stiffness, n))
 
 
-def mass_triangle(elements, scale, massive):
+def mass_triangle(elements: Any, scale: Scaling, massive: Sequence[int] | range) -> np.ndarray:
     """Lower triangular L with M̂ = L Lᵀ over the massive coordinates, or its diagonal alone."""
     n, p, massive = elements.n, scale.coordinates, list(massive)
     if elements.M:
@@ -104,7 +111,7 @@ def _growth(triangle):
     return float(np.linalg.norm(np.abs(inverse) @ np.abs(triangle), 2))
 
 
-def back_from(lower, v):
+def back_from(lower: np.ndarray, v: np.ndarray) -> np.ndarray:
     """L⁻ᵀ v for what mass_triangle gives."""
     return v / lower[:, None] if lower.ndim == 1 else _solved(lower.T, v)
 

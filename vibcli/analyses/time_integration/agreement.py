@@ -5,11 +5,14 @@ motion that is not sensitive to these both differ by rounding; where it is chaot
 difference grows as e^(λt), and from some instant on no digit of either is right.
 """
 
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 
 from vibcli.analyses.time_integration.collocation_step import CLOSE
 from vibcli.analyses.time_integration.error_scales import EPSILON
-from vibcli.analyses.time_integration.trajectory import POINTS
+from vibcli.analyses.time_integration.trajectory import POINTS, Trajectory
 from vibcli.numerics.collocation_rule import rule
 
 ROUNDED = CLOSE / 2   # last digits of a place: what rounding may leave of an iteration that comes no nearer
@@ -23,7 +26,7 @@ class Shared:
     relative to how far each coordinate goes and how fast; lost: may less than three digits be left of it there, and is
     it more than rounding? still: is all of the motion no more? units: the size of the figure along each coordinate."""
 
-    def __init__(self, one, other, units):
+    def __init__(self, one: Trajectory, other: Trajectory, units: np.ndarray):
         self.one, self.other = one, other
         end = min(one.end, other.end)
         c = rule(POINTS).c      # not the ends of windows: there forces may jump, in the other solution a little later
@@ -48,17 +51,17 @@ class Shared:
         return forces * self.times**2 + places, forces * self.times + places / sizes.radian
 
     @property
-    def horizon(self):
+    def horizon(self) -> float | None:
         """The last place before the two share less than three digits; None where they share all of the motion."""
         first = int(np.argmax(self.lost))
         return float(self.times[max(first - 1, 0)]) if self.lost[first] else None
 
-    def of_state(self, t):
+    def of_state(self, t: Any) -> float:
         """The error of the states up to an instant, relative to the motion."""
         error = float(self.error[min(np.searchsorted(self.times, t), len(self.error) - 1)])
         return error if self.one.fast is None else max(error, self.one.fast.part)
 
-    def of_signal(self, values, t):
+    def of_signal(self, values: Callable, t: float) -> float:
         """How far the two differ in a signal about an instant; values(trajectory, times)."""
         k = int(np.searchsorted(self.times, t))
         times = np.minimum(np.append(self.times[max(k - NEAR, 0):k + NEAR], t), min(self.one.end, self.other.end))

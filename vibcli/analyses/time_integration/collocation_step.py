@@ -5,14 +5,17 @@ scenes, whose fast oscillations have died out or were never excited, windows spa
 with the Jacobians of f at every point by differences.
 """
 
-from typing import NamedTuple
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+
+if TYPE_CHECKING:
+    from vibcli.numerics.collocation_rule import Rule
 
 MOST_PICARD, MOST_NEWTON, PATIENCE = 60, 12, 15
 DIFFERENCE, LEAST = 1e-4, 1.0       # of the way that a coordinate goes, or of its value
 CLOSE, HOPELESS = 1e3, 1e18         # of the tolerance
-
 
 
 class Window:
@@ -22,16 +25,21 @@ class Window:
 
     __slots__ = ("end", "g", "length", "q", "rule", "series", "slides", "start", "v", "values")
 
-    def __init__(self, rule, start, length, q, v, A, g, slides):
-        self.rule, self.start, self.length, self.end = rule, start, length, length
+    def __init__(self, rule: "Rule", start: float, length: float, q: np.ndarray, v: np.ndarray, A: np.ndarray,
+                 g: Sequence[float], slides: Sequence[Any], end: float | None = None):
+        self.rule, self.start, self.length, self.end = rule, start, length, length if end is None else end
         self.q, self.v, self.g, self.slides = q, v, g, slides
         self.values, self.series = A, A @ rule.to_series
 
-    def states(self, tau):
+    def until(self, end: float) -> "Window":
+        """The same up to an earlier instant alone."""
+        return Window(self.rule, self.start, self.length, self.q, self.v, self.values, self.g, self.slides, end)
+
+    def states(self, tau: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """(q, q̇, q̈) of shapes (n, instants) at the instants tau [s] after the start."""
         return self.summed(tau, self.rule.basis(2 * tau / self.length - 1))
 
-    def summed(self, tau, P):
+    def summed(self, tau: Any, P: np.ndarray):
         """The same with the values of the Legendre polynomials at the instants at hand."""
         rule, H = self.rule, self.length
         a = self.series @ P[:-2]
@@ -39,7 +47,7 @@ class Window:
         q = self.q[:, None] + tau * self.v[:, None] + H * H * ((self.series @ rule.twice) @ P)
         return q, v, a
 
-    def state(self, tau):
+    def state(self, tau: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         q, v, a = self.states(np.array([tau]))
         return q[:, 0], v[:, 0], a[:, 0]
 
@@ -53,7 +61,8 @@ class Attempt(NamedTuple):
     inverse: np.ndarray | None = None
 
 
-def iterated(force, rule, H, q, v, guess, allowed, unseen=0):
+def iterated(force: Callable, rule: "Rule", H: float, q: np.ndarray, v: np.ndarray, guess: np.ndarray,
+             allowed: np.ndarray, unseen: int = 0) -> Attempt:
     """Picard's iteration. force(Q, V) gives q̈ at the points; allowed: the error of each coordinate, (n, 1); unseen: how
     many iterations are made before the first look at their change."""
     s = rule.points
@@ -75,7 +84,8 @@ def iterated(force, rule, H, q, v, guess, allowed, unseen=0):
     return Attempt(None, count)
 
 
-def newton(force, rule, H, q, v, guess, allowed, inverse=None):
+def newton(force: Callable, rule: "Rule", H: float, q: np.ndarray, v: np.ndarray, guess: np.ndarray,
+           allowed: np.ndarray, inverse: np.ndarray | None = None) -> Attempt:
     """Newton's method on f(q(A), q̇(A)) − A = 0; force(Q, V, copies) takes so many copies of the points at once;
     inverse: that of the window before, used as long as it does."""
     base, speed = q[:, None] + v[:, None] * (H * rule.c), v[:, None]

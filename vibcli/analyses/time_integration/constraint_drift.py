@@ -1,8 +1,13 @@
 """How far a motion leaves its constraints G = 0, Ġ = 0 between the instants at which it is put back on them."""
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+
+if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.collocation_step import Window
+    from vibcli.mechanics.numeric_equations import NumericEquations
 
 
 class Drift(NamedTuple):
@@ -12,7 +17,7 @@ class Drift(NamedTuple):
     velocity: float
 
 
-def drift(system, windows):
+def drift(system: "NumericEquations", windows: "Sequence[Window]"):
     """The Drift at the ends and Gauss points of all windows; None without constraints."""
     if not system.m:
         return None

@@ -3,11 +3,19 @@
 Its work and its extremes are those of the windows, which therefore resolve it, too.
 """
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from vibcli.analyses.time_integration.error_scales import EPSILON
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.numeric_code import Compiled
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.numeric_equations import NumericEquations
+    from vibcli.numerics.collocation_rule import Rule
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 LAST = 3            # Legendre coefficients which must be small
 ROUNDINGS = 8
@@ -15,7 +23,7 @@ SHORTER, MOST = 0.7, 60
 TOLERANCE = 1e-11   # of how far they go
 
 
-def driven_places(scene):
+def driven_places(scene: "Scene") -> "list[Node]":
     """The places and turns of bodies and points that hold the time."""
     frames = [body.frame for body in scene.bodies.values() if body.frame is not None]
     nodes = [node for frame in frames for node in (*frame.place, frame.angle)]
@@ -27,7 +35,7 @@ def driven_places(scene):
 class Driven:
     """Functions of the time alone in the places of a scene; `reach`: how far each has gone from where it started."""
 
-    def __init__(self, system):
+    def __init__(self, system: "NumericEquations"):
         scene = system.scene
         self.nodes = [node for node in reachable(driven_places(scene)) if node.mask == scene.time.mask
                       and node is not scene.time]
@@ -40,7 +48,7 @@ class Driven:
         still = np.zeros((self.n, len(times)))
         return np.array([np.broadcast_to(value, times.shape) for value in self._compiled(times, still, still)])
 
-    def resolved(self, t, H, rule):
+    def resolved(self, t: float, H: float, rule: "Rule") -> float:
         """The longest window of at most H that resolves them; H where none does."""
         shorter = H
         for _ in range(MOST if self.nodes else 0):

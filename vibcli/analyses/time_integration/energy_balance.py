@@ -1,5 +1,8 @@
 """The energy balance of a motion: d(T + V)/dt = loads − dissipated + drive, integrated at the Gauss points."""
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from vibcli.analyses.time_integration.trajectory import POINTS, Balance
@@ -7,12 +10,19 @@ from vibcli.mechanics.power_balance import powers
 from vibcli.numerics.collocation_rule import rule
 from vibcli.symbolic.numeric_code import Compiled
 
+if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.collocation_step import Window
+    from vibcli.mechanics.numeric_equations import NumericEquations
+    from vibcli.mechanics.switching import Switching
+
 BESIDE = 1e-14      # relative: an instant is left by more than the rounding of t − t1
 
 SOON, ROUNDINGS = 1e-6, 64      # of a window, of its last instant: how far inside it its end is looked at from
 
 
-def balance(system, switching, windows, ends, struck, corners=()):
+def balance(system: "NumericEquations", switching: "Switching", windows: "Sequence[Window]",
+            ends: Sequence[tuple[np.ndarray, np.ndarray]],
+            struck: Sequence[tuple[float, np.ndarray, np.ndarray, np.ndarray]], corners: Any = ()) -> Balance:
     """The Balance over all windows, each of which may have been cut short; ends: the states (q, q̇) there; struck:
     [(instant, q, q̇ before, q̇ after)] of impulses, whose work is that of loads, or of what drives the scene; corners:
     instants at which that jumps or bends."""
@@ -20,7 +30,7 @@ def balance(system, switching, windows, ends, struck, corners=()):
     points = [_at_points(window, r) for window in windows]
     q, v, a = (np.concatenate([part[i] for part in points], axis=1) for i in range(3))
     t = np.concatenate([window.start + r.c * window.end for window in windows])
-    senses = _senses(system, switching, windows, points, r)
+    senses = _senses(switching, windows, points, r)
     kinetic, *rates = _rates(system, flow, t, q, v, a, senses)
     lengths = np.array([window.end for window in windows])
     loads, lost, drive = (np.concatenate([[0.0], np.cumsum(rate.reshape(-1, POINTS) @ r.w * lengths)])
@@ -89,7 +99,7 @@ def _gained(system, flow, instant, place, before, after):
     return np.diff(np.broadcast_to(found, 2))[0]
 
 
-def _senses(system, switching, windows, parts, rule):
+def _senses(switching, windows, parts, rule):
     """The senses of the switches at the Gauss points of all windows, those that slide included."""
     found = []
     for window, (q, v, _) in zip(windows, parts, strict=True):

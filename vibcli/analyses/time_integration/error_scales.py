@@ -4,7 +4,15 @@ The error of q is relative to how far each coordinate has moved, that of q̈ to 
 held to LEAST of the one that moves most, √Mᵢᵢ qᵢ being compared, so that units do not matter.
 """
 
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
 import numpy as np
+
+from vibcli.numerics.state_space import first_order
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.numeric_equations import NumericEquations
 
 LEAST = 1e-3
 EPSILON = 2.0**-52
@@ -18,10 +26,11 @@ class Sizes:
 
     __slots__ = ("largest", "moved", "noise", "origin", "radian", "slopes", "weight")
 
-    def __init__(self, q):
+    def __init__(self, q: np.ndarray):
         self.origin, self.moved, self.largest = q.copy(), np.zeros(len(q)), np.zeros(len(q))
 
-    def measure(self, system, accelerations, t, q, v, g):
+    def measure(self, system: "NumericEquations", accelerations: Callable, t: float, q: np.ndarray, v: np.ndarray,
+                g: Sequence[float]) -> None:
         """Take weight, radian and noise from the system as it is at t."""
         values = system.inertia(np.array([t]), q[:, None], v[:, None], g)
         self.weight = np.sqrt(np.maximum([float(np.max(value)) for value in values], 1e-300))
@@ -36,14 +45,18 @@ class Sizes:
             self.noise += EPSILON * (np.abs(J) @ np.abs(np.concatenate([q, v])))
         self.meet(a[:, None])
 
-    def meet(self, a):
+    def roughen(self, factor: float) -> None:
+        """Take the rounding error of q̈ to be so many times as large, if that is more."""
+        self.noise = self.noise * max(factor, 1.0)
+
+    def meet(self, a: np.ndarray) -> None:
         """Note accelerations of shape (n, instants)."""
         self.largest = np.maximum(self.largest, self.lifted(np.abs(a).max(axis=1)))
 
-    def move(self, q):
+    def move(self, q: np.ndarray) -> None:
         self.moved = np.maximum(self.moved, np.abs(q - self.origin))
 
-    def scale(self, H, v, a):
+    def scale(self, H: float, v: np.ndarray, a: np.ndarray):
         """The size of each coordinate to which its error is compared; that of a motion that begins is taken from what
         it does within a radian."""
         T = min(H, self.radian)
@@ -51,7 +64,7 @@ class Sizes:
         size = np.maximum(size, LEAST * np.abs(self.origin))
         return np.where(size > 0, size, 1.0)
 
-    def lifted(self, size):
+    def lifted(self, size: np.ndarray) -> np.ndarray:
         """Sizes of those that move little, lifted to LEAST of the largest."""
         weighted = size * self.weight
         return np.maximum(weighted, LEAST * weighted.max(initial=0.0)) / self.weight
@@ -61,12 +74,12 @@ def _fastest(K, C, weight):
     """The largest |λ| of δ̈ = K δ + C δ̇; of many coordinates a bound, √‖K‖ + ‖C‖ with the coordinates weighted."""
     n = len(K)
     if n <= FEW:
-        return np.abs(np.linalg.eigvals(np.block([[np.zeros((n, n)), np.eye(n)], [K, C]]))).max()
+        return np.abs(np.linalg.eigvals(first_order(-K, -C))).max()
     rows = [np.abs(weight[:, None] * matrix / weight).sum(axis=1).max() for matrix in (K, C)]
     return np.sqrt(rows[0]) + rows[1]
 
 
-def jacobian(accelerations, t, q, v):
+def jacobian(accelerations: Callable, t: float, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(q̈, [∂q̈/∂q, ∂q̈/∂q̇]) by differences."""
     n = len(q)
     a = accelerations(np.array([t]), q[:, None], v[:, None])[:, 0]

@@ -1,10 +1,16 @@
 """The first instant within a window at which a switch changes its sense, or leaves its slide."""
 
 from functools import lru_cache
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.numerics.collocation_rule import rule
+from vibcli.numerics.root_finding import last_place
+
+if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.collocation_step import Window
+    from vibcli.mechanics.switching import Switching
 
 ROUNDS = 100
 NEAR = 4 * 2.0**-52
@@ -18,7 +24,8 @@ def _places(points):
     return c, rule(points).basis(2 * c - 1)
 
 
-def first_event(switching, window, slack, breaks=False):
+def first_event(switching: "Switching", window: "Window", slack: np.ndarray,
+                breaks: bool = False) -> tuple[float | None, tuple[int, ...]]:
     """(instant after the window's start, numbers of the switches that change there), (None, ()) where none does.
 
     slack: how far each argument may be on the wrong side, by rounding; breaks: may what is prescribed turn at another
@@ -85,10 +92,5 @@ def _after_start(room, high):
     for _ in range(60):
         low *= 0.5
         if room(low) > 0:
-            break
-    else:
-        return 0.0
-    for _ in range(ROUNDS):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if room(middle) > 0 else (low, middle)
-    return high
+            return last_place(lambda tau: room(tau) > 0, low, high, ROUNDS)[1]
+    return 0.0

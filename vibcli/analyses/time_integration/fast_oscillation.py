@@ -5,9 +5,13 @@ by 1e-10 of that. Its size is measured while it is followed; afterwards it is pa
 positions hardly, of velocities more, of accelerations and of the force of the stiff spring as much as it is.
 """
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+
+if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.collocation_step import Window
+    from vibcli.analyses.time_integration.error_scales import Sizes
 
 SMALL = 1e-6        # of the motion: what moves less may be stepped over
 SMOOTH = 2          # degree of what is not fast within a window
@@ -25,12 +29,12 @@ class Fast(NamedTuple):
     a: np.ndarray
     part: float
 
-    def allowed(self, settling):
+    def allowed(self, settling: Any):
         """Which coefficients of q need not be resolved: those of the oscillation as long as it is settling."""
         return (ROUGH if settling > 0 else LEFT) * self.q[:, None]
 
 
-def fast_part(window, sizes, scale):
+def fast_part(window: "Window", sizes: "Sizes", scale: np.ndarray):
     """The Fast of a window that follows it; None where it is not small beside the motion of size `scale`."""
     c = window.rule.c
     amplitudes = [SAFETY * _left(row, c) for row in window.states(c * window.length)]

@@ -4,14 +4,23 @@ A function of time that is a piecewise sum of polynomials, exponentials and sine
 of any other argument the zeros are searched among SAMPLES places.
 """
 
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from vibcli.analyses.excitation.decompose import forcing_of
 from vibcli.analyses.excitation.forcing import TooOften
 from vibcli.base.errors import PhysicsError
+from vibcli.numerics.root_finding import last_place
 from vibcli.symbolic.discontinuous_functions import PULSES
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.expression_graph import reachable
+
+if TYPE_CHECKING:
+    from vibcli.base.work import Work
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 SAMPLES, ROUNDS = 20_001, 80
 BENT = ("abs", "sign", "min", "max", *PULSES)
@@ -24,16 +33,16 @@ class Breaks:
 
     __slots__ = ("blows", "times")
 
-    def __init__(self, times, blows):
+    def __init__(self, times: np.ndarray, blows: "Mapping[float, dict[Node, float]]"):
         self.times, self.blows = times, blows
 
-    def after(self, t, until):
+    def after(self, t: float, until: float) -> float:
         """The next break after t; `until` if there is none before it."""
         i = int(np.searchsorted(self.times, t, side="right"))
         return min(self.times[i], until) if i < len(self.times) else until
 
 
-def breaks(scene, nodes, floats, until, work):
+def breaks(scene: "Scene", nodes: "Sequence[Node]", floats: Mapping[str, float], until: float, work: "Work") -> Breaks:
     """The Breaks of expressions within 0 and `until`."""
     found, blows = {0.0}, {}
     for node in reachable(nodes):
@@ -94,9 +103,7 @@ def _searched(scene, node, floats, until):
     values = turns(times)
     found = []
     for i in np.flatnonzero(values[1:] != values[:-1]):
-        low, high = times[i], times[i + 1]
-        for _ in range(ROUNDS):
-            middle = 0.5 * (low + high)
-            low, high = (middle, high) if turns(np.array([middle]))[0] == values[i] else (low, middle)
-        found.append(float(high))
+        before = values[i]
+        end = last_place(lambda t, before=before: turns(np.array([t]))[0] == before, times[i], times[i + 1], ROUNDS)[1]
+        found.append(float(end))
     return found

@@ -9,10 +9,19 @@ on each side of the bottom of the well: it stands roots at the ends and what is 
 halved until nothing changes.
 """
 
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.energies import effective_potential
 from vibcli.mechanics.equations_of_motion import dynamics
 from vibcli.symbolic.evaluation import evaluate, multiprecision
+
+if TYPE_CHECKING:
+    import mpmath
+
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 DIGITS, SHOWN = 60, 1e-15
 FARTHEST, HALVINGS = 4.2, 12        # of u: beyond it the ends are nearer than 10⁻⁴⁴ of the way
@@ -21,14 +30,14 @@ FARTHEST, HALVINGS = 4.2, 12        # of u: beyond it the ends are nearer than 1
 class Energies:
     """V and m of the one coordinate of a scene at mpmath numbers, at the working precision."""
 
-    def __init__(self, scene, values):
+    def __init__(self, scene: "Scene", values: "Mapping[str, float | mpmath.mpf]"):
         import mpmath
 
         self.nodes, self.name = [effective_potential(scene), dynamics(scene).M[0, 0]], scene.q[0].name
         self.arithmetic = multiprecision()
         self.known = {key: mpmath.mpf(value) for key, value in values.items()}
 
-    def known_at(self, q):
+    def known_at(self, q: "mpmath.mpf") -> bool:
         """Can they be evaluated there? The energy of some laws has no closed form."""
         try:
             self(q)
@@ -36,7 +45,7 @@ class Energies:
             return False
         return True
 
-    def gain(self, start, end):
+    def gain(self, start: "mpmath.mpf", end: "mpmath.mpf") -> "mpmath.mpf":
         """V(end) − V(start), nan where one of them is no real number."""
         import mpmath
 
@@ -45,7 +54,7 @@ class Energies:
         except (ValueError, ArithmeticError):
             return mpmath.nan
 
-    def __call__(self, q):
+    def __call__(self, q: "mpmath.mpf") -> "list[mpmath.mpf]":
         """(V, m); ArithmeticError where they are no real numbers there."""
         import mpmath
 
@@ -55,13 +64,7 @@ class Energies:
         return [mpmath.re(x) for x in found]
 
 
-def period_between(energies, energy, left, bottom, right):
-    """The period of the motion between two places at which it turns round, `bottom` a place between them near which V
-    may be narrow."""
-    return float(2 * (_time(energies, energy, left, bottom) + _time(energies, energy, bottom, right)))
-
-
-def _time(energies, energy, left, right):
+def time_between(energies: Any, energy: "Node", left: Any, right: Any):
     """∫ √(m/(2(E − V))) dq."""
     import mpmath
 

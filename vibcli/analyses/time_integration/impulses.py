@@ -5,15 +5,21 @@ instants shortly after a. Where f vanishes at a, as of a motion step(t − a) (1
 nothing strikes: the effect then grows from one instant to the other as time does, or faster, or is rounding.
 """
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from vibcli.symbolic.evaluation import evaluate
+
+if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.forcing_breaks import Breaks
+    from vibcli.analyses.time_integration.time_stepping import March
 
 SOON = 1e-10            # of the time up to the next break
 SAME = 0.1              # of what strikes: how much of it may change from one instant to the other
 
 
-def blow(march, stops):
+def blow(march: "March", stops: "Breaks"):
     """Δq̇ by the impulses that act now; None where none strikes."""
     blows = stops.blows.get(march.t)
     if not blows:

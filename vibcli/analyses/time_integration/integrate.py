@@ -1,6 +1,8 @@
 """The motion of a scene from its start up to an instant."""
 
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -23,30 +25,32 @@ from vibcli.mechanics.numeric_equations import NumericEquations
 from vibcli.mechanics.switching import Switching
 from vibcli.symbolic.evaluation import Floats, evaluate
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.numeric_system import NumericSystem
+    from vibcli.scene.scene import Scene
+
 ACCURACY, BALANCED = 1e-12, 1e-8      # of a step relative to the motion; of the energies
 LONGEST = 1e12
 MOST_STEPS = 100_000
 MOST_AT_ONCE = 20       # events at one instant
 
 
-def known_motion(problem, until, initial=None):
+def known_motion(configuration: "Configuration", until: float,
+                 initial: Mapping[str, float] | None = None) -> Trajectory:
     """The Trajectory that `simulate` gives, as far as a second solution shares it."""
-    found = simulate(problem, until, initial=initial)
+    found = simulate(configuration, until, initial=initial)
     if not found.end > 0:
         raise found.unknown(0.0)
-    second = simulate(problem, found.end, initial=initial, second=True)
-    found.shared = Shared(found, second, units_of(problem, found.names))
-    horizon = found.shared.horizon
-    if horizon is not None:
-        found.stop(horizon, f"from t = {horizon:.4g} s on two solutions of this motion, of another order and with "
-                   "another last digit of its start, share less than three digits", "ask for earlier instants: the "
-                   "motion is chaotic, or leaves an unstable place")
+    second = simulate(configuration, found.end, initial=initial, second=True)
+    found.share(Shared(found, second, units_of(configuration.numeric, found.names)))
     return found
 
 
 @np.errstate(all="ignore")      # what is not finite is refused with its instant
-def simulate(problem, until, rtol=ACCURACY, initial=None, second=False):
-    """The Trajectory of a problem in numbers up to t = `until` [s].
+def simulate(configuration: "Configuration", until: float, rtol: float = ACCURACY,
+             initial: Mapping[str, float] | None = None, second: bool = False) -> Trajectory:
+    """The Trajectory of a system up to t = `until` [s].
 
     rtol: the error of each step relative to the motion. initial: {x: m or rad, x': m/s or rad/s}; what is not given
     starts at rest in equilibrium. Where its work comes to its limit the motion is that which was found until then.
@@ -54,13 +58,14 @@ def simulate(problem, until, rtol=ACCURACY, initial=None, second=False):
     """
     if not 0 < until < LONGEST:
         raise PhysicsError(f"a motion cannot end at t = {until:.6g} s", "ask for an instant after its start, t = 0")
-    places, speeds = start(problem, initial)
-    scene = equations_of(problem)
-    system = NumericEquations(scene, problem.floats, problem.scene.freedom.redundant)
+    places, speeds = start(configuration, initial)
+    numeric, drawn = configuration.numeric, configuration.scene
+    scene = equations_of(numeric)
+    system = NumericEquations(scene, numeric.floats, drawn.freedom.redundant)
     owners, bounds = scene.law_switches()
-    stops = breaks(scene, [*system.parts.nodes(), *driven_places(scene)], problem.floats, until, problem.work)
+    stops = breaks(scene, [*system.parts.nodes(), *driven_places(scene)], numeric.floats, until, numeric.work)
     q, v = (x * (1 + EPSILON * second) for x in vectors(scene, places, speeds))
-    with problem.work.task("the integration" + " once more" * second, MOST_STEPS * (1 + second)) as task:
+    with numeric.work.task("the integration" + " once more" * second, MOST_STEPS * (1 + second)) as task:
         march = March(system, Switching(system, bounds, owners), q, v, rtol, until, task, SECOND if second else FIRST)
         events = []
         if not v.any():
@@ -72,23 +77,18 @@ def simulate(problem, until, rtol=ACCURACY, initial=None, second=False):
             if spent.task is not task or not march.windows:
                 raise
     if second:
-        found = Trajectory(system, march.switching, march.windows, march.t, events, None, None, march.sizes)
-        found.fast, found.rests = march.fast, rests
-        return found
+        return Trajectory(march, march.t, events, rests)
     energies = balance(system, march.switching, march.windows, march.ends, march.struck, stops.times)
     if not energies.error <= BALANCED:
-        rounding, gap = _rounding(problem, march, energies), energies.gap
+        rounding, gap = _rounding(numeric, march, energies), energies.gap
         if not gap <= rounding:
             raise _unbalanced(energies)
         largest = abs(energies.energy).max()
         energies = energies._replace(error=gap / largest if gap <= BALANCED * largest else EPSILON * gap / rounding)
-    found = Trajectory(system, march.switching, march.windows, until, events, energies, drift(system, march.windows),
-                       march.sizes)
-    found.fast, found.rests = march.fast, rests
-    if any(tie.form == "rope" for tie in problem.scene.constraints):
-        freedom = problem.scene.freedom
-        all_of_it = system if system.m else NumericEquations(_loose(problem), problem.floats, freedom.redundant)
-        gone = slack(problem, all_of_it, found)
+    found = Trajectory(march, until, events, rests, energies, drift(system, march.windows))
+    if any(tie.form == "rope" for tie in drawn.constraints):
+        loose = system if system.m else NumericEquations(_loose(numeric), numeric.floats, drawn.freedom.redundant)
+        gone = slack(numeric, loose, found)
         if gone is not None:
             found.cut(*gone)
     if march.t < until and not found.reason:
@@ -96,19 +96,19 @@ def simulate(problem, until, rtol=ACCURACY, initial=None, second=False):
     return found
 
 
-def _rounding(problem, march, energies):
+def _rounding(numeric, march, energies):
     """How far rounding may upset the balance [J]: that of the accelerations on the way, and that of V, whose springs
     know their lengths to the last digit of the figure."""
     way = sum(window.end * abs(v) for window, (_, v) in zip(march.windows, march.ends, strict=True))
-    reach = np.maximum(units_of(problem, march.system.scene.coordinates), abs(march.q))
+    reach = np.maximum(units_of(numeric, march.system.scene.coordinates), abs(march.q))
     of_V = abs(energies.energy).max() + reach @ march.system.sizes(march.t, march.q, march.v, march.g)
     each = 4 * EPSILON * float(of_V) * len(march.windows) ** 0.5       # of a window, as errors that add up at random
     return float(march.sizes.weight**2 * march.sizes.noise @ way) + each
 
 
-def units_of(problem, names):
+def units_of(numeric: "NumericSystem", names: Sequence[str]) -> np.ndarray:
     """The size of the figure along each coordinate."""
-    return np.array([(problem.figure_size or 1.0) if problem.dimension(name) else 1.0 for name in names])
+    return np.array(list(map(numeric.size_along, names)))
 
 
 def _unbalanced(energies):
@@ -121,25 +121,19 @@ def _unbalanced(energies):
                         "follow it for a shorter time, or let what acts change less abruptly")
 
 
-def equations_of(problem):
+def equations_of(numeric: "NumericSystem") -> "Scene":
     """The scene whose equations are integrated: that with all its coordinates where loops are closed."""
-    return problem.scene if problem.scene.loops is None else _loose(problem)
+    return numeric.scene if numeric.scene.loops is None else _loose(numeric)
 
 
-def _loose(problem):
+def _loose(numeric):
     """The scene with all its coordinates, its static preloads in numbers."""
-    from vibcli.scene.build import build_scene
-
-    loose = problem.loose
-    if loose is problem.scene:
-        loose = build_scene(problem.spec, problem.given, loose.attempt, loose=True,
-                            holding=problem.holding is not None)
-    if loose.static_preloads:
-        number, floats = loose.table.number, problem.floats
-        loose.replace({node: number(Fraction(evaluate([problem.preloads[record.name]], Floats, floats)[0]))
-                       for node, record in loose.static_preloads})
-        loose.static_preloads = []
-    return loose
+    loose = numeric.scene.with_multipliers() if numeric.scene.loops is None else numeric.system.scene_with_multipliers
+    if not loose.static_preloads:
+        return loose
+    number, floats, preloads = loose.table.number, numeric.floats, numeric.system.preloads
+    return loose.with_preloads({node: number(Fraction(evaluate([preloads[record.name]], Floats, floats)[0]))
+                                for node, record in loose.static_preloads})
 
 
 def _marched(march, stops, events):
@@ -157,7 +151,7 @@ def _marched(march, stops, events):
         if instant is None:
             at_once = 0
             if limit - march.t <= 1e-15 * limit:
-                march.t = limit
+                march.reach(limit)
                 if limit < until:
                     _strike(march, stops, events)
                     march.begin(stops.after(limit, until))
@@ -183,9 +177,7 @@ def _strike(march, stops, events):
     """The impulses that act now."""
     change = blow(march, stops)
     if change is not None:
-        before, march.v = march.v, march.v + change
-        march.slides = ()
-        march.struck.append((march.t, march.q, before, march.v))
+        march.strike(change)
         events.append(Event(march.t, "impulse", ""))
 
 

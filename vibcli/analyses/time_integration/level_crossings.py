@@ -4,10 +4,16 @@ A signal is a function of times, smooth within each window as the motion is. Its
 values at the Gauss points; the roots are those of that series (Boyd 2013), polished by Newton's method.
 """
 
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 from numpy.polynomial import legendre
 
 from vibcli.numerics.collocation_rule import rule
+
+if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.trajectory import Trajectory
 
 POINTS = 40
 NOTHING = 1e-15         # of the largest coefficient
@@ -18,7 +24,7 @@ TOUCH = 1e-6            # of a window: how far apart the two roots of a touch ma
 SAME = 1e-11            # of a window: roots closer than this are one
 
 
-def passages(trajectory, signal, start, end, level=0.0):
+def passages(trajectory: "Trajectory", signal: Callable, start: float, end: float, level: float = 0.0) -> list[float]:
     """Instants in [start, end] at which a signal passes the level, ascending; a place from which it starts counts."""
     found, parts = [], list(_series(trajectory, signal, start, end))
     begins = np.asarray(signal(np.array([window.start for window, _, _ in parts])), dtype=float) - level
@@ -60,7 +66,7 @@ def _away(signal, level, window, size):
     return float(sooner[clear.argmax()]) if clear.any() else window.end
 
 
-def extreme(trajectory, signal, start, end, sense):
+def extreme(trajectory: Any, signal: Callable, start: float, end: float, sense: int) -> tuple[float, float]:
     """(instant, value) of the largest (sense 1) or smallest (−1) value in [start, end]."""
     candidates = [start, end]
     for window, t, series in _series(trajectory, signal, start, end):

@@ -4,34 +4,37 @@ That is a solution of the equations, stable or not, and nothing is integrated: t
 integration follows, would move it. From the first instant at which what holds the time acts on it is integrated.
 """
 
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
 import numpy as np
 
-from vibcli.analyses.time_integration.collocation_step import Window
 from vibcli.analyses.time_integration.driven_places import driven_places
 from vibcli.analyses.time_integration.impulses import blow
 from vibcli.symbolic.numeric_code import Compiled
 
+if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.forcing_breaks import Breaks
+    from vibcli.analyses.time_integration.time_stepping import March
+
 BALANCED, ROUNDED = 1e-9, 8     # of the forces that are in equilibrium; of their rounding, beside what holds the time
 
 
-def starts_at_rest(initial):
+def starts_at_rest(initial: Mapping[str, float] | None) -> bool:
     """Does a motion with these values of `initial` start in its equilibrium?"""
     return all(name.endswith("'") and not value for name, value in (initial or {}).items())
 
 
-def stay(march, stops, in_equilibrium):
+def stay(march: "March", stops: "Breaks", in_equilibrium: bool) -> None:
     """Let the march stay where it is as long as nothing acts: in its equilibrium, or where friction holds it."""
     moving = _of_time(march.system)
     while march.t < march.until and blow(march, stops) is None:
-        start, limit = march.t, stops.after(march.t, march.until)
+        limit = stops.after(march.t, march.until)
         march.begin(limit)
         held = in_equilibrium or len(march.slides) == len(march.q)
         if not held or not _silent(march, limit, moving, in_equilibrium):
             break
-        nothing = np.zeros((len(march.q), march.rule.points))
-        march.windows.append(Window(march.rule, start, limit - start, march.q, march.v, nothing, march.g, march.slides))
-        march.ends.append((march.q, march.v))
-        march.t = limit
+        march.rest(limit)
 
 
 def _of_time(system):

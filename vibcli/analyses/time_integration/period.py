@@ -7,16 +7,24 @@ every power; E − V is found as an integral of −V′ from the nearer end, whe
 """
 
 import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
 
-from vibcli.analyses.time_integration.high_precision_period import DIGITS, Energies, period_between
+from vibcli.analyses.time_integration.high_precision_period import DIGITS, Energies, time_between
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.energies import effective_potential
 from vibcli.mechanics.equations_of_motion import dynamics
+from vibcli.numerics.root_finding import last_place
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.numeric_code import SWITCHED, Compiled
+
+if TYPE_CHECKING:
+    import mpmath
+
+    from vibcli.scene.scene import Scene
 
 FIRST, MOST = 16, 1 << 15
 ACCURACY, ENOUGH, ROUNDING, EPS = 1e-14, 1e-9, 1e-14, 2.0**-52
@@ -27,7 +35,8 @@ STEPS, WIDEST = 400, 20.0     # of a twentieth of the way that a linear spring w
 FARTHER = 0.05                # of the way gone and of q, if more: near an unstable place a spring says little
 
 
-def exact_period(scene, values, q, v):
+def exact_period(scene: "Scene", values: "Mapping[str, float | mpmath.mpf]", q: "float | mpmath.mpf",
+                 v: "float | mpmath.mpf") -> tuple[float, float] | None:
     """(period [s], relative error) of the motion from (q, v); None where the scene has several coordinates, or is not
     conservative. Numbers may be floats or mpmath's.
 
@@ -45,7 +54,9 @@ def exact_period(scene, values, q, v):
             _require_motion(slope, float(place), float(speed))
             left, right = (_turn(slope, energies.gain, place, speed, side) for side in (-1, 1))
             _require_way(left, right)
-            return period_between(energies, level + speed, left, _bottom(slope, left, right), right), ROUNDING
+            bottom = last_place(lambda q: float(slope(np.array([float(q)]))[0]) < 0, left, right)[1]
+            halves = (left, bottom), (bottom, right)
+            return float(2 * sum(time_between(energies, level + speed, *ends) for ends in halves)), ROUNDING
     return _of_forces(slope, inertia, float(q), float(v))
 
 
@@ -62,14 +73,6 @@ def _of_forces(slope, inertia, q, v):
     wider = left - _known_to(slope, left, right), right + _known_to(slope, right, left)
     moved, _ = _by_midpoints(slope, inertia, *wider)
     return found, ROUNDING + change + 2 * abs(moved / found - 1)
-
-
-def _bottom(slope, left, right):
-    """A place at which V stops falling, between two at which the motion turns round."""
-    for _ in range(200):
-        middle = (left + right) / 2
-        left, right = (left, middle) if float(slope(np.array([float(middle)]))[0]) >= 0 else (middle, right)
-    return middle
 
 
 def _require_motion(slope, q, speed):
@@ -170,12 +173,7 @@ def _not_beyond_a_top(slope, low, trial, side):
 
     if climbs(trial) or not climbs(low):
         return trial
-    for _ in range(200):
-        middle = (low + trial) / 2
-        if middle in (low, trial):
-            break
-        low, trial = (middle, trial) if climbs(middle) else (low, middle)
-    return trial
+    return last_place(climbs, low, trial)[1]
 
 
 def _scale(slope, q, speed):

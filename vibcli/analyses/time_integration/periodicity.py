@@ -1,5 +1,7 @@
 """The time after which a motion that was integrated repeats itself."""
 
+from typing import Any
+
 import numpy as np
 
 from vibcli.base.errors import PhysicsError
@@ -10,7 +12,7 @@ FIRST = 1.0             # seconds that are looked at first where nothing tells h
 LONGER, LONGEST = 3, 6  # how often the end is doubled: where it is known how long to look, and where it is not
 
 
-def searched_period(signal, first):
+def searched_period(signal: Any, first: float | None) -> float:
     """The period of a signal, looked for up to `first` [s] (None: not known), then for longer and longer."""
     end, turns = (first, LONGER) if first is not None else (FIRST, LONGEST)
     for turn in range(turns + 1):

@@ -4,6 +4,8 @@ A scene whose ropes are taut is integrated with the coordinates that they leave;
 its coordinates is the tension.
 """
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from vibcli.analyses.time_integration.level_crossings import passages
@@ -12,10 +14,15 @@ from vibcli.symbolic.array_arithmetic import Arrays
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.numeric_code import Compiled
 
+if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.trajectory import Trajectory
+    from vibcli.mechanics.numeric_equations import NumericEquations
+    from vibcli.mechanics.numeric_system import NumericSystem
+
 NOTHING = 1e-10         # of the largest tension: no push
 
 
-def slack(problem, loose, trajectory):
+def slack(numeric: "NumericSystem", loose: "NumericEquations", trajectory: "Trajectory") -> tuple[float, str] | None:
     """(instant, name of the rope) at which a rope first goes slack; None where none does. `loose`: the System with all
     coordinates of the scene."""
     ropes = [k for k, tie in enumerate(loose.scene.constraints) if tie.form == "rope" and tie.name in loose.parts.names]
@@ -25,7 +32,7 @@ def slack(problem, loose, trajectory):
         number = loose.parts.names.index(loose.scene.constraints[k].name)
 
         def tension(times, number=number):
-            return tensions(problem, loose, trajectory, times)[number]
+            return tensions(numeric, loose, trajectory, times)[number]
 
         largest = float(np.abs(tension(trajectory.starts)).max())
         for instant in [0.0, *passages(trajectory, tension, 0.0, trajectory.until)]:
@@ -36,12 +43,13 @@ def slack(problem, loose, trajectory):
     return min(found, default=None)
 
 
-def tensions(problem, loose, trajectory, times):
+def tensions(numeric: "NumericSystem", loose: "NumericEquations", trajectory: "Trajectory",
+             times: np.ndarray) -> np.ndarray:
     """The multipliers of all constraints at the times, of shape (constraints, times)."""
     q, v, _ = trajectory.at(times)
-    scene = problem.scene
+    scene = numeric.scene
     if trajectory.system is not loose:
-        values = {**problem.floats, scene.time.name: times}
+        values = {**numeric.floats, scene.time.name: times}
         for primes, rows in (("", q), ("'", v)):
             values |= {name + primes: row for name, row in zip(trajectory.names, rows, strict=True)}
         nodes = [scene.symbol(name, primes) for primes in (0, 1) for name in loose.scene.coordinates]

@@ -2,10 +2,19 @@
 argument at zero, between −σ₀ and σ₀. The sign of an argument that is held is that of rounding and says nothing.
 """
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
+if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.trajectory import Trajectory
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
-def senses(trajectory, scene, arguments, values, times):
+
+def senses(trajectory: "Trajectory", scene: "Scene", arguments: "Sequence[Node]", values: Any,
+           times: np.ndarray) -> list[np.ndarray]:
     """σ of `arguments`, nodes of a scene with the same laws as the one that is integrated, at times; values: of the
     arguments there."""
     found = [np.sign(np.broadcast_to(value, times.shape)) for value in values]

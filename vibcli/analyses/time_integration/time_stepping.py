@@ -1,5 +1,8 @@
 """The march through time: windows as long as their polynomials resolve the motion, none beyond a given instant."""
 
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from vibcli.analyses.time_integration.collocation_step import Window, iterated, newton
@@ -7,9 +10,13 @@ from vibcli.analyses.time_integration.driven_places import Driven
 from vibcli.analyses.time_integration.error_scales import EPSILON, Sizes
 from vibcli.analyses.time_integration.fast_oscillation import fast_part
 from vibcli.base.errors import PhysicsError
-from vibcli.base.work import Spent
+from vibcli.base.work import Spent, Task
 from vibcli.numerics.collocation_rule import rule
 from vibcli.symbolic.numeric_code import rooted
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.numeric_equations import NumericEquations
+    from vibcli.mechanics.switching import Switching
 
 FIRST, SECOND = (40, 24), (32, 18)      # points (of Gauss, of Radau) of the first solution and of the second
 TAIL = 3                    # coefficients which must be small
@@ -31,7 +38,15 @@ CALM = 6                    # windows without a failure before they grow by much
 class March:
     """The state of an integration: time, position, velocity, senses of switches, and what steers the next window."""
 
-    def __init__(self, system, switching, q, v, rtol, until, task, points=FIRST):
+    guess: Any
+    g: Any
+    slides: Any
+    H: float
+    fast: Any
+    factored: tuple
+
+    def __init__(self, system: "NumericEquations", switching: "Switching", q: np.ndarray, v: np.ndarray, rtol: float,
+                 until: float, task: Task, points: tuple[int, int] = FIRST):
         self.system, self.switching, self.rtol, self.until, self.task = system, switching, rtol, until, task
         self.t, self.q, self.v, self.g, self.slides = 0.0, q, v, None, ()
         self.points = points
@@ -41,7 +56,7 @@ class March:
         self.slow, self.fast, self.factored, self.settling = False, None, (None, None), 0
         self.rooted, self.driven = rooted(system.parts.nodes()), Driven(system)
 
-    def begin(self, limit, zero=()):
+    def begin(self, limit: float, zero: Any = ()) -> None:
         """Look at the system as it is from now on: at the start, and after an event or break. zero: the switches whose
         arguments vanish now."""
         soon = self._soon(limit)
@@ -56,12 +71,13 @@ class March:
         """An instant shortly after the present one, at which what begins now has begun."""
         return self.t + min(SOON * (limit - self.t), SOON * max(self.t, limit - self.t))
 
-    def accelerations(self, t, q, v, c=None):
+    def accelerations(self, t: np.ndarray, q: np.ndarray, v: np.ndarray,
+                      c: Sequence[np.ndarray] | None = None) -> np.ndarray:
         if self.slides:
             return self.switching.sliding(self.slides, t, q, v, self.g, c)[0]
         return self.system.accelerations(t, q, v, self.g, c)
 
-    def advance(self, limit):
+    def advance(self, limit: float) -> Window:
         """The next Window, at most up to the instant `limit`."""
         a = self.accelerations(np.array([self._soon(limit)]), self.q[:, None], self.v[:, None])
         if not np.isfinite(a).all():
@@ -82,7 +98,7 @@ class March:
                 if root and self._no_blow(H, done):
                     break
                 if not root and len(tails) >= 4 and tail > 0.25 * tails[-4]:    # it does not fall with the window:
-                    self.sizes.noise = self.sizes.noise * max(tail, 1.0)        # it is rounding
+                    self.sizes.roughen(tail)                                    # it is rounding
                     break
                 tails.append(tail)
             H *= 0.5 if done is None else 0.7
@@ -143,7 +159,7 @@ class March:
         with np.errstate(all="ignore"):
             done = solve(self.force(self.t + H * self.rule.c), self.rule, H, self.q, self.v, guess,
                          (part * self.rtol * scale if self.fast is None else 1e-2 * self._allowed(H, scale))
-                         + 0.5 * EPSILON * np.abs(self.q)[:, None], known)
+                         + 0.5 * EPSILON * np.abs(self.q)[:, None], known)  # type: ignore[arg-type]
         self.factored = (H, self.g, self.slides), done.inverse
         if done.A is None:
             return None, np.inf, 1.0
@@ -185,7 +201,7 @@ class March:
         allowed = np.minimum(10 * self.rtol * self.sizes.largest[:, None], from_q) + 8 * self.sizes.noise[:, None]
         return np.maximum(allowed, TINY)
 
-    def force(self, times):
+    def force(self, times: np.ndarray) -> Callable:
         """q̈ at the points as a function of (q, q̇, copies of the points)."""
         c = self.system.prepared(times)
         if not self.slides and not self.stiff:
@@ -217,7 +233,28 @@ class March:
         if len(self.q) * self.points[1] <= MOST_UNKNOWNS:
             self.stiff, self.calm, self.rule, self.guess = True, CALM, rule(self.points[1], radau=True), None
 
-    def finish(self, window, end=None):
+    def rest(self, limit: float) -> None:
+        """Stay at rest, under the forces as they are now, up to an instant."""
+        nothing = np.zeros((len(self.q), self.rule.points))
+        window = Window(self.rule, self.t, limit - self.t, self.q, self.v, nothing, self.g, self.slides)
+        self._keep(window)
+        self.t = limit
+
+    def reach(self, instant: float) -> None:
+        """Be at an instant at which something begins."""
+        self.t = instant
+
+    def strike(self, change: np.ndarray) -> None:
+        """Let impulses change the velocities at once."""
+        before, self.v, self.slides = self.v, self.v + change, ()
+        self.struck.append((self.t, self.q, before, self.v))
+
+    def _keep(self, window):
+        """A window, at whose end the state is the present one."""
+        self.windows.append(window)
+        self.ends.append((self.q, self.v))
+
+    def finish(self, window: Any, end: float | None = None) -> None:
         """Keep a window and move to its end, or keep it up to an earlier instant `end` of it alone."""
         self.sizes.move(window.q)
         if end is None:
@@ -228,28 +265,27 @@ class March:
             self.t = window.start + H
         else:
             self.q, self.v, _ = window.state(end)
-            self.t, self.guess, window.end = window.start + end, None, end
+            self.t, self.guess, window = window.start + end, None, window.until(end)
         self.close(np.nextafter(self.t, window.start))      # with the speed that it was driven at
         self.sizes.move(self.q)
         if window.end:
-            self.windows.append(window)
-            self.ends.append((self.q, self.v))
+            self._keep(window)
 
-    def close(self, t):
+    def close(self, t: float) -> None:
         """Put the state on the constraints of an instant, from which it drifts by rounding."""
         if self.system.m:
             self.q, self.v = self.system.projected(t, self.q, self.v, self.g)
 
-    def undefined(self):
+    def undefined(self) -> PhysicsError:
         return PhysicsError(f"the forces of this scene are not defined at t = {self.t:.6g} s, in the position that the "
                             "motion reaches", "look for roots of what becomes negative, or ends that meet")
 
-    def singular(self):
+    def singular(self) -> PhysicsError:
         return PhysicsError(f"the motion cannot be followed beyond t = {self.t:.9g} s: it grows without bound there, "
                             "or a force or a linkage is singular", "ask for an earlier end, or mind the signs of "
                             "stiffness and damping")
 
-    def endless(self):
+    def endless(self) -> tuple[str, str]:
         """(why it was stopped, what may be done)."""
         H = self.windows[-1].length
         return (f"after {self.task.steps:.0f} of at most {self.task.limit:.0f} steps the motion has come to "

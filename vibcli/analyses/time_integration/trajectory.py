@@ -1,7 +1,8 @@
 """A motion in time: its state at any instant, its energy balance, its events."""
 
+from collections.abc import Sequence
 from functools import cached_property
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -9,6 +10,9 @@ from vibcli.base.errors import Unknown
 from vibcli.mechanics.equilibrium.redundant_friction import Redundancy
 from vibcli.numerics.collocation_rule import rule
 from vibcli.symbolic.numeric_code import Compiled
+
+if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.time_stepping import March
 
 POINTS = 40             # at most in a window
 LATE = 1e-12
@@ -37,7 +41,7 @@ class Balance(NamedTuple):
     error: float
 
     @property
-    def gap(self):
+    def gap(self) -> float:
         """The largest difference of both sides [J]."""
         return float(np.abs(self.energy - self.energy[0] - self.work + self.dissipated - self.driving).max())
 
@@ -49,18 +53,21 @@ class Trajectory:
     those of the motion; fast: the oscillation that was stepped over, None where all is followed; rests: the instant up
     to which it stays in the equilibrium in which it starts."""
 
-    def __init__(self, system, switching, windows, until, events, balance, drift, sizes):
-        self.system, self.switching, self.names = system, switching, list(system.scene.coordinates)
-        self.windows, self.until, self.end, self.events = windows, until, until, tuple(events)
-        self.balance, self.drift, self.reason, self.advice = balance, drift, None, None
-        self.shared, self.sizes, self.fast, self.rests = None, sizes, None, 0.0
-        self.lengths = np.array([window.length for window in windows])
-        self.starts = np.array([window.start for window in windows])
+    def __init__(self, march: "March", until: float, events: Sequence[Event], rests: float,
+                 balance: Balance | None = None, drift: Any = None):
+        self.system, self.switching, self.windows = march.system, march.switching, march.windows
+        self.names, self.sizes, self.fast = list(march.system.scene.coordinates), march.sizes, march.fast
+        self.until, self.end, self.events, self.rests = until, until, tuple(events), rests
+        self.balance, self.drift, self.reason, self.advice, self.shared = balance, drift, None, None, None
+        self.lengths = np.array([window.length for window in self.windows])
+        self.starts = np.array([window.start for window in self.windows])
 
-    def at(self, times):
+    def at(self, times: Sequence[float] | np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """(q, q̇, q̈), each of shape (coordinates, times), at times within 0 and `until` [s]."""
         times = np.atleast_1d(np.asarray(times, dtype=float))
-        self._require(times)
+        late = times.max(initial=0.0)
+        if late > self.end * (1 + LATE):
+            raise self.unknown(late)
         found = np.empty((3, len(self.names), len(times)))
         number = self._numbers(times)
         P = rule(POINTS).basis(2 * (times - self.starts[number]) / self.lengths[number] - 1)
@@ -77,7 +84,7 @@ class Trajectory:
         """Of the windows in which the times lie."""
         return np.clip(np.searchsorted(self.starts, times, side="right") - 1, 0, len(self.windows) - 1)
 
-    def held(self, times):
+    def held(self, times: np.ndarray):
         """{number of a switch: σ by which it is held at the times, NaN where it is not}."""
         found, number = {}, self._numbers(times)
         for i in np.unique(number):
@@ -91,7 +98,7 @@ class Trajectory:
         return self._with_carried(found, number, times) if found and self.friction.possible else found
 
     @cached_property
-    def friction(self):
+    def friction(self) -> Redundancy:
         """The Redundancy of the signs of speeds."""
         return Redundancy(self.system.scene, self.system.parts.h, self.system.parts.slopes)
 
@@ -110,27 +117,30 @@ class Trajectory:
                 found[k] = np.where(after & ~before, senses, found.get(k, none))
         return found
 
-    def cut(self, instant, name):
+    def cut(self, instant: float, name: str) -> None:
         """End at the instant at which a rope goes slack."""
         self.stop(instant, f"the rope '{name}' goes slack at t = {instant:.6g} s",
                   "let the rope be an elastic one: a spring that `acts: tension`")
         self.events = (*(event for event in self.events if event.time <= instant), Event(instant, "slack", name))
 
-    def stop(self, instant, reason, advice):
+    def share(self, shared: Any) -> None:
+        """Know what is `shared` with a second solution, and end where that is too little."""
+        self.shared, horizon = shared, shared.horizon
+        if horizon is not None:
+            self.stop(horizon, f"from t = {horizon:.4g} s on two solutions of this motion, of another order and with "
+                      "another last digit of its start, share less than three digits", "ask for earlier instants: the "
+                      "motion is chaotic, or leaves an unstable place")
+
+    def stop(self, instant: Any, reason: Any, advice: Any) -> None:
         """End at an instant, for a reason that is told where more is asked for."""
         self.end, self.reason, self.advice = instant, reason, advice
 
-    def _require(self, times):
-        late = times.max(initial=0.0)
-        if late > self.end * (1 + LATE):
-            raise self.unknown(late)
-
-    def unknown(self, t):
+    def unknown(self, t: float) -> Unknown:
         """The refusal of an instant after the end."""
         reason = self.reason or f"this motion was followed up to t = {self.end:.6g} s"
         return Unknown(f"{reason}: its motion is not known at t = {t:.6g} s", self.advice or "follow it for longer")
 
-    def values(self, nodes, times):
+    def values(self, nodes: Sequence[complex], times: np.ndarray):
         """Expressions of the coordinates, velocities and the time at the times: an array for each."""
         compiled = Compiled(self.system.scene, self.system.floats, None, nodes)
         times = np.atleast_1d(np.asarray(times, dtype=float))

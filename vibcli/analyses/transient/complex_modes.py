@@ -13,7 +13,7 @@ from vibcli.analyses.transient.modal_input import blocks
 from vibcli.analyses.transient.refined_subspaces import sharpened
 
 
-def general(M, C, K):
+def general(M: np.ndarray, C: np.ndarray, K: np.ndarray) -> list[ModalBlock]:
     """The Blocks of M q̈ + C q̇ + K q = f."""
     powers, rate = scaling(M, C, K)
     unit = np.ldexp(1.0, powers)
@@ -21,7 +21,7 @@ def general(M, C, K):
     return [_in_units(block, unit, rate) for block in blocks(M, C, exact_bases(M, C, K))]
 
 
-def exact_bases(M, C, K):
+def exact_bases(M: np.ndarray, C: np.ndarray, K: np.ndarray) -> list[tuple[np.ndarray, np.ndarray, bool]]:
     """The bases of all blocks, (X, B, half) in fixed point; eigenvalues that cannot be told apart are put together."""
     found = groups(M, C, K)
     while True:
@@ -31,7 +31,7 @@ def exact_bases(M, C, K):
         found = joined(found, *mixed)
 
 
-def scaling(M, C, K):
+def scaling(M: np.ndarray, C: np.ndarray, K: np.ndarray) -> tuple[np.ndarray, int]:
     """Powers of two p, r: with q = 2ᵖ q̂ and λ = 2ʳ λ̂ the diagonal of M and the largest entry of K or C are near 1;
     coordinates without inertia come last."""
     h = int(np.count_nonzero(M.diagonal()))

@@ -4,48 +4,46 @@ On a stretch of half width h about its middle m, a sum of exponentials lies with
 bound of its second derivative; what is composed of such sums follows by interval arithmetic with rates (jets.py).
 """
 
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
+from vibcli.analyses.excitation.forcing import Segment
+from vibcli.analyses.transient.forcing_arrays import Timeline
+from vibcli.analyses.transient.isolating_intervals import EPSILON, Cells, fastest, instants
 from vibcli.analyses.transient.jets import Jet, Jets
-from vibcli.numerics.bracketed_newton import EPSILON, Cells, instants
 from vibcli.symbolic.array_arithmetic import Arrays
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.interval_arithmetic import Interval, exact
+
+if TYPE_CHECKING:
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.analyses.transient.linear_response import Pieces
+    from vibcli.symbolic.node import Node
 
 LOST = 1e-290       # what underflows in products counts as 0
 FINEST = 1e6        # first stretches within the time that is looked at, where no speed is known
 WORTH = 8           # exponentials whose values take as long as one bound
 
 
-class Segments:
-    """starts: of the segments between which all is smooth but for corners and jumps of its own."""
-
-    def __init__(self, starts):
-        self.starts = starts
-        self.lengths = np.append(np.diff(starts), np.inf)
-
-    def place(self, times):
-        segment = np.searchsorted(self.starts, times, "right") - 1
-        return segment, times - self.starts[segment]
-
-
 class Leaf:
     """An output of a linear motion."""
 
-    def __init__(self, pieces, output):
+    def __init__(self, pieces: "Pieces", output: "LinearOutput"):
         self.starts = pieces.timeline.starts
         self.y, self.slope, self.curvature = (pieces.terms(output, order) for order in range(3))
         self.nodes = [nodes for terms in (self.y, self.slope, self.curvature) for nodes in terms.nodes()]
 
-    def at(self, segment, tau):
+    def at(self, segment: np.ndarray, tau: np.ndarray) -> np.ndarray:
         return self.y.at(segment, tau)
 
-    def size(self, segment, early, late):
+    def size(self, segment: np.ndarray, early: np.ndarray, late: np.ndarray) -> Jet:
         """The value as any number up to its bound."""
         bound = self.y.bound(segment, early, late)
         return Jet(Interval(-bound, bound))
 
-    def jet(self, segment, early, late):
+    def jet(self, segment: np.ndarray, early: np.ndarray, late: np.ndarray) -> Jet:
         half, middle = 0.5 * (late - early), 0.5 * (early + late)
         bends = self.curvature.bound(segment, early, late)
         return Jet(*(_within(terms, segment, (early, middle, late), reach) for terms, reach in (
@@ -67,13 +65,13 @@ class Decay:
 
     starts = np.zeros(1)
 
-    def __init__(self, amplitude, rate):
+    def __init__(self, amplitude: float, rate: float):
         self.amplitude, self.rate, self.nodes = amplitude, rate, [(complex(rate),)]
 
-    def at(self, segment, tau):
+    def at(self, segment: np.ndarray, tau: np.ndarray):
         return self.amplitude * np.exp(self.rate * tau)
 
-    def jet(self, segment, early, late):
+    def jet(self, segment: np.ndarray, early: np.ndarray, late: np.ndarray):
         ends = [self.at(segment, tau) for tau in (early, late)]
         value = Interval(np.minimum(*ends), np.maximum(*ends)) * Interval(1 - 8 * EPSILON, 1 + 8 * EPSILON)
         return Jet(value, exact(self.rate) * value, exact(self.rate**2) * value)
@@ -85,20 +83,21 @@ class Composition:
     """node of the leaves {name: leaf}, of the time and of numbers {name: value}, up to an end; check(values, times)
     gives the values where all are finite."""
 
-    def __init__(self, node, leaves, floats, time, check, end):
+    def __init__(self, node: "Node", leaves: Mapping[str, Leaf], floats: Mapping[str, float], time: str,
+                 check: Callable, end: float):
         self.node, self.leaves, self.floats, self.time, self.check = node, leaves, floats, time, check
         self.starts = np.unique(np.concatenate([np.zeros(1), *(leaf.starts for leaf in leaves.values())]))
-        self.timeline = Segments(self.starts)
+        self.timeline = Timeline(0, [Segment(start) for start in self.starts.tolist()])
         self.segments = {name: np.searchsorted(leaf.starts, self.starts, "right") - 1 for name, leaf in leaves.items()}
         self.later = {name: self.starts - leaf.starts[self.segments[name]] for name, leaf in leaves.items()}
         self.nodes = [nodes for leaf in leaves.values() for nodes in leaf.nodes] or [(complex(FINEST / end),)]
         self.constants = {name: Jet(exact(value)) for name, value in floats.items() if isinstance(value, float)}
 
-    def terms(self, output, order):
+    def terms(self, output: Any, order: int) -> "Derivative":
         """What Pieces.terms gives of one output."""
         return Derivative(self, order)
 
-    def at(self, segment, tau):
+    def at(self, segment: np.ndarray, tau: np.ndarray) -> np.ndarray:
         values = {name: leaf.at(self.segments[name][segment], tau + self.later[name][segment])
                   for name, leaf in self.leaves.items()}
         times = self.starts[segment] + tau
@@ -106,10 +105,10 @@ class Composition:
             found = evaluate([self.node], Arrays, {**self.floats, **values, self.time: times})[0]
         return self.check(np.broadcast_to(found, times.shape), times)
 
-    def jet(self, segment, early, late):
+    def jet(self, segment: np.ndarray, early: np.ndarray, late: np.ndarray) -> Jet:
         return self._composed("jet", segment, early, late)
 
-    def size(self, segment, early, late):
+    def size(self, segment: np.ndarray, early: np.ndarray, late: np.ndarray) -> Jet:
         return self._composed("size", segment, early, late)
 
     def _composed(self, which, segment, early, late):
@@ -125,13 +124,13 @@ class Composition:
 class Derivative:
     """The order-th derivative of a Composition, 0, 1 or 2."""
 
-    def __init__(self, whole, order):
+    def __init__(self, whole: Composition, order: int):
         self.whole, self.order = whole, order
 
-    def nodes(self):
+    def nodes(self) -> list[tuple[complex, ...]]:
         return self.whole.nodes * WORTH
 
-    def at(self, segment, tau):
+    def at(self, segment: np.ndarray, tau: np.ndarray) -> np.ndarray:
         if not self.order:
             return self.whole.at(segment, tau)
         found = self.whole.jet(segment, tau, tau)
@@ -140,7 +139,7 @@ class Derivative:
             middle = 0.5 * (part.low + part.high)
         return np.where(np.isfinite(middle), middle, 0.0)
 
-    def bound(self, segment, early, late):
+    def bound(self, segment: np.ndarray, early: np.ndarray, late: np.ndarray):
         """Of the value as if nothing cancelled, where that is bounded: roundings are in proportion to it. Of the
         curvature what the slope can change by, at most."""
         found = self.whole.jet(segment, early, late)
@@ -154,4 +153,5 @@ class Derivative:
         with np.errstate(all="ignore"):
             change = 2 * (found.slope.high - found.slope.low) / width
         size = np.fmin(found.curvature.size, change)
-        return np.where(instants(self.whole.timeline, Cells(segment, early, late), self), 0.0, size)
+        short = instants(self.whole.timeline, Cells(segment, early, late), fastest(self.whole.nodes))
+        return np.where(short, 0.0, size)

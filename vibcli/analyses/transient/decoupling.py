@@ -1,18 +1,25 @@
 """A linear system as independent blocks."""
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
-from vibcli.analyses.transient.eigenvalue_clusters import components
 from vibcli.analyses.transient.modal_block import ModalBlock, apart
 from vibcli.analyses.transient.single_degree import one_degree, pair, poles_of_mode
 from vibcli.analyses.transient.static_condensation import whole
 from vibcli.base.errors import PhysicsError
+from vibcli.numerics.components import components
+
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.undamped import Mode
 
 COUPLED, EPSILON = 1e-14, 2.0**-52
 FLAT = 0.1
 
 
-def spectrum(M, C, K, modes=None, system=None):
+def spectrum(M: np.ndarray, C: np.ndarray, K: np.ndarray, modes: "Sequence[Mode] | None" = None,
+             system: Any = None) -> list[ModalBlock]:
     """The Blocks of M q̈ + C q̇ + K q = f: of each set of coordinates that nothing couples to others.
 
     modes: undamped modes that replace those of the matrices where damping does not couple them. system: the Condensed
@@ -34,7 +41,7 @@ def _blocks(M, C, K):
             for block in _coupled(*(matrix[np.ix_(places, places)] for matrix in (M, C, K)))]
 
 
-def check_inertia(M, heavy):
+def check_inertia(M: np.ndarray, heavy: Any) -> None:
     """Refuses an M that is not positive definite over the coordinates `heavy`: q̈ is not determined then."""
     if not len(heavy):
         return
@@ -48,10 +55,8 @@ def check_inertia(M, heavy):
             return
         weak = int(np.argmax(np.abs(vectors[:, 0])))
     weak = int(heavy[weak])
-    error = PhysicsError(f"no positive inertia moves with coordinate {weak + 1}: its motion in time is not determined",
-                         hint="give what it moves a mass or inertia")
-    error.coordinate = weak
-    raise error
+    raise PhysicsError(f"no positive inertia moves with coordinate {weak + 1}: its motion in time is not determined",
+                       hint="give what it moves a mass or inertia")
 
 
 def _coupled(M, C, K):
@@ -62,7 +67,7 @@ def _coupled(M, C, K):
     return general(M, C, K)
 
 
-def modal(M, C, modes):
+def modal(M: np.ndarray, C: np.ndarray, modes: "Sequence[Mode]") -> list[ModalBlock]:
     """The Blocks of undamped modes with φᵀMφ = 1, one each; None where φᵀCφ is not diagonal."""
     shapes = np.array([[float(x) for x in mode.shape] for mode in modes]).T
     damping = shapes.T @ C @ shapes

@@ -1,12 +1,19 @@
 """How long a motion is looked at where nobody says: until it has died out, or for some of its longest periods."""
 
+from collections.abc import Sequence
 from itertools import pairwise
 from math import log, tau
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.damped_modes import DampedMode
+    from vibcli.analyses.modal.undamped import Mode
 
 DYING, PERIODS, MOST = log(1000), 10, 60
 
 
-def duration(modes, damped, last, speeds):
+def duration(modes: "Sequence[Mode]", damped: "Sequence[DampedMode] | None", last: float,
+             speeds: Sequence[float]) -> float:
     """Seconds: `last` is the last instant at which the forcing changes its form, `speeds` its angular frequencies."""
     frequencies = [mode.omega for mode in modes if mode.omega]
     decays = []

@@ -1,10 +1,12 @@
 """Which eigenvalues share a block, and the subspace that belongs to them."""
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from vibcli.analyses.transient.static_condensation import leading
+from vibcli.numerics.components import components
 from vibcli.numerics.fixed_point import count_floats
 
 CLOSE, EQUAL = 0.05, 1e-9
@@ -20,7 +22,7 @@ class EigenvalueCluster(NamedTuple):
     half: bool
 
 
-def groups(M, C, K):
+def groups(M: np.ndarray, C: np.ndarray, K: np.ndarray) -> list[EigenvalueCluster]:
     """The eigenvalues of λ² M + λ C + K in Groups: alone, but where close ones have nearly parallel vectors.
 
     Coordinates without inertia come last.
@@ -44,7 +46,7 @@ def groups(M, C, K):
     return found
 
 
-def joined(found, i, j):
+def joined(found: Sequence[EigenvalueCluster], i: int, j: int) -> list[EigenvalueCluster]:
     """The groups with two made one; one that is joined to its own conjugates holds both."""
     rest = [group for k, group in enumerate(found) if k not in (i, j)]
     pair = [found[k] for k in sorted({i, j})]
@@ -55,14 +57,14 @@ def joined(found, i, j):
                          np.concatenate([group.vectors for group in pair], axis=1), half)]
 
 
-def first_order(M, C, K):
+def first_order(M: np.ndarray, C: np.ndarray, K: np.ndarray) -> np.ndarray:
     """A of ẏ = A y, y = (q, q̇), the velocities being those of the h coordinates that have inertia."""
     n, (h, lead) = len(M), leading(M, C)
     rates = -np.linalg.solve(lead, np.concatenate([K, C[:, :h]], axis=1))
     return np.concatenate([np.eye(h, n + h, n), rates])
 
 
-def condition(values, V, n):
+def condition(values: np.ndarray, V: np.ndarray, n: int) -> np.ndarray:
     """How nearly each vector lies in the span of the others: ‖column‖ ‖row of the inverse‖, q̇ measured in |λ| q."""
     rates = np.maximum(np.abs(values), TINY * np.abs(values).max(initial=0.0)) + np.finfo(float).tiny
     try:
@@ -73,34 +75,17 @@ def condition(values, V, n):
     return column * np.hypot(np.linalg.norm(N[:, :n], axis=1), np.linalg.norm(N[:, n:], axis=1) * rates)
 
 
-def components(joined):
-    """The connected components of a symmetric relation, as lists of places."""
-    left, found = set(range(len(joined))), []
-    while left:
-        members, fresh = set(), [min(left)]
-        while fresh:
-            i = fresh.pop()
-            if i not in members:
-                members.add(i)
-                fresh += np.flatnonzero(joined[i]).tolist()
-        left -= members
-        found.append(sorted(members))
-    return found
-
-
-def starting(M, C, K, group):
+def starting(M: np.ndarray, C: np.ndarray, K: np.ndarray,
+             group: EigenvalueCluster) -> tuple[np.ndarray, np.ndarray, bool]:
     """(X, B, half) with M X B² + C X B + K X ≈ 0 of one group: X, B real where the group holds its own conjugates."""
     n, p, whole = len(M), len(group.values), len(group.vectors)
     if p == 1:
         x, value = group.vectors[:n], group.values
         if not group.half:
-            x = x * (np.abs(x).max() / x[np.argmax(np.abs(x))])
-        if not group.half:
-            x, value = x.real, value.real
+            x, value = (x * (np.abs(x).max() / x[np.argmax(np.abs(x))])).real, value.real
         return x / np.linalg.norm(x), value[None], group.half
     if p == whole:
-        Q, A = np.eye(p), first_order(M, C, K)
-        return Q[:n], A, False
+        return np.eye(n, p), first_order(M, C, K), False
     A = first_order(M, C, K)
     Q = group.vectors if group.half else np.concatenate([group.vectors.real, group.vectors.imag], axis=1)
     Q = np.linalg.svd(Q)[0][:, :p]

@@ -1,42 +1,50 @@
 """One output of a motion as a sum over exponentials, its values and bounds of them."""
 
 import math
-from functools import partial
+from functools import cached_property
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from vibcli.analyses.transient.exponential_differences import largest_sum, real_sum
 from vibcli.analyses.transient.forced import fractions
 from vibcli.analyses.transient.markov_parameters import direct, markov
 from vibcli.analyses.transient.modal_block import paths
 from vibcli.base.errors import PhysicsError
-from vibcli.numerics.exponential_differences import bounds, differences, real_wave
+
+if TYPE_CHECKING:
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.analyses.transient.linear_response import Pieces
 
 
-class ExponentialSum:
-    """The order-th derivative of an output, real parts of sums with coefficients by segment.
+class ExponentialTerm(NamedTuple):
+    """Re row · τᵏ E[nodes](τ) with k = power; at: the segments of the rows, None for all."""
 
-    free: (λ, coefficients) of e^{λτ}; linked: (nodes, coefficients) of E[nodes](τ); near: (nodes, segments,
-    coefficients) of driven parts; waves: {…: (power, s, segments, coefficients)} of τᵏe^{sτ}. since: before this τ
-    the split of driven parts into free ones and waves cancels, and the unsplit sum is taken.
-    """
+    power: int
+    nodes: tuple
+    at: np.ndarray | None
+    row: np.ndarray
 
-    __slots__ = ("_early", "count", "free", "linked", "near", "since", "waves")
 
-    def __init__(self, pieces, output, order, split=True):
+class ExponentialTerms:
+    """The Terms of the order-th derivative of an output; split: driven parts into free ones and waves, where that loses
+    nothing later on."""
+
+    def __init__(self, pieces: "Pieces", output: "LinearOutput", order: int, split: bool):
         self.free, self.linked, self.near, self.waves = [], [], [], {}
-        self.since = max((drive.after for drives in pieces.drives for drive in drives if drive.after < math.inf),
-                         default=0.0) if split else 0.0
-        self._early = partial(ExponentialSum, pieces, output, order, False) if self.since else None
-        self.count = len(pieces.timeline.starts)
         for block, found, states in zip(pieces.motion.blocks, pieces.drives, pieces.states, strict=True):
             row = block.rows(output, order)
             for i, j, product, nodes in paths(block.B) if row.any() else ():
                 if row[i]:
                     self._add_path(nodes, row[i] * product, states[:, j], found, j, split)
         if output.constant and pieces.motion.constants and not order:
-            self._add_wave(0, 0j, np.arange(self.count), output.constant)
+            self._add_wave(0, 0j, np.arange(len(pieces.timeline.starts)), output.constant)
         if output.a or output.channels or (order and output.v) or order > 1 or pieces.motion.system is not None:
             self._add_direct(pieces, output, order)
+
+    def all(self) -> list[ExponentialTerm]:
+        """Those of free motion, then of driven parts, then waves."""
+        return [*self.free, *self.linked, *self.near, *self.waves.values()]
 
     def _add_path(self, nodes, factor, states, drives, j, split):
         given = factor * states
@@ -48,14 +56,14 @@ class ExponentialSum:
                 given[drive.at] -= part
             else:
                 inputs = factor * math.factorial(drive.power) * drive.inputs[:, j]
-                self.near.append((nodes + drive.nodes, drive.at, inputs))
-        (self.free if len(nodes) == 1 else self.linked).append((nodes, given))
+                self.near.append(ExponentialTerm(0, nodes + drive.nodes, drive.at, inputs))
+        (self.free if len(nodes) == 1 else self.linked).append(ExponentialTerm(0, nodes, None, given))
 
     def _add_wave(self, power, s, at, coefficients):
         if s.imag < 0:
             s, coefficients = s.conjugate(), np.conj(coefficients)
-        new = power, s, at, np.zeros(len(at), complex if s.imag else float)
-        row = self.waves.setdefault((power, s, at.tobytes()), new)[3]
+        new = ExponentialTerm(power, (s,), at, np.zeros(len(at), complex if s.imag else float))
+        row = self.waves.setdefault((power, s, at.tobytes()), new).row
         row += coefficients if s.imag else np.real(coefficients)
 
     def _add_direct(self, pieces, output, order):
@@ -67,83 +75,69 @@ class ExponentialSum:
                 for power, factor in waves.derivative(i).items() if given.any() else ():
                     self._add_wave(power, waves.exponent, waves.at, factor * given)
 
-    def nodes(self):
+
+class ExponentialSum:
+    """The order-th derivative of an output, real parts of sums with coefficients by segment. since: before this τ the
+    split of driven parts into free ones and waves cancels, and the unsplit sum is taken."""
+
+    def __init__(self, pieces: "Pieces", output: "LinearOutput", order: int, split: bool = True):
+        self.terms, self.count = ExponentialTerms(pieces, output, order, split).all(), len(pieces.timeline.starts)
+        self.since = max((drive.after for drives in pieces.drives for drive in drives if drive.after < math.inf),
+                         default=0.0) if split else 0.0
+        self._of = pieces, output, order
+
+    def nodes(self) -> list[tuple[complex, ...]]:
         """The nodes of each exponential in the sum."""
-        return ([nodes for nodes, _ in self.free + self.linked] + [nodes for nodes, _, _ in self.near]
-                + [(s,) for _, s, _, _ in self.waves.values()])
+        return [term.nodes for term in self.terms]
 
-    def on(self, segment):
+    def on(self, segment: int) -> list[tuple[tuple[complex, ...], complex]]:
         """(nodes, factor) of all on one segment: the output is Re Σ factor · E[nodes](τ)."""
-        found = [(nodes, row[segment]) for nodes, row in self.free + self.linked]
-        parts = self.near + [((s,) * (power + 1), at, math.factorial(power) * row)
-                             for power, s, at, row in self.waves.values()]
-        return found + [(nodes, row[np.searchsorted(at, segment)]) for nodes, at, row in parts if segment in at]
+        found = []
+        for power, nodes, at, row in self.terms:
+            if at is None or segment in at:
+                factor = row[segment if at is None else np.searchsorted(at, segment)]
+                found.append((nodes * (power + 1), math.factorial(power) * factor))
+        return found
 
-    def early(self):
+    @cached_property
+    def unsplit(self) -> "ExponentialSum":
         """The same sum with no driven part split."""
-        if isinstance(self._early, partial):
-            self._early = self._early()
-        return self._early
+        return ExponentialSum(*self._of, split=False)
 
-    def at(self, segment, tau):
+    def at(self, segment: np.ndarray, tau: np.ndarray) -> np.ndarray:
         """The values at the times `tau` after the starts of the segments."""
-        late = tau >= self.since
-        with np.errstate(all="ignore"):
-            if late.all():
-                y = self._at(segment, tau)
-            else:
-                y = np.empty(len(tau))
-                y[late], y[~late] = self._at(segment[late], tau[late]), self.early()._at(segment[~late], tau[~late])
+        y = self._summed(real_sum, segment, tau)
         if not np.isfinite(y).all():
             raise PhysicsError("the motion grows beyond the range of floating-point numbers",
                                hint="ask for an earlier time: the system is unstable")
         return y
 
-    def _at(self, segment, tau):
-        y = np.zeros(len(tau))
-        for (node,), row in self.free:
-            y += real_wave(self._of(row, segment), node, tau)
-        for nodes, row in self.linked:
-            y += np.real(self._of(row, segment) * differences(nodes, tau))
-        for nodes, at, row in self.near:
-            inside, place = self._within(at, segment)
-            y[inside] += np.real(row[place] * differences(nodes, tau[inside]))
-        for power, s, at, row in self.waves.values():
-            inside, place = self._within(at, segment)
-            here = tau[inside]
-            wave = real_wave(row[place], s, here)
-            y[inside] += here**power * wave if power else wave
-        return y
-
-    def bound(self, segment, early, late):
+    def bound(self, segment: np.ndarray, early: np.ndarray, late: np.ndarray) -> np.ndarray:
         """Upper bounds of the magnitude on the intervals early <= τ <= late of the segments."""
-        whole = early >= self.since
-        with np.errstate(all="ignore"):
-            if whole.all():
-                return self._bound(segment, early, late)
-            total = np.empty(len(early))
-            total[whole] = self._bound(segment[whole], early[whole], late[whole])
-            total[~whole] = self.early()._bound(segment[~whole], early[~whole], late[~whole])
-            return total
+        return self._summed(largest_sum, segment, early, late)
 
-    def _bound(self, segment, early, late):
-        total = np.zeros(len(early))
-        for nodes, row in self.free + self.linked:
-            total += np.abs(self._of(row, segment)) * bounds(nodes, early, late)
-        for nodes, at, row in self.near:
-            inside, place = self._within(at, segment)
-            total[inside] += np.abs(row[place]) * bounds(nodes, early[inside], late[inside])
-        for power, s, at, row in self.waves.values():
-            inside, place = self._within(at, segment)
-            total[inside] += np.abs(row[place]) * (late**power * bounds((s,), early, late))[inside]
+    def _summed(self, function, segment, *times):
+        """A function of all terms and times, of the unsplit terms before `since`."""
+        late = times[0] >= self.since
+        with np.errstate(all="ignore"):
+            if late.all():
+                return function(self._here(segment), *times)
+            total = np.empty(len(segment))
+            for whole, part in ((self, late), (self.unsplit, ~late)):
+                total[part] = function(whole._here(segment[part]), *(time[part] for time in times))
         return total
 
-    def _of(self, row, segment):
-        return row[0] if self.count == 1 else row[segment]
+    def _here(self, segment):
+        """(power, nodes, which of the times lie where a term acts, its coefficients there) of every term."""
+        found = []
+        for power, nodes, at, row in self.terms:
+            inside, place = self._within(at, segment)
+            found.append((power, nodes, inside, row[place]))
+        return found
 
     def _within(self, at, segment):
-        """Which of the times lie in the segments `at`, and in which of them."""
-        if len(at) == self.count:
+        """Which of the times lie in the segments `at`, None for all, and in which of them."""
+        if at is None or len(at) == self.count:
             return slice(None), 0 if self.count == 1 else segment
         row = np.full(self.count, -1)
         row[at] = np.arange(len(at))

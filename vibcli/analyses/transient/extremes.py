@@ -1,144 +1,111 @@
-"""Where an output is zero: nothing is missed between the points looked at.
+"""Where an output is largest or smallest: nothing is missed between the points looked at.
 
-Stretches that can hold no zero by the bounds of the output and its derivatives are left out, those that hold a single
-one are narrowed down, the others divided.
+Between two points a distance h apart a function strays from the straight line by no more than B h²/8, B a bound of its
+second derivative there, which sums of exponentials give. Stretches that cannot hold more than what was found are left
+out, the others divided: all at once, and where they are very many those with the highest bounds first.
 """
+
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.base.errors import PhysicsError
-from vibcli.base.work import Spent
-from vibcli.numerics.bracketed_newton import (
-    EPSILON,
-    LEVELS,
-    MOST,
-    Cells,
-    batches,
-    first_cells,
-    instants,
-    root,
-    steps,
-    stretches,
-)
+from vibcli.analyses.transient.isolating_intervals import EPSILON, LEVELS, MOST, BoundedOutput, refused
 
-CLEAR, SOONER = 64, 2.0 ** np.arange(-60, 1)
+if TYPE_CHECKING:
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.base.work import Task, Work
 
-def zeros(pieces, output, start, end, work):
-    """All times where the output passes or touches zero, ascending; where it rests at zero, none."""
-    search = PassageSearch(pieces, output, start, end)
-    with work.task(f"the search for passages until t = {end:.6g} s", MOST) as task:
-        try:
-            return search.run(task)
-        except Spent as spent:
-            if spent.task is not task:
-                raise
-            raise search.refusal(task) from None
+FINE = 1e-6
 
 
-class PassageSearch:
-    """found: arrays of times; closest: Cells in which the output turns at zero but for rounding; left: [(how often they
-    were divided, Cells)], those of the earliest times last."""
+def extreme(pieces: Any, output: "LinearOutput", start: float, end: float, sense: str,
+            work: "Work") -> tuple[float, float]:
+    """(t, value) of the largest or smallest value of the output, also where it jumps or has a kink."""
+    search = ExtremeSearch(BoundedOutput(pieces, output, start, end), sense)
+    with work.task(f"the search for the {search.which} value until t = {end:.6g} s", MOST, search.refusal) as task:
+        return search.run(task)
 
-    def __init__(self, pieces, output, start, end):
-        self.timeline, self.start, self.end = pieces.timeline, start, end
-        self.y, self.slope, self.curvature = (pieces.terms(output, order) for order in range(3))
-        cells = first_cells(self.timeline, self.y, start, end)
-        self.found, self.closest = _jumps(self.timeline, self.y, cells), []
-        self.left = [(0, cells)]
 
-    def run(self, task):
+class ExtremeSearch:
+    """value, time: the largest found, its value times `sign`, −1 for the smallest; left: [(what none of them exceeds,
+    how often they were divided, Cells)]; tops: [(values, times, whether these are peaks or ends of a segment)] of
+    instants that may be those of the largest."""
+
+    def __init__(self, curve: BoundedOutput, sense: str):
+        self.which, self.sign = ("smallest", -1.0) if sense == "min" else ("largest", 1.0)
+        self.curve, self.value, self.time, self.scale = curve, -np.inf, curve.start, 0.0
+        self.left, self.tops = [(np.inf, 0, curve.first_cells())], []
+
+    def run(self, task: "Task") -> tuple[float, float]:
+        """(t, value), the earliest of equals."""
         while self.left:
-            level, cells = self.left[-1]
-            task.step((self.reached - self.start) / (self.end - self.start or 1.0), steps(cells, self.y))
-            self.left.pop()
-            self._look(level, cells)
-        closest = Cells.together(self.closest)
-        if len(closest):
-            self.found.append(_touching(self.timeline, self.y, self.slope, self.curvature, closest))
-        times = _distinct(np.concatenate(self.found), 4 * EPSILON * max(abs(self.start), abs(self.end)))
-        return _left_once(self.timeline, self.y, stretches(self.timeline, self.start, self.end), times)
+            most, level, cells = max(self.left, key=lambda part: part[0])
+            task.step(steps=self.curve.steps(cells))
+            self.left = [part for part in self.left if part[2] is not cells]
+            if most >= self.value - self.rounding:
+                self._look(level, cells)
+        whole = self.curve.whole
+        self._keep(np.concatenate([whole.segment, whole.segment]), np.concatenate([whole.early, whole.late]), True)
+        values, times, peaks = (np.concatenate(parts) for parts in zip(*self.tops, strict=True))
+        near = values >= max(self.value, values.max(initial=-np.inf)) - self.rounding
+        if not near.any():
+            return float(self.time), float(self.sign * self.value)
+        values, times, peaks = values[near], times[near], peaks[near]
+        first = np.argmin(times)
+        of_it = np.flatnonzero(peaks & (times <= times[first] + self._flat(times[first])))
+        if len(of_it):
+            first = of_it[np.argmin(times[of_it])]
+        return float(times[first]), float(self.sign * values[first])
+
+    def _flat(self, t):
+        """How wide the top about an instant is within which values are one but for rounding."""
+        bend = np.abs(self.curve.curvature.at(*self.curve.timeline.place(np.array([t]))))[0]
+        return 2 * np.sqrt(8 * self.rounding / bend) if bend else 0.0
 
     @property
-    def reached(self):
-        """Before which all is known."""
-        cells = self.left[-1][1]
-        return self.timeline.starts[cells.segment[0]] + cells.early[0] if len(cells) else self.start
+    def rounding(self) -> float:
+        return 4 * EPSILON * self.scale
 
     def _look(self, level, cells):
-        y, slope, curvature = self.y, self.slope, self.curvature
-        cells = cells.where(y.bound(cells.segment, cells.early, cells.late) > 0)
-        left, right = (y.at(cells.segment, tau) for tau in (cells.early, cells.late))
-        rounding = 4 * EPSILON * y.bound(cells.segment, cells.early, cells.late)
-        bend = curvature.bound(cells.segment, cells.early, cells.late) * cells.width**2
-        rise = cells.width * np.maximum(*(np.abs(slope.at(cells.segment, tau)) for tau in (cells.early, cells.late)))
-        jump = (left * right < 0) & instants(self.timeline, cells, y)
-        steep = (rise > bend) & (rise > 4 * rounding) | jump
-        through = (left * right < 0) | (left == 0) | (right == 0)
-        single = cells.where(steep & through)
-        self.found.append(self.timeline.starts[single.segment] + root(y, slope, single))
-        unsure = ~steep & (through | (np.minimum(np.abs(left), np.abs(right)) <= bend / 8 + rounding))
-        resolved = bend / 8 <= rounding
-        self.closest.append(cells.where(unsure & resolved))
-        cells = cells.where(unsure & ~resolved)
-        if level + 1 == LEVELS:
-            self.closest.append(cells)
+        curve = self.curve
+        ends = [self.sign * values for values in curve.ends(cells)]
+        for found, tau in zip(ends, (cells.early, cells.late), strict=True):
+            top = np.argmax(found)
+            if found[top] > self.value:
+                self.value, self.time = found[top], curve.times(cells.segment[top], tau[top])
+            self.scale = max(self.scale, np.abs(found).max())
+        bound = curve.bound(cells)
+        room = np.minimum(curve.bend(cells) / 8, 2 * bound)
+        most = np.minimum(np.maximum(*ends) + room, bound)
+        held = most >= self.value - self.rounding
+        cells, room, most = cells.where(held), room[held], most[held]
+        settled = curve.instants(cells) | (room <= self.rounding)
+        if settled.any():
+            for tau in (cells.early, cells.late):
+                self._keep(cells.segment[settled], tau[settled])
+            self._narrow(cells.where(settled))
+        cells, room, most = cells.where(~settled), room[~settled], most[~settled]
+        if level + 1 == LEVELS or not (room > FINE * self.scale).any():
+            self._narrow(cells)
         else:
-            self.left += [(level + 1, some) for _, some in reversed(batches(cells, self.y))]
+            self.left += [(most[part].max(), level + 1, some) for part, some in curve.batches(cells)]
 
-    def refusal(self, task):
+    def _narrow(self, cells):
+        """The peaks within the cells."""
+        rises, falls = (self.sign * slopes for slopes in self.curve.ends(cells, slope=True))
+        peaks = cells.where((rises >= 0) & (falls <= 0))
+        self._keep(peaks.segment, self.curve.turns(peaks), True)
+
+    def _keep(self, segment, tau, peak=False):
+        values = self.sign * self.curve.y.at(segment, tau)
+        near = values >= max(self.value, values.max(initial=-np.inf)) - self.rounding
+        times = self.curve.times(segment[near], tau[near])
+        self.tops.append((values[near], times, np.full(len(times), peak)))
+
+    def refusal(self, task: "Task"):
         """What is said of a search that was given up, and what is known by then."""
-        refused = task.refusal()
-        times = _distinct(np.concatenate(self.found), 4 * EPSILON * max(abs(self.start), abs(self.end)))
-        known = f"before t = {self.reached:.6g} s it passes {(times < self.reached).sum()} times"
-        return PhysicsError(f"{refused.message}: {known}", f"ask for a shorter interval; {refused.hint}")
-
-
-def _jumps(timeline, y, cells):
-    """Times where one segment leaves the output on one side of zero and the next finds it on the other."""
-    follow = np.flatnonzero(cells.segment[1:] == cells.segment[:-1] + 1)
-    before = y.at(cells.segment[follow], cells.late[follow])
-    after = y.at(cells.segment[follow + 1], cells.early[follow + 1])
-    return [timeline.starts[cells.segment[follow + 1][before * after < 0]]]
-
-
-def _left_once(timeline, y, whole, times):
-    """The times with one at most from each start of a segment on at which the output leaves zero, of whatever order,
-    until it is more than rounding; the first start always counts."""
-    zero = np.abs(y.at(whole.segment, whole.early)) <= 4 * EPSILON * y.bound(whole.segment, whole.early, whole.early)
-    whole, first = whole.where(zero), bool(len(zero)) and bool(zero[0])
-    away = _away(y, whole)
-    for k in np.flatnonzero(away):
-        left = timeline.starts[whole.segment[k]] + whole.early[k]
-        near = (times >= left) & (times <= left + away[k])
-        if near.any() or (first and k == 0):
-            times = np.append(times[~near], left)
-    return np.sort(times)
-
-
-def _away(y, whole):
-    """How long after the start of each stretch, at zero, the output is but rounding away from there; 0 where it
-    rests."""
-    fastest = max((abs(node) for nodes in y.nodes() for node in nodes), default=0.0)
-    length = np.minimum(whole.width, 1 / fastest) if fastest else whole.width
-    segment, early = np.repeat(whole.segment, len(SOONER)), np.repeat(whole.early, len(SOONER))
-    tau = early + np.outer(length, SOONER).ravel()
-    rounding = 4 * EPSILON * y.bound(segment, early, tau)
-    clear = (np.abs(y.at(segment, tau)) > CLEAR * rounding).reshape(len(whole), len(SOONER))
-    return np.where(clear.any(axis=1), length * SOONER[clear.argmax(axis=1)], 0.0)
-
-
-def _touching(timeline, y, slope, curvature, cells):
-    """Times where the output turns but rounding away from zero, one in each run of undecided cells."""
-    order = np.lexsort((cells.early, cells.segment))
-    cells = cells.where(order)
-    first = np.append(True, (np.diff(cells.segment) > 0) | (cells.early[1:] > cells.late[:-1]))
-    runs = Cells(cells.segment[first], cells.early[first], cells.late[np.append(first[1:], True)])
-    tau = root(slope, curvature, runs)
-    rounding = 16 * EPSILON * y.bound(runs.segment, runs.early, runs.late)
-    return (timeline.starts[runs.segment] + tau)[np.abs(y.at(runs.segment, tau)) <= rounding]
-
-
-def _distinct(times, apart):
-    """Times in ascending order, those nearer than `apart` but once."""
-    times = np.sort(times)
-    return times[np.append(True, np.diff(times) > apart)] if len(times) else times
+        more = max(0.0, *(most - self.value for most, *_ in self.left))
+        known = f": so far {self.sign * self.value:.6g} at t = {self.time:.6g} s is the {self.which} (in SI units)"
+        if np.isfinite(more):
+            known += f", and none is {'above' if self.sign > 0 else 'below'} it by more than {1.05 * more:.2g}"
+        return refused(task, known)

@@ -1,17 +1,22 @@
 """What a motion comes to rest at."""
 
 import math
-
-import numpy as np
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from vibcli.analyses.excitation.forcing import oscillates
 from vibcli.analyses.transient.exponential_sum import ExponentialSum
+from vibcli.analyses.transient.textbook_form import expanded
 from vibcli.base.errors import PhysicsError
+
+if TYPE_CHECKING:
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.analyses.transient.linear_response import LinearMotion
 
 NOTHING = 1e-13
 
 
-def final(motion, output):
+def final(motion: "LinearMotion", output: "LinearOutput") -> float:
     """The limit of the output as t → ∞; PhysicsError where it keeps vibrating, drifts or grows.
 
     E[nodes] = Σ over its different nodes λ of (polynomial in t) e^{λt}. Parts of the same λ are added up over all terms
@@ -30,7 +35,7 @@ def final(motion, output):
                 raise PhysicsError("the motion grows without end: it comes to no rest", "ask for a value at a time")
             _add(drift, factor, nodes, 0j)
             for node in {node for node in nodes if node and not node.real}:
-                _add(vibration.setdefault(_upward(node), {}), factor, nodes, node)
+                _add(vibration.setdefault(abs(node.imag), {}), factor, nodes, node)
     if any(_stays(*sums) for found in vibration.values() for power, sums in found.items() if power):
         raise PhysicsError("the motion grows without end: it comes to no rest", "ask for a value at a time")
     if any(_stays(*sums) for power, sums in drift.items() if power):
@@ -49,10 +54,6 @@ def _stays(total, size):
     return abs(total) > NOTHING * size
 
 
-def _upward(node):
-    return complex(0.0, abs(node.imag))
-
-
 def _add(found, factor, nodes, node):
     """Adds the coefficients of tᵏ e^{node t} in factor · E[nodes] to {k: (sum, sum of magnitudes)}; of conjugate nodes
     that of the upper one, and of real ones the real part."""
@@ -63,18 +64,10 @@ def _add(found, factor, nodes, node):
         found[power] = total + part, size + abs(whole)
 
 
-def coefficients(nodes, node):
+def coefficients(nodes: Sequence[complex], node: complex) -> dict[int, complex]:
     """{k: c}: E[nodes](t) holds Σ c tᵏ e^{node t}; the Taylor series of 1/Π(p − λ) over the other nodes."""
     others = [other for other in nodes if other != node]
-    count = len(nodes) - len(others)
-    if not count:
-        return {}
-    series = np.zeros(count, complex)
-    series[:1] = 1.0
-    for other in others:
-        gap = node - other
-        series = np.convolve(series, (-1 / gap) ** np.arange(count) / gap)[:count]
-    return {power: complex(series[count - 1 - power]) / math.factorial(power) for power in range(count)}
+    return dict(enumerate(expanded(node, len(nodes) - len(others), others))) if node in nodes else {}
 
 
 def _size(nodes):

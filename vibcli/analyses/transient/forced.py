@@ -1,12 +1,16 @@
 """One block driven by the waves of a timeline: what its c(τ) is made of on each segment."""
 
 import math
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from vibcli.analyses.transient.modal_block import paths
-from vibcli.numerics.exponential_differences import differences
+from vibcli.analyses.transient.exponential_differences import differences
+from vibcli.analyses.transient.modal_block import ModalBlock, paths
+
+if TYPE_CHECKING:
+    from vibcli.analyses.transient.forcing_arrays import Timeline
 
 APART, SPLIT = 0.1, 2.0
 
@@ -21,11 +25,11 @@ class Drive(NamedTuple):
     after: float
 
     @property
-    def nodes(self):
+    def nodes(self) -> tuple[complex, ...]:
         return (self.exponent,) * (self.power + 1)
 
 
-def drives(blocks, timeline, strict=False):
+def drives(blocks: Sequence[ModalBlock], timeline: "Timeline", strict: bool = False) -> list[list[Drive]]:
     """The drives of each block. Of a half block both e^{sτ} and its conjugate; of others the real part is taken later.
 
     after: from which τ on the response splits into e^{λτ} and waves without loss, the exponent lying apart from the one
@@ -61,7 +65,7 @@ def _times(force, W):
     return force @ W.real.T + 1j * (force @ W.imag.T)
 
 
-def fractions(drive, node):
+def fractions(drive: Drive, node: complex) -> list[tuple[int, np.ndarray]]:
     """c of a drive that splits, Σ gᵢ τⁱ e^{sτ} − g₀ e^{λτ}, as [(i, inputs · gᵢ)]."""
     gap, found, factor = drive.exponent - node, [], 1.0 + 0j
     for power in reversed(range(drive.power + 1)):
@@ -70,7 +74,7 @@ def fractions(drive, node):
     return found
 
 
-def ends(block, found, timeline):
+def ends(block: ModalBlock, found: Sequence[Drive], timeline: "Timeline") -> tuple[np.ndarray, np.ndarray]:
     """c at the start of every segment, given its drives; the first row is left to be added to."""
     count, p = len(timeline.starts), len(block.B)
     if count == 1:
@@ -90,7 +94,7 @@ def ends(block, found, timeline):
     return step, added
 
 
-def marched(step, added, initial):
+def marched(step: np.ndarray, added: np.ndarray, initial: np.ndarray) -> np.ndarray:
     """c at the start of every segment, c ← step c + added."""
     out = added.copy()
     out[0] += initial

@@ -1,8 +1,12 @@
 """Forcing as arrays: for each kind of wave τᵏe^{sτ} the segments it is in, and its coefficients there."""
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+
+if TYPE_CHECKING:
+    from vibcli.analyses.excitation.forcing import Segment
 
 
 class Waves(NamedTuple):
@@ -13,7 +17,7 @@ class Waves(NamedTuple):
     at: np.ndarray
     coefficients: np.ndarray
 
-    def derivative(self, order):
+    def derivative(self, order: int) -> dict[int, complex]:
         """The order-th derivative as {power: factor}: the same waves with other powers."""
         terms = {self.power: 1.0}
         for _ in range(order):
@@ -32,7 +36,7 @@ class Timeline:
 
     __slots__ = ("impulses", "lengths", "starts", "waves")
 
-    def __init__(self, channels, pieces):
+    def __init__(self, channels: int, pieces: "Sequence[Segment]"):
         self.starts = np.array([piece.start for piece in pieces] or [0.0])
         self.lengths = np.append(np.diff(self.starts), np.inf)
         self.impulses = np.zeros((len(self.starts), channels))
@@ -47,7 +51,7 @@ class Timeline:
                 found.setdefault((wave.power, s), {}).setdefault(at, {}).setdefault(wave.channel, []).append(c)
         self.waves = [_waves(channels, *kind, there) for kind, there in found.items()]
 
-    def place(self, times):
+    def place(self, times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """(segment, time from its start) of each time."""
         segment = np.searchsorted(self.starts, times, "right") - 1
         return segment, times - self.starts[segment]

@@ -6,27 +6,44 @@ until two results agree.
 """
 
 import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
+from mpmath import mp
 
 from vibcli.analyses.transient.descriptor_system import Descriptor, real
 from vibcli.numerics import fixed_point as fx
 
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    import mpmath
+
+    from vibcli.analyses.excitation.forcing import Forcing
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+
 GUARD, MORE, TRIES = 64, 96, 12
 
 
-def precise_value(M, C, K, forcing, q0, v0, output, time, digits, order=0):
+def precise_value(M: "Sequence[list[float | mpmath.mpf]]", C: "Sequence[list[float | mpmath.mpf]]",
+                  K: "Sequence[list[float | mpmath.mpf]]", forcing: "Forcing",
+                  q0: "Sequence[float | mpmath.mpf] | np.ndarray", v0: "Sequence[float | mpmath.mpf] | np.ndarray",
+                  output: "LinearOutput", time: "float | Fraction | mpmath.mpf", digits: int,
+                  order: int = 0) -> "mpmath.mpf":
     """The order-th derivative of an output at a time as mpmath.mpf, see precise_values."""
     return precise_values(M, C, K, forcing, q0, v0, [output], time, digits, order)[0]
 
 
-def precise_values(M, C, K, forcing, q0, v0, outputs, time, digits, order=0):
+def precise_values(M: "Sequence[list[float | mpmath.mpf]]", C: "Sequence[list[float | mpmath.mpf]]",
+                   K: "Sequence[list[float | mpmath.mpf]]", forcing: "Forcing",
+                   q0: "Sequence[float | mpmath.mpf] | np.ndarray", v0: "Sequence[float | mpmath.mpf] | np.ndarray",
+                   outputs: "Sequence[LinearOutput]", time: "float | Fraction | mpmath.mpf", digits: int,
+                   order: int = 0) -> "list[mpmath.mpf]":
     """The order-th derivative of each output at a time, just after what jumps there, correct to `digits`.
 
     M, C, K: nested lists of numbers, as q0, v0 and those of the forcing and the outputs: float, Fraction, mpf or mpc.
     """
-    from mpmath import mp
-
     bits, before = math.ceil(digits * math.log2(10)) + GUARD, None
     for _ in range(TRIES):
         with mp.workprec(bits + GUARD):
@@ -52,20 +69,16 @@ def _values(M, C, K, forcing, q0, v0, outputs, time, order, bits):
         z = _carried(G, (time if last else real(after.start)) - start, z, bits)
         if last:
             break
-        state = [z[i] for i in range(len(state))]
+        state = list(z[:len(state)])
     return [_read(G, z, forces, Q, output, order) for output in outputs]
 
 
 def _generator(system, waves, state, channels, n):
     """(G, z, rows of the forces, rows of q): z = (y, parts of the waves), f = forces z, q = Q z."""
-    from mpmath import mp
-
     first = len(state)
     size = first + sum(2 * (wave.power + 1) for wave in waves)
-    G, forces, z, Q = mp.matrix(size, size), mp.matrix(channels, size), mp.matrix(size, 1), mp.matrix(n, size)
-    for i, x in enumerate(state):
-        z[i] = x
-    at = first
+    G, forces, z, at = np.zeros((size, size), object), np.zeros((channels, size), object), np.zeros(size, object), first
+    z[:first] = state
     for channel, coefficient, power, exponent in waves:
         s, c = mp.mpc(exponent), mp.mpc(coefficient) * mp.factorial(power)
         z[at] = mp.one
@@ -77,50 +90,34 @@ def _generator(system, waves, state, channels, n):
         forces[channel, re] += c.real
         forces[channel, im] -= c.imag
         at = im + 1
-    for whole, own, driven in ((G, system.A, system.B), (Q, system.Q, system.F)):
-        loads = driven * forces[:n, :] if waves else None
-        for i in range(own.rows):
-            for j in range(size):
-                if j < first:
-                    whole[i, j] = own[i, j]
-                elif waves:
-                    whole[i, j] = loads[i, j]
-    return G, z, forces, Q
+    loads = forces[:n, first:]
+    G[:first] = np.concatenate([system.A, system.B.dot(loads)], axis=1)
+    return G, z, forces, np.concatenate([system.Q, system.F.dot(loads)], axis=1)
 
 
 def _read(G, z, forces, Q, output, order):
     """The output and its derivatives: those of z are G z, G² z …"""
-    from mpmath import mp
-
-    row = mp.matrix(1, len(z))
-    for channel, x in output.channels.items():
-        for j in range(len(z)):
-            row[j] += real(x) * forces[channel, j]
-    places = mp.matrix(1, len(z))
+    row = np.zeros(len(z), object)
     for parts in (output.a, output.v, output.q):        # (a G + v) G + q
-        places = places * G
+        row = row.dot(G)
         for i, x in parts.items():
-            places += real(x) * Q[i, :]
-    row += places
+            row = row + real(x) * Q[i]
+    for channel, x in output.channels.items():
+        row = row + real(x) * forces[channel]
     for _ in range(order):
-        row = row * G
-    return (row * z)[0] + (real(output.constant) if not order else 0)
+        row = row.dot(G)
+    return real(row.dot(z)) + (real(output.constant) if not order else 0)
 
 
 def _carried(G, tau, z, bits):
     """e^{Gτ} z."""
-    from mpmath import mp
-
     if not tau:
         return z
-    size = G.rows
-    norm = max(sum(abs(G[i, j]) for j in range(size)) for i in range(size)) * abs(tau)
+    size = len(G)
+    norm = np.abs(G).sum(axis=1).max(initial=0) * abs(tau)
     halvings = max(0, int(mp.ceil(mp.log(norm, 2))) + 8) if norm else 0
     wide = bits + 2 * halvings + GUARD
-    step = np.empty((size, size), object)
-    for at in np.ndindex(size, size):
-        m, e = fx.mantissa(G[at] * tau)
-        step[at] = fx.shifted(m, e + wide - halvings)
+    step = np.array([fx.fixed(x, wide - halvings) for x in (G * tau).flat], object).reshape(G.shape)
     total = term = fx.identity(size, wide)
     k = 0
     while np.abs(term).max() > 1:               # rounding down leaves −1
@@ -129,7 +126,5 @@ def _carried(G, tau, z, bits):
         total = total + term
     for _ in range(halvings):
         total = fx.product(total, total, wide)
-    out = mp.matrix(size, 1)
-    for i in range(size):
-        out[i] = mp.fsum(mp.ldexp(mp.mpf(int(total[i, j])), -wide) * z[j] for j in range(size))
-    return out
+    return np.array([mp.fsum(mp.ldexp(mp.mpf(int(x)), -wide) * y for x, y in zip(row, z, strict=True))
+                     for row in total], object)

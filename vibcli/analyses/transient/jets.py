@@ -5,6 +5,7 @@ curvature has no bound; at a jump the slope has none either.
 """
 
 import math
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 
 import numpy as np
@@ -21,19 +22,19 @@ class Jet:
 
     __slots__ = ("curvature", "slope", "value")
 
-    def __init__(self, value, slope=None, curvature=None):
+    def __init__(self, value: Interval, slope: Interval | None = None, curvature: Interval | None = None):
         self.value, self.slope, self.curvature = value, slope or exact(0.0), curvature or exact(0.0)
 
-    def __add__(self, other):
+    def __add__(self, other: "Jet") -> "Jet":
         return Jet(_kept(self.value + other.value, self.value, other.value), self.slope + other.slope,
                    self.curvature + other.curvature)
 
-    def __mul__(self, other):
+    def __mul__(self, other: "Jet") -> "Jet":
         return Jet(_kept(self.value * other.value, self.value, other.value),
                    self.slope * other.value + self.value * other.slope,
                    self.curvature * other.value + TWO * self.slope * other.slope + self.value * other.curvature)
 
-    def through(self, value, first, second):
+    def through(self, value: Interval, first: Interval, second: Interval) -> "Jet":
         """f(u) with the bounds of f, f' and f'' on u."""
         return Jet(value, first * self.slope, second * self.slope * self.slope + first * self.curvature)
 
@@ -43,13 +44,9 @@ def _kept(found, one, other):
     return Interval(np.where((one.low >= 0) & (other.low >= 0), np.maximum(found.low, 0.0), found.low), found.high)
 
 
-def unbounded(where, found):
+def unbounded(where: np.ndarray, found: Interval) -> Interval:
     """The interval, any number where it has no bound."""
     return Interval(np.where(where, -np.inf, found.low), np.where(where, np.inf, found.high))
-
-
-def hull(one, other):
-    return Interval(np.minimum(one.low, other.low), np.maximum(one.high, other.high))
 
 
 def _smooth(rule):
@@ -133,9 +130,8 @@ def _least(sense):
         either = ~first & ~second
 
         def of(one, other):
-            both = hull(one, other)
-            return Interval(np.where(first, one.low, np.where(second, other.low, both.low)),
-                            np.where(first, one.high, np.where(second, other.high, both.high)))
+            return Interval(np.where(first, one.low, np.where(second, other.low, np.minimum(one.low, other.low))),
+                            np.where(first, one.high, np.where(second, other.high, np.maximum(one.high, other.high))))
         value = Intervals.functions["max" if sense > 0 else "min"](u.value, v.value)
         return Jet(value, of(u.slope, v.slope), unbounded(either, of(u.curvature, v.curvature)))
     return call
@@ -157,22 +153,21 @@ class Jets:
     power = staticmethod(_power)
 
     @staticmethod
-    def number(value):
+    def number(value: Fraction | int) -> Jet:
         return Jet(Intervals.number(value))
 
     @staticmethod
-    def record(name, samples):
+    def record(name: str, samples: Sequence[dict[str, float]]):
         raise KeyError(name)
 
-
-Jets.functions = {
-    "sin": _smooth(lambda u: (SIN(u), COS(u), exact(-1.0) * SIN(u))),
-    "cos": _smooth(lambda u: (COS(u), exact(-1.0) * SIN(u), exact(-1.0) * COS(u))),
-    "tan": _smooth(_tan), "asin": _smooth(_asin), "acos": _smooth(_acos), "atan": _smooth(_atan),
-    "sinh": _smooth(lambda u: (SINH(u), COSH(u), SINH(u))), "cosh": _smooth(lambda u: (COSH(u), SINH(u), COSH(u))),
-    "tanh": _smooth(_tanh), "exp": _smooth(lambda u: (EXP(u),) * 3), "log": _smooth(_log),
-    "abs": _cornered(Intervals.functions["abs"], SIGN), "ramp": _cornered(Intervals.functions["ramp"], STEP),
-    "sign": lambda u: _jumping(u, SIGN(u.value), u.value.holds_zero()),
-    "step": lambda u: _jumping(u, STEP(u.value), u.value.holds_zero()),
-    "square": _square, "sawtooth": _sawtooth, "min": _least(-1), "max": _least(1),
-    "power": lambda u, v: Jets.functions["exp"](v * Jets.functions["log"](u))}
+    functions: dict[str, Callable] = {
+        "sin": _smooth(lambda u: (SIN(u), COS(u), exact(-1.0) * SIN(u))),
+        "cos": _smooth(lambda u: (COS(u), exact(-1.0) * SIN(u), exact(-1.0) * COS(u))),
+        "tan": _smooth(_tan), "asin": _smooth(_asin), "acos": _smooth(_acos), "atan": _smooth(_atan),
+        "sinh": _smooth(lambda u: (SINH(u), COSH(u), SINH(u))), "cosh": _smooth(lambda u: (COSH(u), SINH(u), COSH(u))),
+        "tanh": _smooth(_tanh), "exp": _smooth(lambda u: (EXP(u),) * 3), "log": _smooth(_log),
+        "abs": _cornered(Intervals.functions["abs"], SIGN), "ramp": _cornered(Intervals.functions["ramp"], STEP),
+        "sign": lambda u: _jumping(u, SIGN(u.value), u.value.holds_zero()),
+        "step": lambda u: _jumping(u, STEP(u.value), u.value.holds_zero()),
+        "square": _square, "sawtooth": _sawtooth, "min": _least(-1), "max": _least(1),
+        "power": lambda u, v: Jets.functions["exp"](v * Jets.functions["log"](u))}

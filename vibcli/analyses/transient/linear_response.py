@@ -1,25 +1,34 @@
 """The response itself: any linear output and its derivatives at any times, without steps in time."""
 
 import math
+from collections.abc import Sequence
 from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.analyses.modal.mode_numbers import beyond
 from vibcli.analyses.transient.decoupling import spectrum
 from vibcli.analyses.transient.exponential_sum import ExponentialSum
-from vibcli.analyses.transient.extremes import zeros
+from vibcli.analyses.transient.extremes import extreme
 from vibcli.analyses.transient.forced import drives, ends, marched
 from vibcli.analyses.transient.forcing_arrays import Timeline
-from vibcli.analyses.transient.largest import extreme
 from vibcli.analyses.transient.static_condensation import condensed
+from vibcli.analyses.transient.zeros import zeros
 from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Work
+
+if TYPE_CHECKING:
+    from vibcli.analyses.excitation.forcing import Forcing
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.analyses.modal.undamped import Mode
+    from vibcli.analyses.transient.modal_block import ModalBlock
 
 MOST, STRETCHES = 20_000, 1000      # steps, each so many stretches of time of one exponential
 
 
-def linear_motion(M, C, K, forcing, q0, v0, modes=None, work=None):
+def linear_motion(M: np.ndarray, C: np.ndarray, K: np.ndarray, forcing: "Forcing", q0: np.ndarray, v0: np.ndarray,
+                  modes: "Sequence[Mode] | None" = None, work: Work | None = None) -> "LinearMotion":
     """The motion of M q̈ + C q̇ + K q = f(t) from q(0) = q0, q̇(0) = v0.
 
     M symmetric positive definite, but for coordinates that have no inertia; C and K any real matrices; forcing:
@@ -41,38 +50,37 @@ class LinearMotion:
     """q(t) for t >= 0; outputs are LinearOutputs. matrices: (M, C, K, Condensed or None). constants: whether the
     constants of outputs count."""
 
-    constants = True
-
-    def __init__(self, matrices, blocks, forcing, q0, v0, work=None):
-        self.work = work or Work()
+    def __init__(self, matrices: tuple[np.ndarray, np.ndarray, np.ndarray, Any], blocks: "Sequence[ModalBlock]",
+                 forcing: "Forcing", q0: np.ndarray, v0: np.ndarray, work: Work | None = None, constants: bool = True):
+        self.work, self.constants = work or Work(), constants
         self.matrices, self.blocks, self.forcing = matrices, blocks, forcing
         self.M, self.C, self.K, self.system = matrices
         self.q0, self.v0 = np.array(q0, float), np.array(v0, float)
-        self._pieces = None
+        self._pieces: Any = None
 
-    def values(self, output, times, order=0):
+    def values(self, output: "LinearOutput", times: Sequence[float] | np.ndarray, order: int = 0) -> np.ndarray:
         """The order-th derivative of the output at an array of times; just after what jumps there."""
         times = np.asarray(times, float)
         t = times.ravel()
         pieces = self.pieces(t.max(initial=0.0))
         return pieces.terms(output, order).at(*pieces.timeline.place(t)).reshape(times.shape)
 
-    def extreme(self, output, start, end, sense="max"):
+    def extreme(self, output: Any, start: float, end: float, sense: str = "max") -> tuple[float, float]:
         """(t, value) of the largest ("max") or smallest ("min") value for start <= t <= end, the earliest of equals."""
         return extreme(self.pieces(end), output, start, end, sense, self.work)
 
-    def zeros(self, output, start, end):
+    def zeros(self, output: "LinearOutput", start: float, end: float) -> np.ndarray:
         """All times from `start` to `end` where the output passes or touches zero, ascending."""
         return zeros(self.pieces(end), output, start, end, self.work)
 
-    def final(self, output):
+    def final(self, output: "LinearOutput") -> float:
         """The limit of the output as t → ∞; PhysicsError where there is none."""
         from vibcli.analyses.transient.final_value import final
 
         return final(self, output)
 
     @cached_property
-    def steady(self):
+    def steady(self) -> "SteadyMotion":
         """The SteadyMotion that is reached; PhysicsError where there is none."""
         from vibcli.analyses.transient.steady_state import check_stable, steady_forcing
 
@@ -80,18 +88,17 @@ class LinearMotion:
         return SteadyMotion(self, steady_forcing(self.forcing))
 
     @cached_property
-    def transient(self):
+    def transient(self) -> "LinearMotion":
         """The motion less its steady state, a free motion in the end."""
         from vibcli.analyses.transient.steady_state import transient_forcing
 
         steady = self.steady
         forcing = transient_forcing(self.forcing, steady.forcing)
-        rest = self.like(forcing, self.q0 - steady.q0, self.v0 - steady.v0)
-        rest.constants = False
-        return rest
+        return LinearMotion(self.matrices, self.blocks, forcing, self.q0 - steady.q0, self.v0 - steady.v0, self.work,
+                            constants=False)
 
     @property
-    def start(self):
+    def start(self) -> np.ndarray:
         """q at t = 0, before any blow: what nothing holds back has followed the forces."""
         if self.system is None:
             return self.q0
@@ -101,11 +108,11 @@ class LinearMotion:
                 forces[wave.channel] += complex(wave.coefficient).real
         return self.system.T @ (self.system.places @ self.q0) + self.system.follow @ forces
 
-    def like(self, forcing, q0, v0):
+    def like(self, forcing: "Forcing", q0: np.ndarray, v0: np.ndarray) -> "LinearMotion":
         """The same system, driven and started otherwise."""
         return LinearMotion(self.matrices, self.blocks, forcing, q0, v0, self.work)
 
-    def pieces(self, until):
+    def pieces(self, until: Any) -> "Pieces":
         """The Pieces of the motion up to a time."""
         if self._pieces is None or until > self._pieces.until:
             if self.forcing.listed:
@@ -126,7 +133,7 @@ class SteadyMotion(LinearMotion):
     lasting: free vibrations or a drift that nothing damps remain beside it. period: of periodic forcing, or None.
     """
 
-    def __init__(self, motion, forcing):
+    def __init__(self, motion: LinearMotion, forcing: "Forcing"):
         from vibcli.analyses.transient import steady_state
 
         self.lasting, self.period, self._waves = steady_state.undying(motion.blocks), forcing.period, None
@@ -138,36 +145,36 @@ class SteadyMotion(LinearMotion):
             q0, v0 = steady_state.repeating(motion, forcing)
         super().__init__(motion.matrices, motion.blocks, forcing, q0, v0, motion.work)
 
-    def phasors(self, output):
+    def phasors(self, output: "LinearOutput") -> list[tuple[float, complex]]:
         """[(Ω, X)] with Re Σ X e^{iΩt} the output, Ω ascending; a constant has Ω = 0. Not of periodic forcing."""
         found = {0.0: complex(output.constant)} if output.constant else {}
         for s, Q, F in self._waves:
             found[s.imag] = found.get(s.imag, 0j) + read(output, s, Q, F)
         return sorted((rate, complex(X)) for rate, X in found.items())
 
-    def harmonic(self, output, n):
+    def harmonic(self, output: "LinearOutput", n: int) -> complex:
         """X of the n-th harmonic Re(X e^{inωt}) of the output under periodic forcing, ω = 2π/period; X of n = 0 is the
         mean."""
         from vibcli.analyses.transient.steady_state import harmonic
 
         return read(output, *harmonic(self, self.forcing, n)) + (output.constant if not n else 0.0)
 
-    def mean(self, output):
+    def mean(self, output: "LinearOutput") -> float:
         """The mean of the output."""
         if self.period is None:
             return dict(self.phasors(output)).get(0.0, 0j).real
         return self.harmonic(output, 0).real
 
-    def rms(self, output):
+    def rms(self, output: "LinearOutput") -> float:
         """The root of the mean square of the output."""
         if self.period is None:
             return math.sqrt(sum(abs(X) ** 2 / (2 if rate else 1) for rate, X in self.phasors(output)))
-        from vibcli.numerics.gauss_quadrature import mean_square
+        from vibcli.analyses.transient.steady_state import mean_square
 
         return math.sqrt(mean_square(self, output, 0.0, self.period))
 
 
-def read(output, s, Q, F):
+def read(output: "LinearOutput", s: complex, Q: np.ndarray, F: np.ndarray) -> complex:
     """The output of q = Re(Q e^{st}) under the forces Re(F e^{st}), without its constant."""
     parts = ((output.q, 1.0), (output.v, s), (output.a, s * s))
     return complex(sum(x * factor * Q[i] for coefficients, factor in parts for i, x in coefficients.items())
@@ -177,7 +184,7 @@ def read(output, s, Q, F):
 class Pieces:
     """The motion up to a time, segment by segment: c of each block at their starts, and what drives it."""
 
-    def __init__(self, motion, until):
+    def __init__(self, motion: LinearMotion, until: float):
         self.motion, self.until = motion, until
         forcing = motion.forcing
         pieces = forcing.segments(math.nextafter(until, math.inf), motion.work)
@@ -196,6 +203,6 @@ class Pieces:
                 added[struck] += jumps[struck] @ block.W.T
                 self.states.append(marched(step, added, block.P @ motion.q0 + block.R @ motion.v0))
 
-    def terms(self, output, order):
+    def terms(self, output: "LinearOutput", order: int) -> ExponentialSum:
         """What the order-th derivative of the output is the sum of."""
         return ExponentialSum(self, output, order)

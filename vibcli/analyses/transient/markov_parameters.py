@@ -5,13 +5,20 @@
 Where coordinates have no inertia H₋₁ is what follows the forces statically, and Hᵢ = T [Aⁱ (0; L⁻¹)] of the others.
 """
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from vibcli.analyses.transient.eigenvalue_clusters import first_order
 from vibcli.analyses.transient.static_condensation import leading
 
+if TYPE_CHECKING:
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.analyses.transient.linear_response import LinearMotion
 
-def markov(motion, count):
+
+def markov(motion: "LinearMotion", count: int) -> list[np.ndarray]:
     """[H₋₁, H₀, H₁, …], `count` of them from H₁ on."""
     if motion.system is not None:
         return _without_inertia(motion.system, count)
@@ -33,7 +40,7 @@ def _without_inertia(system, count):
     return found
 
 
-def direct(output, order, H, channels):
+def direct(output: "LinearOutput", order: int, H: Sequence[np.ndarray], channels: int) -> dict[int, np.ndarray]:
     """{i: row over the channels}: the order-th derivative of the output has the parts row · f⁽ⁱ⁾; H from H₋₁ on."""
     n, found = len(H[0]), {}
     for lead, coefficients in enumerate((output.q, output.v, output.a)):

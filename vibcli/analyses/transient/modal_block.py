@@ -1,6 +1,7 @@
 """A part of a linear system that moves by itself: one eigenvalue, or several that lie close together."""
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -20,11 +21,11 @@ class ModalBlock(NamedTuple):
     half: bool = False
 
     @property
-    def nodes(self):
+    def nodes(self) -> tuple[complex, ...]:
         """The eigenvalues."""
         return tuple(map(complex, self.B.diagonal()))
 
-    def rows(self, output, order):
+    def rows(self, output: Any, order: int) -> np.ndarray:
         """The order-th derivative of q·δ + v·δ̇ + a·δ̈ is Re(rows · c) and terms of f (markov.py)."""
         total = np.zeros(len(self.B), complex)
         for coefficients in (output.a, output.v, output.q):
@@ -34,11 +35,11 @@ class ModalBlock(NamedTuple):
         return total @ np.linalg.matrix_power(self.B, order)
 
 
-def paths(B):
+def paths(B: Any) -> list[tuple[int, int, complex, tuple[complex, ...]]]:
     """(i, j, product, nodes) of every way up the triangle: (e^{Bt})ᵢⱼ = Σ product · E[nodes](t)."""
     found, nodes = [], tuple(map(complex, np.diagonal(B)))
     for i in range(len(B)):
-        ways = [((i,), 1.0)]
+        ways: list = [((i,), 1.0)]
         while ways:
             stops, product = ways.pop()
             j = stops[-1]
@@ -47,7 +48,7 @@ def paths(B):
     return found
 
 
-def apart(block, places, n):
+def apart(block: ModalBlock, places: Sequence[int], n: int) -> ModalBlock:
     """The block of some coordinates as one of n coordinates."""
     X, P, R, W = np.zeros((n, len(block.B)), complex), *(np.zeros((len(block.B), n), complex) for _ in range(3))
     X[places] = block.X

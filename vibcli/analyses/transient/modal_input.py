@@ -7,6 +7,7 @@ equations are met by Newton's method in fixed point, the inverse in floats being
 ones.
 """
 
+from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -15,13 +16,13 @@ from vibcli.analyses.transient.modal_block import ModalBlock
 from vibcli.analyses.transient.refined_subspaces import LARGEST, inverse_of_all
 from vibcli.analyses.transient.static_condensation import leading
 from vibcli.numerics import fixed_point as fx
-from vibcli.numerics.fixed_point_complex import BITS, narrow, parts, real_times, times
+from vibcli.numerics.fixed_point_complex import BITS, narrow, parts, times
 
 ENOUGH, STEPS = 1e-9, 5
 NOTHING = 1e-20
 
 
-def blocks(M, C, bases):
+def blocks(M: np.ndarray, C: np.ndarray, bases: Sequence[tuple[np.ndarray, np.ndarray, bool]]) -> list[ModalBlock]:
     """The Blocks of bases (X, B, half) in fixed point."""
     n = len(M)
     rounded = [(narrow(X), narrow(B)) for X, B, _ in bases]
@@ -30,7 +31,7 @@ def blocks(M, C, bases):
     rows = inverse_of_all(rounded + twins, leading(M, C)[0])[:stops[-1]]
     places = [slice(*ends) for ends in pairwise(stops)]
     W = _inputs(M, C, bases, rows)
-    sides = real_times(W, fx.fixed(np.concatenate([M, C], axis=1), BITS))
+    sides = fx.product(W, fx.fixed(np.concatenate([M, C], axis=1), BITS), BITS)
     R, drag = beside(sides[:, :n]), beside(sides[:, n:])
     P = drag + np.concatenate([times(B, R[at]) for at, (_, B, _) in zip(places, bases, strict=True)])
     P, R, W, found = narrow(P), narrow(R), narrow(beside(W)), []
@@ -52,7 +53,7 @@ def _inputs(M, C, bases, rows):
     left = _real_parts(lead, bases, h)
     goal = fx.fixed(np.concatenate([np.zeros((h, n)), np.eye(n)]), BITS)
     for _ in range(STEPS):
-        missing = fx.floats(goal - real_times(left, W), BITS)
+        missing = fx.floats(goal - fx.product(left, W, BITS), BITS)
         step = rows[:, :h] @ missing[:h] + rows[:, h:] @ (inverse @ missing[h:])
         W = W + fx.fixed(np.concatenate([step.real, step.imag]), BITS)
         if (np.abs(step).max(axis=1) < ENOUGH * size).all():
@@ -65,16 +66,16 @@ def _real_parts(lead, bases, h):
     both = [np.concatenate([X, times(X, B)]) * (2 if half else 1) for X, B, half in bases]
     re, im = (np.concatenate(sides, axis=1) for sides in zip(*map(parts, both), strict=True))
     whole, n = np.concatenate([re, -im], axis=1), len(lead)
-    return np.concatenate([whole[:h], real_times(fx.fixed(lead, BITS), whole[h:n + h])])
+    return np.concatenate([whole[:h], fx.product(fx.fixed(lead, BITS), whole[h:n + h], BITS)])
 
 
-def beside(a):
+def beside(a: np.ndarray) -> np.ndarray:
     """[Re | Im] of a matrix given as Re above Im."""
     middle = len(a) // 2
     return np.concatenate([a[:middle], a[middle:]], axis=1)
 
 
-def triangle(B):
+def triangle(B: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(Q, Qᴴ B Q) with an upper triangle: a Schur form in the digits that Newton's method gave."""
     if len(B) == 1:
         return np.eye(1), _clean(narrow(B))

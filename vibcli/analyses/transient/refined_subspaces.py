@@ -6,13 +6,15 @@ Bᵢ Eᵢⱼ − Eᵢⱼ Bⱼ = −Sᵢⱼ, those inside are added to B. Only th
 the error.
 """
 
+from collections.abc import Sequence
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
 from vibcli.analyses.transient.static_condensation import leading
 from vibcli.numerics import fixed_point as fx
-from vibcli.numerics.fixed_point_complex import BITS, narrow, parts, real_times, times, wide
+from vibcli.numerics.fixed_point_complex import BITS, narrow, parts, times, wide
 
 ALONE, JOINED = 1e-13, 1e-32
 STEPS = 8
@@ -20,7 +22,11 @@ LARGEST = 60
 MIXED = 0.3
 
 
-def sharpened(M, C, K, bases):
+def sharpened(
+        M: np.ndarray,
+        C: np.ndarray,
+        K: np.ndarray,
+        bases: Sequence[tuple[np.ndarray, np.ndarray, bool]]) -> tuple[list[tuple[np.ndarray, np.ndarray, bool]], Any]:
     """The bases (X, B, half) in fixed point; None and two places of `bases` where those two cannot be told apart."""
     h, lead = leading(M, C)
     data, inverse = fx.fixed(np.concatenate([M, C, K], axis=1), BITS), np.linalg.inv(lead)
@@ -48,7 +54,7 @@ def sharpened(M, C, K, bases):
     return list(zip(Xs, Bs, halves, strict=True)), None
 
 
-def inverse_of_all(blocks, h):
+def inverse_of_all(blocks: Sequence[tuple[np.ndarray, np.ndarray]], h: int) -> np.ndarray:
     """The inverse of [X; X B], the columns of all blocks, of X B the first h rows."""
     full = np.concatenate([X for X, _ in blocks], axis=1)
     rates = np.concatenate([X[:h] @ B for X, B in blocks], axis=1)
@@ -60,7 +66,7 @@ def _residual(data, Xs, Bs):
     Ys = [times(X, B) for X, B in zip(Xs, Bs, strict=True)]
     columns = [np.concatenate([times(Y, B), Y, X]) for X, Y, B in zip(Xs, Ys, Bs, strict=True)]
     sides = [np.concatenate(side, axis=1) for side in zip(*map(parts, columns), strict=True)]
-    return narrow(real_times(data, np.concatenate(sides, axis=1)))
+    return narrow(fx.product(data, np.concatenate(sides, axis=1), BITS))
 
 
 def _corrections(S, blocks, count):
@@ -80,7 +86,7 @@ def _corrections(S, blocks, count):
     return E, D
 
 
-def sylvester(A, B, C):
+def sylvester(A: np.ndarray, B: np.ndarray, C: np.ndarray) -> np.ndarray:
     """X with A X − X B = C, for small blocks."""
     p, q = len(A), len(B)
     system = np.kron(A, np.eye(q)) - np.kron(np.eye(p), B.T)

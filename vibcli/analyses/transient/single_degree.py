@@ -8,7 +8,7 @@ import numpy as np
 from vibcli.analyses.transient.modal_block import ModalBlock
 
 
-def poles(m, c, k):
+def poles(m: float, c: float, k: float) -> tuple[complex, complex]:
     """The roots of m λ² + c λ + k, the slower first; each part correctly rounded or next to it.
 
     Over-damped, the slow one is k / (m λ₂): −ω (ζ − √(ζ² − 1)) cancels.
@@ -26,7 +26,7 @@ def poles(m, c, k):
     return complex(-float(k / (m * fast))), complex(-float(fast))
 
 
-def poles_of_mode(omega, growth, half):
+def poles_of_mode(omega: float, growth: float, half: float) -> tuple[complex, complex]:
     """The roots of λ² + 2 half λ + ω² (growth: −growth² in place of ω²), the slower first."""
     if omega > abs(half):
         turning = math.sqrt((omega - half) * (omega + half))
@@ -38,7 +38,7 @@ def poles_of_mode(omega, growth, half):
     return complex((growth * growth - omega * omega) / fast), complex(-fast)
 
 
-def square_root(x):
+def square_root(x: Fraction) -> float:
     """√x of a Fraction, correctly rounded but for a last unit."""
     shift = 2 * ((130 - x.numerator.bit_length() + x.denominator.bit_length()) // 2)
     up, down = max(shift, 0), max(-shift, 0)
@@ -46,7 +46,7 @@ def square_root(x):
     return float(root * Fraction(2) ** (-shift // 2))
 
 
-def pair(slow, fast, shape, momentum, force):
+def pair(slow: complex, fast: complex, shape: np.ndarray, momentum: np.ndarray, force: np.ndarray) -> ModalBlock:
     """The block of one oscillator with the poles `slow`, `fast`: (x, ẋ − λ₁x) with B = (λ₁ 1; 0 λ₂).
 
     δ = shape · x; momentum: the row that gives x of the coordinates; force: the row that gives ẍ of the forces.
@@ -56,7 +56,7 @@ def pair(slow, fast, shape, momentum, force):
                  P=np.array([momentum, -slow * momentum]), R=np.array([zero, momentum]), W=np.array([zero, force]))
 
 
-def one_degree(m, c, k):
+def one_degree(m: float, c: float, k: float) -> ModalBlock:
     """The one block of one degree of freedom; without inertia c ẋ + k x = f."""
     if not m:
         one = np.ones((1, 1))

@@ -7,11 +7,14 @@ follow statically, q = T (a, z) + F f with F = U (Uᵀ K U)⁻¹ Uᵀ over the d
 order in a and of first order in z: a start has places of a and z and velocities of a alone.
 """
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from vibcli.base.errors import PhysicsError
+
+if TYPE_CHECKING:
+    from vibcli.analyses.transient.modal_block import ModalBlock
 
 EPSILON = 2.0**-52
 NOTHING = 1e-13
@@ -30,7 +33,7 @@ class Condensed(NamedTuple):
     follow: np.ndarray
 
 
-def condensed(M, C, K):
+def condensed(M: np.ndarray, C: np.ndarray, K: np.ndarray) -> Condensed | None:
     """The Condensed of a system; None where every coordinate has inertia."""
     bare = np.flatnonzero(M.diagonal() == 0)
     if not len(bare) or M[bare].any() or M[:, bare].any():
@@ -43,7 +46,7 @@ def condensed(M, C, K):
     _check_undamped(C, U)
     T, left, follow = places.T, places.T, np.zeros((n, n))
     if U.shape[1]:
-        inverse = _inverse(U.T @ K @ U, bare, loose)
+        inverse = _inverse(U.T @ K @ U)
         T, left = T - U @ (inverse @ (U.T @ K @ T)), left - U @ (inverse.T @ (U.T @ K.T @ left))
         follow = U @ inverse @ U.T
     M, C, K = (left.T @ matrix @ T for matrix in (M, C, K))
@@ -78,26 +81,24 @@ def _check_undamped(C, U):
                            hint="give it an inertia, or a damper")
 
 
-def _inverse(K, bare, loose):
+def _inverse(K):
     """K⁻¹ of what follows statically; refused where nothing holds it."""
     unit = np.exp2(-np.round(np.log2(np.maximum(np.abs(K).max(axis=1), np.finfo(float).tiny)) / 2))
     scaled = unit[:, None] * K * unit
-    _, sizes, right = np.linalg.svd(scaled)
+    sizes = np.linalg.svd(scaled, compute_uv=False)
     if sizes[-1] <= 16 * len(K) * EPSILON * sizes[0]:
-        error = PhysicsError("neither inertia, damper nor spring holds a coordinate: its motion in time is not "
-                             "determined", hint="give what it moves a mass, a damper or a spring")
-        error.coordinate = int(bare[np.argmax(np.abs(loose @ (unit * right[-1])))])
-        raise error
+        raise PhysicsError("neither inertia, damper nor spring holds a coordinate: its motion in time is not "
+                           "determined", hint="give what it moves a mass, a damper or a spring")
     return unit[:, None] * np.linalg.inv(scaled) * unit
 
 
-def whole(block, system):
+def whole(block: "ModalBlock", system: Condensed) -> "ModalBlock":
     """A Block of (a, z) as one of all coordinates."""
     return block._replace(X=system.T @ block.X, P=block.P @ system.places, R=block.R @ system.places,
                           W=block.W @ system.left.T)
 
 
-def leading(M, C):
+def leading(M: np.ndarray, C: np.ndarray) -> tuple[int, np.ndarray]:
     """(h, L): the first h coordinates have inertia, and L (ż, ä) is what the forces leave for the highest rates."""
     h = int(np.count_nonzero(M.diagonal()))
     return h, np.concatenate([C[:, h:], M[:, :h]], axis=1)

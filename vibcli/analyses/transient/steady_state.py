@@ -7,20 +7,28 @@ vibration does not die out: the steady state is then what the force keeps up.
 
 import cmath
 import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.excitation.forcing import Forcing, Segment
-from vibcli.analyses.transient.modal_block import paths
+from vibcli.analyses.transient.exponential_differences import differences
+from vibcli.analyses.transient.isolating_intervals import fastest, stretches
+from vibcli.analyses.transient.modal_block import ModalBlock, paths
 from vibcli.analyses.transient.time_shift import difference, later, turned
 from vibcli.base.errors import PhysicsError
-from vibcli.numerics.exponential_differences import differences
+
+if TYPE_CHECKING:
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.analyses.transient.linear_response import LinearMotion, SteadyMotion
 
 RESONANT = 1e-12
+POINTS = 20         # of Gauss's rule
 UNFORCED = 1e-13
 
 
-def steady_forcing(forcing):
+def steady_forcing(forcing: Forcing) -> Forcing:
     """What drives the steady state, from t = 0 on; PhysicsError where the load grows."""
     if forcing.period is not None:
         return Forcing(forcing.channels, turned(forcing), forcing.period)
@@ -33,7 +41,7 @@ def steady_forcing(forcing):
     return Forcing(forcing.channels, [Segment(0.0, tuple(part for wave in waves for part in later(wave, -last.start)))])
 
 
-def transient_forcing(forcing, steady):
+def transient_forcing(forcing: Forcing, steady: Forcing) -> Forcing:
     """What drives the transient: the forcing less that of the steady state."""
     if forcing.period is not None:
         end, tail = forcing.since, []
@@ -45,21 +53,21 @@ def transient_forcing(forcing, steady):
     return Forcing(forcing.channels, pieces + (tail or [Segment(end)]))
 
 
-def check_stable(blocks):
+def check_stable(blocks: Sequence[ModalBlock]) -> None:
     """Refuses a system whose free motion grows."""
     if any(node.real > 0 for block in blocks for node in block.nodes):
         raise PhysicsError("there is no steady state: the free motion grows", hint="the equilibrium is unstable")
 
 
-def undying(blocks):
+def undying(blocks: Sequence[ModalBlock]) -> bool:
     """Are there free vibrations, or a drift, that nothing damps?"""
     return any(not node.real for block in blocks for node in block.nodes)
 
 
-def phasor(motion, s, force):
+def phasor(motion: "LinearMotion", s: complex, force: np.ndarray) -> np.ndarray:
     """Q of q = Re(Q e^{st}) under the forces Re(F e^{st})."""
-    near = [block for block in motion.blocks if any(_meets(node, s) for node in _spectrum(block))]
-    if not near:
+    if not any(_meets(node, s) or (block.half and _meets(node.conjugate(), s))
+               for block in motion.blocks for node in block.nodes):
         return np.linalg.solve(s * s * motion.M + s * motion.C + motion.K, force.astype(complex))
     total = np.zeros(len(force), complex)
     if motion.system is not None:
@@ -71,10 +79,6 @@ def phasor(motion, s, force):
         else:
             total += _kept_up(block.B, block.X, block.W, s, force)
     return total
-
-
-def _spectrum(block):
-    return [*block.nodes, *(node.conjugate() for node in block.nodes if block.half)]
 
 
 def _meets(node, s):
@@ -93,7 +97,7 @@ def _kept_up(B, X, W, s, force):
     return X @ c
 
 
-def resonance(s):
+def resonance(s: complex) -> PhysicsError:
     """The refusal of a steady state that is never reached."""
     if not s:
         return PhysicsError("there is no steady state: a constant force drives a motion that nothing holds",
@@ -102,7 +106,7 @@ def resonance(s):
                         "damping, the amplitude grows without end", hint="add a damper, move Ω, or ask at a time")
 
 
-def amplitudes(motion, forcing):
+def amplitudes(motion: "LinearMotion", forcing: Forcing) -> list[tuple[complex, np.ndarray, np.ndarray]]:
     """[(s, Q, F)] of the waves Re(F e^{st}) that never end, F over all channels; a constant has s = 0."""
     found = {}
     for wave in forcing.pieces[0].waves:
@@ -115,7 +119,7 @@ def amplitudes(motion, forcing):
     return [(s, phasor(motion, s, row[:n]), row) for s, row in sorted(found.items(), key=lambda item: item[0].imag)]
 
 
-def repeating(motion, forcing):
+def repeating(motion: "LinearMotion", forcing: Forcing) -> tuple[np.ndarray, np.ndarray]:
     """(q, q̇) just before t = 0 of the motion that periodic forcing repeats."""
     n, period = len(motion.M), forcing.period
     once = Forcing(forcing.channels, [*forcing.pieces, Segment(period)])
@@ -143,7 +147,7 @@ def _growth(B, t):
     return out
 
 
-def harmonic(motion, forcing, n):
+def harmonic(motion: "SteadyMotion", forcing: Forcing, n: int) -> tuple[complex, np.ndarray, np.ndarray]:
     """(s, Q, F) of the n-th harmonic of periodic forcing: F = (2/T) ∫ f e^{−st} dt over a period, s = 2πin/T."""
     s = complex(0, math.tau * n / forcing.period)
     row = np.zeros(forcing.channels, complex)
@@ -158,3 +162,16 @@ def harmonic(motion, forcing, n):
     row /= forcing.period * (1 if n else 2)
     row = row if n else row.real
     return s, phasor(motion, s, row[:len(motion.M)]), row
+
+
+def mean_square(motion: "SteadyMotion", output: "LinearOutput", start: float, end: float) -> float:
+    """(1/(end − start)) ∫ y² dt by Gauss's rule on stretches shorter than any wave in it, exact to rounding."""
+    pieces = motion.pieces(end)
+    y = pieces.terms(output, 0)
+    cells = stretches(pieces.timeline, start, end)
+    cells = cells.divided(max(1, int(np.ceil(fastest(y.nodes()) * cells.width.max() / 8))))
+    at, weights = np.polynomial.legendre.leggauss(POINTS)
+    half = cells.width / 2
+    tau = (cells.early + half)[:, None] + half[:, None] * at
+    values = y.at(np.repeat(cells.segment, POINTS), tau.ravel()).reshape(tau.shape)
+    return float(half @ (values**2 @ weights)) / (end - start)

@@ -4,9 +4,13 @@ forces add.
 
 import cmath
 import math
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+
+if TYPE_CHECKING:
+    from vibcli.analyses.transient.linear_response import LinearMotion
 
 SAME = 1e-6
 NOTHING, ROUNDING = 1e-14, 1e-15
@@ -23,12 +27,12 @@ class Part(NamedTuple):
     phase: float
     forced: bool
 
-    def at(self, tau):
+    def at(self, tau: np.ndarray) -> np.ndarray:
         return (self.amplitude * tau**self.power * np.exp(self.rate * tau)
                 * (np.cos(self.omega * tau - self.phase) if self.omega else 1.0))
 
 
-def regime(M, C, K):
+def regime(M: np.ndarray, C: np.ndarray, K: np.ndarray) -> str:
     """What free motion of one degree of freedom is called: "undamped", "under-damped", "critically damped",
     "over-damped", "relaxation", "rigid", "drag" or "unstable"."""
     from vibcli.analyses.transient.single_degree import poles
@@ -48,7 +52,7 @@ def regime(M, C, K):
     return "under-damped" if slow.imag else "over-damped"
 
 
-def formula(motion, output, segment=0):
+def formula(motion: "LinearMotion", output: Any, segment: int = 0) -> list[Part]:
     """The Parts that add up to the output on a segment (−1: the last), free ones first, each kind by ascending
     frequency and decay."""
     pieces = motion.pieces(0.0 if motion.forcing.period else math.inf)
@@ -93,7 +97,7 @@ def _part(node, power, c, forced):
     return Part(float(c.real), power, node.real, 0.0, 0.0, forced)
 
 
-def fractions(nodes):
+def fractions(nodes: Sequence[complex]) -> dict[tuple[complex, int], complex]:
     """{(λ, k): c} with E[nodes](t) = Σ c tᵏ e^{λt}: the partial fractions of 1/Π(p − λ), nearly equal nodes as one."""
     groups = []
     for node in nodes:
@@ -101,15 +105,17 @@ def fractions(nodes):
         groups.append([node]) if near is None else near.append(node)
     found = {}
     for group in groups:
-        mean, m = sum(group) / len(group), len(group)
-        series = np.zeros(m, complex)
-        series[0] = 1.0
-        for other in groups:
-            if other is not group:
-                gap = mean - sum(other) / len(other)
-                factor = (-1 / gap) ** np.arange(m) / gap
-                for _ in other:
-                    series = np.convolve(series, factor)[:m]
-        for k in range(m):
-            found[mean, k] = complex(series[m - 1 - k]) / math.factorial(k)
+        mean = sum(group) / len(group)
+        others = [sum(other) / len(other) for other in groups if other is not group for _ in other]
+        for k, c in enumerate(expanded(mean, len(group), others)):
+            found[mean, k] = c
     return found
+
+
+def expanded(node: Any, count: int, others: Any):
+    """[c] of the Σ c tᵏ e^{λt} that a node λ so many times adds beside others: a Taylor series of 1/Π(p − other)."""
+    series = np.eye(1, count, dtype=complex)[0]
+    for other in others:
+        gap = node - other
+        series = np.convolve(series, (-1 / gap) ** np.arange(count) / gap)[:count]
+    return [complex(c) / math.factorial(k) for k, c in enumerate(series[::-1])]

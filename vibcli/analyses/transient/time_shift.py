@@ -2,11 +2,12 @@
 
 import cmath
 import math
+from collections.abc import Sequence
 
-from vibcli.analyses.excitation.forcing import Segment, Wave
+from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
 
 
-def later(wave, by):
+def later(wave: Wave, by: float) -> tuple[Wave, ...]:
     """The waves in τ' = τ − by that make up one in τ: Re(c (τ' + by)ᵏ e^{s(τ' + by)})."""
     c, k = wave.coefficient * cmath.exp(wave.exponent * by), wave.power
     if not by:
@@ -14,17 +15,13 @@ def later(wave, by):
     return tuple(Wave(wave.channel, c * math.comb(k, j) * by ** (k - j), j, wave.exponent) for j in range(k + 1))
 
 
-def negative(wave):
-    return wave._replace(coefficient=-wave.coefficient)
-
-
-def running(pieces, time):
+def running(pieces: Sequence[Segment], time: float) -> Segment:
     """The piece that runs at a time, its waves counted from there, without its impulses."""
     piece = max((piece for piece in pieces if piece.start <= time), key=lambda piece: piece.start)
     return Segment(time, tuple(part for wave in piece.waves for part in later(wave, time - piece.start)))
 
 
-def difference(pieces, others, until):
+def difference(pieces: Sequence[Segment], others: Sequence[Segment], until: float) -> list[Segment]:
     """pieces − others as pieces that start before `until`."""
     impulses = {}
     for sign, some in ((1, pieces), (-1, others)):
@@ -32,12 +29,12 @@ def difference(pieces, others, until):
             impulses.setdefault(piece.start, []).extend((channel, sign * size) for channel, size in piece.impulses)
     found = []
     for start in sorted(start for start in impulses if start < until):
-        waves = (*running(pieces, start).waves, *map(negative, running(others, start).waves))
-        found.append(Segment(start, waves, tuple(impulses[start])))
+        less = (wave._replace(coefficient=-wave.coefficient) for wave in running(others, start).waves)
+        found.append(Segment(start, (*running(pieces, start).waves, *less), tuple(impulses[start])))
     return found
 
 
-def turned(forcing):
+def turned(forcing: Forcing) -> list[Segment]:
     """The pieces of one period of periodic forcing, counted from t = 0 as if it had always run."""
     first = forcing.since % forcing.period
     pieces = [piece for piece in forcing.pieces if piece.start >= forcing.since]

@@ -1,11 +1,12 @@
 """Drawings by Matplotlib: PNG, SVG and PDF, the same bytes each time. Its object interface alone is used."""
 
 import io
+from collections.abc import Sequence
+from typing import Any
 
-from vibcli.drawing.canvas.palette import COLOURS
-from vibcli.drawing.canvas.primitives import Circle, LetterRuns, Polygon, extent
+from vibcli.drawing.canvas.primitives import COLOURS, Circle, LetterRuns, Polygon, extent
 from vibcli.drawing.layout import lettering
-from vibcli.plots import library
+from vibcli.plots.picture import library
 
 MARGIN, DPI, WIDEST, SALT = 10.0, 150, 6000, "vibcli"
 SETTINGS = ("savefig.", "svg.", "pdf.", "path.", "text.", "agg.", "font.", "patch.")
@@ -13,12 +14,12 @@ SILENT = {"png": {"Software": None}, "svg": {"Date": None, "Creator": None},
           "pdf": {"CreationDate": None, "ModDate": None, "Creator": None, "Producer": None}}
 
 
-def figure(primitives, box=None, dpi=DPI):
-    """A Matplotlib Figure of a drawing; `box` (left, bottom, right, top) where it is not that of the primitives."""
+def figure(primitives: Sequence[Any], dpi: float):
+    """A Matplotlib Figure of a drawing."""
     from matplotlib.figure import Figure
     from matplotlib.transforms import Affine2D
 
-    left, bottom, right, top = box or extent(primitives)
+    left, bottom, right, top = extent(primitives)
     size = right - left + 2 * MARGIN, top - bottom + 2 * MARGIN
     made = Figure(figsize=(size[0] / 72, size[1] / 72), dpi=dpi, facecolor=COLOURS["paper"])
     place = Affine2D().translate(MARGIN - left, MARGIN - bottom).scale(1 / 72) + made.dpi_scale_trans
@@ -66,14 +67,14 @@ def _letters(part):
     return found
 
 
-def picture(primitives, kind, box=None, dpi=DPI):
+def picture(primitives: Any, kind: str) -> bytes:
     """The bytes of a png, svg or pdf, whatever settings of Matplotlib the user has."""
-    matplotlib = library.matplotlib()
-    left, bottom, right, top = box or extent(primitives)
-    dpi = min(dpi, 72 * WIDEST / max(right - left, top - bottom))
+    matplotlib = library()
+    left, bottom, right, top = extent(primitives)
+    dpi = min(DPI, 72 * WIDEST / max(right - left, top - bottom))
 
     ours = {key: value for key, value in matplotlib.rcParamsDefault.items() if key.startswith(SETTINGS)}
     with matplotlib.rc_context({**ours, "svg.hashsalt": SALT, "svg.fonttype": "path"}):
         data = io.BytesIO()
-        figure(primitives, box, dpi).savefig(data, format=kind, dpi=dpi, metadata=SILENT[kind])
+        figure(primitives, dpi).savefig(data, format=kind, dpi=dpi, metadata=SILENT[kind])
     return data.getvalue()

@@ -1,10 +1,11 @@
 """Frames of a drawing as one HTML page that needs nothing else: inline SVG, with play, pause and a slider."""
 
 import json
+from collections.abc import Sequence
 from html import escape
+from typing import Any
 
-from vibcli.drawing.canvas.palette import COLOURS
-from vibcli.drawing.canvas.primitives import Circle, LetterRuns, Polygon, extent
+from vibcli.drawing.canvas.primitives import COLOURS, Circle, LetterRuns, Polygon, extent
 
 MARGIN, STILL = 12.0, ("ground", "fixed")
 MOST = 240
@@ -65,7 +66,8 @@ requestAnimationFrame(step);
 """
 
 
-def page(frames, title, caption, names=(), milliseconds=40):
+def page(frames: Sequence[list[Any]], title: str, caption: str, names: Sequence[str] = (),
+         milliseconds: int = 40) -> str:
     """The text of the page; `names` say what instant each frame shows."""
     frames = frames[:MOST]
     boxes = [extent(frame) for frame in frames]

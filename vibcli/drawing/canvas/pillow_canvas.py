@@ -1,16 +1,17 @@
 """Frames of a drawing as an animated GIF, by Pillow: bounded in pixels and in frames, the same bytes each time."""
 
 import io
+from collections.abc import Sequence
 from itertools import combinations
+from typing import Any
 
-from vibcli.drawing.canvas.palette import COLOURS
-from vibcli.drawing.canvas.primitives import Circle, LetterRuns, Polygon, extent
+from vibcli.drawing.canvas.primitives import COLOURS, Circle, LetterRuns, Polygon, extent
 
 WIDEST, HIGHEST, MARGIN, FINER, MOST = 560, 420, 10.0, 2, 240
 SHADES, FOOT, NARROW, LARGEST = 256, 26.0, 230.0, 2_000_000      # the last: bytes
 
 
-def gif(frames, caption, milliseconds=40):
+def gif(frames: Sequence[list[Any]], caption: str, milliseconds: int = 40) -> bytes:
     """The bytes of a GIF that repeats the frames (lists of primitives)."""
     from PIL import Image
 
@@ -82,9 +83,9 @@ def _letters(text, pen, place, fine):
     from PIL import ImageFont
 
     from vibcli.drawing.layout import lettering
-    from vibcli.plots import library
+    from vibcli.plots.picture import library
 
-    matplotlib = library.matplotlib()
+    matplotlib = library()
     run, = lettering.words(text)
     file = f"{matplotlib.get_data_path()}/fonts/ttf/{lettering.file_of(run.text, False)}"
     pen.text(place, run.text, fill=COLOURS["ink"], font=ImageFont.truetype(file, run.size * fine), anchor="ls")

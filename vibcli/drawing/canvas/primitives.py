@@ -1,14 +1,22 @@
 """What a drawing is made of: lines, filled outlines, hatching and text, in points of 1/72 inch, y upwards.
 
-A role names what a line is, and the palette gives roles their colour. Layers are drawn in ascending order.
+A role names what a line is: ink for what is there, blue for coordinates, red for loads, green for what is driven.
+Layers are drawn in ascending order.
 """
 
-from typing import NamedTuple
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
 
 from vibcli.drawing.layout import plane
 
 SURFACE, BEHIND, BODY, ELEMENT, JOINT, ARROW = range(6)
 SPACING, DEPTH = 5.0, 5.5       # of hatching
+COLOURS = {
+    "ink": "#1b1b1b", "body": "#dce4ec", "inner": "#c9d5e1", "fixed": "#e4e4e0", "paper": "#ffffff",
+    "ground": "#4d4d4d", "spring": "#1b1b1b", "damper": "#1b1b1b", "oil": "#e8e8e8", "rope": "#7b4a1e",
+    "belt": "#7b4a1e", "coordinate": "#1d5fa6", "load": "#b3261e", "driven": "#2c7a4b", "measure": "#6a6a6a",
+    "ghost": "#b9b9b9", "note": "#5a5a5a",
+}
 
 
 class Polyline(NamedTuple):
@@ -20,7 +28,7 @@ class Polyline(NamedTuple):
     dashed: bool = False
     layer: int = ELEMENT
 
-    def strokes(self):
+    def strokes(self) -> list[tuple[tuple[float, float], ...]]:
         return [self.points]
 
 
@@ -34,7 +42,7 @@ class Polygon(NamedTuple):
     dashed: bool = False
     layer: int = BODY
 
-    def strokes(self):
+    def strokes(self) -> list[tuple[tuple[float, float], ...]]:
         return [(*self.points, self.points[0])]
 
 
@@ -50,28 +58,12 @@ class Circle(NamedTuple):
     layer: int = BODY
 
     @property
-    def points(self):
+    def points(self) -> list[tuple[float, float]]:
         return plane.circle(self.centre, self.radius)
 
-    def strokes(self):
+    def strokes(self) -> list[tuple[tuple[float, float], ...]]:
         points = self.points
         return [(*points, points[0])]
-
-
-class Arc(NamedTuple):
-    """A part of a circle between two angles in radians."""
-
-    centre: tuple
-    radius: float
-    start: float
-    end: float
-    role: str = "ink"
-    width: float = 1.1
-    dashed: bool = False
-    layer: int = ELEMENT
-
-    def strokes(self):
-        return [plane.arc(self.centre, self.radius, self.start, self.end)]
 
 
 class Hatch(NamedTuple):
@@ -84,7 +76,7 @@ class Hatch(NamedTuple):
     dashed: bool = False
     layer: int = SURFACE
 
-    def strokes(self):
+    def strokes(self) -> list[tuple[tuple[float, float], ...]]:
         found, rest = [self.points], SPACING / 2
         for a, b in zip(self.points, self.points[1:], strict=False):
             length, at = plane.distance(a, b), plane.along(a, b)
@@ -113,18 +105,18 @@ class LetterRuns(NamedTuple):
     role: str = "ink"
     layer: int = ARROW
 
-    def strokes(self):
+    def strokes(self) -> list[Any]:
         return []
 
 
-def extent(primitives):
+def extent(primitives: Sequence[Any]) -> tuple[float, float, float, float] | None:
     """(left, bottom, right, top) of a drawing; None of an empty one."""
     points = [point for part in primitives for stroke in part.strokes() for point in stroke]
     points += [corner for part in primitives if isinstance(part, LetterRuns) for corner in (part.box[:2], part.box[2:])]
     return plane.bounds(points) if points else None
 
 
-def ghost(primitives):
+def ghost(primitives: Iterator) -> list[Any]:
     """The same in grey and without its texts: the position from which something moves."""
     found = []
     for part in primitives:

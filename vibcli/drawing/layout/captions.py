@@ -1,13 +1,23 @@
 """What is written beside an element: the quantity that the file gives it, else its name."""
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 from vibcli.drawing.layout import lettering
 from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef
 
+if TYPE_CHECKING:
+    from vibcli.drawing.canvas.primitives import Run
+    from vibcli.drawing.layout.sketch import Sketch
+    from vibcli.language.reader import Expression, Record
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
+
 SHORT = 14
 
 
-def quantity(record, keys, sketch):
+def quantity(record: "Record", keys: Sequence[str], sketch: "Sketch") -> "tuple[Run, ...]":
     """The runs that name an element by the first of some fields that it has."""
     for key in keys:
         if key in record and hasattr(record[key], "tree"):
@@ -15,7 +25,7 @@ def quantity(record, keys, sketch):
     return lettering.named(record.name)
 
 
-def expression(field, sketch, longest=SHORT):
+def expression(field: "Expression", sketch: "Sketch", longest: int = SHORT) -> "tuple[Run, ...] | None":
     """The runs of a field: its one name, its number as written, or the expression where it is short; else None."""
     text = field.text.strip()
     if isinstance(field.tree, NameRef):
@@ -27,7 +37,7 @@ def expression(field, sketch, longest=SHORT):
     return runs if len(lettering.letters(runs)) <= longest else None
 
 
-def raw(field, scene):
+def raw(field: "Expression", scene: "Scene") -> "Node":
     """The node of a field in the letters that it is written in, dependent coordinates included."""
     def symbol(name, primes, tree):
         return scene.parameters.nodes.get(name) or scene.table.variable(name + "'" * primes)
@@ -35,7 +45,7 @@ def raw(field, scene):
     return lower(field.tree, scene.table, symbol)
 
 
-def mass(record, sketch):
+def mass(record: "Record", sketch: "Sketch") -> "tuple[Run, ...] | None":
     """The runs for a body: its mass or inertia, else its name; None of a massless one."""
     for key in ("mass", "inertia", "density"):
         if key in record:

@@ -1,5 +1,8 @@
 """A scene as a drawing: everything that has a place, in one position."""
 
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.errors import PhysicsError
 from vibcli.drawing.canvas.primitives import BODY, Circle, Polyline, extent
 from vibcli.drawing.layout import lumped, plane, rows
@@ -8,17 +11,19 @@ from vibcli.drawing.layout.sketch import Sketch
 from vibcli.drawing.layout.ties import Ties
 from vibcli.drawing.symbols import bodies, connection, joint, rope, support, tracks
 from vibcli.drawing.symbols.appearance import looks
-from vibcli.scene.closed_loops import drawn_values
 from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    from vibcli.scene.scene import Scene
 
 BELOW, MOST = 40.0, 80      # points to the first row of lumped bodies; bodies
 FINE = 1e9                  # points per metre at which what has a size on paper alone has none
 
 
-def values_at(scene, position=None, time=0.0):
+def values_at(scene: "Scene", position: Mapping[str, float] | None = None, time: float = 0.0) -> dict[str, float]:
     """{symbol: number} with `position` ({coordinate: number}), the dependent coordinates included; None where the
     loops of the scene cannot follow."""
-    values = drawn_values(scene)
+    values = scene.drawn_values
     target = {**values, **(position or {}), scene.time.name: time}
     if scene.loops is not None and (position or time):
         target = scene.loops.followed(values, target)
@@ -31,7 +36,7 @@ def values_at(scene, position=None, time=0.0):
 class Scenery:
     """What of a drawing does not depend on the position: its scale, the looks of its bodies, its ends and walls."""
 
-    def __init__(self, scene):
+    def __init__(self, scene: "Scene"):
         if len(scene.bodies) > MOST:
             raise PhysicsError(f"a drawing of {len(scene.bodies)} bodies is not legible", f"the limit is {MOST}")
         self.scene = scene
@@ -40,7 +45,6 @@ class Scenery:
         self.sketch.numbers["size"] = plain.numbers["size"] / FINE
         self.ties = Ties(self.sketch)
         self.looks = looks(self.sketch, self.ties)
-        self.room = {}
         self.bunches = connection.bunches(self.sketch, self.looks)
         self.ropes = {name: rope.stops(record, self.sketch, self.looks)
                       for name, record in (scene.spec.get("constraints") or {}).items() if "rope" in record}
@@ -50,16 +54,17 @@ class Scenery:
         left, top = (box[0], box[1] - BELOW) if box else (0.0, 0.0)
         self.rows = lumped.layouts(rows.rows(scene), scene, left, top)
 
-    def at(self, position=None, time=0.0):
+    def at(self, position: Mapping[str, float] | None = None, time: float = 0.0) -> Sketch:
         """The Sketch in another position; None where its loops cannot follow."""
         values = values_at(self.scene, position, time)
         return None if values is None else self.sketch.at(values)
 
 
-def figure(stage, sketch, unit=1.0):
+def figure(stage: Scenery, sketch: Any, unit: Any = 1.0,
+           room: Any = None) -> tuple[list[Any], dict[str, tuple[tuple[Any, ...], tuple[Any, ...]]]]:
     """Everything of a scene but its words and arrows, and where its elements are, as {name: (middle, normal)};
-    lumped bodies are displaced by `unit` points for one metre."""
-    found, where = primitives(stage, sketch)
+    lumped bodies are displaced by `unit` points for one metre; `room`: that in which bodies slide on the ground."""
+    found, where = primitives(stage, sketch, room)
     for layout in stage.rows:
         moved = {name: sketch.lumped[name] * (1.0 if place.turns else unit) for name, place in layout.places.items()}
         lines, places = lumped.draw(layout, moved)
@@ -68,11 +73,12 @@ def figure(stage, sketch, unit=1.0):
     return found, where
 
 
-def primitives(stage, sketch):
+def primitives(stage: Scenery, sketch: Any,
+               room: Any = None) -> tuple[list[Any], dict[str, tuple[tuple[Any, ...], tuple[Any, ...]]]]:
     """What has a place, without words and arrows."""
     looks, ties = stage.looks, stage.ties
     found = _surfaces(sketch, looks)
-    found += bodies.draw(sketch, looks, stage.room)
+    found += bodies.draw(sketch, looks, room or {})
     where = {}
     for bunch in stage.bunches:
         lines, places = connection.draw(bunch, sketch)
@@ -136,6 +142,6 @@ def _fixed_ends(stage, sketch):
         if "link" in record:
             a, b = (sketch.attachment(end) for end in record["link"])
             ends += [(a, plane.unit(plane.minus(a.drawn, b.drawn))), (b, plane.unit(plane.minus(b.drawn, a.drawn)))]
-    bearings = bodies.fixed_pivots(stage.sketch, stage.looks)
+    bearings = bodies.fixed_pivots(stage.sketch)
     return [(end, out) for end, out in ends if (sketch.is_fixed(end.carrier) or end.carrier in sketch.moving_points)
              and (round(end.drawn[0], 3), round(end.drawn[1], 3)) not in bearings]

@@ -2,11 +2,14 @@
 of a body to which it must then be tied."""
 
 from math import hypot
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.drawing.layout import plane
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.sketch import Sketch
 
 CLOSE = 1e-6
 
@@ -19,12 +22,12 @@ class Implied(NamedTuple):
     weight: str
 
 
-def ropes(sketch):
+def ropes(sketch: "Sketch") -> list[Any]:
     """The Implied ropes of weights that no element ties to a moving body."""
     tied, rates, found = _tied(sketch), None, []
     for name, body in sketch.scene.bodies.items():
         slide = body.record.get("slide")
-        if name not in sketch.frames or slide is None or name in tied or set(slide.values) & {"surface", "carrier"}:
+        if name not in sketch.frames or slide is None or name in tied or set(slide) & {"surface", "carrier"}:
             continue
         rates = rates or {other: _rates(sketch, other) for other in sketch.frames if other in sketch.scene.bodies}
         others = [other for other in rates if other != name]
@@ -39,12 +42,11 @@ def _tied(sketch):
     for record in (sketch.spec.get("constraints") or {}).values():
         for key in ("rope", "link", "join"):
             names.update(getattr(end, "text", None) for end in record.get(key, ()))
-    for section in ("springs", "dampers"):
-        for record in (sketch.spec.get(section) or {}).values():
-            ends = [sketch.attachment(end) for end in record.get("between", ())]
-            if len(ends) == 2 and None not in ends and not any(sketch.is_fixed(end.carrier) for end in ends):
-                names.update(end.carrier for end in ends if sketch.scene.bodies.get(end.carrier) is not None
-                             and sketch.scene.bodies[end.carrier].mass is not None)
+    for record in sketch.spec.connections:
+        ends = [sketch.attachment(end) for end in record.get("between", ())]
+        if len(ends) == 2 and None not in ends and not any(sketch.is_fixed(end.carrier) for end in ends):
+            names.update(end.carrier for end in ends if sketch.scene.bodies.get(end.carrier) is not None
+                         and sketch.scene.bodies[end.carrier].mass is not None)
     return names
 
 

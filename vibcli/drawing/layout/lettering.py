@@ -4,11 +4,16 @@ The fonts come with Matplotlib: STIX, and DejaVu for letters that it lacks; what
 """
 
 import re
+from collections.abc import Sequence
 from functools import cache, lru_cache
+from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import LetterRuns, Run
 from vibcli.notation.plain import GREEK, Plain, split_name
-from vibcli.plots import library
+from vibcli.plots.picture import library
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
 
 SIZE, SMALL, LOWER, RAISE = 11.5, 0.72, -0.22, 0.38
 ASCENT, DESCENT = 0.70, 0.22
@@ -22,25 +27,25 @@ _PARTS = re.compile(f"{_OPEN}([^{_INDEX}]*){_INDEX}([^{_CLOSE}]*){_CLOSE}|([⁰�
 class _Marked(Plain):
     """Plain notation in which names are marked off with their indices."""
 
-    def symbol(self, name):
+    def symbol(self, name: str) -> str:
         letter, rest, primes = split_name(name)
         return f"{_OPEN}{GREEK.get(letter, letter)}{primes}{_INDEX}{rest.removeprefix('_')}{_CLOSE}"
 
-    def product(self, value, args):
+    def product(self, value: Any, args: Any):
         return super().product(value, args).replace("·", " ")
 
 
-def named(name, size=SIZE):
+def named(name: str, size: float = SIZE) -> tuple[Run, ...]:
     """The runs of a name: φ₁ of phi1, a word as it is."""
     return _runs(_Marked().symbol(name), size)
 
 
-def written(node, size=SIZE):
+def written(node: "Node", size: float = SIZE) -> tuple[Run, ...]:
     """The runs of an expression."""
     return _runs(_Marked()(node).replace("\u00a0", " "), size)
 
 
-def words(text, size=SIZE):
+def words(text: str, size: float = SIZE) -> tuple[Run, ...]:
     """The runs of plain words."""
     return (Run(_printable(text[:LONGEST], False), False, size),)
 
@@ -59,15 +64,15 @@ def _runs(text, size):
     return tuple(found)
 
 
-def letters(runs):
+def letters(runs: Sequence[Run]) -> str:
     return "".join(run.text for run in runs)
 
 
-def width(runs):
+def width(runs: Sequence[Run]) -> float:
     return sum(_advance(run.text, run.slanted, run.size) for run in runs)
 
 
-def text(runs, left, bottom, role="ink"):
+def text(runs: Any, left: float, bottom: float, role: str = "ink") -> LetterRuns:
     """A Text with the lower left corner of its box."""
     low = min(run.rise - DESCENT * run.size for run in runs)
     high = max(run.rise + ASCENT * run.size for run in runs)
@@ -75,22 +80,22 @@ def text(runs, left, bottom, role="ink"):
     return LetterRuns((left, bottom - low), tuple(runs), box, role)
 
 
-def size(runs):
+def size(runs: Sequence[Run]) -> tuple[float, float]:
     """(width, height) of the box of runs."""
     box = text(runs, 0.0, 0.0).box
     return box[2], box[3]
 
 
 @cache
-def font(file):
-    matplotlib = library.matplotlib()
+def font(file: str):
+    matplotlib = library()
     from matplotlib.ft2font import FT2Font
 
     return FT2Font(f"{matplotlib.get_data_path()}/fonts/ttf/{file}")
 
 
 @lru_cache(4096)
-def file_of(letters, slanted):
+def file_of(letters: str, slanted: bool) -> str:
     """The first font that has all of some letters."""
     for file in FONTS[slanted]:
         if all(font(file).get_char_index(ord(letter)) for letter in letters):

@@ -1,27 +1,29 @@
 """Values of letters that make a good figure: those of the scene, unless bodies or fixed places then lie over others."""
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.errors import SpecError
 from vibcli.drawing.layout import plane
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
 
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.compose import Scenery
+
 TRIES, ENOUGH, SAME = 8, 0.05, 1e-9
 
 
-def pleasing(problem, stage_of):
+def pleasing(problem: Any, stage_of: type[Any]) -> "Scenery":
     """The stage (`stage_of(scene)`) whose letters draw the scene best; only that of the problem where it has none."""
     stage = stage_of(problem.scene)
-    if not problem.symbolic or crowding(stage) <= ENOUGH:
+    if not problem.numeric.has_free_symbols or crowding(stage) <= ENOUGH:
         return stage
-    from vibcli.scene.build import build_scene
-
-    attempt, best = problem.scene.attempt, (crowding(stage), stage)
+    scene, best = problem.scene, (crowding(stage), stage)
     for _ in range(TRIES):
         try:
-            scene = build_scene(problem.spec, problem.given, attempt + 1)
+            scene = scene.drawn_anew(scene.attempt + 1)
         except SpecError:
             break
-        attempt = scene.attempt
         if _same(problem.scene, scene):
             other = stage_of(scene)
             best = min(best, (crowding(other), other), key=lambda pair: pair[0])
@@ -49,7 +51,7 @@ def _rates(scene, sample):
     return evaluate(slopes, Floats, {**sample, **drawn, **rates, scene.time.name: 0.0})
 
 
-def crowding(stage):
+def crowding(stage: "Scenery") -> float:
     """How much bodies overlap that are not joined, and how many fixed places lie within bodies."""
     sketch, looks, total = stage.sketch, stage.looks, 0.0
     names = list(looks)
@@ -74,8 +76,8 @@ def _joined(one, two, sketch):
         pivot = sketch.pivot(a)
         if (pivot is not None and pivot.carrier == b) or ("weld" in record and record["weld"].text == b):
             return True
-        surface = sketch.scene.surfaces.get(getattr(record.get("roll", {}).get("surface"), "text", None))
-        if surface is not None and "body" in surface and surface["body"].text == b:
+        surfaces = [sketch.scene.surfaces[name] for name in sketch.scene.bodies[a].touched]
+        if any("body" in surface and surface["body"].text == b for surface in surfaces):
             return True
         for key in ("slide", "move"):
             if key in record and "carrier" in record[key] and record[key]["carrier"].text == b:

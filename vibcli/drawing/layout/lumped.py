@@ -1,15 +1,21 @@
 """Rows of lumped bodies: boxes on a floor, discs on a shaft; springs and dampers between them and walls."""
 
+from collections.abc import Mapping, Sequence
 from math import sin
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from vibcli.drawing.canvas.primitives import BODY, ELEMENT, Circle, Hatch, Polygon, Polyline
+from vibcli.drawing.canvas.primitives import BODY, Circle, Hatch, Polygon, Polyline, Run
 from vibcli.drawing.layout import captions, lettering, plane
-from vibcli.drawing.layout.rows import motion
-from vibcli.drawing.symbols import arrow, damper, spring, support
+from vibcli.drawing.layout.rows import LumpedRow, carrier, motion
+from vibcli.drawing.symbols import arrow, support
+from vibcli.drawing.symbols.connection import symbol
+
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.sketch import Sketch
+    from vibcli.scene.scene import Scene
 
 BOX, DISC, GAP, LANE, STACK = 40.0, 13.0, 64.0, 22.0, 18.0
-HALF, RIM, SHAFT, ROOM = 18.0, 30.0, 2.4, 46.0
+HALF, RIM, ROOM = 18.0, 30.0, 46.0
 
 
 class LumpedPlace(NamedTuple):
@@ -24,7 +30,7 @@ class LumpedPlace(NamedTuple):
 class Layout(NamedTuple):
     """A row on paper: `places` by body, the walls (None where there is none), the height of the highest lane."""
 
-    row: object
+    row: Any
     places: dict
     left: float | None
     right: float | None
@@ -32,7 +38,7 @@ class Layout(NamedTuple):
     top: float
 
 
-def layouts(found, scene, left, top):
+def layouts(found: Sequence[LumpedRow], scene: "Scene", left: float, top: float) -> list[Layout]:
     """The Layouts of rows below one another, from the upper left corner on."""
     made = []
     for row in found:
@@ -55,9 +61,9 @@ def layouts(found, scene, left, top):
     return made
 
 
-def draw(layout, moved):
-    """The primitives of a row; `moved`: {body: displacement in points, or angle}. Also where its elements are, as
-    {name: (middle, normal)}."""
+def draw(layout: Layout,
+         moved: Mapping[str, float]) -> tuple[list[Any], dict[str, tuple[tuple[Any, ...], tuple[Any, ...]]]]:
+    """The primitives of a row, and where its elements are; `moved`: {body: displacement in points, or angle}."""
     places = {name: place if place.turns else place._replace(middle=plane.plus(place.middle, (moved.get(name, 0.0), 0)))
               for name, place in layout.places.items()}
     found, where = _walls(layout), {}
@@ -68,12 +74,12 @@ def draw(layout, moved):
             t = (0.5 * (len(edges) - 1) - i) * STACK
             start, end = _ends(layout, places, column, t)
             drawn = plane.distance(*_ends(layout, layout.places, column, t))
-            found += _element(edge, start, end, drawn)
-            where[edge.name] = plane.middle(start, end), (0.0, 1.0)
+            found += symbol(edge.record).between(edge.record, start, end, drawn)
+            where[edge.record.name] = plane.middle(start, end), (0.0, 1.0)
     for lane, (low, high, edge) in enumerate(layout.row.lanes):
         lines, middle = _lane(layout, places, low, high, edge, lane)
         found += lines
-        where[edge.name] = middle, (0.0, 1.0)
+        where[edge.record.name] = middle, (0.0, 1.0)
     return found, where
 
 
@@ -83,21 +89,6 @@ def _ends(layout, places, column, t):
     start = layout.left if column == 0 else places[bodies[column - 1]].middle[0] + places[bodies[column - 1]].half
     end = layout.right if column == len(bodies) else places[bodies[column]].middle[0] - places[bodies[column]].half
     return (start, layout.y + t), (end, layout.y + t)
-
-
-def _element(edge, start, end, drawn):
-    if edge.kind == "dampers":
-        return damper.dashpot(start, end)
-    if "torsion" in edge.record:
-        return shaft(start, end)
-    return spring.zigzag(start, end, drawn)
-
-
-def shaft(start, end):
-    """An elastic shaft from the side."""
-    at, length = plane.along(start, end), plane.distance(start, end)
-    return [Polygon((at(0, SHAFT), at(length, SHAFT), at(length, -SHAFT), at(0, -SHAFT)), "paper", "spring",
-                    layer=ELEMENT)]
 
 
 def _lane(layout, places, low, high, edge, lane):
@@ -112,7 +103,7 @@ def _lane(layout, places, low, high, edge, lane):
             ends.append((place.middle[0] + side * (place.half - 6), layout.y + place.height))
     (x1, y1), (x2, y2) = ends
     legs = [Polyline(((x, foot), (x, y))) for x, foot in ((x1, y1), (x2, y2)) if foot is not None]
-    return legs + _element(edge, (x1, y), (x2, y), x2 - x1), ((x1 + x2) / 2, y)
+    return legs + symbol(edge.record).between(edge.record, (x1, y), (x2, y), x2 - x1), ((x1 + x2) / 2, y)
 
 
 def _box(place):
@@ -133,27 +124,24 @@ def _disc(place, angle):
 def _walls(layout):
     """The ground: a floor under boxes, walls at the ends."""
     places = list(layout.places.values())
-    height = max(place.height for place in places)
-    foot = layout.y - height - (0 if places[0].turns else 2 * support.ROLLER)
-    first, last = places[0].middle[0] - places[0].half, places[-1].middle[0] + places[-1].half
-    left = layout.left if layout.left is not None else first - 16
-    right = layout.right if layout.right is not None else last + 16
-    head = max(layout.y + height, layout.top + 8 if layout.row.lanes else 0.0)
-    found = []
     if places[0].turns:
         foot, head = layout.y - 22, max(layout.y + 22, layout.top + 8 if layout.row.lanes else layout.y)
-    points = [*([(left, head)] if layout.left is not None else []),
-              *([(left, foot), (right, foot)] if not places[0].turns else []),
-              *([(right, head)] if layout.right is not None else [])]
-    if not places[0].turns:
-        found.append(Hatch(tuple(points), -1))
-    else:
-        found += [Hatch(((left, head), (left, foot)), -1)] if layout.left is not None else []
-        found += [Hatch(((right, head), (right, foot)), 1)] if layout.right is not None else []
-    return found
+        return [Hatch(((x, head), (x, foot)), side) for x, side in ((layout.left, -1), (layout.right, 1))
+                if x is not None]
+    height = max(place.height for place in places)
+    foot, head = layout.y - height - 2 * support.ROLLER, max(layout.y + height,
+                                                             layout.top + 8 if layout.row.lanes else 0.0)
+    left = [(places[0].middle[0] - places[0].half - 16, foot)]
+    right = [(places[-1].middle[0] + places[-1].half + 16, foot)]
+    if layout.left is not None:
+        left = [(layout.left, head), (layout.left, foot)]
+    if layout.right is not None:
+        right = [(layout.right, foot), (layout.right, head)]
+    return [Hatch((*left, *right), -1)]
 
 
-def arrows(layout, scene, sketch):
+def arrows(layout: Layout, scene: "Scene",
+           sketch: "Sketch") -> list[tuple[list[Polygon | Polyline], tuple[Run, ...], list[tuple[Any, ...]], str]]:
     """[(primitives, runs, places for them, role)] of the coordinates and loads of a row."""
     found = []
     for name, place in layout.places.items():
@@ -161,7 +149,7 @@ def arrows(layout, scene, sketch):
         field = motion(body)
         x, y = place.middle[0], place.middle[1] + place.height + 9
         driven = captions.raw(field, scene).mask == scene.time.mask
-        runs = captions.expression(field, sketch, 18) or lettering.words(field.text)
+        runs = _displacement(body, scene, sketch)
         role = "driven" if driven else "coordinate"
         tip = (x + 26, y)
         if place.turns:
@@ -173,6 +161,13 @@ def arrows(layout, scene, sketch):
     for record in (scene.spec.get("forces") or {}).values():
         found += _load(record, layout, sketch)
     return found
+
+
+def _displacement(body, scene, sketch):
+    """The runs of how far a body is displaced or turned: of one that is carried, behind those of its carriers."""
+    field, under = motion(body), carrier(body)
+    own = captions.expression(field, sketch, 18) or lettering.words(field.text)
+    return own if under is None else (*_displacement(scene.bodies[under], scene, sketch), *lettering.words(" + "), *own)
 
 
 def _load(record, layout, sketch):

@@ -1,12 +1,20 @@
 """What a drawing cannot show, in words below it: elements without a place, equations, given energies and matrices."""
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 from vibcli.drawing.layout import captions, lettering, rows
+from vibcli.drawing.symbols.connection import symbol
 from vibcli.notation.plain import GREEK
+
+if TYPE_CHECKING:
+    from vibcli.drawing.canvas.primitives import LetterRuns, Run
+    from vibcli.drawing.layout.compose import Scenery
 
 SIZE, LEADING, MOST = 9.5, 15.0, 8
 
 
-def lines(stage, box):
+def lines(stage: "Scenery", box: Sequence[float]) -> "list[LetterRuns]":
     """The Texts of the notes, below the box of the drawing."""
     left, bottom = (box[0], box[1] - 10.0) if box else (0.0, 0.0)
     found = []
@@ -16,16 +24,16 @@ def lines(stage, box):
     return found
 
 
-def of(stage):
+def of(stage: "Scenery") -> "list[tuple[Run, ...]]":
     """The runs of each note."""
     spec, scene = stage.scene.spec, stage.scene
-    shown = {edge.name for edge in rows.edges(scene)}
+    shown = {edge.record.name for edge in rows.edges(scene)}
     found = []
-    for section, keys in (("springs", ("k", "torsion")), ("dampers", ("c", "torsion"))):
-        for name, record in (spec.get(section) or {}).items():
-            if "stretch" in record and name not in shown:
-                field = next(record[key] for key in keys if key in record)
-                found.append(_note(f"{name}: ", scene, (field, " on "), (record["stretch"], "")))
+    for record in spec.connections:
+        if "stretch" in record and record.name not in shown:
+            field = next(record[key] for key in (*symbol(record).NAMED_BY, "law", "friction")
+                         if hasattr(record.get(key), "tree"))
+            found.append(_note(f"{record.name}: ", scene, (field, " on "), (record["stretch"], "")))
     for name, record in (spec.get("forces") or {}).items():
         if "value" in record:
             found.append(_note(f"{name}: ", scene, (record["value"], "")))
@@ -36,7 +44,7 @@ def of(stage):
             if kind in record and any(scene.bodies[end.text].frame is None for end in record[kind]):
                 names = " – ".join(end.text for end in record[kind])
                 found.append(lettering.words(f"{name}: {kind} {names}", SIZE))
-    for key, field in getattr(spec.get("energies"), "values", {}).items():
+    for key, field in (spec.get("energies") or {}).items():
         found.append(_note(f"{GREEK.get(key, key)} = ", scene, (field, "")))
     return found
 
@@ -50,7 +58,7 @@ def _note(head, scene, *parts):
     return tuple(runs)
 
 
-def shortened(runs, longest=lettering.LONGEST):
+def shortened(runs: "Sequence[Run]", longest: int = lettering.LONGEST) -> "tuple[Run, ...]":
     """The runs as far as there is room for them."""
     found, left = [], longest
     for run in runs:

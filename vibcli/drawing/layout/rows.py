@@ -1,21 +1,24 @@
 """Bodies without a place, laid out in rows along their axis: who stands where, and which element runs in which lane."""
 
 from itertools import permutations
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.drawing.layout.captions import raw
+
+if TYPE_CHECKING:
+    from vibcli.elements.body import Body
+    from vibcli.language.reader import Expression
+    from vibcli.scene.scene import Scene
 
 BRUTE = 6       # bodies of a row up to which every order is tried
 
 
 class Edge(NamedTuple):
-    """A spring or damper between two lumped bodies; None is the ground."""
+    """What joins two lumped bodies; None is the ground."""
 
-    name: str
-    kind: str           # springs or dampers
+    record: Any
     one: str | None
     two: str | None
-    record: object
 
 
 class LumpedRow(NamedTuple):
@@ -27,14 +30,13 @@ class LumpedRow(NamedTuple):
     lanes: list
 
 
-def edges(scene):
+def edges(scene: "Scene") -> list[Edge]:
     """The Edges of a scene."""
     found = []
-    for kind in ("springs", "dampers"):
-        for name, record in (scene.spec.get(kind) or {}).items():
-            ends = _ends(record, scene)
-            if ends is not None:
-                found.append(Edge(name, kind, *ends, record))
+    for record in scene.spec.connections:
+        ends = _ends(record, scene)
+        if ends is not None:
+            found.append(Edge(record, *ends))
     return found
 
 
@@ -54,19 +56,25 @@ def _ends(record, scene):
     return (None, moving[0]) if len(moving) == 1 else (moving[0], moving[1])
 
 
-def motion(body):
+def motion(body: "Body") -> "Expression":
     """The field that moves a lumped body."""
-    return body.record["turn"] if body.lumped[0] == "turn" else body.record["slide"]["by"]
+    return body.record[body.lumped[0]]["by"]
 
 
-def rows(scene):
+def carrier(body: "Body"):
+    """The name of the lumped body from which its motion is measured; None of the ground."""
+    return getattr(body.record[body.lumped[0]].get("carrier"), "text", None)
+
+
+def rows(scene: Any) -> list[LumpedRow]:
     """The Rows of a scene, in the order of the file."""
     every = edges(scene)
     names = [name for name in scene.spec.get("bodies") or {} if scene.bodies[name].lumped is not None]
     group = {name: name for name in names}
-    for edge in every:
-        if edge.one is not None and edge.two is not None:
-            old, new = group[edge.two], group[edge.one]
+    pairs = [(edge.one, edge.two) for edge in every] + [(carrier(scene.bodies[name]), name) for name in names]
+    for one, two in pairs:
+        if one is not None and two is not None:
+            old, new = group[two], group[one]
             group = {name: new if own == old else own for name, own in group.items()}
     found = []
     for leader in dict.fromkeys(group.values()):

@@ -1,6 +1,7 @@
 """How large a scene is drawn: all its places on one sheet, no spring too short to be seen."""
 
 from math import hypot
+from typing import Any
 
 from vibcli.base.units import LENGTH
 from vibcli.drawing.layout import plane
@@ -11,7 +12,7 @@ from vibcli.drawing.symbols.shape import outline
 WIDE, HIGH, SHORT, GROWTH, ALONE = 300.0, 210.0, 46.0, 1.8, 90.0
 
 
-def scale_of(sketch):
+def scale_of(sketch: Any) -> float:
     """How much smaller than a FINE sketch the drawing is to be."""
     found = _key_points(sketch)
     ties = Ties(sketch)
@@ -36,7 +37,8 @@ def scale_of(sketch):
                   if "curve" in record]
         sizes = halves or _given_lengths(sketch)
         return ALONE / (sizes[0] * sketch.scale) if sizes else 1.0 / sketch.scale
-    much = sum(len(sketch.spec.get(section) or ()) for section in ("bodies", "springs", "dampers", "points", "forces"))
+    much = sum(len(sketch.spec.get(section) or ()) for section in ("bodies", "points", "forces"))
+    much += len(sketch.spec.connections)
     share = min(1.5, max(0.62, 0.5 + 0.12 * much))
     wide, high = share * WIDE, min(share, 1.15) * HIGH
     scale = min(wide / max(right - left, 1e-9 * size), high / max(top - bottom, 1e-9 * size))

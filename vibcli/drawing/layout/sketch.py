@@ -4,12 +4,17 @@ Places are those of the drawing times the scale; letters stand for the sample va
 depends on the position, except through the frames of the bodies.
 """
 
+from collections.abc import Mapping, Sequence
 from math import isfinite
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.drawing.layout import plane
 from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Expression, Reference
+    from vibcli.scene.scene import Scene
 
 TORN = ("the scene cannot be drawn: its places are not finite numbers", "look at the values of its parameters")
 
@@ -30,10 +35,10 @@ class DrawnFrame(NamedTuple):
     place: tuple
     angle: float
 
-    def point(self, drawn):
+    def point(self, drawn: tuple[float, float]) -> tuple[float, float]:
         return plane.plus(self.place, plane.turned(plane.minus(drawn, self.drawn), self.angle))
 
-    def turned(self, direction):
+    def turned(self, direction: tuple[float, float]) -> tuple[float, float]:
         return plane.turned(direction, self.angle)
 
 
@@ -44,14 +49,14 @@ class Sketch:
     """The scene at `values` ({symbol: number}), one metre being `scale` points; `numbers` are kept from one position
     to the next."""
 
-    def __init__(self, scene, values, scale=1.0, numbers=None):
+    def __init__(self, scene: "Scene", values: Mapping[str, float], scale: float = 1.0, numbers: Any = None):
         self.scene, self.spec, self.values, self.scale = scene, scene.spec, values, scale
         self.numbers = {} if numbers is None else numbers
         self.moving_points = {name: record for name, record in (scene.spec.get("points") or {}).items()
                               if "moves" in record}
         self.frames, self.lumped = self._frames()
 
-    def at(self, values):
+    def at(self, values: Mapping[str, float]) -> "Sketch":
         """The same in another position."""
         return Sketch(self.scene, values, self.scale, self.numbers)
 
@@ -78,7 +83,7 @@ class Sketch:
             frames[name] = DrawnFrame((x0 * self.scale, y0 * self.scale), (x * self.scale, y * self.scale), angle)
         return frames, dict(zip([name for name, _ in lumps], flat[5 * len(names):], strict=True))
 
-    def number(self, expression):
+    def number(self, expression: "Expression") -> float:
         """The value of a field as drawn."""
         key = id(expression)
         if key not in self.numbers:
@@ -88,32 +93,37 @@ class Sketch:
             self.numbers[key] = value
         return self.numbers[key]
 
-    def length(self, expression):
+    def length(self, expression: "Expression") -> float:
         return self.number(expression) * self.scale
 
-    def pair(self, expressions):
+    def pair(self, expressions: "Sequence[Expression]") -> tuple[float, float]:
         return self.length(expressions[0]), self.length(expressions[1])
 
-    def centre(self, name):
+    def centre(self, name: str) -> tuple[float, float]:
         """The mass centre of a body as drawn."""
-        key = ("centre", name)
+        return self._kept(("centre", name), self.scene.bodies[name].centre)
+
+    def _kept(self, key, place):
+        """A place as drawn, evaluated once."""
         if key not in self.numbers:
-            self.numbers[key] = [self.scene.number(part) for part in self.scene.bodies[name].centre]
+            self.numbers[key] = [self.scene.number(part) for part in place]
         x, y = self.numbers[key]
         return x * self.scale, y * self.scale
 
-    def rim(self, end):
+    def rolling_radius(self, name: str):
+        """The radius of a body's circle on paper; 0 of what has none."""
+        body = self.scene.bodies.get(name)
+        return self.scene.number(body.rolling_radius) * self.scale if body and body.rolling_radius else 0.0
+
+    def rim(self, end: "str | Reference") -> Attachment | None:
         """The Attachment of what a rope, belt or gear runs about: the centre of a body's circle, or another place."""
         body = self.scene.bodies.get(getattr(end, "text", end) if not isinstance(end, list) else None)
         if body is None or body.name not in self.frames:
             return self.attachment(end)
-        key = ("rim", body.name)
-        if key not in self.numbers:
-            self.numbers[key] = [self.scene.number(part) for part in self.scene.rim(body, body.record.where)]
-        x, y = self.numbers[key]
-        return Attachment(body.name, (x * self.scale, y * self.scale))
+        place = self._kept(("rim", body.name), self.scene.rim(body, body.record.where))
+        return Attachment(body.name, place)
 
-    def attachment(self, end):
+    def attachment(self, end: Any) -> Attachment | None:
         """The Attachment of an end: a place [x, y], or the name of a point or body; None without a place."""
         if isinstance(end, list):
             return Attachment(None, self.pair(end))
@@ -125,7 +135,7 @@ class Sketch:
         carrier = record["body"].text if "body" in record else end.text if "moves" in record else None
         return Attachment(carrier, self.pair(record["at"]))
 
-    def pivot(self, name):
+    def pivot(self, name: str) -> Attachment | None:
         """The Attachment of a body's pin, None of a body without one."""
         record = self.scene.bodies[name].record
         pin = record.get("pin")
@@ -137,13 +147,18 @@ class Sketch:
         found = self.attachment(pin["at"])
         return Attachment(carrier or found.carrier, found.drawn)
 
-    def frame(self, carrier):
+    def pivots(self):
+        """{name: the Attachment of its pin} of bodies that have a place."""
+        found = {name: self.pivot(name) for name in self.scene.bodies if name in self.frames}
+        return {name: pivot for name, pivot in found.items() if pivot is not None}
+
+    def frame(self, carrier: str | None) -> DrawnFrame:
         return STILL if carrier is None else self.frames[carrier]
 
-    def now(self, attachment):
+    def now(self, attachment: Attachment) -> tuple[float, float]:
         """Where an Attachment is in this position."""
         return self.frame(attachment.carrier).point(attachment.drawn)
 
-    def is_fixed(self, carrier):
+    def is_fixed(self, carrier: str | None) -> bool:
         """Does a carrier never move?"""
         return carrier is None or (carrier in self.scene.bodies and not self.scene.bodies[carrier].moves)

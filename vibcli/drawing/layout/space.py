@@ -1,9 +1,11 @@
 """Room on paper: which cells of a fine grid are taken, and where a word or an arrow fits best."""
 
+from collections.abc import Sequence
 from itertools import pairwise
 from math import ceil, cos, floor, hypot, pi, sin
+from typing import Any
 
-from vibcli.drawing.canvas.primitives import Circle, LetterRuns, Polygon
+from vibcli.drawing.canvas.primitives import Circle, LetterRuns, Polygon, Run
 from vibcli.drawing.layout import lettering, plane
 
 CELL, TAKEN, FILLED, CLEAR = 2.5, 1000.0, 0.02, 1.6
@@ -15,11 +17,11 @@ FARNESS = 0.25
 class Space:
     """The cells that a drawing takes, with the cost of writing over them."""
 
-    def __init__(self, primitives=()):
+    def __init__(self, primitives: Sequence[Any] = ()):
         self.cells = {}
         self.add(primitives)
 
-    def add(self, primitives):
+    def add(self, primitives: Any) -> None:
         for part in primitives:
             if isinstance(part, LetterRuns):
                 self.reserve(part.box)
@@ -50,7 +52,7 @@ class Space:
                 for i in range(ceil(left / CELL), floor(right / CELL)):
                     self.cells.setdefault((i, j), FILLED)
 
-    def reserve(self, box):
+    def reserve(self, box: Sequence[float]) -> None:
         """Take a box for good."""
         for key in self._cells(box, CLEAR):
             self.cells[key] = TAKEN
@@ -61,17 +63,12 @@ class Space:
             for j in range(floor((bottom - margin) / CELL), floor((top + margin) / CELL) + 1):
                 yield i, j
 
-    def cost(self, box):
-        """The cost of writing in a box."""
+    def cost(self, box: Sequence[float], least: float = 0.0) -> float:
+        """The cost of writing in a box; on the body that is named strokes alone count, which cost at `least` 1."""
         get = self.cells.get
-        return sum(get(key, 0.0) for key in self._cells(box))
+        return sum(cost for key in self._cells(box) if (cost := get(key, 0.0)) >= least)
 
-    def strokes(self, box):
-        """The cost of writing in a box that lies on the body that is named."""
-        get = self.cells.get
-        return sum(cost for key in self._cells(box) if (cost := get(key, 0.0)) >= 1.0)
-
-    def path(self, points):
+    def path(self, points: Sequence[tuple[float, float]]) -> float:
         """The cost of an arrow along a path."""
         get, total = self.cells.get, 0.0
         for a, b in pairwise(points):
@@ -81,14 +78,15 @@ class Space:
                 total += get((floor(p[0] / CELL), floor(p[1] / CELL)), 0.0)
         return total
 
-    def put(self, runs, anchors, role="ink", inside=(), most=None):
+    def put(self, runs: Sequence[Run], anchors: Sequence[tuple[float, float]], role: str = "ink",
+            inside: Sequence[tuple[float, float]] = (), most: float | None = None) -> LetterRuns:
         """The Text of runs where it fits best near one of the anchors, which then is taken; centred in a place of
         `inside` where it is free. None where it costs more than `most`."""
         width, height = lettering.size(runs)
         best = None
         for x, y in inside:
             box = x - width / 2, y - height / 2, x + width / 2, y + height / 2
-            best = min(best or (1e9, None), (self.strokes(box), box))
+            best = min(best or (1e9, None), (self.cost(box, 1.0), box))
         for reach in REACHES:
             if best is not None and best[0] <= FARNESS * reach:
                 break

@@ -1,7 +1,12 @@
 """What the records of a scene say of a body beside its own: the radii on which ropes, belts and gears run, what it
 carries, and the places at which anything is joined."""
 
+from typing import TYPE_CHECKING
+
 from vibcli.drawing.layout import implied, plane
+
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.sketch import Sketch
 
 SIDES = ("over", "under", "left_of", "right_of")
 
@@ -12,29 +17,25 @@ class Ties:
     `slots`: {body: [(place, direction)]} of what slides along a body, `ends`: [(Attachment, Attachment)] of springs,
     dampers and links, `implied`: ropes that are not named."""
 
-    def __init__(self, sketch):
+    def __init__(self, sketch: "Sketch"):
         self.radii, self.carried, self.surfaces, self.slots = {}, {}, {}, {}
         self.toothed, self.rims, self.arms, self.pegs, self.ends = set(), set(), set(), [], []
-        self._points(sketch)
+        for record in (sketch.spec.get("points") or {}).values():
+            if "body" in record:
+                self._carries(record["body"].text, sketch.pair(record["at"]))
         for body in sketch.scene.bodies.values():
             self._body(body, sketch)
         for record in (sketch.spec.get("surfaces") or {}).values():
             if "body" in record:
                 self.surfaces.setdefault(record["body"].text, []).append(record)
-        for section in ("springs", "dampers"):
-            for record in (sketch.spec.get(section) or {}).values():
-                self._joined(record.get("between"), sketch)
+        for record in sketch.spec.connections:
+            self._joined(record.get("between"), sketch)
         for record in (sketch.spec.get("constraints") or {}).values():
             self._constraint(record, sketch)
         self.implied = implied.ropes(sketch)
         for rope in self.implied:
             if rope.radius:
                 self._rim(rope.wheel, rope.radius)
-
-    def _points(self, sketch):
-        for record in (sketch.spec.get("points") or {}).values():
-            if "body" in record:
-                self._carries(record["body"].text, sketch.pair(record["at"]))
 
     def _body(self, body, sketch):
         if body.name not in sketch.frames:
@@ -98,9 +99,8 @@ class Ties:
         else:
             self.pegs.append((sketch.attachment(on), radius or 0.0))
 
-    def nearest(self, place, sketch):
-        """How far the nearest other place is at which something is joined, pinned or centred; None where there is
-        none."""
+    def nearest(self, place: tuple[float, float], sketch: "Sketch") -> float:
+        """How far the nearest other place is at which something is joined, pinned or centred, if there is any."""
         places = [end.drawn for pair in self.ends for end in pair]
         places += [sketch.centre(name) for name in sketch.scene.bodies if name in sketch.frames]
         places += [point for points in self.carried.values() for point in points]

@@ -1,13 +1,18 @@
 """A scene without bodies: a box that says what is given, with an arrow for each coordinate."""
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.drawing.canvas.primitives import ELEMENT, Polygon, Polyline
 from vibcli.drawing.layout import lettering, plane
 from vibcli.drawing.symbols import arrow
 
+if TYPE_CHECKING:
+    from vibcli.scene.scene import Scene
+
 HEIGHT, STEP, EDGE = 46.0, 58.0, 26.0
 
 
-def draw(scene):
+def draw(scene: "Scene") -> list[Any]:
     """The primitives, words included."""
     names = list(scene.spec.coordinates)
     given = "given by its energies"

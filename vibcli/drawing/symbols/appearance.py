@@ -1,5 +1,7 @@
 """Which look each placed body has: that of its shape, else of what it does."""
 
+from typing import TYPE_CHECKING
+
 from vibcli.drawing.canvas.primitives import BODY, Polygon, Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols import sliding
@@ -8,28 +10,33 @@ from vibcli.drawing.symbols.pinned import pinned
 from vibcli.drawing.symbols.posts import with_posts
 from vibcli.drawing.symbols.shape import BALL, outline
 
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.sketch import Sketch
+    from vibcli.drawing.layout.ties import Ties
+    from vibcli.elements.body import Body
+
 RIM = 8.0
 
 
-def looks(sketch, ties):
+def looks(sketch: "Sketch", ties: "Ties") -> dict[str, Look]:
     """{name: Look} of all bodies that have a place."""
     return {name: with_posts(look_of(body, sketch, ties), body, sketch, ties)
             for name, body in sketch.scene.bodies.items() if name in sketch.frames}
 
 
-def look_of(body, sketch, ties):
+def look_of(body: "Body", sketch: "Sketch", ties: "Ties") -> Look:
     record, name = body.record, body.name
     if "parts" in record or record.get("shape", "particle") != "particle":
         return _shaped(record, sketch, toothed=name in ties.toothed)
     centre = sketch.centre(name)
-    surfaces = ties.surfaces.get(name, ())
-    if any("line" in surface for surface in surfaces):
-        return sliding.platform(body, sketch, next(surface for surface in surfaces if "line" in surface))
-    if any("curve" in surface for surface in surfaces):
-        return sliding.bowl(next(surface for surface in surfaces if "curve" in surface), sketch)
-    if any("circle" in surface for surface in surfaces):
-        surface = surfaces[0]
-        rim = plane.circle(sketch.pair(surface["circle"]), sketch.length(surface["radius"]))
+    carried = {kind: surface for surface in reversed(ties.surfaces.get(name, ()))
+               for kind in ("line", "curve", "circle") if kind in surface}
+    if "line" in carried:
+        return sliding.platform(body, sketch, carried["line"])
+    if "curve" in carried:
+        return sliding.bowl(carried["curve"], sketch)
+    if "circle" in carried:
+        rim = plane.circle(sketch.pair(carried["circle"]["circle"]), sketch.length(carried["circle"]["radius"]))
         return Look([Polygon(tuple(rim), None, width=2.2)], "hoop")
     if name in ties.rims:
         return _rim(sketch.rim(name).drawn, max(ties.radii[name]))
@@ -89,7 +96,7 @@ def _wheel(centre, radii, toothed):
 def _loose(body, centre, sketch, ties):
     """A body that moves freely: a bar through the places that it carries, else a ball."""
     carried = [place for place in ties.carried.get(body.name, ()) if plane.distance(place, centre) > 1e-6]
-    turns = body.inertia is not None and {"inertia", "gyration"} & set(body.record.values)
+    turns = body.inertia is not None and {"inertia", "gyration"} & set(body.record)
     if len(carried) > 1 or (carried and turns):
         ends = sorted([*carried, centre])
         if all(abs(plane.across(plane.minus(p, ends[0]), plane.minus(ends[-1], ends[0]))) < 1e-6 * (

@@ -1,18 +1,23 @@
 """Bodies in a position: their outlines carried along, their pins and bearings, the floors that they slide on."""
 
+from collections.abc import Mapping, Sequence
 from math import pi
+from typing import TYPE_CHECKING, Any
 
-from vibcli.drawing.canvas.primitives import BODY, Circle, Hatch, Polyline
+from vibcli.drawing.canvas.primitives import BODY, Circle, Hatch, Polygon, Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols import joint, support
 from vibcli.drawing.symbols.connection import snapped
 
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.sketch import DrawnFrame, Sketch
+    from vibcli.drawing.symbols.look import Look
+
 RAIL, WOUND = 17.0, 18.0
 
 
-def draw(sketch, looks, room):
-    """All bodies with their pins and floors, large ones first; `room`: {body: (how far back, how far on)} that it
-    slides, in points."""
+def draw(sketch: "Sketch", looks: "Mapping[str, Look]", room: Mapping[str, tuple[float, float]]) -> list[Any]:
+    """All bodies with their pins and floors, large ones first; `room`: {body: (points back, points on) it slides}."""
     found = []
     for name, look in sorted(looks.items(), key=lambda item: -item[1].area()):
         found += [carried(part, sketch.frames[name]) for part in look.pieces]
@@ -20,20 +25,20 @@ def draw(sketch, looks, room):
     return found + _pins(sketch, looks)
 
 
-def carried(part, frame):
+def carried(part: Circle | Polygon | Polyline, frame: "DrawnFrame") -> Circle | Polygon | Polyline:
     """A primitive as drawn, moved with a frame."""
     if isinstance(part, Circle):
         return part._replace(centre=frame.point(part.centre))
     return part._replace(points=tuple(frame.point(point) for point in part.points))
 
 
-def marks(sketch, looks):
+def marks(sketch: "Sketch", looks: "Mapping[str, Look]") -> list[Any]:
     """A radius on each round body, which shows how far it has turned."""
     found = []
     for name, look in looks.items():
         if look.kind in ("disc", "ring", "wheel", "hub", "rim"):
-            left, bottom, right, top = plane.bounds(look.pieces[-1].points)
-            centre, radius = ((left + right) / 2, (bottom + top) / 2), (right - left) / 2
+            low, high = plane.corners(look.pieces[-1].points)
+            centre, radius = plane.middle(low, high), (high[0] - low[0]) / 2
             spoke = Polyline((centre, plane.polar(centre, radius, pi / 2)), layer=BODY)
             found.append(carried(spoke, sketch.frames[name]))
     return found
@@ -42,15 +47,13 @@ def marks(sketch, looks):
 def _pins(sketch, looks):
     """A hinge at every pin; a bearing where it is on the ground, higher where a spiral spring winds about it."""
     found, grounded = [], {}
-    wound = {_rounded(at.drawn) for _, is_spring, _, at, _, other in joint.elements(sketch) if is_spring and not other}
-    for name, body in sketch.scene.bodies.items():
-        pivot = sketch.pivot(name) if name in looks else None
-        if pivot is None:
-            continue
+    wound = {_rounded(at.drawn) for record, at, _, other in joint.elements(sketch)
+             if record.element.name == "spring" and not other}
+    for name, pivot in sketch.pivots().items():
         if sketch.is_fixed(pivot.carrier):
             points = [point for part in looks[name].pieces for point in part.points]
             grounded.setdefault(_rounded(pivot.drawn), (pivot, []))[1].extend(points)
-        elif body.moves:
+        else:
             found += support.hinge(sketch.now(pivot))
     for key, (pivot, points) in grounded.items():
         height = WOUND if key in wound else support.HEIGHT
@@ -62,7 +65,7 @@ def _rounded(place):
     return round(place[0], 3), round(place[1], 3)
 
 
-def down_of(place, points):
+def down_of(place: tuple[float, float], points: Sequence[tuple[float, float]]) -> tuple[float, float]:
     """The direction of the ground from a bearing: that in which its bodies reach least; below, if it can be."""
     def reach(direction):
         return max(plane.dot(plane.minus(point, place), direction) for point in points)
@@ -71,10 +74,9 @@ def down_of(place, points):
                key=lambda direction: round(reach(direction)) + 5 * abs(direction[0]) + (direction[1] > 0))
 
 
-def fixed_pivots(sketch, looks):
+def fixed_pivots(sketch: "Sketch") -> set[tuple[float, float]]:
     """Rounded places of all bearings."""
-    pivots = [sketch.pivot(name) for name in looks]
-    return {_rounded(pivot.drawn) for pivot in pivots if pivot and sketch.is_fixed(pivot.carrier)}
+    return {_rounded(pivot.drawn) for pivot in sketch.pivots().values() if sketch.is_fixed(pivot.carrier)}
 
 
 def _floor(name, look, sketch, room):
@@ -89,9 +91,11 @@ def _floor(name, look, sketch, room):
     left, bottom, right, top = plane.bounds([p for part in look.outlines for p in part.points])
     if abs(e[1]) > 0.95:
         return _guides(name, (left, bottom, right, top), sketch) if look.kind == "block" else []
-    e = e if e[0] > 0 else plane.times(e, -1)
+    e, level = e if e[0] > 0 else plane.times(e, -1), abs(e[0]) == 1
+    if level and look.kind == "platform" and abs(look.angle) > 3:     # what is on it is below
+        e, bottom, room = plane.times(e, -1), top, room[::-1]
     down = plane.times(plane.left(e), -1)
-    if e == (1, 0):
+    if level:
         under = ((left + right) / 2, bottom)
         half, wheels = (right - left) / 2, 2 * support.ROLLER
         spots = [plane.plus(under, e, side * (half - 6)) for side in (-1, 1)] if half > 8 else [under]
@@ -111,21 +115,15 @@ def _floor(name, look, sketch, room):
 def _hangs(name, sketch):
     """Does anything hang from the pin of this body?"""
     _, y0 = sketch.centre(name)
-    for other in sketch.scene.bodies:
-        pivot = sketch.pivot(other) if other in sketch.frames else None
-        if pivot is not None and pivot.carrier == name and sketch.centre(other)[1] < y0 - 1e-6:
-            return True
-    return False
+    return any(pivot.carrier == name and sketch.centre(other)[1] < y0 - 1e-6
+               for other, pivot in sketch.pivots().items())
 
 
 def _guides(name, box, sketch):
     """Walls on either side of a body that slides upright and is pinned to others."""
-    joined = False
+    joined = any(pivot.carrier == name for pivot in sketch.pivots().values())
     for record in (sketch.spec.get("constraints") or {}).values():
         joined |= any(getattr(end, "text", None) == name for key in ("join", "link") for end in record.get(key, ()))
-    for other in sketch.scene.bodies:
-        pivot = sketch.pivot(other) if other in sketch.frames else None
-        joined |= pivot is not None and pivot.carrier == name
     if not joined:
         return []
     left, bottom, right, top = box

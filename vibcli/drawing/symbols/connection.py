@@ -1,35 +1,49 @@
 """Springs and dampers between places: those with the same two ends stand side by side; walls where they end."""
 
-from typing import NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from vibcli.drawing.canvas.primitives import Polyline
+from vibcli.drawing.canvas.primitives import Hatch, Polygon, Polyline
 from vibcli.drawing.layout import plane
-from vibcli.drawing.layout.sketch import Attachment
-from vibcli.drawing.symbols import damper, spring, support
+from vibcli.drawing.layout.sketch import Attachment, Sketch
+from vibcli.drawing.symbols import SYMBOLS, support
+from vibcli.language.named_elements import load
+
+if TYPE_CHECKING:
+    from types import ModuleType
+
+    from vibcli.drawing.symbols.look import Look
+    from vibcli.language.reader import Record
 
 APART, BRIDGE = 17.0, 8.0
 
 
 class Bunch(NamedTuple):
-    """Elements with the same ends, [(name, is it a spring, record)], between two Attachments at the edges of bodies."""
+    """The Records of elements with the same ends, between two Attachments at the edges of bodies."""
 
     members: list
     one: Attachment
     two: Attachment
 
 
-def bunches(sketch, looks):
-    """The Bunches of all springs and dampers that run between two places."""
+def symbol(record: "Record") -> "ModuleType":
+    """The module that draws what joins two ends: `between(record, start, end, drawn)` from one place to another,
+    `drawn` being their distance as drawn, and `about(record, turn)` at the joint about which it turns; `NAMED_BY`: the
+    keys whose quantity stands beside it."""
+    return load(SYMBOLS[record.element.name][0], "drawing.symbols")
+
+
+def bunches(sketch: Sketch, looks: "Mapping[str, Look]") -> list[Bunch]:
+    """The Bunches of all elements that run between two places."""
     found = {}
-    for section in ("springs", "dampers"):
-        for name, record in (sketch.spec.get(section) or {}).items():
-            if "between" not in record or "torsion" in record:
-                continue
-            ends = [sketch.attachment(end) for end in record["between"]]
-            if None in ends or plane.distance(ends[0].drawn, ends[1].drawn) < 1e-9:
-                continue
-            key = tuple(sorted((end.carrier or "", round(end.drawn[0], 3), round(end.drawn[1], 3)) for end in ends))
-            found.setdefault(key, (ends, []))[1].append((name, section == "springs", record))
+    for record in sketch.spec.connections:
+        if "between" not in record or "torsion" in record:
+            continue
+        ends = [sketch.attachment(end) for end in record["between"]]
+        if None in ends or plane.distance(ends[0].drawn, ends[1].drawn) < 1e-9:
+            continue
+        key = tuple(sorted((end.carrier or "", round(end.drawn[0], 3), round(end.drawn[1], 3)) for end in ends))
+        found.setdefault(key, (ends, []))[1].append(record)
     return [Bunch(members, *_at_edges(ends, looks)) for ends, members in found.values()]
 
 
@@ -62,7 +76,7 @@ def _edge(end, other, looks):
     return Attachment(end.carrier, edge, True) if near else end
 
 
-def draw(bunch, sketch):
+def draw(bunch: Bunch, sketch: Sketch) -> tuple[list[Any], dict[str, tuple[tuple[Any, ...], tuple[Any, ...]]]]:
     """The primitives of a Bunch, and where each member is: {name: (middle, normal)}."""
     a, b = sketch.now(bunch.one), sketch.now(bunch.two)
     length, at = plane.distance(a, b), plane.along(a, b)
@@ -71,11 +85,11 @@ def draw(bunch, sketch):
         return [], {}
     bridge = min(BRIDGE, 0.15 * drawn) if count > 1 else 0.0
     found, where = [], {}
-    for i, (name, is_spring, _) in enumerate(bunch.members):
+    for i, record in enumerate(bunch.members):
         t = (0.5 * (count - 1) - i) * APART
         start, end = at(bridge, t), at(length - bridge, t)
-        found += spring.zigzag(start, end, drawn - 2 * bridge) if is_spring else damper.dashpot(start, end)
-        where[name] = plane.middle(start, end), plane.left(plane.unit(plane.minus(b, a)))
+        found += symbol(record).between(record, start, end, drawn - 2 * bridge)
+        where[record.name] = plane.middle(start, end), plane.left(plane.unit(plane.minus(b, a)))
     for end, place in ((bunch.one, a), (bunch.two, b)):
         if end.carrier is not None and end.carrier not in sketch.moving_points and not end.loose:
             found += support.dot(place)
@@ -86,7 +100,7 @@ def draw(bunch, sketch):
     return found, where
 
 
-def walls(places, sketch):
+def walls(places: Sequence[tuple[Attachment, tuple[float, float]]], sketch: Sketch) -> list[Hatch | Polygon]:
     """The ground at fixed ends: `places` [(Attachment, direction into the ground)], the same place once."""
     groups = {}
     for end, outward in places:
@@ -101,7 +115,7 @@ def walls(places, sketch):
     return found
 
 
-def snapped(direction):
+def snapped(direction: tuple[float, float]) -> tuple[float, float]:
     """A direction along the nearest axis where it is within some degrees of it."""
     x, y = direction
     if min(abs(x), abs(y)) < 0.12:

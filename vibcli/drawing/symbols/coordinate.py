@@ -1,13 +1,19 @@
 """Arrows of the coordinates at what they move, and of what is driven as a function of time."""
 
+from collections.abc import Mapping
 from math import hypot, pi
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.drawing.layout import captions, lettering, plane
-from vibcli.drawing.layout.sketch import Attachment
+from vibcli.drawing.layout.sketch import Attachment, Sketch
 from vibcli.drawing.symbols import arrow
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    from vibcli.drawing.canvas.primitives import Run
+    from vibcli.drawing.layout.space import Space
+    from vibcli.drawing.symbols.look import Look
 
 LENGTH, TICK, WIDE = 26.0, 5.0, 60.0
 LINES, ARCS = (5.0, 11.0, 18.0, 27.0, 38.0), (0.55, 0.7, 0.85, 0.4, 1.0)
@@ -17,12 +23,12 @@ class BodyMotion(NamedTuple):
     """One degree of freedom of a body: along a direction, or about a centre (an Attachment)."""
 
     body: str
-    field: object
+    field: Any
     direction: tuple | None = None
     about: Attachment | None = None
 
 
-def motions(sketch):
+def motions(sketch: Sketch) -> list[BodyMotion]:
     """The Motions of all placed bodies, in the order of the file."""
     found = []
     for name in sketch.spec.get("bodies") or {}:
@@ -61,7 +67,7 @@ def _tangent(surface, place, sketch):
 
 
 def _rolling(roll, name, sketch):
-    surface, found = sketch.scene.surfaces[roll["surface"].text], []
+    surface, found = sketch.scene.surfaces[sketch.scene.bodies[name].touched[0]], []
     if "travel" in roll:
         found.append(BodyMotion(name, roll["travel"], _tangent(surface, sketch.rim(name).drawn, sketch)))
     if "turn" in roll:
@@ -72,7 +78,7 @@ def _rolling(roll, name, sketch):
     return found
 
 
-def wanted(sketch):
+def wanted(sketch: Sketch) -> "list[tuple[tuple[Run, ...], str, BodyMotion]]":
     """[(runs, role, Motion)]: each coordinate at the first body that it moves, and every driven motion."""
     known, found = motions(sketch), []
     for name in sketch.spec.coordinates:
@@ -109,7 +115,8 @@ def _by_rates(name, sketch):
     return best and best[1]
 
 
-def draw(item, sketch, looks, space):
+def draw(item: "tuple[tuple[Run, ...], str, BodyMotion]", sketch: Sketch, looks: "Mapping[str, Look]",
+         space: "Space") -> tuple[list[Any], list[tuple[float, float]]]:
     """The primitives of an arrow where it fits best, and the places beside which its name may stand."""
     _, role, motion = item
     paths = _straight(motion, sketch, looks) if motion.direction else _round(motion, sketch, looks)
@@ -164,10 +171,12 @@ def _round(motion, sketch, looks):
     centre, look = sketch.now(motion.about), looks[motion.body]
     points = [sketch.frames[motion.body].point(p) for part in look.pieces for p in part.points]
     far = max(plane.distance(centre, p) for p in points)
-    box = plane.bounds(points)
-    axis = plane.minus(((box[0] + box[2]) / 2, (box[1] + box[3]) / 2), centre)
+    axis = plane.minus(plane.middle(*plane.corners(points)), centre)
     found = []
-    if look.kind in ("rod", "bar") and plane.distance(axis, (0, 0)) < 0.15 * far:
+    low, high = plane.corners(points)
+    sides = sorted(plane.minus(high, low))
+    slender = look.kind in ("rod", "bar") or (look.kind == "rectangle" and 4 * sides[0] < sides[1])
+    if slender and plane.distance(axis, (0, 0)) < 0.15 * far:
         axis = plane.minus(max(points, key=lambda p: round(plane.distance(centre, p), 3)), centre)
     if plane.distance(axis, (0, 0)) < 0.15 * far:
         for gap in (6.0, 11.0, 17.0, 25.0):

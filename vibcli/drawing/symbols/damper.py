@@ -1,19 +1,47 @@
 """Dampers: a dashpot between two ends, or bent about a joint."""
 
+from collections.abc import Callable, Mapping
+from math import pi, tau
+from typing import TYPE_CHECKING, Any
+
 from vibcli.drawing.canvas.primitives import ELEMENT, Polygon, Polyline
 from vibcli.drawing.layout import plane
+from vibcli.drawing.symbols import support
 
+if TYPE_CHECKING:
+    from vibcli.drawing.symbols.joint import Turn
+    from vibcli.language.reader import Record
+
+NAMED_BY = "c", "torsion"
 CUP, HALF = 13.0, 5.5
+ARC, SPAN = 24.0, 0.62 * pi     # the radius of an arc about a joint, its angle
 
 
-def dashpot(start, end):
+def between(_record: "Mapping[Any, Any] | Record", start: tuple[float, float], end: tuple[float, float],
+            _drawn: float) -> list[Polygon | Polyline]:
     """A damper from one place to another."""
     return _dashpot(plane.along(start, end), plane.distance(start, end))
 
 
-def bent(centre, radius, start, sense, length):
-    """A rotary damper: the same along an arc."""
-    at = plane.around(centre, radius, start, sense)
+def about(_record: "Record", turn: "Turn") -> tuple[list[Any], tuple[tuple[float, float], tuple[float, float]]]:
+    """The same along an arc about a joint; also where it is: (middle, normal)."""
+    return along_an_arc(turn, _bent)
+
+
+def along_an_arc(turn: "Turn", drawn: Callable) -> tuple[list[Any], tuple[tuple[float, float], tuple[float, float]]]:
+    """What `drawn(at, length)` draws along an arc about a joint, to a wall on the ground; also where it is."""
+    start, held = turn.held or (0.0, 0.0)
+    span = (start - turn.heading) % tau
+    span = span if turn.held and 0.3 * pi < span < 1.7 * pi else SPAN
+    begin, end = turn.heading - span + held, turn.heading + turn.moved
+    wall = [] if turn.held else support.wall(plane.polar(turn.centre, ARC, begin),
+                                             plane.polar((0.0, 0.0), 1.0, begin - pi / 2), 6.0)
+    middle = (begin + end) / 2
+    where = plane.polar(turn.centre, ARC + 7, middle), plane.polar((0, 0), 1.0, middle)
+    return [*drawn(plane.around(turn.centre, ARC, begin), ARC * (end - begin)), *wall], where
+
+
+def _bent(at, length):
     found = _dashpot(at, length)
     rod = found[-1]
     steps = [length * i / 12 for i in range(13)]

@@ -1,13 +1,16 @@
 """Dimension lines: given lengths that a body shows, where there is room for them."""
 
 from math import pi
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-from vibcli.drawing.canvas.primitives import ARROW, Polyline
+from vibcli.drawing.canvas.primitives import ARROW, Polygon, Polyline, Run
 from vibcli.drawing.layout import captions, lettering, plane
 from vibcli.drawing.symbols import arrow
 from vibcli.drawing.symbols.shape import ROD
-from vibcli.symbolic.semantics import names_in
+
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.sketch import Sketch
+    from vibcli.drawing.layout.space import Space
 
 OFFSETS = (15.0, 23.0, 32.0, 42.0)
 SHORTEST, ROOM, BEYOND, CROWDED = 24.0, 5.0, 3.0, 4.0
@@ -22,7 +25,7 @@ class Length(NamedTuple):
     radial: bool = False
 
 
-def lengths(sketch):
+def lengths(sketch: "Sketch") -> list[Length]:
     """The Lengths of all bodies, each parameter once."""
     found, known = [], set()
     for name in sketch.frames:
@@ -66,7 +69,7 @@ def _places(body, sketch):
 def _name(value, fields, sketch):
     """The runs of the one parameter that has this value and stands in the fields; None of none or several."""
     names = {name for field in fields if isinstance(field, list) for part in field
-             for name, *_ in names_in(part.tree)} & set(sketch.spec.parameters)
+             for name, *_ in part.parts.names} & set(sketch.spec.parameters)
     equal = [name for name in names if abs(sketch.values.get(name, 0.0) - value) <= 1e-9 * value]
     return lettering.named(equal[0]) if len(equal) == 1 else None
 
@@ -86,7 +89,8 @@ def _radius(record, sketch):
     yield Length(runs, centre, plane.polar(centre, radius, angle), True), lettering.letters(runs)
 
 
-def draw(length, space):
+def draw(length: Length,
+         space: "Space") -> tuple[list[Polygon | Polyline], tuple[Run, ...], list[tuple[float, float]]] | None:
     """(primitives, runs, places for them) where there is room; None where there is not."""
     if length.radial:
         start = plane.plus(length.one, plane.unit(plane.minus(length.two, length.one)), 4.0)

@@ -1,26 +1,39 @@
-"""Torsion springs and rotary dampers, at the joint about which they turn."""
+"""Torsion springs, rotary dampers and their like, at the joint about which they turn."""
 
-from math import pi, tau
+from math import pi
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.drawing.layout import plane
-from vibcli.drawing.symbols import damper, spring, support
+from vibcli.drawing.layout.sketch import Attachment, Sketch
+from vibcli.drawing.symbols.connection import symbol
 
-SPIRAL, ARC, SPAN = 12.5, 24.0, 0.62 * pi
+if TYPE_CHECKING:
+    from vibcli.drawing.canvas.primitives import Hatch, Polyline
+    from vibcli.language.reader import Record
 
 
-def elements(sketch):
-    """[(name, is it a spring, record, joint, body, other)] of what acts between placed bodies or on the ground."""
+class Turn(NamedTuple):
+    """What turns about a place: the direction of the body as drawn and how far it has turned, the same two of the
+    other body, None of the ground; the how manieth of its kind it is there."""
+
+    centre: tuple
+    heading: float
+    moved: float
+    held: tuple | None
+    rank: int
+
+
+def elements(sketch: Sketch) -> "list[tuple[Record, Attachment, str, Any]]":
+    """[(record, joint, body, other)] of what acts between placed bodies or on the ground."""
     found = []
-    for section in ("springs", "dampers"):
-        for name, record in (sketch.spec.get(section) or {}).items():
-            if "torsion" not in record or "between" not in record:
-                continue
-            names = [None if end.text == "ground" else end.text for end in record["between"]]
-            if any(name in sketch.frames for name in names):
-                body, other = _turning(names, sketch)
-                at = sketch.pivot(body)
-                at = at if at is not None else _still(body, sketch)
-                found.append((name, section == "springs", record, at, body, other))
+    for record in sketch.spec.connections:
+        if "torsion" not in record or "between" not in record:
+            continue
+        names = [None if end.text == "ground" else end.text for end in record["between"]]
+        if any(name in sketch.frames for name in names):
+            body, other = _turning(names, sketch)
+            at = sketch.pivot(body)
+            found.append((record, at or Attachment(body, sketch.centre(body)), body, other))
     return found
 
 
@@ -35,46 +48,21 @@ def _turning(names, sketch):
     return (one, two) if pivot is not None and pivot.carrier == two else (two, one)
 
 
-def _still(body, sketch):
-    from vibcli.drawing.layout.sketch import Attachment
-
-    return Attachment(body, sketch.centre(body))
-
-
 def _heading(body, joint, looks, sketch):
     """The direction of a body from a joint, as drawn."""
-    left, bottom, right, top = plane.bounds([p for part in looks[body].pieces for p in part.points])
-    away = plane.minus(((left + right) / 2, (bottom + top) / 2), joint)
+    away = plane.minus(plane.middle(*plane.corners([p for part in looks[body].pieces for p in part.points])), joint)
     return plane.heading(away) if plane.distance(away, (0, 0)) > 1.0 else pi / 2
 
 
-def draw(sketch, looks):
+def draw(sketch: Sketch,
+         looks: Any) -> "tuple[list[Hatch | Polyline], dict[str, tuple[tuple[Any, ...], tuple[Any, ...]]]]":
     """The primitives of all of them, and where each is: {name: (middle, normal)}."""
-    found, where, wound = [], {}, {}
-    for name, is_spring, _, at, body, other in elements(sketch):
-        centre, moved = sketch.now(at), sketch.frames[body].angle
-        key = is_spring, round(at.drawn[0], 3), round(at.drawn[1], 3)
-        rank = wound[key] = wound.get(key, -1) + 1
-        heading = _heading(body, at.drawn, looks, sketch)
-        if other is None:
-            start, held = heading + pi / 2 + 0.35 * pi * rank, 0.0
-        else:
-            start, held = _heading(other, at.drawn, looks, sketch), sketch.frames[other].angle
-        if is_spring:
-            radius = SPIRAL + 6.0 * rank
-            found += spring.spiral(centre, heading + moved, start + held, radius)
-            tip = plane.polar(centre, radius, start + held)
-            if other is None:
-                found += support.wall(tip, plane.polar((0.0, 0.0), 1.0, start), 6.0)
-            where[name] = plane.polar(centre, radius + 3, start + pi / 3), plane.polar((0, 0), 1.0, start + pi / 3)
-            continue
-        span = SPAN if other is None else (start - heading) % tau
-        span = span if 0.3 * pi < span < 1.7 * pi else SPAN
-        begin, end = heading - span + held, heading + moved
-        found += damper.bent(centre, ARC, begin, 1, ARC * (end - begin))
-        if other is None:
-            foot = plane.polar(centre, ARC, begin)
-            found += support.wall(foot, plane.polar((0.0, 0.0), 1.0, begin - pi / 2), 6.0)
-        mid = (begin + end) / 2
-        where[name] = plane.polar(centre, ARC + 7, mid), plane.polar((0, 0), 1.0, mid)
+    found, where, ranks = [], {}, {}
+    for record, at, body, other in elements(sketch):
+        key = record.element.name, round(at.drawn[0], 3), round(at.drawn[1], 3)
+        rank = ranks[key] = ranks.get(key, -1) + 1
+        held = None if other is None else (_heading(other, at.drawn, looks, sketch), sketch.frames[other].angle)
+        turn = Turn(sketch.now(at), _heading(body, at.drawn, looks, sketch), sketch.frames[body].angle, held, rank)
+        parts, where[record.name] = symbol(record).about(record, turn)
+        found += parts
     return found, where

@@ -1,17 +1,27 @@
 """Loads: arrows of forces at the points where they act, round ones of moments; unbalances."""
 
+from collections import defaultdict
+from collections.abc import Mapping
 from math import hypot, pi
+from typing import TYPE_CHECKING, Any
 
-from vibcli.drawing.canvas.primitives import BODY, Circle, Polyline
+from vibcli.drawing.canvas.primitives import BODY, Circle, Polyline, Run
 from vibcli.drawing.layout import captions, lettering, plane
 from vibcli.drawing.symbols import arrow
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.syntax import Sum
 
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.sketch import Sketch
+    from vibcli.drawing.layout.space import Space
+    from vibcli.drawing.symbols.look import Look
+    from vibcli.language.reader import Record
+
 LENGTH, INSTANTS = 32.0, (0.0, 0.37, 1.13, 2.71)
 
 
-def draw(record, sketch, looks, space):
+def draw(record: "Record", sketch: "Sketch", looks: "Mapping[str, Look]",
+         space: "Space") -> tuple[list[Any], tuple[Run, ...], list[tuple[float, float]]] | None:
     """(primitives, runs, places for them) of a load on what has a place; None of any other."""
     if "moment" in record and record["body"].text in sketch.frames:
         return _moment(record, sketch, looks, space)
@@ -26,11 +36,10 @@ def _force(record, at, sketch, looks, space):
     if "carrier" in record:
         direction = sketch.frames[record["carrier"].text].turned(direction)
     place = sketch.now(at)
-    here = plane.leaves(place, direction, [sketch.frames[at.carrier].point(p) for p in looks[at.carrier].core]) \
-        if at.carrier in looks and looks[at.carrier].core else place
-    there = plane.leaves(place, plane.times(direction, -1),
-                         [sketch.frames[at.carrier].point(p) for p in looks[at.carrier].core]) \
-        if at.carrier in looks and looks[at.carrier].core else place
+    here = there = place
+    if at.carrier in looks and looks[at.carrier].core:
+        edge = [sketch.frames[at.carrier].point(p) for p in looks[at.carrier].core]
+        here, there = (plane.leaves(place, plane.times(direction, sense), edge) for sense in (1, -1))
     paths = [(here, plane.plus(here, direction, LENGTH)), (plane.plus(there, direction, -LENGTH), there)]
     start, tip = min(paths, key=lambda path: space.path([plane.plus(path[0], direction, 5),
                                                          plane.plus(path[1], direction, -5)]))
@@ -43,29 +52,20 @@ def _force(record, at, sketch, looks, space):
 def _unsigned(field):
     """The field without a leading minus, for the length of an arrow that points the other way."""
     text = field.text.strip()
-    if not text.startswith("-") or not isinstance(field.tree, (Sum)) or len(field.tree.parts) != 1:
+    if not text.startswith("-") or not isinstance(field.tree, Sum) or len(field.tree.parts) != 1:
         return field
-    from vibcli.language.fields import Expression
+    from vibcli.language.reader import Expression
 
     shorter = type(field.scalar)(text[1:].strip(), field.scalar.where)
-    return Expression(shorter, field.tree.parts[0][1], field.unit, field.dimension)
-
-
-class _Rates(dict):
-    """Values of symbols, the rates of coordinates being all the same."""
-
-    def __init__(self, rate, values):
-        super().__init__(values)
-        self.rate = rate
-
-    def __missing__(self, name):
-        return self.rate
+    return Expression(shorter, field.tree.parts[0][1])
 
 
 def _direction(nodes, sketch):
     """The direction of a force as drawn, or at the first instant and rate at which it acts."""
     for instant in INSTANTS:
-        values = _Rates(float(bool(instant)), {**sketch.values, sketch.scene.time.name: instant})
+        rate = float(bool(instant))         # of every coordinate
+        values = defaultdict(lambda rate=rate: rate,  # type: ignore[misc]
+                             {**sketch.values, sketch.scene.time.name: instant})
         x, y = evaluate(nodes, Floats, values)
         size = hypot(x, y)
         if 1e-12 < size < float("inf"):
@@ -91,5 +91,5 @@ def _unbalance(record, at, sketch):
     mass = plane.polar(centre, 9.0, 0.3 * pi)
     found = [Polyline((centre, mass), "load", layer=BODY), Circle(mass, 2.3, "load", "load"),
              *arrow.round_(centre, 17.0, -0.1 * pi, 0.75 * pi, "load")]
-    runs = (captions.expression(record["unbalance"], sketch) or lettering.named(record.name))
+    runs = captions.expression(record["unbalance"], sketch) or lettering.named(record.name)
     return found, runs, [plane.polar(centre, 18.0, 0.75 * pi), plane.polar(centre, 18.0, 0.3 * pi)]

@@ -1,33 +1,40 @@
 """A mode shape on the scene: the position of equilibrium in grey, the displaced one over it."""
 
+from collections.abc import Mapping
 from math import pi
+from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import BODY, Polyline, extent, ghost
 from vibcli.drawing.layout import compose, lettering
 from vibcli.drawing.symbols import arrow, bodies
 from vibcli.drawing.vibration import Vibration, caption, mode
 
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.compose import Scenery
+    from vibcli.drawing.layout.sketch import Sketch
+
 QUIET = ("spring", "damper", "oil", "ground", "fixed", "rope", "belt")     # roles that stay out of the grey position
 
 
-def draw(problem, index, both=False, normalise="first"):
+def draw(problem: Any, index: int, both: bool = False, normalise: str = "first") -> list[Any]:
     """The primitives of a mode; `both`: also displaced the other way, dashed."""
     stage = compose.Scenery(problem.scene)
     vibration = Vibration(problem, index, stage, normalise)
-    found = ghost(part for part in frame(stage, vibration.rest, vibration.unit) if part.role not in QUIET)
+    unit, room = vibration.unit, vibration.room
+    found = ghost(part for part in frame(stage, vibration.rest, unit, room) if part.role not in QUIET)
     if both:
-        other = frame(stage, vibration.at(pi), vibration.unit)
+        other = frame(stage, vibration.at(pi), unit, room)
         found += [part._replace(dashed=True, width=0.8) for part in ghost(
             part for part in other if part.role not in QUIET)]
     moved = vibration.at(0.0)
-    found += frame(stage, moved, vibration.unit) + _arrows(stage, vibration.rest, moved, vibration.unit)
+    found += frame(stage, moved, unit, room) + _arrows(stage, vibration.rest, moved, unit)
     box = extent(found)
     return [*found, lettering.text(lettering.words(caption(mode(problem, index))), box[0], box[1] - 24)]
 
 
-def frame(stage, sketch, unit):
+def frame(stage: "Scenery", sketch: "Sketch", unit: float, room: Mapping[str, tuple[float, float]]) -> list[Any]:
     """One position, with a mark on what is round."""
-    found, _ = compose.figure(stage, sketch, unit)
+    found, _ = compose.figure(stage, sketch, unit, room)
     return found + bodies.marks(sketch, stage.looks)
 
 

@@ -1,14 +1,18 @@
 """The curve on which a particle moves that is placed by expressions of one coordinate."""
 
 from math import isfinite
+from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import SURFACE, Polyline
 from vibcli.drawing.layout import plane
 
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.compose import Scenery
+
 REACH, STEPS, BENT = 75.0, 24, 1.0      # points to either side
 
 
-def draw(stage):
+def draw(stage: "Scenery") -> list[Any]:
     """The dashed paths of particles under `move`, where they are curved."""
     found = []
     if stage.scene.loops is not None or len(stage.scene.q) != 1:

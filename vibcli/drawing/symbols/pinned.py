@@ -1,16 +1,23 @@
 """Looks of bodies without a shape that turn about a pin: pendulums, hubs, arms."""
 
+from collections.abc import Sequence
 from math import tau
+from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import BEHIND, BODY, Polygon, Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols.look import Look, ball, centre_mark
 from vibcli.drawing.symbols.shape import BALL, ROD
 
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.sketch import Sketch
+    from vibcli.drawing.layout.ties import Ties
+    from vibcli.elements.body import Body
+
 HUB, BEYOND = 11.0, 26.0
 
 
-def pinned(body, centre, pivot, sketch, ties):
+def pinned(body: "Body", centre: Any, pivot: Any, sketch: "Sketch", ties: "Ties") -> Look:
     """A pendulum, a hub or an arm."""
     carried = [place for place in ties.carried.get(body.name, ()) if plane.distance(place, centre) > 1e-6]
     slots = ties.slots.get(body.name, ())
@@ -25,7 +32,7 @@ def pinned(body, centre, pivot, sketch, ties):
         return Look([*rail(centre, slots), ball(centre, radius)], "hub")
     if body.mass is None and body.inertia is None:
         return Look([Polyline((pivot, centre), width=2.4, layer=BODY), *rail(centre, slots)], "arm")
-    if {"inertia", "gyration"} & set(body.record.values):
+    if {"inertia", "gyration"} & set(body.record):
         return _blob(pivot, centre)
     bob = ball(centre, BALL + 1.5)
     return Look([Polyline((pivot, centre), width=1.6, layer=BEHIND), bob, *rail(centre, slots)], "bob", bob.points)
@@ -42,7 +49,8 @@ def _blob(pivot, centre):
     return Look([Polygon(tuple(points)), *centre_mark(centre)], "blob")
 
 
-def rail(origin, slots):
+def rail(origin: tuple[float, float],
+         slots: Sequence[tuple[tuple[float, float], tuple[float, float]]]) -> list[Polyline]:
     """The straight rods along which others slide."""
     if not slots:
         return []

@@ -1,14 +1,24 @@
 """Posts: thin rods from a body to the places that it carries and that are not on it."""
 
+from typing import TYPE_CHECKING
+
 from vibcli.drawing.canvas.primitives import BEHIND, Polyline
 from vibcli.drawing.layout import plane
 
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.sketch import Sketch
+    from vibcli.drawing.layout.ties import Ties
+    from vibcli.drawing.symbols.look import Look
+    from vibcli.elements.body import Body
 
-def with_posts(look, body, sketch, ties):
+SLACK = 2.5     # points
+
+
+def with_posts(look: "Look", body: "Body", sketch: "Sketch", ties: "Ties") -> "Look":
     """The Look with a thin post to each carried place that is not on the body."""
     posts = []
     for place in ties.carried.get(body.name, ()):
-        if look.kind == "joint" or touches(place, look):
+        if look.kind == "joint" or _touches(place, look):
             continue
         root = _root(place, look, sketch.centre(body.name))
         if not _along_element(root, place, ties, body.name):
@@ -16,14 +26,14 @@ def with_posts(look, body, sketch, ties):
     return look._replace(pieces=[*posts, *look.pieces])
 
 
-def touches(place, look, slack=2.5):
+def _touches(place, look):
     """Is a place on a body as drawn?"""
     for part in look.pieces:
         points = list(part.points)
         if not isinstance(part, Polyline) and plane.inside(place, points):
             return True
         pairs = zip(points, points[1:] + ([] if isinstance(part, Polyline) else points[:1]), strict=False)
-        if any(plane.distance(place, plane.nearest_on(place, a, b)) < slack for a, b in pairs):
+        if any(plane.distance(place, plane.nearest_on(place, a, b)) < SLACK for a, b in pairs):
             return True
     return False
 

@@ -1,13 +1,19 @@
 """Ropes and belts: tangents between circles, arcs around them."""
 
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from math import sqrt, tau
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from vibcli.drawing.canvas.primitives import Arc, Polyline
+from vibcli.drawing.canvas.primitives import Polyline
 from vibcli.drawing.layout import plane
-from vibcli.drawing.layout.sketch import Attachment
+from vibcli.drawing.layout.sketch import Attachment, Sketch
 from vibcli.drawing.layout.ties import SIDES
+
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.implied import Implied
+    from vibcli.drawing.symbols.look import Look
+    from vibcli.language.reader import Record
 
 NORMAL = dict(zip(SIDES, ((0, 1), (0, -1), (-1, 0), (1, 0)), strict=True))
 
@@ -20,15 +26,17 @@ class DrawnStop(NamedTuple):
     sense: int = 0
 
 
-def stops(record, sketch, looks):
+def stops(record: "Record", sketch: Sketch, looks: "Mapping[str, Look]") -> list[DrawnStop]:
     """The Stops of a rope as drawn."""
-    raw = []
+    raw: list = []
     for item in record["rope"]:
         if not hasattr(item, "values"):
             raw.append((sketch.attachment(item), 0.0, None))
         else:
             side = next(side for side in SIDES if side in item)
-            raw.append((sketch.rim(item[side]), _radius(item, side, sketch), NORMAL[side]))
+            radius = (sketch.length(item["radius"]) if "radius" in item else
+                      sketch.rolling_radius(getattr(item[side], "text", None)))
+            raw.append((sketch.rim(item[side]), radius, NORMAL[side]))
     found = []
     for i, (at, radius, side) in enumerate(raw):
         before, after = raw[max(i - 1, 0)], raw[min(i + 1, len(raw) - 1)]
@@ -50,15 +58,6 @@ def _edge(stop, other, looks):
     return stop._replace(at=Attachment(stop.at.carrier, plane.leaves(stop.at.drawn, direction, look.core)))
 
 
-def _radius(item, side, sketch):
-    if "radius" in item:
-        return sketch.length(item["radius"])
-    body = sketch.scene.bodies.get(getattr(item[side], "text", None))
-    if body is None or body.rolling_radius is None:
-        return 0.0
-    return sketch.scene.number(body.rolling_radius) * sketch.scale
-
-
 def _contact(raw):
     at, radius, side = raw
     return plane.plus(at.drawn, side, radius) if side else at.drawn
@@ -76,7 +75,7 @@ def _tangent(a, one, b, two):
     return (plane.plus(a, (ey, -ex), one.sense * one.radius), plane.plus(b, (ey, -ex), two.sense * two.radius))
 
 
-def implied(found, sketch, looks):
+def implied(found: "Implied", sketch: Sketch, looks: "Mapping[str, Look]") -> list[DrawnStop]:
     """The Stops of a rope that the motions imply."""
     wheel, weight = sketch.rim(found.wheel), Attachment(found.weight, sketch.centre(found.weight))
     offset = plane.minus(weight.drawn, wheel.drawn)
@@ -89,7 +88,7 @@ def implied(found, sketch, looks):
     return [start, _edge(DrawnStop(weight), start._replace(sense=-sense), looks)]
 
 
-def draw(chain, sketch, role="rope", closed=False):
+def draw(chain: Sequence[DrawnStop], sketch: Sketch, role: str = "rope", closed: bool = False) -> list[Any]:
     """The primitives of a rope through Stops."""
     places = [sketch.now(stop.at) for stop in chain]
     found, ends = [], []
@@ -104,23 +103,18 @@ def draw(chain, sketch, role="rope", closed=False):
             start = plane.heading(plane.minus(arriving[1], centre))
             turn = stop.sense * (plane.heading(plane.minus(leaving[0], centre)) - start) % tau
             if turn < tau - 1e-6:
-                found.append(Arc(centre, stop.radius, start, start + stop.sense * turn, role, 1.6))
+                arc = plane.arc(centre, stop.radius, start, start + stop.sense * turn)
+                found.append(Polyline(tuple(arc), role, 1.6))
     return found
 
 
-def belt(record, sketch):
+def belt(record: "Record", sketch: Sketch) -> list[Any]:
     """A belt round two wheels that have a place."""
     ends = [sketch.rim(name) for name in record["belt"]]
     if None in ends:
         return []
-    radii = [_pitch(record, i, sketch) for i in range(2)]
+    radii = [sketch.length(radius) for radius in record.get("radii", ())] or [
+        sketch.rolling_radius(name.text) for name in record["belt"]]
     second = -1 if record.get("crossed") else 1
     chain = [DrawnStop(ends[0], radii[0], 1), DrawnStop(ends[1], radii[1], second), DrawnStop(ends[0], radii[0], 1)]
     return draw(chain, sketch, "belt", closed=True)
-
-
-def _pitch(record, i, sketch):
-    if "radii" in record:
-        return sketch.length(record["radii"][i])
-    body = sketch.scene.bodies[record["belt"][i].text]
-    return sketch.scene.number(body.rolling_radius) * sketch.scale

@@ -1,8 +1,12 @@
 """Outlines of the shapes of bodies, as drawn."""
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from vibcli.drawing.layout import plane
+
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.sketch import Sketch
+    from vibcli.language.reader import Record
 
 ROD, BALL = 3.2, 5.0     # half the thickness of a rod, the radius of a particle
 
@@ -16,54 +20,24 @@ class Outline(NamedTuple):
     band: bool = False
 
 
-def outline(record, sketch):
+def outline(record: "Record", sketch: "Sketch") -> Outline:
     """The Outline of one shape: a body or a part of one."""
-    shape = record.get("shape", "particle")
-    return FORMS[shape](record, sketch)._replace(cut=record.get("cut", False))
-
-
-def _particle(record, sketch):
-    return Outline(plane.circle(sketch.pair(record["at"]), BALL))
-
-
-def _disc(record, sketch):
-    return Outline(plane.circle(sketch.pair(record["at"]), sketch.length(record["radius"])))
-
-
-def _ring(record, sketch):
-    return _disc(record, sketch)._replace(band=True)
-
-
-def _rod(record, sketch):
-    return Outline(plane.capsule(sketch.pair(record["from"]), sketch.pair(record["to"]), ROD))
-
-
-def _rectangle(record, sketch):
-    return Outline(plane.box(sketch.pair(record["at"]), sketch.length(record["width"]),
-                             sketch.length(record["height"]), _angle(record, sketch)))
-
-
-def _ellipse(record, sketch):
-    centre, a, b = sketch.pair(record["at"]), sketch.length(record["a"]), sketch.length(record["b"])
-    angle, size = _angle(record, sketch), max(a, b)
-    return Outline([plane.plus(centre, plane.turned((x * a / size, y * b / size), angle))
-                    for x, y in plane.circle((0.0, 0.0), size)])
-
-
-def _sector(record, sketch):
-    arch = _arch(record, sketch)
-    return Outline([sketch.pair(record["at"]), *arch.points])
-
-
-def _arch(record, sketch):
-    axis, half = _angle(record, sketch), sketch.number(record["half_angle"])
-    return Outline(plane.arc(sketch.pair(record["at"]), sketch.length(record["radius"]), axis - half, axis + half),
-                   closed=False, band=True)
-
-
-def _angle(record, sketch):
-    return sketch.number(record["angle"]) if "angle" in record else 0.0
-
-
-FORMS = {"particle": _particle, "disc": _disc, "ring": _ring, "rod": _rod, "rectangle": _rectangle,
-         "ellipse": _ellipse, "sector": _sector, "arch": _arch}
+    shape, cut = record.get("shape", "particle"), record.get("cut", False)
+    angle = sketch.number(record["angle"]) if "angle" in record else 0.0
+    if shape == "rod":
+        return Outline(plane.capsule(sketch.pair(record["from"]), sketch.pair(record["to"]), ROD), cut=cut)
+    centre = sketch.pair(record["at"])
+    if shape == "rectangle":
+        points = plane.box(centre, sketch.length(record["width"]), sketch.length(record["height"]), angle)
+    elif shape == "ellipse":
+        a, b = sketch.length(record["a"]), sketch.length(record["b"])
+        size = max(a, b)
+        points = [plane.plus(centre, plane.turned((x * a / size, y * b / size), angle))
+                  for x, y in plane.circle((0.0, 0.0), size)]
+    elif shape in ("sector", "arch"):
+        half = sketch.number(record["half_angle"])
+        points = plane.arc(centre, sketch.length(record["radius"]), angle - half, angle + half)
+        points = [centre, *points] if shape == "sector" else points
+    else:
+        points = plane.circle(centre, sketch.length(record["radius"]) if "radius" in record else BALL)
+    return Outline(points, shape != "arch", cut, shape in ("ring", "arch"))

@@ -1,16 +1,23 @@
 """Looks of bodies without a shape that slide: blocks, carts with a deck or a bowl, wedges, knots."""
 
 from math import pi
+from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import JOINT, Polygon, Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols.look import Look, ball
 from vibcli.drawing.symbols.tracks import contacts, curve_points, free_side
 
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.sketch import Sketch
+    from vibcli.drawing.layout.ties import Ties
+    from vibcli.elements.body import Body
+    from vibcli.language.reader import Record
+
 BLOCK, FLAT, BAR, DECK, DEEP = (36.0, 25.0), (22.0, 13.0), (26.0, 5.0), 19.0, 70.0
 
 
-def block(body, centre, sketch, ties):
+def block(body: "Body", centre: tuple[float, float], sketch: "Sketch", ties: "Ties") -> Look:
     """A box along its direction of sliding; small where it has no mass, a ramp where others slide on it at an angle."""
     slide = body.record["slide"]
     direction = sketch.pair(slide["along"]) if "along" in slide else (1.0, 0.0)
@@ -52,7 +59,7 @@ def _hook(body, centre, sketch):
     for name, other in sketch.scene.bodies.items():
         wheel = name in sketch.frames and name != body.name and other.rolling_radius is not None
         if wheel and plane.distance(sketch.rim(name).drawn, centre) < 1e-6:
-            return sketch.scene.number(other.rolling_radius) * sketch.scale + 14.0
+            return sketch.rolling_radius(name) + 14.0
     return 0.0
 
 
@@ -70,7 +77,7 @@ def _ramp(place, direction, carried):
     return Look([Polygon(tuple(corners))], "ramp")
 
 
-def platform(body, sketch, surface):
+def platform(body: Any, sketch: Any, surface: Any) -> Look:
     """A plank under the surface that it carries, away from what is on it; so thick that it holds its centre."""
     a, b = (sketch.pair(place) for place in surface["line"])
     side = free_side(a, b, contacts(surface.name, sketch))
@@ -86,7 +93,7 @@ def platform(body, sketch, surface):
     return Look([Polygon(tuple(corners))], "platform", corners, plane.heading(e), plane.distance(a, b), thick)
 
 
-def bowl(surface, sketch):
+def bowl(surface: "Record", sketch: "Sketch") -> Look:
     points = curve_points(surface, sketch)
     bottom = min(y for _, y in points) - DECK
     corners = [*points, (points[-1][0], bottom), (points[0][0], bottom)]

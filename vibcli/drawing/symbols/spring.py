@@ -1,15 +1,47 @@
-"""Springs: a zigzag between two ends, a spiral about a joint."""
+"""Springs: a zigzag between two ends, an elastic shaft, a spiral about a joint."""
 
 from math import pi, tau
+from typing import TYPE_CHECKING
 
-from vibcli.drawing.canvas.primitives import Polyline
+from vibcli.drawing.canvas.primitives import ELEMENT, Hatch, Polygon, Polyline
 from vibcli.drawing.layout import plane
+from vibcli.drawing.symbols import support
+
+if TYPE_CHECKING:
+    from vibcli.drawing.symbols.joint import Turn
+    from vibcli.language.reader import Record
 
 WIDTH, COIL, LEAD, MOST = 5.0, 6.5, 7.0, 16     # half the width of a zigzag, a coil, a straight end; coils
+NAMED_BY = "k", "torsion"
+SHAFT, SPIRAL = 2.4, 12.5      # half the thickness of a shaft, the radius of a spiral
 
 
-def zigzag(start, end, drawn):
-    """A spring from one place to another, with the coils and straight ends that fit the length `drawn`."""
+def between(record: "Record", start: tuple[float, float], end: tuple[float, float],
+            drawn: float) -> list[Polygon | Polyline]:
+    """A zigzag; an elastic shaft from the side where it is twisted."""
+    return _shaft(start, end) if "torsion" in record else _zigzag(start, end, drawn)
+
+
+def about(_record: "Record",
+          turn: "Turn") -> tuple[list[Hatch | Polyline], tuple[tuple[float, float], tuple[float, float]]]:
+    """A spiral about a joint, to a wall where the ground holds it; also where it is: (middle, normal)."""
+    radius = SPIRAL + 6.0 * turn.rank
+    start, held = turn.held or (turn.heading + pi / 2 + 0.35 * pi * turn.rank, 0.0)
+    found = _spiral(turn.centre, turn.heading + turn.moved, start + held, radius)
+    if turn.held is None:
+        found += support.wall(plane.polar(turn.centre, radius, start), plane.polar((0.0, 0.0), 1.0, start), 6.0)
+    beside = start + pi / 3
+    return found, (plane.polar(turn.centre, radius + 3, beside), plane.polar((0, 0), 1.0, beside))
+
+
+def _shaft(start, end):
+    at, length = plane.along(start, end), plane.distance(start, end)
+    return [Polygon((at(0, SHAFT), at(length, SHAFT), at(length, -SHAFT), at(0, -SHAFT)), "paper", "spring",
+                    layer=ELEMENT)]
+
+
+def _zigzag(start, end, drawn):
+    """The coils and straight ends that fit the length `drawn`."""
     length, at = plane.distance(start, end), plane.along(start, end)
     coils = max(3, min(MOST, round(drawn / COIL) - 2))
     lead = min(max(LEAD, (drawn - 1.2 * COIL * MOST) / 2), 0.15 * drawn if drawn < 80 else 0.4 * drawn)
@@ -21,8 +53,8 @@ def zigzag(start, end, drawn):
     return [Polyline((*points, at(length - lead), end), "spring")]
 
 
-def spiral(centre, from_angle, to_angle, radius=13.0):
-    """A torsion spring about a joint, from its core to the two that it turns."""
+def _spiral(centre, from_angle, to_angle, radius):
+    """From its core to the two that it turns."""
     turns = tau + (to_angle - from_angle) % tau
     turns += tau * (turns < 3 * pi)
     count = 70

@@ -1,17 +1,19 @@
 """What holds a scene: hinges, bearings on the ground, walls, rollers."""
 
+from typing import Any
+
 from vibcli.drawing.canvas.primitives import ARROW, BEHIND, JOINT, SURFACE, Circle, Hatch, Polygon
 from vibcli.drawing.layout import plane
 
 HINGE, HEIGHT, HALF, WALL, ROLLER = 2.6, 11.0, 7.0, 11.0, 3.0
 
 
-def hinge(place):
+def hinge(place: tuple[float, float]) -> list[Circle]:
     """Two bodies pinned together."""
     return [Circle(place, HINGE, "paper", layer=JOINT)]
 
 
-def bearing(place, down, height=HEIGHT):
+def bearing(place: tuple[float, float], down: tuple[float, float], height: float = HEIGHT) -> list[Any]:
     """A pin on the ground, which lies in the direction `down`."""
     foot, side, half = plane.plus(place, down, height), plane.left(down), HALF + 0.2 * (height - HEIGHT)
     a, b = plane.plus(foot, side, half), plane.plus(foot, side, -half)
@@ -20,33 +22,33 @@ def bearing(place, down, height=HEIGHT):
             Circle(place, HINGE, "paper", layer=JOINT)]
 
 
-def wall(place, outward, half=WALL):
+def wall(place: tuple[float, float], outward: tuple[float, float], half: float = WALL) -> list[Hatch]:
     """A piece of the ground at the end of a spring, damper or rope; `outward` points into it."""
     side = plane.left(outward)
     return [Hatch((plane.plus(place, side, half), plane.plus(place, side, -half)), 1, layer=BEHIND)]
 
 
-def shaken_wall(place, outward, half=WALL):
+def shaken_wall(place: tuple[float, float], outward: Any) -> list[Polygon]:
     """A support that is driven: a bar without ground behind it."""
     side = plane.left(outward)
-    ends = [plane.plus(place, side, half), plane.plus(place, side, -half)]
+    ends = [plane.plus(place, side, WALL), plane.plus(place, side, -WALL)]
     return [Polygon((*ends, plane.plus(ends[1], outward, 4), plane.plus(ends[0], outward, 4)), "driven", layer=BEHIND)]
 
 
-def floor(place, along, half, role="ground"):
+def floor(place: tuple[float, float], along: tuple[float, float], half: float):
     """A flat piece of ground under what slides; it lies to the right of `along`."""
-    return [Hatch((plane.plus(place, along, -half), plane.plus(place, along, half)), -1, role, layer=SURFACE)]
+    return [Hatch((plane.plus(place, along, -half), plane.plus(place, along, half)), -1, layer=SURFACE)]
 
 
-def dot(place):
+def dot(place: tuple[float, float]) -> list[Circle]:
     """Where a spring, damper or rope is fastened to a body."""
     return [Circle(place, 1.6, "ink", layer=JOINT)]
 
 
-def roller(place):
+def roller(place: tuple[float, float]) -> list[Circle]:
     return [Circle(place, ROLLER, "paper", layer=BEHIND)]
 
 
-def peg(place):
+def peg(place: tuple[float, float]):
     """A small smooth peg."""
     return [Circle(place, HINGE, "ink", layer=ARROW - 1)]

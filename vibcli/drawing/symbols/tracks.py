@@ -1,25 +1,29 @@
 """Fixed surfaces: the ground under what rolls or slides on lines, circles and curves."""
 
+from collections.abc import Sequence
 from math import isfinite, pi, tau
+from typing import TYPE_CHECKING
 
 from vibcli.drawing.canvas.primitives import SURFACE, Circle, Hatch
 from vibcli.drawing.layout import plane
 from vibcli.symbolic.evaluation import Floats, evaluate
 
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.sketch import Sketch
+    from vibcli.language.reader import Record
+
 SPREAD, MARGIN, FAR, SMALL = 0.35 * pi, 22.0, 120.0, 16.0  # of a circle beside what is inside it; beyond what rolls
 SAMPLES, STEEP = 48, 0.6
 
 
-def contacts(name, sketch):
+def contacts(name: str, sketch: "Sketch") -> list[tuple[tuple[float, float], float | None]]:
     """[(a place of what is on the surface as drawn, how much room it needs along it)]."""
     found = []
     for body in sketch.scene.bodies.values():
-        for key in ("roll", "slide"):
-            if key in body.record and "surface" in body.record[key] and body.record[key]["surface"].text == name:
-                radius = sketch.scene.number(body.rolling_radius) * sketch.scale if body.rolling_radius else 0.0
-                room = MARGIN + radius * (key == "roll")
-                place = sketch.rim(body.name).drawn if key == "roll" else sketch.centre(body.name)
-                found.append((place, room))
+        if name in body.touched:
+            rolls = "roll" in body.record
+            place = sketch.rim(body.name).drawn if rolls else sketch.centre(body.name)
+            found.append((place, MARGIN + sketch.rolling_radius(body.name) * rolls))
     for constraint in (sketch.spec.get("constraints") or {}).values():
         if "surface" in constraint and constraint["surface"].text == name:
             at = sketch.attachment(constraint["point"])
@@ -29,7 +33,8 @@ def contacts(name, sketch):
     return found
 
 
-def ground(record, used, sketch):
+def ground(record: "Record", used: Sequence[tuple[tuple[float, float], float | None]],
+           sketch: "Sketch") -> list[Circle | Hatch]:
     """A fixed surface under what is on it (`contacts`)."""
     if "line" in record:
         return _line(*(sketch.pair(place) for place in record["line"]), used)
@@ -40,7 +45,8 @@ def ground(record, used, sketch):
     return [Hatch(tuple(points), -1)]
 
 
-def free_side(a, b, used):
+def free_side(a: tuple[float, float], b: tuple[float, float],
+              used: Sequence[tuple[tuple[float, float], float | None]]) -> int:
     """1 where what is on a line through a and b is on its left, −1 on its right."""
     e = plane.unit(plane.minus(b, a))
     return 1 if sum(plane.across(e, plane.minus(place, a)) for place, _ in used) >= -1e-6 else -1
@@ -55,7 +61,7 @@ def _line(a, b, used):
     return [Hatch((plane.plus(a, e, low), plane.plus(a, e, high)), -free_side(a, b, used))]
 
 
-def visible(record, places, sketch):
+def visible(record: "Record", places: Sequence[tuple[float, float]], sketch: "Sketch") -> list[tuple[float, float]]:
     """Points of a circle as far as it is drawn: all of one that bodies run on outside or that is carried."""
     centre, radius = sketch.pair(record["circle"]), sketch.length(record["radius"])
     if record.get("side") != "inside" or "body" in record:
@@ -73,7 +79,7 @@ def _circle(record, places, sketch):
     return [circle] if circle.radius < SMALL else [circle, Hatch(tuple(points), 1)]
 
 
-def curve_points(record, sketch, around=0.0):
+def curve_points(record: "Record", sketch: "Sketch", around: float = 0.0) -> list[tuple[float, float]]:
     """Points of a curve y = f(x) as drawn, about the abscissa `around` in points."""
     f = _height(record, sketch)
     start = around / sketch.scale
@@ -82,7 +88,7 @@ def curve_points(record, sketch, around=0.0):
     return [(x * sketch.scale, y * sketch.scale) for x in xs if isfinite(y := f(x))]
 
 
-def half_width(record, sketch, start=0.0):
+def half_width(record: "Record", sketch: "Sketch", start: float = 0.0) -> float:
     """Half the width in metres that is drawn of a curve: where it rises or falls by about that much."""
     f, size = _height(record, sketch), sketch.numbers.get("size", 0.0)
     base = f(start)

@@ -6,6 +6,7 @@ follows an alias or builds an object that a file names. What a text means, each 
 
 import os
 import stat
+from typing import Any
 
 import yaml
 
@@ -23,7 +24,7 @@ MAX_SLIPS = 20
 class SlowParser(yaml.reader.Reader, yaml.scanner.Scanner, yaml.parser.Parser):
     """The same events from pure Python, some twenty times slower."""
 
-    def __init__(self, text):
+    def __init__(self, text: str):
         yaml.reader.Reader.__init__(self, text)
         yaml.scanner.Scanner.__init__(self)
         yaml.parser.Parser.__init__(self)
@@ -32,7 +33,7 @@ class SlowParser(yaml.reader.Reader, yaml.scanner.Scanner, yaml.parser.Parser):
 _Parser = yaml.cyaml.CParser if yaml.__with_libyaml__ else SlowParser
 
 
-def read(data, file):
+def read(data: bytes, file: str):
     """The top mapping of the bytes, None where reading had to stop, and all diagnostics in file order."""
     text, problems = decoding.decode(data, file)
     if text is None:
@@ -41,7 +42,7 @@ def read(data, file):
     return node, sorted(problems + found, key=lambda problem: problem.where[1:3])
 
 
-def read_file(path):
+def read_file(path: Any):
     """(node, diagnostics, source lines) of a file. Only a missing path raises: FileNotFoundError."""
     file = os.fsdecode(path)
     try:
@@ -76,8 +77,9 @@ def _read_text(source, file):
             complete = _grow(tree)
             break
         except Slipped as slip:
-            from vibcli.language.document.misread_expressions import SHOW as hidden
+            from vibcli.language.document.misread_expressions import SHOW
 
+            hidden = SHOW
             problem, source, index = slip.args
             slips.append(problem)
             budget -= index + MAX_REREAD // MAX_SLIPS

@@ -14,32 +14,22 @@ _CLOSER = {"(": ")", "[": "]", "{": "}"}
 _LONGEST = 2000
 
 
-def comma(source, start, file):
+def comma(source: str, start: int, file: str) -> tuple[Diagnostic, str, int] | None:
     """(diagnostic, mended source, index) for an expression at `start` that a comma has cut, or None."""
     end = _expression_end(source, start)
     if end is None or "," not in source[start:end]:
         return None
-    text = source[start:end].translate(SHOW)
-    problem = Diagnostic(decoding.place(source, start, file, end - start),
-                         f"inside [ ] and {{ }} the comma cuts {quoted(text)} in two",
-                         f"write {_in_quotes(text)}, or give it a line of its own outside the brackets")
-    return problem, _mended(source, start, end), start
+    return _mended(source, start, end, file, "the comma cuts {} in two")
 
 
-def bracket(source, start, file):
+def bracket(source: str, start: int, file: str) -> tuple[Diagnostic, str, int]:
     """(diagnostic, mended source, index) for a name at `start` with a [ right after it, or None."""
     end = _expression_end(source, start)
-    if end is None:
-        return None
-    text = source[start:end].translate(SHOW)
-    problem = Diagnostic(decoding.place(source, start, file, end - start),
-                         f"inside [ ] and {{ }} the brackets of {quoted(text)} need quotes",
-                         f"write {_in_quotes(text)}, or give it a line of its own outside the brackets")
-    return problem, _mended(source, start, end), start
+    return None if end is None else _mended(source, start, end, file, "the brackets of {} need quotes")
 
 
 def _expression_end(source, start):
-    """Where the expression ends: at a comma, closing bracket, ': ' or comment outside its own brackets."""
+    """The end of the expression: a comma, closing bracket, ': ' or comment outside its own brackets."""
     closers = []
     for index in range(start, min(len(source), start + _LONGEST)):
         char = source[index]
@@ -54,9 +44,10 @@ def _expression_end(source, start):
     return None
 
 
-def _in_quotes(text):
-    return f"'{text}'" if '"' in text or "\\" in text else f'"{text}"'
-
-
-def _mended(source, start, end):
-    return source[:start] + source[start:end].translate(_HIDE) + source[end:]
+def _mended(source, start, end, file, said):
+    text = source[start:end].translate(SHOW)
+    mark = "'" if '"' in text or "\\" in text else '"'
+    problem = Diagnostic(decoding.place(source, start, file, end - start),
+                         f"inside [ ] and {{ }} {said.format(quoted(text))}",
+                         f"write {mark}{text}{mark}, or give it a line of its own outside the brackets")
+    return problem, source[:start] + source[start:end].translate(_HIDE) + source[end:], start

@@ -1,4 +1,9 @@
-"""What a scene file consists of: texts, lists and mappings, each with its place."""
+"""The nodes of a scene file: texts, lists and mappings, each with its place."""
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from vibcli.base.errors import Where
 
 
 class Scalar:
@@ -6,10 +11,10 @@ class Scalar:
 
     __slots__ = ("inset", "quoted", "text", "where")
 
-    def __init__(self, text, where, quoted=False, inset=None):
+    def __init__(self, text: str, where: "Where | None", quoted: bool = False, inset: int | None = None):
         self.text, self.where, self.quoted, self.inset = text, where, quoted, inset
 
-    def place(self, offset, width=1):
+    def place(self, offset: int, width: int = 1) -> "Where":
         """The place of text[offset : offset + width]; the scalar's start where text was folded or escaped."""
         if self.inset is None:
             return self.where
@@ -22,8 +27,12 @@ class Sequence:
 
     __slots__ = ("items", "where")
 
-    def __init__(self, where):
+    def __init__(self, where: "Where"):
         self.items, self.where = [], where
+
+    def widen(self, width: int):
+        """It ends so many characters further on its line."""
+        self.where = self.where._replace(width=width)
 
 
 class Mapping:
@@ -31,5 +40,9 @@ class Mapping:
 
     __slots__ = ("entries", "where")
 
-    def __init__(self, where):
-        self.entries, self.where = {}, where
+    def __init__(self, where: "Where", entries: Any = None):
+        self.entries, self.where = {} if entries is None else entries, where
+
+    def widen(self, width: int):
+        """It ends so many characters further on its line."""
+        self.where = self.where._replace(width=width)

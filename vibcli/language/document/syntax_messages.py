@@ -1,21 +1,64 @@
-"""What YAML's parser says when it gives up, in plain words: the place, what was expected, what to write."""
+"""Errors of YAML's parser in plain words.
+
+Six slips have words of their own: tabs, colons, indentation, brackets and quotes that are not closed, values that start
+with a character of YAML's. Of all others the parser's own words are said.
+"""
 
 import re
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base import decoding
 from vibcli.base.diagnostics import quoted
-from vibcli.base.errors import Diagnostic
-from vibcli.language.document import flow_messages, misread_expressions
+from vibcli.base.errors import Diagnostic, Where
+from vibcli.language.document import misread_expressions
 from vibcli.language.document.nodes import Sequence
-from vibcli.language.document.parser_stop import LOOK_ABOVE, QUOTE_IT, Halt
 
-_ODD_SPACE = re.compile("[\xa0\u1680\u2000-\u200a\u202f\u205f\u3000]")
+if TYPE_CHECKING:
+    from vibcli.language.document.tree_builder import Tree
+
+LOOK_ABOVE = "compare the indentation, quotes and brackets with the lines above"
+QUOTE_IT = "put the whole value in quotes"
+KEY_VALUE = "write key: value, with a colon and a space after the key"
+CLOSER = {"[": "]", "{": "}"}
+
+_WORD = re.compile(r"[^\s,\[\]{}:'\"]+|.", re.DOTALL)
 _KEY = re.compile(r"\s*+(?:[?-]\s++)*+([^\s#:][^:]*+):(?:\s|\Z)")  # possessive: takes linear time
 _LONGEST = 300  # characters of a hint that quotes the file
 
 
-def slip(error, tree):
-    """A bracket inside a flow collection that belongs to a name (see slips.py), or None."""
+class Halt:
+    """The place where the parser stopped: `index`, `where`, and the `char` and `word` there; `start`, the index of what
+    it could not finish, such as an opening quote."""
+
+    def __init__(self, error: Exception, tree: "Tree"):
+        mark, start = getattr(error, "problem_mark", None), getattr(error, "context_mark", None)
+        self.problem, self.context = getattr(error, "problem", None) or str(error), getattr(error, "context", None)
+        self.tree, self.file = tree, tree.file
+        self.source = tree.source.translate(tree.hidden) if tree.hidden else tree.source
+        self.index = min(mark.index, len(self.source)) if mark else 0
+        self.start = start.index if start else self.index
+        self.where = self.at(self.index)
+        self.char = self.source[self.index : self.index + 1]
+        self.word = _WORD.match(self.source, self.index)[0] if self.char else ""
+
+    def at(self, index: int, width: int = 1) -> Where:
+        return decoding.place(self.source, index, self.file, width)
+
+    def here(self) -> Where:
+        """The place of the word at which the parser stopped."""
+        return self.where._replace(width=max(1, len(self.word)))
+
+    def before(self) -> str:
+        """The text of the line up to where the parser stopped."""
+        return self.source[self.index - self.where.column + 1 : self.index]
+
+    def line(self, where: Where | None = None) -> str:
+        """The text of the line of a place."""
+        return decoding.split(self.source)[(where or self.where).line - 1]
+
+
+def slip(error: Exception, tree: "Tree"):
+    """A bracket inside a flow collection that belongs to a name (see misread_expressions.py), or None."""
     mark, last = getattr(error, "problem_mark", None), tree.last
     if mark is None or last is None or last.style or "',' or " not in str(error):
         return None
@@ -24,28 +67,22 @@ def slip(error, tree):
     return misread_expressions.bracket(tree.source, last.start_mark.index, tree.file)
 
 
-def explained(error, tree):
+def explained(error: Exception, tree: "Tree") -> Diagnostic:
     """The diagnostic for an error of the YAML parser."""
     halt = Halt(error, tree)
-    explain = next((explain for words, explain in _EXPLAINED if words in halt.problem), _unknown)
-    where, message, hint = explain(halt)
-    return Diagnostic(where, message, _odd_space(halt.line(where)) or hint)
+    said = f"{halt.context} {halt.problem}"
+    explain = next((explain for words, explain in _EXPLAINED if words in said), None)
+    words = f"{halt.problem} {halt.context}" if halt.context else halt.problem
+    return Diagnostic(*((explain and explain(halt)) or (halt.here(), f"this is no YAML: {words}", LOOK_ABOVE)))
 
 
-def not_a_mapping(node, source):
+def not_a_mapping(node: Any, source: str) -> Diagnostic:
     """The diagnostic for a file whose top level is a list or a text."""
     expected = "expected keys such as 'bodies:' at the top level"
     if isinstance(node, Sequence):
         return Diagnostic(node.where, f"{expected}, found a list", "write a key, and the list under it")
     line = decoding.split(source)[node.where.line - 1]
-    hint = _odd_space(line) or _key_value(line)
-    return Diagnostic(node.where, f"{expected}, found {quoted(node.text)}", hint)
-
-
-def _odd_space(line):
-    """The hint for a line with a space that looks plain and is not."""
-    found = _ODD_SPACE.search(line)
-    return found and f"replace U+{ord(found[0]):04X} in column {found.start() + 1} by a plain space"
+    return Diagnostic(node.where, f"{expected}, found {quoted(node.text)}", _key_value(line))
 
 
 def _key_value(line):
@@ -53,11 +90,7 @@ def _key_value(line):
     name, colon, value = line.partition(":")
     if colon and value.strip() and not value.startswith(" "):
         return f"put a space after the colon, {name.strip()}: {value.strip()}"[:_LONGEST]
-    return "write key: value, with a colon and a space after the key"
-
-
-def _unknown(halt):
-    return halt.here(), f"this cannot be read on: {halt.found()}", LOOK_ABOVE
+    return KEY_VALUE
 
 
 def _tab(halt):
@@ -67,26 +100,18 @@ def _tab(halt):
 
 
 def _start(halt):
+    """A tab, or a character with which no value can start."""
     if halt.char == "\t":
         return _tab(halt)
-    return (halt.here()._replace(width=1), f"no value can start with {quoted(halt.char)}",
-            "put the value in quotes if the character is meant")
+    at = halt.start if "scanning an a" in (halt.context or "") else halt.index
+    return halt.at(at), f"no value can start with {quoted(halt.source[at : at + 1])}", QUOTE_IT
 
 
 def _quote(halt):
     mark = halt.source[halt.start : halt.start + 1]
-    hint = f"write {mark} where it ends"
-    if mark == "'":
-        hint += "; a text that holds ' goes in double quotes"
-    return halt.at(halt.start), f"the quote {mark} opened here is never closed", hint
-
-
-def _escape(halt):
-    index = max(0, halt.source.rfind("\\", 0, halt.index + 1))
-    text = re.compile(r"\\(?:[xuU][0-9a-fA-F]{0,8}|.)?").match(halt.source, index)
-    text = text[0] if text else halt.char
-    return (halt.at(index, max(1, len(text))), f"{quoted(text)} stands for no character in double quotes",
-            "use single quotes, in which \\ is an ordinary character, or write \\\\")
+    if mark not in ("'", '"'):
+        return None
+    return halt.at(halt.start), f"the quote {mark} opened here is never closed", f"write {mark} where it ends"
 
 
 def _colon(halt):
@@ -117,98 +142,61 @@ def _no_colon(halt, first=None):
     return first._replace(width=max(1, len(text))), f"expected key: value, found {found}", _key_value(text)
 
 
-def _item(halt):
-    key = _KEY.match(halt.before())
-    if not key:
-        return halt.here(), "found a list item '- ' where no list can start", LOOK_ABOVE
-    return (halt.here(), f"found a list item '- ' on the line of the key {quoted(key[1])}",
-            "start the list on the next line, or write [a, b]; write a negative number without a space")
-
-
-def _question(halt):
-    return halt.here(), "no value can start with '? '", "put the value in quotes if the character is meant"
-
-
-def _block(halt):
-    """What follows an entry belongs neither to it nor to the mapping or list around it."""
-    before, last = halt.before().rstrip(), halt.tree.last
-    in_list = "'-' indicator" in halt.problem or "collection" in halt.problem
-    if halt.char in ("]", "}"):
-        return flow_messages.stray_bracket(halt)
-    if before[-1:] in ("'", '"') and last is not None and last.start_mark.line < halt.where.line - 1:
-        return (halt.at(last.start_mark.index), f"the quote {before[-1]} opened here is closed only in "
-                f"line {halt.where.line}", f"write {before[-1]} where it ends")
-    if before:
-        after = "the closing quote" if before[-1] in "'\"" else quoted(before[-1])
-        hint = "put the whole value in double quotes" if before[-1] == "'" else QUOTE_IT
-        return halt.here(), f"expected the end of the line after {after}, found {quoted(halt.word)}", hint
-    if in_list:
-        return (halt.here(), f"expected another list item '- ', found {quoted(halt.word)}",
-                "indent what belongs to the item above deeper, a new key less")
-    if halt.char == ":":
-        return halt.here(), "found ':' without a key before it", "write key: value"
-    if halt.char == "-":
-        return halt.here(), "found a list item '- ' among keys", "put the list under a key of its own"
-    return (halt.here(), f"the indentation of {quoted(halt.word)} fits none of the lines above",
-            "start it in the same column as the entries it belongs with")
-
-
-def _tag(halt):
-    index = max(0, halt.source.find("!", halt.start))
-    text = re.compile(r"\S*").match(halt.source, index)[0]
-    return (halt.at(index, max(1, len(text))), f"found the tag {quoted(text)}, which scenes do not use",
-            "leave it out; a text that starts with ! needs quotes")
-
-
-def _name_due(halt):
-    mark = quoted(halt.source[halt.start : halt.start + 1])
-    return halt.at(halt.start), f"no value can start with {mark}", QUOTE_IT
-
-
-def _directive(halt):
-    return halt.at(halt.start), "found a '%' directive, which scenes do not use", "leave the line out"
-
-
 def _tight_colon(halt):
     return halt.here(), "expected a space after the ':'", "put a space after the colon"
 
 
-def _block_text(halt):
-    mark = quoted(halt.source[halt.start : halt.start + 1])
-    return (halt.at(halt.start), f"expected the end of the line after {mark}",
-            "put the text on the lines below, indented, or in quotes")
+def _bracket(halt):
+    """An entry of [ ] or { } that neither a comma nor the closing bracket follows."""
+    tree, source = halt.tree, halt.source
+    start = next((i for _, _, i in reversed(tree.stack) if source[i] in CLOSER), None) if tree.flow else None
+    if start is None or halt.char in ("]", "}"):
+        return None
+    opened, opener = halt.at(start), source[start]
+    at_end = not source[halt.index :].strip()
+    if at_end or (halt.where.line > opened.line and _indent(halt.line()) <= _indent(halt.line(opened))):
+        before = "" if at_end else f" before line {halt.where.line}"
+        message = f"the '{opener}' opened here is never closed{before}"
+        return opened, message, f"write '{CLOSER[opener]}' where it ends"
+    if "',' or " not in halt.problem:
+        return None
+    return (halt.here(), f"expected ',' or '{CLOSER[opener]}' after this entry, found {quoted(halt.word)}",
+            "put a comma between two entries")
 
 
-def _after_end(halt):
-    return halt.here(), f"expected the end of the scene, {halt.found()}", "give each scene its own file"
+def _indent(line):
+    return len(line) - len(line.lstrip())
+
+
+def _indentation(halt):
+    """A line that belongs neither to the entry before it nor to the mapping or list around it."""
+    before, last = halt.before().rstrip(), halt.tree.last
+    if before[-1:] in ("'", '"') and last is not None and last.start_mark.line < halt.where.line - 1:
+        return (halt.at(last.start_mark.index), f"the quote {before[-1]} opened here is closed only in "
+                f"line {halt.where.line}", f"write {before[-1]} where it ends")
+    if before[-1:] in ("'", '"'):
+        hint = "put the whole value in double quotes" if before[-1] == "'" else QUOTE_IT
+        return halt.here(), f"expected the end of the line after the closing quote, found {quoted(halt.word)}", hint
+    if before or halt.char in ("]", "}", ":", "-"):
+        return None
+    return (halt.here(), f"the indentation of {quoted(halt.word)} fits none of the lines above",
+            "start it in the same column as the entries it belongs with")
 
 
 _EXPLAINED = (  # words of libyaml and of the pure Python parser, the more specific ones first
     ("tab character", _tab),
-    ("found character '\\t'", _start),
     ("cannot start any token", _start),
-    ("',' or ", flow_messages.no_comma),
-    ("expected node content", flow_messages.no_value),
-    ("expected the node content", flow_messages.no_value),
-    ("unknown escape", _escape),
-    ("hexdecimal", _escape),
-    ("hexadecimal", _escape),
-    ("Unicode character escape", _escape),
-    ("a quoted scalar", _quote),
+    ("scanning an anchor", _start),
+    ("scanning an alias", _start),
+    ("',' or ", _bracket),
+    ("expected node content", _bracket),
+    ("expected the node content", _bracket),
+    ("unexpected end of stream", _quote),
+    ("unexpected document", _quote),
     ("mapping values are not allowed", _colon),
-    ("sequence entries are not allowed", _item),
-    ("mapping keys are not allowed", _question),
     ("could not find expected ':'", _no_colon),
     ("unexpected ':'", _tight_colon),
-    ("an anchor", _name_due),
-    ("an alias", _name_due),
-    ("directive", _directive),
-    ("YAML document", _directive),
-    ("a tag", _tag),
-    ("tag handle", _tag),
-    ("a block scalar", _block_text),
-    ("document start", _after_end),
-    ("expected key", _block),
-    ("'-' indicator", _block),
-    ("block end", _block),
+    ("expected key", _indentation),
+    ("'-' indicator", _indentation),
+    ("block end", _indentation),
 )

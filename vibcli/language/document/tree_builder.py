@@ -1,17 +1,10 @@
 """YAML events to a tree of nodes, each with its place; whatever a scene file does not use is a diagnostic."""
 
 import re
+from collections.abc import Callable
+from typing import Any
 
-from yaml.events import (
-    AliasEvent,
-    DocumentStartEvent,
-    MappingEndEvent,
-    MappingStartEvent,
-    ScalarEvent,
-    SequenceEndEvent,
-    SequenceStartEvent,
-    StreamEndEvent,
-)
+from yaml import events
 
 from vibcli.base import decoding
 from vibcli.base.diagnostics import quoted
@@ -44,10 +37,13 @@ _DROPPED = Scalar("", None)  # stands as the key of an entry that was refused: i
 class Tree:
     """The tree as it grows, the open collections on an explicit stack."""
 
+    key: Any
+    parent: Any
+
     __slots__ = ("count", "file", "flow", "hidden", "key", "last", "parent", "problems", "root", "source",
                  "stack", "started", "tries")
 
-    def __init__(self, source, file, hidden=None):
+    def __init__(self, source: str, file: str, hidden: Any = None):
         """`hidden` maps back the characters that stand for hidden commas and brackets (see slips.py)."""
         self.source, self.file, self.hidden = source, file, hidden
         self.stack, self.problems = [], []
@@ -56,28 +52,28 @@ class Tree:
         self.started = False
         self.count = self.flow = self.tries = 0
 
-    def grow(self, next_event):
+    def grow(self, next_event: Callable) -> None:
         """Take every event of the first document; stops at the top of a second one."""
         while True:
             event = next_event()
             kind = event.__class__
-            if kind is ScalarEvent:
+            if kind is events.ScalarEvent:
                 self._scalar(event)
-            elif kind is MappingStartEvent:
+            elif kind is events.MappingStartEvent:
                 self._open(event, Mapping)
-            elif kind is SequenceStartEvent:
+            elif kind is events.SequenceStartEvent:
                 self._open(event, Sequence)
-            elif kind is MappingEndEvent or kind is SequenceEndEvent:
+            elif kind is events.MappingEndEvent or kind is events.SequenceEndEvent:
                 self._close(event)
-            elif kind is AliasEvent:
+            elif kind is events.AliasEvent:
                 self._alias(event)
-            elif kind is DocumentStartEvent:
+            elif kind is events.DocumentStartEvent:
                 if self._second(event):
                     return
-            elif kind is StreamEndEvent:
+            elif kind is events.StreamEndEvent:
                 return
 
-    def report(self, where, message, hint=None):
+    def report(self, where: Where, message: str, hint: str | None = None):
         self.problems.append(Diagnostic(where, message, hint))
         if len(self.problems) >= MAX_PROBLEMS:
             message = "too many problems: reading stops here"
@@ -153,8 +149,7 @@ class Tree:
             self.flow -= 1
             mark, where = event.end_mark, node.where
             if mark.line + 1 == where.line:
-                width = max(1, mark.column + 1 - where.column)
-                node.where = _place(Where, (where.file, where.line, where.column, width))
+                node.widen(max(1, mark.column + 1 - where.column))
 
     def _add(self, node):
         """Put a node where the parser stands: the top, the next item, the next key or its value."""
@@ -223,12 +218,9 @@ class Tree:
                 break
             index, text = found.end(), found[1]
             where = decoding.place(self.source, found.start(1), self.file, len(text))
-            if text[0] == "!":
-                self.report(where, f"found the tag {quoted(text)}, which scenes do not use",
-                            "leave it out; a text that starts with ! needs quotes")
-            else:
-                self.report(where, f"found the anchor {quoted(text)}, which scenes do not use",
-                            "leave it out; a text that starts with & needs quotes")
+            kind = "tag" if text[0] == "!" else "anchor"
+            self.report(where, f"found the {kind} {quoted(text)}, which scenes do not use",
+                        f"leave it out; a text that starts with {text[0]} needs quotes")
 
     def _escapes(self, mark, end, text):
         """Report characters that stand in double quotes as escapes but may not stand in a file."""
@@ -249,7 +241,7 @@ class Tree:
             raise Slipped(*slip)
 
     def _second(self, event):
-        """Whether this document is one too many."""
+        """Is this document one too many?"""
         where = Where(self.file, event.start_mark.line + 1, event.start_mark.column + 1)
         if event.version or event.tags:
             self.report(where, "found a '%' directive, which scenes do not use", "leave the line out")

@@ -1,9 +1,10 @@
 """Sections of a scene file that are no element, one to a file."""
 
 NAMES = {
-    "coordinates": "their order, what each measures, its value as drawn",
-    "equilibrium": "where the search of the equilibrium starts",
-    "initial": "where a motion starts: positions and velocities, or a force that lets go",
-    "parameter": "what is given: a number with its unit, an expression, or a letter",
-    "record": "a measured function of the time, from a file",
+    "coordinates": "the generalised coordinates in the order wanted, with a word on what each measures",
+    "equilibrium": "which equilibrium is meant",
+    "gravity": "the acceleration of gravity, downwards (along −y), or a vector",
+    "initial": "where a motion in time starts",
+    "parameter": "what is given",
+    "record": "measured functions of the time",
 }

@@ -1,7 +1,11 @@
 """Generalised coordinates: their order, what each measures, and its value in the drawn position."""
 
+from typing import Any
+
 from vibcli.language.document.document import Mapping, Sequence
-from vibcli.language.fields import Element, Field, Kind, Quantity, Record, Text, check_name
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import Kind, Quantity, Text
+from vibcli.language.reader import Record, check_name
 
 ELEMENT = Element(
     "coordinate",
@@ -14,12 +18,13 @@ ELEMENT = Element(
     short="about",
     example="double_pendulum",
 )
+ABOUT = ELEMENT.about
 
 
 class Coordinates(Kind):
     wants = "a list of names, or a mapping from names to what they measure"
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         if isinstance(node, Sequence):
             entries = [(item, None) for item in node.items]
         elif isinstance(node, Mapping):

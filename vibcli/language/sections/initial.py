@@ -1,9 +1,14 @@
-"""Where a motion starts: values of coordinates and velocities, or the equilibrium under a force that lets go."""
+"""The start of a motion: values of coordinates and velocities, or the equilibrium under a force that lets go."""
+
+from typing import TYPE_CHECKING, Any
 
 from vibcli.language.document.document import Mapping
-from vibcli.language.fields import Kind, NameOf, Quantity
+from vibcli.language.kinds import Kind, NameOf, Quantity
 from vibcli.language.reader import Record, Reference
 from vibcli.symbolic.parser import plain_name
+
+if TYPE_CHECKING:
+    from vibcli.language.spec import Spec
 
 RELEASED = "released"
 ABOUT = ("Where a motion in time starts: `{x: 2 cm, x': 0.5 m/s}`, coordinates counted as in the drawn position. "
@@ -16,7 +21,7 @@ class Initial(Kind):
 
     wants = "a mapping from coordinates and velocities to values, such as {x: 2 cm, x': 0.5 m/s}"
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         if not isinstance(node, Mapping):
             return reader.expected(node, self.wants)
         values, keys = {}, {}
@@ -47,7 +52,7 @@ class Initial(Kind):
 
 KIND = Initial()
 
-def let_go(spec):
+def let_go(spec: "Spec") -> str | None:
     """The name of the force that lets go at t = 0; None where none does."""
     record = spec.get("initial")
     return record.get(RELEASED).text if record is not None and RELEASED in record else None

@@ -1,10 +1,18 @@
 """Parameters: what is given, as numbers with units, as expressions of one another, or left as symbols."""
 
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base.spelling import nearest
 from vibcli.base.units import UNITS
 from vibcli.language.document.document import Mapping, Scalar
-from vibcli.language.fields import Choice, Element, Field, Quantity, Record, Text, nearest
-from vibcli.symbolic.parser import ExpressionError, parse
-from vibcli.symbolic.syntax import Number
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import Choice, Quantity, Text
+from vibcli.language.reader import Record
+from vibcli.symbolic.parser import parse
+from vibcli.symbolic.syntax import ExpressionError, Number
+
+if TYPE_CHECKING:
+    from vibcli.base.errors import Where
 
 
 class _Unit(Text):
@@ -12,7 +20,7 @@ class _Unit(Text):
 
     wants = "a unit such as N/m"
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         text = super().read(node, reader)
         if text is None:
             return None
@@ -32,7 +40,7 @@ UNIT = _Unit()
 class _Parameter(Element):
     """`m: 3 kg`, `J: m*L^2/3`, `k:` (a symbol), or a mapping."""
 
-    def read(self, node, reader, name=None, where=None):
+    def read(self, node: Any, reader: Any, name: str | None = None, where: "Where | None" = None):
         where = where or node.where
         if isinstance(node, Scalar) and not node.text.strip() and not node.quoted:
             return Record(self, name, where, {}, {})

@@ -1,17 +1,24 @@
 """Records: measured functions of time from a file, linear between their samples and zero before and after them."""
 
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
-from vibcli.base.errors import Diagnostic
+from vibcli.base.errors import Diagnostic, Where
+from vibcli.base.spelling import nearest
 from vibcli.language.data_columns import read_columns
 from vibcli.language.document.document import Scalar
-from vibcli.language.fields import Element, Field, Quantity, Text, nearest
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import Quantity, Text
 from vibcli.language.sections.parameter import UNIT
-from vibcli.symbolic.parser import LARGEST, SMALLEST, parse
+from vibcli.symbolic.literals import LARGEST, SMALLEST
+from vibcli.symbolic.parser import parse
 from vibcli.symbolic.sampled_functions import Samples
-from vibcli.symbolic.semantics import literal_unit, whole_literal
-from vibcli.symbolic.syntax import Number
+from vibcli.symbolic.semantics import literal_unit
+from vibcli.symbolic.syntax import Number, whole_literal
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Record
 
 
 class _Column(Text):
@@ -19,7 +26,7 @@ class _Column(Text):
 
     wants = "a column: its name in the first line, or its number from 1"
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         if not isinstance(node, Scalar) or not node.text.strip():
             return reader.expected(node, self.wants)
         return node
@@ -28,14 +35,14 @@ class _Column(Text):
 class _Record(Element):
     """A Record whose values hold `samples` beside what is written."""
 
-    def read(self, node, reader, name=None, where=None):
+    def read(self, node: Any, reader: Any, name: str | None = None, where: Where | None = None):
         record = super().read(node, reader, name, where)
         if record is None:
             return None
         samples = _samples(record, reader)
         if samples is None:
             return None
-        record.values["samples"] = samples
+        record["samples"] = samples
         return record
 
 
@@ -145,6 +152,6 @@ def _unit(text):
     return literal_unit(parse("1 " + text).units)
 
 
-def dimension(record):
+def dimension(record: "Record") -> dict[str, int] | None:
     """The dimension of the values; None where no unit is given."""
     return _unit(record["unit"]).dimension if "unit" in record else None

@@ -1,10 +1,13 @@
 """All equilibria of a scene within bounds: a scan of one coordinate, many starts for several; each checked by its
 residual and met once, images of it a turn apart included."""
 
+import math
+from contextlib import suppress
+from typing import TYPE_CHECKING, Any, NamedTuple
+
 import numpy as np
 
 from vibcli.base.errors import PhysicsError
-from vibcli.base.work import Spent
 from vibcli.mechanics.equilibrium import multistart, one_coordinate
 from vibcli.mechanics.equilibrium.completeness import proved
 from vibcli.mechanics.equilibrium.degenerate import sharpened
@@ -12,66 +15,71 @@ from vibcli.mechanics.equilibrium.distinct_roots import Found
 from vibcli.mechanics.equilibrium.equilibrium import Equilibrium
 from vibcli.mechanics.equilibrium.families import Family
 from vibcli.mechanics.equilibrium.indices import compared
-from vibcli.mechanics.equilibrium.scaled_forces import Forces, TooMuch, idle
-from vibcli.mechanics.equilibrium.search_box import bounds, given_bounds
+from vibcli.mechanics.equilibrium.scaled_forces import Forces, TooMuch, idle, typical_length
 from vibcli.mechanics.nonsmooth import KINKED
+from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
 
 MOST_WORK, MOST, LEAST, SAMPLES = 10**6, 60_000, 300, 24
 SINGULAR, DUST = 1e-4, 1e-13       # of the stiffness typical of the scene; of the size of the figure
+REACH = 2.0                        # of the size of the figure: what is searched of a length
 
 
-class Item:
+class Item(NamedTuple):
     """One equilibrium, or a line of them by one of its positions; free: directions {coordinate: component} in which it
     can be moved and stays in equilibrium; singular: is K nearly so?"""
 
-    __slots__ = ("equilibrium", "free", "singular")
+    equilibrium: Equilibrium
+    free: list
+    singular: bool = True
 
-    def __init__(self, equilibrium, free, singular=True):
-        self.equilibrium, self.free, self.singular = equilibrium, free, singular
 
-
-class Equilibria:
+class Equilibria(NamedTuple):
     """items in ascending order of the first coordinate that tells them apart; bounds {coordinate: (least, most)} of
     those searched; complete: is it proved that there are no others; cut: was the search cut short; linear: are the
     forces, so that there is no other? forces: the Forces that were searched; indices: Indices of what is not proved to
     be complete, None where they are not known."""
 
-    __slots__ = ("bounds", "complete", "cut", "forces", "indices", "items", "linear")
-
-    def __init__(self, items, bounds, complete, linear, forces, cut=False, indices=None):
-        self.items, self.bounds, self.complete, self.linear, self.forces = items, bounds, complete, linear, forces
-        self.cut, self.indices = cut, indices
+    items: list
+    bounds: dict
+    complete: bool
+    linear: bool
+    forces: Forces
+    cut: bool = False
+    indices: Any = None
 
     @property
-    def missed(self):
+    def missed(self) -> bool:
         """Is it proved that there are others?"""
         return self.indices is not None and not self.indices.agree
 
 
-def find_equilibria(problem):
-    """The Equilibria of a numeric problem; PhysicsError where the bounds are missing or wrong."""
-    if problem.symbolic:
-        asked = problem.spec.get("find")
+def find_equilibria(configuration: "Configuration") -> Equilibria:
+    """The Equilibria of a system in numbers; PhysicsError where the bounds are missing or wrong."""
+    if configuration.numeric.has_free_symbols:
+        asked = configuration.spec.get("find")
         raise PhysicsError("all equilibria are searched in numbers only, and this scene has symbols without value",
                            "give them with --set", asked.search.where if asked and asked.search else None)
-    loose = idle(problem)
-    names = [name for name in problem.scene.coordinates if name not in loose]
-    forces = Forces(problem, names)
-    rests = _reached(problem)
-    linear = problem.is_linear and not problem.scene.table.called.intersection(KINKED)
+    loose = idle(configuration.numeric)
+    names = [name for name in configuration.scene.coordinates if name not in loose]
+    forces = Forces(configuration.numeric, names)
+    rests = _reached(configuration)
+    linear = configuration.system.is_linear and not configuration.scene.table.called.intersection(KINKED)
     if not names:
         return Equilibria([Item(rest, [{name: 1.0} for name in loose]) for rest in rests], {}, True, True, forces)
     if linear:
-        limits = {name: given_bounds(problem).get(name, (-np.inf, np.inf)) for name in names}
+        limits = {name: _given_bounds(configuration.numeric).get(name, (-np.inf, np.inf)) for name in names}
         found = Found(forces, _box(forces, limits))
     else:
-        limits, found = _prepared(problem, forces, rests)
+        limits, found = _prepared(configuration.numeric, forces, rests)
     places = [place for rest in rests if (place := forces.at(forces.vector(rest.values))) is not None]
     for place in places:
         found.add(place)
     cut = not linear and _cut_short(forces, found)
-    complete = problem.sticking is None and (linear or (not cut and proved(forces, found)))
-    indices = None if complete or problem.sticking is not None else compared(forces, found)
+    complete = configuration.system.sticking is None and (linear or (not cut and proved(forces, found)))
+    indices = None if complete or configuration.system.sticking is not None else compared(forces, found)
     known = {id(place): rest for place, rest in zip(places, rests, strict=False)}
     items = [_item(forces, place, (), loose, known) for place in found.isolated]
     items += [_item(forces, family.place, family.rows, loose, known) for family in found.families]
@@ -80,21 +88,58 @@ def find_equilibria(problem):
     return Equilibria(items, limits, complete, linear, forces, cut, indices)
 
 
-def _reached(problem):
+def _reached(configuration):
     """[the equilibrium next to the drawn position], empty where there is none."""
     try:
-        return [problem.equilibrium]
+        return [configuration.equilibrium]
     except PhysicsError:
         return []
 
 
-def _prepared(problem, forces, rests):
+def _prepared(numeric, forces, rests):
     """(bounds, an empty Found within them), the scales and periods of the forces being learnt."""
     forces.learn_periods()
-    limits = bounds(problem, forces, [rest.values for rest in rests])
+    limits = _bounds(numeric, forces, [rest.values for rest in rests])
     low, high = _box(forces, limits)
-    forces.learn_sizes(low + (high - low) * fractions for fractions in multistart.halton(len(low), SAMPLES))
+    forces.learn_sizes(low + (high - low) * fractions for fractions in multistart.spread(len(low), SAMPLES))
     return limits, Found(forces, (low, high))
+
+
+def _bounds(numeric, forces, rests):
+    """{coordinate: (least, greatest)} of the file, else a turn of angles and twice the figure; `rests`: positions of
+    equilibrium that are known, which are kept within."""
+    given, found = _given_bounds(numeric), {}
+    for name, angle, periodic in zip(forces.names, forces.angle, forces.periodic, strict=True):
+        drawn = numeric.drawn_floats[name]
+        if name in given:
+            low, high = given[name]
+            centre = 0.5 * (low + high)
+            found[name] = (centre - math.pi, centre + math.pi) if periodic and high - low > math.tau else (low, high)
+        elif angle:
+            centre = 0.0 if abs(drawn) <= math.pi else drawn
+            found[name] = (centre - math.pi, centre + math.pi)
+        else:
+            reach = REACH * max(typical_length(numeric), *(abs(rest[name] - drawn) for rest in rests), 0.0)
+            if not reach:
+                far = numeric.spec.example("2 m")
+                raise PhysicsError(f"nothing in this scene says how far '{name}' is to be searched for equilibria",
+                                   f"give bounds, as in find: {{equilibria: all, within: {{{name}: [-{far}, {far}]}}}}",
+                                   numeric.spec.coordinates[name].where)
+            found[name] = (drawn - reach, drawn + reach)
+    return found
+
+
+def _given_bounds(numeric):
+    """{coordinate: (least, greatest)} of the file."""
+    asked, found = numeric.spec.get("find"), {}
+    for name, pair in (asked.within if asked else {}).items():
+        nodes = [numeric.scene.lower(expression) for expression in pair]
+        low, high = evaluate(nodes, Floats, numeric.floats)
+        if not (math.isfinite(low) and math.isfinite(high) and low < high):
+            raise PhysicsError(f"the bounds of '{name}' are {low:.6g} and {high:.6g}, expected the smaller one first",
+                               "write [least, most]", pair[0].where)
+        found[name] = (low, high)
+    return found
 
 
 def _box(forces, limits):
@@ -104,16 +149,10 @@ def _box(forces, limits):
 def _cut_short(forces, found):
     """Searches the box; True if that took too much."""
     limit = min(MOST, max(LEAST, MOST_WORK // len(forces.names) ** 2))
-    with forces.work.task("the search for equilibria", limit) as task:
-        try:
-            _search(forces, found, [forces.vector(forces.problem.drawn_floats)])
-            return False
-        except TooMuch:
-            return True
-        except Spent as spent:
-            if spent.task is not task:
-                raise
-            return True
+    with forces.work.task("the search for equilibria", limit) as task, task.kept(), suppress(TooMuch):
+        _search(forces, found, [forces.vector(forces.numeric.drawn_floats)])
+        return False
+    return True
 
 
 def _search(forces, found, first):
@@ -134,7 +173,7 @@ def _line(forces, stretch):
     from vibcli.mechanics.high_precision import rests
 
     low, high = stretch
-    return forces.looped or rests(forces.problem, forces.position(np.array([low + (high - low) / 3])))
+    return forces.looped or rests(forces.numeric, forces.position(np.array([low + (high - low) / 3])))
 
 
 def _add_multiple(forces, found, stretch):
@@ -143,7 +182,7 @@ def _add_multiple(forces, found, stretch):
     if any(low <= place.z[0] <= high for place in found.isolated):
         return
     middle = Equilibrium(forces.position(np.array([0.5 * (low + high)])), False, 0.0)
-    found.add(forces.at(forces.vector(sharpened(forces.problem, middle).values)))
+    found.add(forces.at(forces.vector(sharpened(forces.numeric, middle).values)))
 
 
 def _item(forces, place, rows, loose, known):
@@ -152,7 +191,7 @@ def _item(forces, place, rows, loose, known):
     rest = known.get(id(place))
     if rest is None:
         rest = Equilibrium(forces.position(place.z), False, forces.residual(place))
-        rest = rest if len(rows) else sharpened(forces.problem, rest)
+        rest = rest if len(rows) else sharpened(forces.numeric, rest)
     return Item(rest, free, float(np.linalg.svd(place.J, compute_uv=False)[-1]) < SINGULAR)
 
 

@@ -7,19 +7,24 @@ about which that cannot be said is a place to search on from.
 """
 
 import math
+from collections.abc import Sequence
 from itertools import product
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.base.work import Spent
 from vibcli.mechanics.equilibrium.newton import zero_from
 from vibcli.mechanics.linearisation import residual_terms
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.discontinuous_functions import PULSES
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.interval_arithmetic import Intervals, exact, inverse, outward
-from vibcli.symbolic.rationals import ONE
+from vibcli.symbolic.interval_arithmetic import Interval, Intervals, exact, inverse, outward
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.equilibrium.distinct_roots import Found
+    from vibcli.mechanics.equilibrium.scaled_forces import Forces
+    from vibcli.symbolic.node import Node
 
 BOXES = {1: 50_000, 2: 50_000, 3: 20_000}            # by coordinates
 TOGETHER, LEFT, NARROW = 2048, 200, 1e-9            # NARROW: in radians, or sizes of the figure
@@ -28,7 +33,7 @@ ROUNDS, STARTS, SLACK, NEAR = 8, 40, 1e-10, 1e-2
 JUMPING = ("sign", *PULSES)
 
 
-def proved(forces, found):
+def proved(forces: "Forces", found: "Found") -> bool:
     """Are these (Found) proved to be all zeros of the forces in their box? What turns up on the way is added."""
     if len(forces.names) not in BOXES or forces.looped or found.families:
         return False
@@ -38,13 +43,9 @@ def proved(forces, found):
         return False
     if enclosed.jumps:
         return False
-    with forces.work.task("the proof that no equilibrium is missed", BOXES[len(forces.names)]) as task:
-        try:
-            return _closed(forces, found, enclosed)
-        except Spent as spent:
-            if spent.task is not task:
-                raise
-            return False
+    with forces.work.task("the proof that no equilibrium is missed", BOXES[len(forces.names)]) as task, task.kept():
+        return _closed(forces, found, enclosed)
+    return False
 
 
 def _closed(forces, found, enclosed):
@@ -91,23 +92,23 @@ def _searched_on(forces, found, enclosed, left, known, beside):
 class ForceBounds:
     """Bounds of F and J over boxes of z. `jumps`: do the forces jump somewhere, so that J does not tell of it?"""
 
-    def __init__(self, forces):
-        problem, self.forces = forces.problem, forces
-        scene, form = problem.scene, problem.form
+    def __init__(self, forces: "Forces"):
+        numeric, self.forces = forces.numeric, forces
+        scene, form = numeric.scene, numeric.system.linearisation
         q = [scene.q[row] for row in forces.rows]
         terms = residual_terms(form)
-        F = [scene.table.sum(*((term, ONE) for term in terms[row])) for row in forces.rows]
+        F = [scene.table.total(terms[row]) for row in forces.rows]
         slopes = [gradient(node) for node in F]
         self.nodes = F + [slope.get(symbol, scene.table.zero) for slope in slopes for symbol in q]
         self.of_coordinates, self.symbols = q, [symbol.name for symbol in q]
         self.jumps = any(part.name in JUMPING and any(part.mask & symbol.mask for symbol in q)
                          for part in reachable(F))
-        drawn = {name: exact(x) for name, x in problem.drawn_floats.items()}
+        drawn = {name: exact(x) for name, x in numeric.drawn_floats.items()}
         still = {v.name: exact(0.0) for v in scene.v}
-        self.values = {**problem.values(Intervals), scene.time.name: exact(0.0), **still, **drawn}
-        self.over(forces.vector(problem.drawn_floats)[None], forces.vector(problem.drawn_floats)[None])
+        self.values = {**numeric.values(Intervals), scene.time.name: exact(0.0), **still, **drawn}
+        self.over(forces.vector(numeric.drawn_floats)[None], forces.vector(numeric.drawn_floats)[None])
 
-    def over(self, low, high):
+    def over(self, low: np.ndarray, high: np.ndarray) -> tuple[list[Interval], list[list[Interval]]]:
         """(F, J) over boxes given by arrays of their corners: a list and a list of rows of Intervals."""
         n, D, E = len(self.symbols), self.forces.D, self.forces.E
         found = self.of(self.nodes, low, high)
@@ -115,7 +116,7 @@ class ForceBounds:
         J = [[exact(D[i] / E) * found[n + i * n + j] * exact(D[j]) for j in range(n)] for i in range(n)]
         return F, J
 
-    def of(self, nodes, low, high):
+    def of(self, nodes: "Sequence[Node]", low: np.ndarray, high: np.ndarray) -> list[Interval]:
         """Intervals of expressions over these boxes."""
         boxes = {}
         for i, name in enumerate(self.symbols):
@@ -123,7 +124,7 @@ class ForceBounds:
             boxes[name] = outward(ends[0].low, ends[1].high)
         return evaluate(nodes, Intervals, {**self.values, **boxes})
 
-    def region(self, z):
+    def region(self, z: np.ndarray) -> tuple[np.ndarray, float] | None:
         """(z, radius) of a box about it that is proved to hold one zero and no other; None where that fails."""
         n, radius = len(z), RADII[:, None]
         F, J = self.over(z[None], z[None])
@@ -144,7 +145,7 @@ class ForceBounds:
             return None
         return z, RADII[single[0]]
 
-    def undecided(self, low, high, regions):
+    def undecided(self, low: np.ndarray, high: np.ndarray, regions: Sequence[tuple[np.ndarray, float]]) -> np.ndarray:
         """The middles of the pieces of a box that are too small to be halved, about which nothing is proved."""
         stack, left = [(low[None], high[None])], []
         while stack:
@@ -196,7 +197,8 @@ class ForceBounds:
         return low[may], high[may]
 
 
-def outside(low, high, regions):
+def outside(low: np.ndarray, high: np.ndarray,
+            regions: Sequence[tuple[np.ndarray, float]]) -> tuple[np.ndarray, np.ndarray]:
     """The boxes that lie in none of the regions."""
     inside = np.zeros(len(low), bool)
     for z, radius in regions:
@@ -204,7 +206,7 @@ def outside(low, high, regions):
     return low[~inside], high[~inside]
 
 
-def halved(low, high, wide):
+def halved(low: np.ndarray, high: np.ndarray, wide: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """The boxes cut in two across their widest side."""
     each, side = np.arange(len(low)), wide.argmax(axis=1)
     middle = 0.5 * (low + high)[each, side]
@@ -213,11 +215,11 @@ def halved(low, high, wide):
     return np.concatenate([low, upper]), np.concatenate([lower, high])
 
 
-def chunks(low, high):
+def chunks(low: np.ndarray, high: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:
     return [(low[i:i + TOGETHER], high[i:i + TOGETHER]) for i in range(0, len(low), TOGETHER)]
 
 
-def summed(parts):
+def summed(parts: Any):
     total, *others = parts
     for part in others:
         total = total + part

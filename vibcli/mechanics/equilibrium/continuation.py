@@ -5,14 +5,17 @@ the steps shrink the branch turns back (a fold: K v = 0 there, wᵀ∂r/∂p ≠
 with its null vector, r = 0, K v = 0, l·v = 1, which is regular where the fold is a simple one (Keller 1977).
 """
 
+from collections.abc import Mapping
 from fractions import Fraction
 from math import isfinite
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
-from vibcli.mechanics.equilibrium.equilibrium import figure_size
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.evaluation import Floats
+
+if TYPE_CHECKING:
+    import numpy as np
 
 CONTRACTS, CORRECTIONS, CONVERGED = 0.3, 12, 1e-12
 SHORTEST, STEPS = 2.0**-24, 400         # of the way that is to be followed
@@ -24,9 +27,9 @@ class BranchPoint(NamedTuple):
     """An equilibrium of the branch: p, scaled coordinates, {coordinate: float}, and K in scaled coordinates."""
 
     value: float
-    q: object
+    q: Any
     position: dict
-    K: object
+    K: Any
 
 
 class Followed(NamedTuple):
@@ -38,57 +41,56 @@ class Followed(NamedTuple):
 
 
 class Branch:
-    """The equilibria of a numeric problem as one parameter goes."""
+    """The equilibria of a system as one parameter goes."""
 
-    def __init__(self, problem, name):
+    size: float
+
+    def __init__(self, numeric: Any, name: str):
         import numpy as np
 
-        self.np, self.problem, self.name = np, problem, name
-        self.names = problem.scene.coordinates
-        size = figure_size(problem) or 1.0
-        self.scale = np.array([size if problem.dimension(name) else 1.0 for name in self.names])
+        self.np, self.numeric, self.name = np, numeric, name
+        self.names = numeric.scene.coordinates
+        self.scale = np.array(list(map(numeric.size_along, self.names)))
         self.size, self._floats = None, {}
 
-    def floats(self, value):
+    def floats(self, value: Any):
         """The parameters where the one that goes has this value, at t = 0."""
         if value not in self._floats:
-            problem = self.problem.sharing({self.name: Fraction(value)})
-            self._floats[value] = {**problem.floats, problem.scene.time.name: 0.0}
+            numeric = self.numeric.sharing({self.name: Fraction(value)})
+            self._floats[value] = {**numeric.floats, numeric.scene.time.name: 0.0}
         return self._floats[value]
 
-    def start(self, value, position):
+    def start(self, value: Any, position: Any):
         """The Place of an equilibrium that was found, polished; None where it is none."""
         q = self.np.array([position[name] for name in self.names]) / self.scale
         found = self.forces(value, q, position, value)
         if found is None:
             return None
-        drawn = self.problem.drawn_floats
+        drawn = self.numeric.drawn_floats
         known = self.forces(value, self.np.array([drawn[name] for name in self.names]) / self.scale, drawn, value)
         self.size = max(float(abs(part[1]).max()) for part in (found, known) if part is not None) or 1.0
         return self.corrected(value, BranchPoint(value, q, position, found[1]), q, 1e-3)
 
-    def forces(self, value, q, near, of):
+    def forces(self, value: float, q: "np.ndarray", near: Any, of: Any):
         """(r, K, position) in scaled coordinates; None where they are not defined. `near`: a position closed for the
         value `of`."""
-        self.problem.work.step()
+        self.numeric.work.step()
         target = dict(zip(self.names, map(float, q * self.scale), strict=True))
-        floats, loops = self.floats(value), self.problem.scene.loops
+        floats, loops = self.floats(value), self.numeric.scene.loops
         if loops is not None:
             closed = loops.followed({**self.floats(of), **near}, {**floats, **near, **target})
             if closed is None:
                 return None
             target = {name: closed[name] for name in near}
         try:
-            numbers = in_numbers(self.problem.form, Floats, {**floats, **target})
+            numbers = in_numbers(self.numeric.system.linearisation, Floats, {**floats, **target})
         except (ArithmeticError, ValueError, PhysicsError):
             return None
-        K = self.np.zeros((len(q), len(q)))
-        for pair, entry in numbers.elements.stiffness().items():
-            K[pair] = entry
-        r, K = self.np.array(numbers.residual, float) * self.scale, K * self.np.outer(self.scale, self.scale)
+        r = self.np.array(numbers.residual, float) * self.scale
+        K = numbers.elements.stiffness_array() * self.np.outer(self.scale, self.scale)
         return (r, K, target) if self.np.isfinite(r).all() and self.np.isfinite(K).all() else None
 
-    def corrected(self, value, place, q, reach):
+    def corrected(self, value: Any, place: Any, q: "np.ndarray", reach: float | Fraction):
         """The Place at a value by Newton's method from q, if it contracts and ends within `reach` of q; else None."""
         np, last, start = self.np, None, q
         near, of = place.position, place.value
@@ -116,7 +118,7 @@ class Branch:
     def _tiny(self, q):
         return CONVERGED * (1.0 + float(self.np.linalg.norm(q)))
 
-    def tangent(self, place):
+    def tangent(self, place: Any):
         """dq/dp at a place; None where the branch has none."""
         slope = self.load(place)
         try:
@@ -124,13 +126,13 @@ class Branch:
         except self.np.linalg.LinAlgError:
             return None
 
-    def load(self, place):
+    def load(self, place: Any):
         """∂r/∂p at a place."""
         h = DIFFERENCE * (abs(place.value) or 1.0)
         sides = [self.forces(place.value + sign * h, place.q, place.position, place.value) for sign in (1, -1)]
         return None if None in sides else (sides[0][0] - sides[1][0]) / (2 * h)
 
-    def followed(self, place, target):
+    def followed(self, place: Any, target: Any):
         """The Followed from a place towards a value."""
         whole = target - place.value
         step, way = whole, [place]
@@ -155,13 +157,13 @@ class Branch:
         """Does the stiffness change by less than its size on the way: no more than one change of stability?"""
         return abs(found.K - place.K).max() <= 0.5 * max(self.size, abs(place.K).max())
 
-    def alike(self, one, other):
+    def alike(self, one: Mapping[str, float], other: Mapping[str, float]) -> bool:
         """Are two positions one?"""
         a, b = ([position[name] / size for name, size in zip(self.names, self.scale, strict=True)]
                 for position in (one, other))
         return all(abs(x - y) <= APPROACH * (1 + abs(x)) for x, y in zip(a, b, strict=True))
 
-    def fold(self, place):
+    def fold(self, place: Any):
         """The Place of a simple fold near by that Newton's method reaches from a place; None of none."""
         np = self.np
         along = np.linalg.svd(place.K)[2][-1]

@@ -10,8 +10,8 @@ import math
 
 import numpy as np
 
-from vibcli.mechanics.equilibrium.completeness import chunks, halved, summed
-from vibcli.mechanics.equilibrium.multistart import halton
+from vibcli.mechanics.equilibrium.completeness import ForceBounds, chunks, halved, summed
+from vibcli.mechanics.equilibrium.multistart import spread
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.interval_arithmetic import exact, outward
@@ -21,7 +21,7 @@ PARTS = 4000                                  # into which a box is cut to show 
 CONTINUOUS = ("sin", "cos", "sinh", "cosh", "tanh", "exp", "atan", "abs", "min", "max", "ramp")
 
 
-def degree(enclosed, low, high):
+def degree(enclosed: ForceBounds, low: np.ndarray, high: np.ndarray) -> int | None:
     """The degree of the forces over the box; None where it is not proved."""
     wraps = [_wraps(enclosed, i) for i in range(len(low))]
     if None in wraps or enclosed.jumps or not _continuous(enclosed, low, high):
@@ -87,7 +87,7 @@ def _reference(enclosed, low, high, bounded):
     """(Y, c, sign): Y F is near to x − c along the bounded coordinates x on the boundary, and sign is that of det Y."""
     n = len(low)
     points = []
-    for fractions in halton(n, SAMPLES):
+    for fractions in spread(n, SAMPLES):
         for j in np.flatnonzero(bounded):
             points += [low + (high - low) * np.where(np.arange(n) == j, end, fractions) for end in (0.0, 1.0)]
     points = np.array(points)
@@ -110,10 +110,11 @@ def _reference(enclosed, low, high, bounded):
 class _Boundary:
     """The faces of a box, on which H = Y F is compared with G = x − c along the bounded coordinates, 0 along others."""
 
-    def __init__(self, enclosed, Y, centre, bounded, low, high):
+    def __init__(self, enclosed: ForceBounds, Y: np.ndarray, centre: np.ndarray, bounded: np.ndarray, low: np.ndarray,
+                 high: np.ndarray):
         self.enclosed, self.Y, self.centre, self.bounded, self.low, self.high = enclosed, Y, centre, bounded, low, high
 
-    def one_way(self):
+    def one_way(self) -> bool:
         """Do H and G point nowhere in opposite directions?"""
         stack = []
         for j in np.flatnonzero(self.bounded):

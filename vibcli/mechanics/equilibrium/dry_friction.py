@@ -3,8 +3,9 @@
 These are the equations of motion at rest, the sign σₖ of each velocity that vanishes being whatever keeps it at zero.
 """
 
+from collections.abc import Sequence
 from math import inf, isfinite
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.mechanics.lagrange import equation_of
 from vibcli.mechanics.linearisation import residual_terms
@@ -12,7 +13,12 @@ from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import is_zero, textbook
-from vibcli.symbolic.rationals import ONE
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.system import MechanicalSystem
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 STEPS, ROUNDS, REACH = 400, 60, 4.0     # REACH: sizes of the figure, radians
 SWEEPS, BALANCED = 500, 1e-12           # of the descent; of the forces
@@ -32,9 +38,9 @@ class HeldCondition(NamedTuple):
     condition, else None."""
 
     name: str
-    b: object
+    b: Any
     held: dict
-    within: object
+    within: Any
 
 
 class Sticking(NamedTuple):
@@ -44,45 +50,40 @@ class Sticking(NamedTuple):
     bounds: dict
 
 
-def sticking(problem):
-    """The Sticking of a scene; None where no friction holds it, and where its loops are closed numerically."""
-    scene = problem.scene
-    if scene.loops is not None or not scene.table.called.intersection(("sign", "abs", "min", "max")):
-        return None
+def sticking(system: "MechanicalSystem"):
+    """The Sticking of a scene without loops that are closed numerically; None where no friction holds it."""
+    scene = system.scene
     equations = [equation_of(scene, i) for i in range(len(scene.q))]
     symbols, bounds = _senses(scene, equations)
     if not symbols:
         return None
     rest = dict.fromkeys((*scene.v, *scene.a), scene.table.zero)
-    opened, terms, parts = substitute(equations, symbols), residual_terms(problem.form), []
+    opened, terms, parts = substitute(equations, symbols), residual_terms(system.linearisation), []
     for node, row in zip(opened, terms, strict=True):
         slopes = gradient(node)
         held = {sigma: textbook(substitute([slopes[sigma]], rest)[0]) for sigma in bounds if sigma in slopes}
         held = {sigma: a for sigma, a in held.items() if not a.is_zero}
-        unknown = scene.time.mask | _mask(bounds)
-        if any(a.mask & unknown for a in held.values()):
+        if any(a.mask & unknown.mask for a in held.values() for unknown in (scene.time, *bounds)):
             return None
-        parts.append((textbook(scene.table.sum(*((term, ONE) for term in row))), held))
+        parts.append((textbook(scene.table.total(row)), held))
     if not any(held for _, held in parts):
         return None
     return Sticking(tuple(_row(scene, name, b, held, parts, bounds)
                          for name, (b, held) in zip(scene.coordinates, parts, strict=True)), bounds)
 
 
-def _mask(symbols):
-    mask = 0
-    for symbol in symbols:
-        mask |= symbol.mask
-    return mask
+def signs_of_speeds(scene: "Scene", nodes: "Sequence[Node]") -> "list[Node]":
+    """The signs in some nodes that a velocity changes, in order."""
+    return [part for part in reachable(nodes) if part.name == "sign" and any(part.mask & v.mask for v in scene.v)]
 
 
 def _senses(scene, equations):
     """({sign of a velocity that vanishes at rest: σ}, {σ: σ₀})."""
-    speeds, limits = _mask(scene.v), scene.law_switches()[1]
+    limits = scene.law_switches()[1]
     rest = dict.fromkeys(scene.v, scene.table.zero)
     symbols, bounds = {}, {}
-    for part in reachable(equations):
-        if part.name == "sign" and part.mask & speeds and is_zero(substitute([part.args[0]], rest)[0]):
+    for part in signs_of_speeds(scene, equations):
+        if is_zero(substitute([part.args[0]], rest)[0]):
             sigma = scene.table.variable(f"sigma_{len(symbols) + 1}")
             symbols[part], bounds[sigma] = sigma, limits.get(part.args[0], scene.table.one)
     return symbols, bounds
@@ -97,16 +98,16 @@ def _row(scene, name, b, held, parts, bounds):
     return HeldCondition(name, b, held, within)
 
 
-def holds(problem, found, place):
+def holds(numeric: Any, found: Any, place: Any):
     """Does friction hold the scene at rest at a place {coordinate: value}: is b + A σ = 0 with |σ| ≤ σ₀? The sum of
     squares is descended along one σ after the other."""
     import numpy as np
 
     names, bounds = list(found.bounds), list(found.bounds.values())
-    zero = problem.scene.table.zero
+    zero = numeric.scene.table.zero
     nodes = [*bounds, *(row.b for row in found.rows),
              *(row.held.get(sigma, zero) for row in found.rows for sigma in names)]
-    values = np.array(evaluate(nodes, Floats, {**problem.floats, problem.scene.time.name: 0.0, **place}), dtype=float)
+    values = np.array(evaluate(nodes, Floats, {**numeric.floats, numeric.scene.time.name: 0.0, **place}), dtype=float)
     count = len(names)
     b = values[count:count + len(found.rows)]
     A = values[count + len(found.rows):].reshape(len(b), count) * values[:count]
@@ -124,43 +125,47 @@ def holds(problem, found, place):
     return False
 
 
-def span(problem, found):
+def span(configuration: "Configuration", found: Sticking) -> Span | None:
     """The Span of a scene of one coordinate in numbers: all places of rest of a linear condition, of others those about
     the drawn position or the equilibrium without friction; None where that is none, and of several coordinates."""
     row, *others = found.rows
     if others or row.within is None:
         return None
-    scene = problem.scene
+    scene = configuration.scene
     (q,), slope = scene.q, gradient(row.b).get(scene.q[0], scene.table.zero)
     if not slope.mask and not row.within.mask:
         b, k, most = evaluate([substitute([row.b], {q: scene.table.zero})[0], slope, row.within], Floats,
-                              problem.floats)
+                              configuration.numeric.floats)
         if not k:
             return Span(-inf, inf, True) if abs(b) <= most else Span(inf, -inf, True)
         return Span(*sorted((-b - sign * most) / k for sign in (1, -1)), True)
-    return _about(problem, row, q)
+    return _about(configuration, row, q)
 
 
-def _about(problem, row, q):
+def _about(configuration, row, q):
     """The same of a nonlinear condition, followed from a place of rest to both sides."""
     from vibcli.base.errors import PhysicsError
 
+    numeric = configuration.numeric
+
     def room(x):
-        b, most = evaluate([row.b, row.within], Floats, {**problem.floats, q.name: x})
+        b, most = evaluate([row.b, row.within], Floats, {**numeric.floats, q.name: x})
         return most - abs(b)
 
-    start = problem.drawn_floats[q.name]
+    start = numeric.drawn_floats[q.name]
     if not room(start) >= 0:
         try:
-            start = problem.equilibrium.values[q.name]
+            start = configuration.equilibrium.values[q.name]
         except PhysicsError:
             return None
-    reach = REACH * (1.0 if not problem.dimension(q.name) else problem.figure_size or 1.0)
+    reach = REACH * numeric.size_along(q.name)
     return Span(*(_end(room, start, sign * reach / STEPS) for sign in (-1, 1)), False)
 
 
 def _end(room, start, step):
     """Where room(x) first vanishes from the start on; infinite where it does not."""
+    from vibcli.numerics.root_finding import last_place
+
     low, high = start, start + step
     for _ in range(STEPS):
         value = room(high)
@@ -169,7 +174,4 @@ def _end(room, start, step):
         low, high = high, high + step
     else:
         return inf if step > 0 else -inf
-    for _ in range(ROUNDS):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if room(middle) >= 0 else (low, middle)
-    return low
+    return last_place(lambda x: room(x) >= 0, low, high, ROUNDS)[0]

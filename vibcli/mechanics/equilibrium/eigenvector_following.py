@@ -4,19 +4,25 @@ From any place uphill along the k softest directions and downhill along the othe
 75, 2800): what Newton's method passes by, since there the forces grow on the way, is reached as well.
 """
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
-from vibcli.mechanics.equilibrium.multistart import halton
+from vibcli.mechanics.equilibrium.multistart import spread
 from vibcli.mechanics.equilibrium.newton import CLOSE, settled
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.equilibrium.distinct_roots import Found
+    from vibcli.mechanics.equilibrium.scaled_forces import Forces
 
 STEPS, LONGEST, SOFTEST, ASIDE, STARTS = 80, 0.3, 1e-3, 0.2, 10
 
 
-def look_for(forces, found, index):
+def look_for(forces: "Forces", found: "Found", index: int) -> bool:
     """Adds places whose J has a determinant of this sign, from beside those that are known and from points between;
     True if one is new."""
     low, high = found.box
-    starts = [*_beside(forces, found), *(low + part * (high - low) for part in halton(len(low), STARTS * len(low)))]
+    starts = [*_beside(forces, found), *(low + part * (high - low) for part in spread(len(low), STARTS * len(low)))]
     before = found.count
     for uphill in range(0 if index > 0 else 1, len(low) + 1, 2):
         for z in starts:
@@ -51,5 +57,5 @@ def _followed(forces, z, box, uphill):
             return None
         sizes[:uphill] *= -1
         step = -directions @ (directions.T @ place.F / sizes)
-        z = z + step * min(1.0, LONGEST / max(np.linalg.norm(step), 1e-300))
+        z = z + step * min(1.0, LONGEST / max(np.linalg.norm(step), 1e-300))  # type: ignore[operator]
     return None

@@ -8,61 +8,70 @@ follow by closing their loops. The end is polished by plain Newton steps until t
 """
 
 import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.equilibrium.no_equilibrium import FAR, Undefined, unbounded, unfinished
-from vibcli.mechanics.equilibrium.rounding import may_vanish
-from vibcli.mechanics.numeric_linearisation import in_numbers
+from vibcli.mechanics.linearisation import residual_terms
+from vibcli.mechanics.numeric_linearisation import Numbers, in_numbers
 from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.mechanics.numeric_system import NumericSystem
 
 EPSILON = 2.0**-52
 KNOWN = 1e-7        # of the figure: places nearer than 1e-9 of this are one
 STEPS, POLISH, FARTHEST, HUGE = 300, 12, 1e60, 1e140
 
 
-class Equilibrium:
+class Equilibrium(NamedTuple):
     """Coordinates in equilibrium (numbers by name), whether that is the drawn position, and the largest residual
     relative to the magnitudes of its terms and of K q, the largest that the search met; start: the position that
     `equilibrium:` names, whose nearest one it is, or None; degenerate: did Newton's method find K singular there?"""
 
-    __slots__ = ("degenerate", "drawn", "residual", "start", "steps", "values")
-
-    def __init__(self, values, drawn, residual, steps=0, start=None):
-        self.values, self.drawn, self.residual, self.steps, self.start = values, drawn, residual, steps, start
-        self.degenerate = False
+    values: dict
+    drawn: bool
+    residual: float
+    steps: int = 0
+    start: dict = None
+    degenerate: bool = False
 
     @property
-    def from_start(self):
+    def from_start(self) -> dict[str, float] | None:
         """{coordinate: how far it lies from the start}, None where none is named."""
         return None if self.start is None else {name: self.values[name] - x for name, x in self.start.items()}
 
 
-def relative_residual(numbers):
+def relative_residual(numbers: Numbers) -> float:
     return max((abs(r) / size for r, size in zip(numbers.residual, numbers.residual_size, strict=True) if size),
                default=0.0)
 
 
-def is_balanced(numbers, terms=8):
+def is_balanced(numbers: Numbers, terms: int = 8) -> bool:
     """Does the residual vanish but for the rounding of its terms?"""
     return relative_residual(numbers) <= 4 * terms * EPSILON
 
 
-def find_equilibrium(problem, start):
+def find_equilibrium(numeric: "NumericSystem", start: Mapping[str, float]) -> Equilibrium:
     """The Equilibrium reached from `start` ({coordinate: float}); PhysicsError where V falls without bound."""
-    search = EnergyDescent(problem, start)
+    search = EnergyDescent(numeric, start)
     q = search.vector(start)
     numbers = search.at(q)
-    step, size = (search.step, search.first_radius) if problem.conservative else (search.drift, search.first_drift)
+    conservative = numeric.system.conservative
+    step, size = (search.step, search.first_radius) if conservative else (search.drift, search.first_drift)
     steps = 0
     while not search.flat(numbers):
-        search.blocked = search.undefined = False
+        search.forget()
         steps += 1
         if search.far(q):
             raise unbounded(search, q)
         if steps > STEPS and search.balanced(numbers):
             break       # there but for rounding
         if steps > STEPS:
-            raise unbounded(search, q) if problem.conservative else unfinished(search, q, STEPS)
+            raise unbounded(search, q) if conservative else unfinished(search, q, STEPS)
         q, numbers, size, moved = step(q, numbers, size)
         if not moved:
             break
@@ -77,52 +86,56 @@ class EnergyDescent:
 
     first_drift = 0.1
 
-    def __init__(self, problem, start):
+    def __init__(self, numeric: "NumericSystem", start: Mapping[str, float]):
         import numpy as np
 
-        self.np, self.problem, self.scene = np, problem, problem.scene
+        self.np, self.numeric, self.scene = np, numeric, numeric.scene
         self.names = self.scene.coordinates
-        size = figure_size(problem)
-        self.scale = np.array([1.0 if not problem.dimension(name) else size or 1.0 for name in self.names])
-        self.first_radius = 0.5 if size else math.inf
+        self.scale = np.array(list(map(numeric.size_along, self.names)))
+        self.first_radius = 0.5 if numeric.figure_size else math.inf
         self.met = [0.0] * len(self.names)
         self.here, self.blocked, self.undefined = dict(start), False, False
 
-    def vector(self, values):
+    def forget(self) -> None:
+        """Begin a step: nothing has stood in its way."""
+        self.blocked = self.undefined = False
+
+    def vector(self, values: Mapping[str, float]) -> "np.ndarray":
         return self.np.array([values[name] for name in self.names], dtype=float)
 
-    def named_plainly(self, q):
+    def named_plainly(self, q: "np.ndarray") -> dict[str, float]:
         return {name: float(value) + 0.0 for name, value in zip(self.names, q, strict=True)}
 
-    def named(self, q):
+    def named(self, q: "np.ndarray") -> dict[str, float]:
         """The position as {coordinate: float}, the dependent ones closed from the last position; None where they
         cannot be."""
         target = self.named_plainly(q)
-        loops, floats = self.scene.resting.loops, {**self.problem.floats, self.scene.time.name: 0.0}
+        loops, floats = self.scene.resting.loops, {**self.numeric.floats, self.scene.time.name: 0.0}
         if loops is None:
             return target
         found = loops.followed({**floats, **self.here}, {**floats, **self.here, **target})
         self.blocked |= found is None
         return None if found is None else {name: found[name] for name in self.here}
 
-    def at(self, q):
+    def at(self, q: "np.ndarray") -> Numbers:
         """The Numbers of a position, which becomes the present one."""
         position = self.named(q)
         if position is None:
             raise PhysicsError("the search for the equilibrium reaches a position in which the loops of this scene "
                                "cannot close", "draw the scene nearer to its equilibrium")
-        numbers = in_numbers(self.problem.form, Floats, {**self.problem.floats, **position})
-        stiffness = self.np.abs(self.stiffness(numbers))
+        numbers = in_numbers(self.numeric.system.linearisation, Floats, {**self.numeric.floats, **position})
+        stiffness = self.np.abs(numbers.elements.stiffness_array())
         if not (all(map(math.isfinite, numbers.residual)) and self.np.isfinite(stiffness).all()):
             raise Undefined("the forces of this scene are not finite numbers at the place where the search for its "
                             "equilibrium starts", "draw the scene elsewhere, or start elsewhere with `equilibrium:`")
         self.here = position
         bend = stiffness @ (self.np.abs(q) + KNOWN * self.scale)
-        numbers.residual_size = [size + float(b) for size, b in zip(numbers.residual_size, bend, strict=True)]
+        numbers = numbers._replace(
+            residual_size=[size + float(b) for size, b in zip(numbers.residual_size, bend, strict=True)])
         self.met = list(map(max, self.met, numbers.residual_size))
         return numbers
 
-    def defined(self, q):
+    def defined(self, q: "np.ndarray") -> Numbers:
         """The Numbers of a position that is tried; None where they are not finite."""
         try:
             return self.at(q)
@@ -130,53 +143,46 @@ class EnergyDescent:
             self.undefined = True
             return None
 
-    def relative(self, numbers):
+    def relative(self, numbers: Numbers) -> float:
         """The residual relative to the largest terms met: at q = 0 the terms of a condition may all vanish."""
         return max((abs(r) / size for r, size in zip(numbers.residual, self.met, strict=True) if size), default=0.0)
 
-    def balanced(self, numbers):
+    def balanced(self, numbers: Numbers) -> bool:
         """Is nothing left of the forces but what rounding leaves?"""
-        return self.relative(numbers) <= 1e-9 or may_vanish(self.problem, self.here)
+        return self.relative(numbers) <= 1e-9 or _may_vanish(self.numeric, self.here)
 
-    def faded(self, numbers):
+    def faded(self, numbers: Numbers) -> bool:
         """Did the force along a coordinate fade away without anything that holds it, as of V = exp(−x)?"""
-        held = self.np.abs(self.stiffness(numbers)) @ self.scale
+        held = self.np.abs(numbers.elements.stiffness_array()) @ self.scale
         return any(met and (not (size or k) or abs(r) > max(1e-9 * size, 1e-3 * k)) for met, size, k, r in
                    zip(self.met, numbers.residual_size, held, numbers.residual, strict=True))
 
-    def newton(self, numbers):
+    def newton(self, numbers: Numbers) -> "np.ndarray":
         """−K⁻¹ r in scaled coordinates; nothing along what is not held."""
         slope = -self.np.array(numbers.residual) * self.scale
         return self.np.linalg.lstsq(self.hessian(numbers), slope, rcond=1e-14)[0]
 
-    def energy(self, q):
+    def energy(self, q: "np.ndarray") -> float:
         position = self.named(q)
-        return math.inf if position is None else evaluate([self.problem.potential], Floats,
-                                                          {**self.problem.floats, **position})[0]
+        return math.inf if position is None else evaluate([self.numeric.system.potential], Floats,
+                                                          {**self.numeric.floats, **position})[0]
 
-    def flat(self, numbers):
+    def flat(self, numbers: Numbers) -> bool:
         return self.relative(numbers) <= 1e-13
 
-    def far(self, q):
+    def far(self, q: "np.ndarray") -> bool:
         limit = FAR if math.isfinite(self.first_radius) else FARTHEST
         return bool(self.np.any(self.np.abs(q) > limit * self.scale))
 
-    def hessian(self, numbers):
+    def hessian(self, numbers: Numbers) -> "np.ndarray":
         """K in scaled coordinates."""
-        K = self.stiffness(numbers)
+        K = numbers.elements.stiffness_array()
         if not self.np.all(self.np.isfinite(K)):
             raise PhysicsError("the forces of this scene have no finite slope in a position that the search for its "
                                "equilibrium passes", "draw the scene nearer to its equilibrium")
         return K * self.np.outer(self.scale, self.scale)
 
-    def stiffness(self, numbers):
-        n = len(self.names)
-        K = self.np.zeros((n, n))
-        for pair, value in numbers.elements.stiffness().items():
-            K[pair] = value
-        return K
-
-    def step(self, q, numbers, radius):
+    def step(self, q: "np.ndarray", numbers: Numbers, radius: float) -> "tuple[np.ndarray, Numbers, float, bool]":
         """One accepted step: (q, numbers, radius, True), or False where no step lowers V any more."""
         np = self.np
         gradient = np.array(numbers.residual) * self.scale
@@ -205,7 +211,7 @@ class EnergyDescent:
             radius = 0.25 * min(radius, float(np.linalg.norm(p)))
         return q, numbers, radius, False
 
-    def drift(self, q, numbers, dt):
+    def drift(self, q: "np.ndarray", numbers: Numbers, dt: float):
         """One implicit Euler step of q̇ = −r in scaled coordinates, twice as long as the last where the force fades as
         it should, shorter where K pushes away (else it would turn back) or the force grows by much."""
         np = self.np
@@ -232,7 +238,7 @@ class EnergyDescent:
             dt *= 0.25
         return q, numbers, dt, False
 
-    def polished(self, q, numbers):
+    def polished(self, q: "np.ndarray", numbers: Numbers) -> "tuple[np.ndarray, Numbers]":
         """Newton steps as long as they lower the residual."""
         for _ in range(POLISH):
             trial, here = q + self.scale * self.newton(numbers), self.here
@@ -244,6 +250,21 @@ class EnergyDescent:
         return q, numbers
 
 
+def _may_vanish(numeric, position):
+    """May every force be zero in a position ({coordinate: float}), within the rounding of what it is computed from, by
+    interval arithmetic? The force of a stiff spring, k (ℓ − ℓ₀), is not known to the last digit of a small load."""
+    from vibcli.symbolic.interval_arithmetic import Intervals, exact
+
+    values = {name: exact(x) for name, x in (*numeric.floats.items(), *position.items())}
+    rows = residual_terms(numeric.system.linearisation)
+    try:
+        found = iter(evaluate([term for row in rows for term in row], Intervals, values))
+    except KeyError:            # of a function without bounds
+        return False
+    forces = [sum((next(found) for _ in row), exact(0.0)) for row in rows]
+    return all(force.holds_zero() and math.isfinite(force.size) for force in forces)
+
+
 def _tiny(values):
     """What counts as no curvature beside these."""
     return 1e-14 * (max(map(abs, values)) or 1.0)
@@ -252,6 +273,8 @@ def _tiny(values):
 def _trust_step(values, slope, radius):
     """argmin slope·p + ½ Σ values p² within |p| ≤ radius, in the axes of the Hessian."""
     import numpy as np
+
+    from vibcli.numerics.root_finding import last_place
 
     least = values[0]
     tiny = _tiny(values)
@@ -266,12 +289,4 @@ def _trust_step(values, slope, radius):
             return p
     low = max(0.0, -least)
     high = low + float(np.linalg.norm(slope)) / radius + tiny
-    for _ in range(80):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if np.linalg.norm(at(middle)) > radius else (low, middle)
-    return at(high)
-
-
-def figure_size(problem):
-    """The extent of the drawn figure in metres; 0 where nothing has a place."""
-    return problem.scene.extent({**problem.floats, **problem.drawn_floats})
+    return at(last_place(lambda shift: np.linalg.norm(at(shift)) > radius, low, high, 80)[1])

@@ -4,23 +4,29 @@ A singular J alone does not tell them from a multiple zero (V = x⁴): a step al
 balance across it, must not lead back.
 """
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from vibcli.mechanics.equilibrium.newton import settled
-from vibcli.mechanics.equilibrium.scaled_forces import Forces, near_drawn
+from vibcli.mechanics.equilibrium.scaled_forces import Forces, Place, near_drawn
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.equilibrium.equilibrium import Equilibrium
+    from vibcli.mechanics.numeric_system import NumericSystem
 
 STEP, SINGULAR, PACE = 0.05, 1e-8, 0.25
 SAMPLES = 12            # positions near the drawn one by which sizes are learnt
 REACHED, CLOSE, CORRECTIONS = 1e-6, 1e-9, 6
 
 
-def null_directions(place):
+def null_directions(place: Place) -> np.ndarray:
     """Orthonormal directions in which J vanishes but for rounding, as rows."""
     _, values, rows = np.linalg.svd(place.J)
     return rows[values <= SINGULAR * max(values[0], 1.0)]
 
 
-def free_directions(forces, place):
+def free_directions(forces: Forces, place: Place) -> np.ndarray:
     """Orthonormal directions, as rows, in which neighbours of an equilibrium are equilibria."""
     null = null_directions(place)
     moves = [move for row in null if (move := _moved(forces, place, row)) is not None]
@@ -43,10 +49,10 @@ def _moved(forces, place, row):
 class Family:
     """Equilibria that hang together: the first that was met, its free directions, and all places met so far."""
 
-    def __init__(self, place, rows):
+    def __init__(self, place: Place, rows: np.ndarray):
         self.place, self.rows, self.met = place, rows, [place]
 
-    def holds(self, forces, place):
+    def holds(self, forces: Forces, place: Place) -> bool:
         """Does a walk along the family, from its nearest known place, lead to another equilibrium?"""
         if len(null_directions(place)) < len(self.rows):
             return False
@@ -79,16 +85,15 @@ def _returned(forces, z):
     return place
 
 
-def freedom(problem, forces=None):
-    """In how many directions the equilibrium can be moved and stays one."""
-    forces = forces or learnt(problem)
-    place = forces.at(forces.vector(problem.equilibrium.values))
+def freedom(equilibrium: "Equilibrium", forces: Forces) -> int:
+    """In how many directions an Equilibrium can be moved and stays one."""
+    place = forces.at(forces.vector(equilibrium.values))
     return 0 if place is None else len(free_directions(forces, place))
 
 
-def learnt(problem):
+def learnt(numeric: "NumericSystem") -> Forces:
     """The Forces of a Problem, their size learnt near the drawn position."""
-    forces = Forces(problem, problem.scene.coordinates)
+    forces = Forces(numeric, numeric.scene.coordinates)
     forces.learn_periods()
     forces.learn_sizes(near_drawn(forces, SAMPLES))
     return forces

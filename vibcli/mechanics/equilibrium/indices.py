@@ -4,15 +4,19 @@ An equilibrium at which J is proved to be regular has the index sign det J; with
 degree of the forces there. That they do is no proof that none is missing: two of opposite indices may be.
 """
 
-from typing import NamedTuple
+from collections.abc import Callable
+from contextlib import suppress
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from vibcli.base.work import Spent
 from vibcli.mechanics.equilibrium.completeness import ForceBounds, outside
 from vibcli.mechanics.equilibrium.degree import degree
 from vibcli.mechanics.equilibrium.eigenvector_following import look_for
-from vibcli.mechanics.equilibrium.scaled_forces import TooMuch
+from vibcli.mechanics.equilibrium.scaled_forces import Forces, TooMuch
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.equilibrium.distinct_roots import Found
 
 PIECES, ROUNDS, PLACES, AWAY = 20_000, 10, 20_000, 1e-9
 
@@ -24,11 +28,11 @@ class Indices(NamedTuple):
     degree: int
 
     @property
-    def agree(self):
+    def agree(self) -> bool:
         return self.sum == self.degree
 
 
-def compared(forces, found):
+def compared(forces: Forces, found: "Found") -> Indices | None:
     """The Indices of what is found, more being searched for where they do not agree; None where either is unknown."""
     if forces.looped or found.full:
         return None
@@ -55,17 +59,11 @@ def _missing(enclosed, found, asked):
             return
 
 
-def within_limit(forces, what, limit, act):
+def within_limit(forces: Forces, what: str, limit: int, act: Callable) -> int | None:
     """What an act returns, None where it takes more steps than its limit or finds more than can be listed."""
-    with forces.work.task(what, limit) as task:
-        try:
-            return act()
-        except TooMuch:
-            return None
-        except Spent as spent:
-            if spent.task is not task:
-                raise
-            return None
+    with forces.work.task(what, limit) as task, task.kept(), suppress(TooMuch):
+        return act()
+    return None
 
 
 def _sum(enclosed, found):

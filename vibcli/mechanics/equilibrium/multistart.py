@@ -5,16 +5,23 @@ N starts that met w zeros leave less than half a zero to be expected elsewhere: 
 Rinnooy Kan 1987, Math. Programming 37, 59). Then deflated Newton from some of them until nothing new turns up.
 """
 
-from itertools import count, product
+from collections.abc import Iterator, Sequence
+from itertools import islice, product
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.mechanics.equilibrium.newton import zero_from
+from vibcli.numerics.halton import halton
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.equilibrium.distinct_roots import Found
+    from vibcli.mechanics.equilibrium.scaled_forces import Forces
 
 LEAST, GRID, DEFLATED, AVOIDED, START = 50, 4, 8, 20, 20
 
 
-def search(forces, found, first):
+def search(forces: "Forces", found: "Found", first: Sequence[np.ndarray]) -> None:
     """Adds the zeros within the box of `found` to it; `first`: places to start from before all others."""
     starts = _starts(forces, found.box, first)
     tried = _plain(forces, found, starts)
@@ -30,8 +37,7 @@ def _plain(forces, found, starts):
         tried.append(z)
         place = zero_from(forces, z, found.box)
         if place is not None:
-            found.add(place)
-            found.met += 1
+            found.meet(place)
         w = found.count
         if len(tried) >= least and (found.met >= 2 * w * w + 3 * w + 2 if w else len(tried) >= 4 * least):
             return tried
@@ -57,31 +63,10 @@ def _starts(forces, box, first):
         parts = [(0.0, 0.5) if periodic else (0.0, 0.5, 1.0) for periodic in forces.periodic]
         for fractions in product(*parts):
             yield low + np.array(fractions) * (high - low)
-    for fractions in halton(len(low)):
-        yield low + fractions * (high - low)
+    for fractions in halton(len(low), START):
+        yield low + np.array(fractions) * (high - low)
 
 
-def halton(n, most=None):
-    """Points of Halton's sequence in the unit cube of n dimensions, its first few left out."""
-    bases = _primes(n)
-    for number in count(START) if most is None else range(START, START + most):
-        yield np.array([_radical_inverse(number, base) for base in bases])
-
-
-def _radical_inverse(number, base):
-    """The digits of a number mirrored at the point (Halton 1960)."""
-    value, place = 0.0, 1.0 / base
-    while number:
-        number, digit = divmod(number, base)
-        value += digit * place
-        place /= base
-    return value
-
-
-def _primes(n):
-    found, candidate = [], 2
-    while len(found) < n:
-        if all(candidate % p for p in found):
-            found.append(candidate)
-        candidate += 1
-    return found
+def spread(n: int, most: int) -> Iterator:
+    """So many points of Halton's sequence in the unit cube of n dimensions, its first few left out."""
+    return map(np.array, islice(halton(n, START), most))

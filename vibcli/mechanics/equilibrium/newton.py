@@ -5,7 +5,13 @@ Deflated by the zeros known (Farrell, Birkisson & Funke 2015, SIAM J. Sci. Compu
 −(J + F gᵀ)⁻¹ F; where it does not lower |G|, it is damped, and then turned downhill (Levenberg 1944).
 """
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.equilibrium.scaled_forces import Forces, Place
 
 STEPS, POLISH, LONGEST, OUTSIDE = 60, 60, 1.0, 0.5
 HALVINGS = (1.0, 0.5, 0.25, 0.0625, 0.015625)
@@ -13,7 +19,7 @@ DAMPINGS = (1e-4, 1e-2, 1.0, 100.0)
 CLOSE = 1e-11
 
 
-def zero_from(forces, z, box, known=()):
+def zero_from(forces: "Forces", z: np.ndarray, box: Sequence[np.ndarray], known: Sequence[Any] = ()) -> "Place | None":
     """The balanced Place that Newton's method reaches from z, away from the places `known`; None if it fails."""
     low, high = box
     margin = OUTSIDE * (high - low)
@@ -31,7 +37,7 @@ def zero_from(forces, z, box, known=()):
     return None if place is None else settled(forces, place)
 
 
-def settled(forces, place, rank=1e-14):
+def settled(forces: "Forces", place: "Place", rank: float = 1e-14) -> "Place":
     """The place polished by plain Newton steps as long as they lower the residual; None if it is not balanced."""
     for _ in range(POLISH):
         trial = forces.at(place.z + place.step(rank))
@@ -77,7 +83,7 @@ def _shortened(step):
     return step * min(1.0, LONGEST / longest) if longest else step
 
 
-def deflation(forces, z, known):
+def deflation(forces: "Forces", z: np.ndarray, known: Sequence[np.ndarray]) -> tuple[float, np.ndarray]:
     """(log η, ∇ log η) at z; the distance of periodic angles is that of the points on their circles."""
     if not len(known):
         return 0.0, np.zeros(len(z))

@@ -1,6 +1,13 @@
 """Why a search ends at no equilibrium, in words."""
 
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import PhysicsError
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.mechanics.equilibrium.equilibrium import EnergyDescent
 
 FAR = 1e6      # of the size of the figure
 JUMPS = ("abs", "sign", "min", "max", "step", "ramp")
@@ -10,10 +17,10 @@ class Undefined(PhysicsError):
     """Forces or stiffnesses are not finite at a place."""
 
 
-def unbounded(search, q):
+def unbounded(search: "EnergyDescent", q: "np.ndarray") -> PhysicsError:
     """Nothing holds the coordinate that went farthest, or the way ends there."""
     np = search.np
-    start = search.vector(search.problem.drawn_floats)
+    start = search.vector(search.numeric.drawn_floats)
     name = search.names[int(np.argmax(np.abs(q - start) / search.scale))]
     if search.blocked:
         place = ", ".join(f"{other} = {value:.6g}" for other, value in search.named_plainly(q).items())
@@ -28,18 +35,18 @@ def unbounded(search, q):
         return PhysicsError(f"no equilibrium is reached from the {_origin(search)}: its forces drive '{name}' to "
                             f"{search.named_plainly(q)[name]:.6g}, and just beyond they are not finite numbers",
                             "add the spring or support that carries the load, or start elsewhere with "
-                            "`equilibrium:`", search.problem.spec.coordinates[name].where)
-    why = "the potential energy keeps falling" if search.problem.conservative else "forces keep driving"
+                            "`equilibrium:`", search.numeric.spec.coordinates[name].where)
+    why = "the potential energy keeps falling" if search.numeric.system.conservative else "forces keep driving"
     return PhysicsError(f"no equilibrium is reached from the {_origin(search)}: nothing holds '{name}', {why} along it",
                         "add the spring or support that carries the load, or start elsewhere with `equilibrium:`",
-                        search.problem.spec.coordinates[name].where)
+                        search.numeric.spec.coordinates[name].where)
 
 
 def _origin(search):
-    return "place that `equilibrium:` names" if search.problem.spec.get("equilibrium") else "drawn position"
+    return "place that `equilibrium:` names" if search.numeric.spec.get("equilibrium") else "drawn position"
 
 
-def unfinished(search, q, steps):
+def unfinished(search: "EnergyDescent", q: "np.ndarray", steps: float):
     """Steps are out, though nothing has run off."""
     place = ", ".join(f"{name} = {value:.6g}" for name, value in search.named_plainly(q).items())
     if search.blocked or search.np.any(search.np.abs(q) > FAR * search.scale):

@@ -7,8 +7,12 @@ zeros and close pairs are seen where F does not change sign. A pole changes sign
 
 import math
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 import numpy as np
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.equilibrium.scaled_forces import Forces, Place
 
 CELLS, WIDEST = 256, 16           # cells a turn, or a length of 2π times the figure; turns up to which they are added
 NARROW, WIDE, STEEP = 1e-10, 1e-2, 1e3
@@ -16,7 +20,8 @@ AT_END = 1e-8                     # of a stretch: a kink there is no zero of its
 EDGE = {False: 1e-6, True: 1e-4}  # how far cells are cut where forces end, or loops can no longer be closed
 
 
-def zeros(forces, low, high, finest=1):
+def zeros(forces: "Forces", low: float, high: float,
+          finest: float = 1) -> "list[tuple[Place, tuple[float, float] | None]]":
     """[(place, (from, to) or None)]: isolated zeros, and stretches along which no force acts; `finest`: the least
     part of a turn that is cut into as many cells as a part of it holds."""
     cells = int(CELLS * np.clip((high - low) / math.tau, finest, WIDEST))
@@ -31,7 +36,7 @@ def zeros(forces, low, high, finest=1):
 
 def _edges(forces, points):
     """[(z, place)] outwards from the drawn position; where a loop cannot close, it is not followed beyond."""
-    middle = int(np.searchsorted(points, forces.vector(forces.problem.drawn_floats)[0]))
+    middle = int(np.searchsorted(points, forces.vector(forces.numeric.drawn_floats)[0]))
     places = dict.fromkeys(range(len(points)))
     for way in (range(middle, len(points)), range(middle - 1, -1, -1)):
         for i in way:
@@ -84,7 +89,7 @@ def _smooth(cell, wide):
             and abs(m - a - wide * (J[0] + J[1]) / 4) <= 0.2 * wide * max(map(abs, J)) + rounding)
 
 
-def zero_between(forces, a, b, slope=False):
+def zero_between(forces: "Forces", a: "Place", b: "Place", slope: bool = False) -> "Place":
     """The place between two where F (or its slope) changes sign, by Newton's method kept within the bracket."""
     def f(place):
         return float(place.J[0, 0] if slope else place.F[0])
@@ -123,7 +128,7 @@ def _joined(flat):
 def _stretch(forces, a, b):
     """A stretch of neutral places, by the one nearest to the drawn position; of a short one the multiple zero in it."""
     if b.z[0] - a.z[0] > WIDE:
-        return forces.at(np.clip(forces.vector(forces.problem.drawn_floats), a.z, b.z)), (a.z[0], b.z[0])
+        return forces.at(np.clip(forces.vector(forces.numeric.drawn_floats), a.z, b.z)), (a.z[0], b.z[0])
     if a.J[0, 0] * b.J[0, 0] < 0:
         return zero_between(forces, a, b, slope=True), None
     return forces.at(0.5 * (a.z + b.z)), None

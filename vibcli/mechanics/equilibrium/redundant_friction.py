@@ -4,14 +4,21 @@ Friction at zero speed enters the equations as Σ σₖ aₖ, the signs σₖ of
 G q̇ = 0 these are known but for the N of Σ aₖ Nₖ + Gᵀ λ = 0: two in parallel have aₑ = c a_d, and share a load anyhow.
 """
 
-from typing import NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import NotFixed
+from vibcli.mechanics.equilibrium.dry_friction import signs_of_speeds
 from vibcli.symbolic.array_arithmetic import Arrays
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import evaluate
-from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import is_zero
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 STEP = 0.1
 TINY = 1e-9     # of the length of a column: it depends on others
@@ -23,17 +30,17 @@ class Held(NamedTuple):
     the element, and its column a."""
 
     owner: str
-    argument: object
+    argument: Any
     slopes: tuple
-    drift: object
-    size: object
+    drift: Any
+    size: Any
     column: tuple
 
 
 class Redundancy:
     """The signs of speeds in the equations of a scene, `slopes` being {(i, j): ∂Gᵢ/∂qⱼ} of its constraints."""
 
-    def __init__(self, scene, equations, slopes=None):
+    def __init__(self, scene: "Scene", equations: "Sequence[Node]", slopes: Mapping[Any, Any] | None = None):
         self.scene = scene
         self.ties = [[(slopes or {}).get((i, j), scene.table.zero) for j in range(len(scene.q))]
                      for i in sorted({i for i, _ in slopes or {}})]
@@ -41,18 +48,19 @@ class Redundancy:
         self.parts += _of_others(scene, equations, self.parts)
 
     @property
-    def possible(self):
+    def possible(self) -> bool:
         """Could any be redundant?"""
         return len(self.parts) > 1 and any(part.owner for part in self.parts)
 
-    def carried(self, values, count, held):
+    def carried(self, values: "Mapping[str, float | np.ndarray]", count: int, held: "np.ndarray") -> "np.ndarray":
         """At which of `count` instants, of which the `values` are known, the sign of each part is held, as its speed
         follows from those that are known to be: `held`, a row for each part."""
         W, drift, G = (self._array(nodes, values, count) for nodes in (
             [part.slopes for part in self.parts], [[part.drift] for part in self.parts], self.ties))
         return _each(_carried, W, drift[:, :, 0], G, held.T).T
 
-    def moves(self, values, count, held):
+    def moves(self, values: "Mapping[str, float | np.ndarray]", count: int,
+              held: "np.ndarray") -> "dict[str, np.ndarray]":
         """{owner: changes of its force} of shape (count,): one N, small beside the friction, where `held`, a row for
         each part, says that a sign is held."""
         A, sizes, G = (self._array(nodes, values, count) for nodes in (
@@ -70,16 +78,16 @@ class Redundancy:
         return np.array(found, dtype=float).reshape(len(rows), width, count).transpose(2, 0, 1)
 
 
-def shared(owner):
+def shared(owner: str) -> NotFixed:
     """The refusal of the force of an element."""
     return NotFixed(f"{owner}.force", "more friction holds the scene than it needs",
                     "take one of the elements that share the load out")
 
 
-def require_fixed_at_rest(problem, owner):
+def require_fixed_at_rest(configuration: Any, owner: Any) -> None:
     """PhysicsError where the force of an element with dry friction is not fixed in equilibrium."""
-    scene = problem.scene
-    if not any(signs_of_speeds(scene, law.force(scene)) for law in scene.terms_of(owner, "laws")):
+    scene = configuration.scene
+    if not any(signs_of_speeds(scene, [law.force(scene)]) for law in scene.terms_of(owner, "laws")):
         return
     import numpy as np
 
@@ -88,23 +96,15 @@ def require_fixed_at_rest(problem, owner):
     parts = dynamics(scene)
     found = Redundancy(scene, parts.h, parts.slopes)
     everything = np.ones((len(found.parts), 1), dtype=bool)
-    if found.possible and found.moves({**problem.at_rest, scene.time.name: 0.0}, 1, everything).get(owner, 0.0):
+    if found.possible and found.moves({**configuration.at_rest, scene.time.name: 0.0}, 1, everything).get(owner):
         raise shared(owner)
-
-
-def signs_of_speeds(scene, node):
-    """The signs in a node that a velocity changes, in order."""
-    speeds = 0
-    for v in scene.v:
-        speeds |= v.mask
-    return [part for part in reachable([node]) if part.name == "sign" and part.mask & speeds]
 
 
 def _of_laws(scene):
     found = []
     for law in scene.laws:
         force, speed = law.force(scene), scene.rate(law.s)
-        for sign in signs_of_speeds(scene, force) if law.damper else ():
+        for sign in signs_of_speeds(scene, [force]) if law.damper else ():
             size = _slope(scene, force, sign)
             found.append(_held(scene, law.owner, sign, size, tuple(size * slope for slope in _slopes(scene, speed))))
     return found
@@ -113,7 +113,7 @@ def _of_laws(scene):
 def _of_others(scene, equations, laws):
     """What else holds with a sign of the equations, loads and energies: the column that no law accounts for."""
     found, table = [], scene.table
-    for sign in dict.fromkeys(sign for node in equations for sign in signs_of_speeds(scene, node)):
+    for sign in dict.fromkeys(sign for node in equations for sign in signs_of_speeds(scene, [node])):
         argument = sign.args[0]
         own = [part.column for part in laws if part.argument is argument]
         column = tuple(_slope(scene, node, sign) - table.sum(*((part[i], 1) for part in own))

@@ -5,6 +5,8 @@ typical of the scene. So the search does not depend on units.
 """
 
 import math
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,6 +14,9 @@ from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.linearisation import residual_terms
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.evaluation import Floats
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.numeric_system import NumericSystem
 
 HUGE, MOST_CLOSED, JUMP = 1e140, 1000, 1.5
 BALANCED, QUIET = 1e-14, 1e-9      # of the terms that make r; of the forces elsewhere
@@ -23,15 +28,15 @@ class Place:
 
     __slots__ = ("F", "J", "size", "z")
 
-    def __init__(self, z, F, J, size):
+    def __init__(self, z: np.ndarray, F: np.ndarray, J: np.ndarray, size: np.ndarray):
         self.z, self.F, self.J, self.size = z, F, J, size
 
     @property
-    def residual(self):
+    def residual(self) -> float:
         """The largest |Fᵢ| relative to its terms: the forces, and what moving q by its own rounding makes of them."""
         return _largest(self.F, self.size)
 
-    def step(self, rank=1e-14):
+    def step(self, rank: float = 1e-14) -> np.ndarray:
         """The step of Newton's method, the shortest of all that do where J is singular to `rank`."""
         return np.linalg.lstsq(self.J, -self.F, rcond=rank)[0]
 
@@ -49,62 +54,60 @@ class Forces:
     """r(q) and K(q) of a scene along some of its coordinates, the others left as drawn. `periodic`: flags of the angles
     after a turn of which nothing has changed; `work`: what counts the places that are looked at."""
 
-    def __init__(self, problem, names):
-        self.problem, self.names, self.work = problem, list(names), problem.work
-        self.rows = [problem.scene.coordinates.index(name) for name in self.names]
-        self.angle = np.array([not problem.dimension(name) for name in self.names], bool)
-        self.open = np.array([_is_open(problem.spec.dimensions.of(name)) for name in self.names], bool)
-        self.D = np.where(self.angle | self.open, 1.0, typical_length(problem) or 1.0)
+    def __init__(self, numeric: "NumericSystem", names: Sequence[str]):
+        self.numeric, self.names, self.work = numeric, list(names), numeric.work
+        self.rows = [numeric.scene.coordinates.index(name) for name in self.names]
+        self.angle = np.array([not numeric.system.dimension(name) for name in self.names], bool)
+        self.open = np.array([any(base.startswith("?") for base in numeric.spec.dimensions.of(name))
+                              for name in self.names], bool)
+        self.D = np.where(self.angle | self.open, 1.0, typical_length(numeric) or 1.0)
         self.E, self.typical = 1.0, np.zeros(len(self.names))
         self.periodic = np.zeros(len(self.names), bool)
-        self.looped = problem.scene.resting.loops is not None
-        self.jumps = {name: JUMP * (1.0 if not problem.dimension(name) else typical_length(problem) or 1.0)
-                      for name in problem.drawn_floats} if self.looped else {}
+        self.looped = numeric.scene.resting.loops is not None
+        self.jumps = {name: JUMP * (1.0 if not numeric.system.dimension(name) else typical_length(numeric) or 1.0)
+                      for name in numeric.drawn_floats} if self.looped else {}
         self.closed, self.closed_at = [], np.zeros((MOST_CLOSED, len(self.names)))
-        self.know(problem.drawn_floats)
+        self.know(numeric.drawn_floats)
 
-    def know(self, position):
+    def know(self, position: Mapping[str, float]) -> None:
         """Keep a position ({coordinate: float}) whose loops are closed."""
         if len(self.closed) < MOST_CLOSED:
             self.closed_at[len(self.closed)] = self.vector(position)
             self.closed.append(position)
 
-    def vector(self, values):
+    def vector(self, values: Mapping[str, float]) -> np.ndarray:
         """z of {coordinate: number}."""
         return np.array([values[name] for name in self.names], dtype=float) / self.D
 
-    def position(self, z):
+    def position(self, z: np.ndarray):
         """{coordinate: float} of z, loops closed on the way there from the nearest position known to be closed."""
         moved = {name: float(value) + 0.0 for name, value in zip(self.names, z * self.D, strict=True)}
-        drawn = self.problem.drawn_floats
+        drawn = self.numeric.drawn_floats
         if not self.looped:
             return {**drawn, **moved}
         start = self.closed[int(np.argmin(np.abs(self.closed_at[:len(self.closed)] - z).max(axis=1)))]
-        found = self.problem.closed(start, {**drawn, **moved})
+        found = self.numeric.closed(start, {**drawn, **moved})
         if any(abs(found[name] - start[name]) > size for name, size in self.jumps.items()):
             raise PhysicsError("the loops of this scene jump to another way of closing")
         self.know(found)
         return found
 
-    def at(self, z):
+    def at(self, z: np.ndarray) -> Place:
         """The Place at z, None where the forces are not defined."""
         self.work.step()
         try:
-            numbers = in_numbers(self.problem.form, Floats, {**self.problem.floats, **self.position(z)})
+            values = {**self.numeric.floats, **self.position(z)}
+            numbers = in_numbers(self.numeric.system.linearisation, Floats, values)
         except (PhysicsError, ArithmeticError, ValueError):
             return None
-        n = len(self.problem.scene.coordinates)
-        K = np.zeros((n, n))
-        for pair, value in numbers.elements.stiffness().items():
-            K[pair] = value
         F = np.array(numbers.residual, dtype=float)[self.rows] * self.D
-        J = K[np.ix_(self.rows, self.rows)] * np.outer(self.D, self.D)
+        J = numbers.elements.stiffness_array()[np.ix_(self.rows, self.rows)] * np.outer(self.D, self.D)
         if not (np.isfinite(F).all() and np.isfinite(J).all() and np.abs(F).max() < HUGE and np.abs(J).max() < HUGE):
             return None
         size = np.array(numbers.residual_size, dtype=float)[self.rows] * self.D + np.abs(J) @ (1.0 + np.abs(z))
         return Place(z, F / self.E, J / self.E, size / self.E)
 
-    def balanced(self, place):
+    def balanced(self, place: Place) -> bool:
         """Is the residual that of rounding, and small beside the forces elsewhere (at a pole of F it is not)?
 
         Of its own terms; or of the forces elsewhere, where Newton's step tells a zero from a force that fades away: the
@@ -117,15 +120,15 @@ class Forces:
         faint = _largest(place.F, self.typical)
         return faint <= self.rounding and float(np.abs(place.step()).max()) <= (SHORT if faint <= FAINT else TINY)
 
-    def residual(self, place):
+    def residual(self, place: Place) -> float:
         """The largest |Fᵢ| relative to its terms there or at other places, whichever are larger."""
         return _largest(place.F, np.maximum(place.size, self.typical))
 
     @property
-    def rounding(self):
+    def rounding(self) -> float:
         return max(BALANCED, 4 * len(self.D) * 2.0**-52)
 
-    def learn_periods(self):
+    def learn_periods(self) -> None:
         """Set which angles are periodic, from two places near the drawn one; in a scene without units what has a period
         is taken for an angle."""
         places = [place for place in map(self.at, near_drawn(self, 2)) if place is not None]
@@ -139,7 +142,7 @@ class Forces:
         other = self.at(place.z + step)
         return other is not None and bool(np.all(np.abs(other.F - place.F) <= 1e-12 * place.size))
 
-    def learn_sizes(self, points):
+    def learn_sizes(self, points: Iterable) -> None:
         """Set E and the typical size of the terms of each row, from places at some points."""
         known = [place for place in map(self.at, points) if place is not None]
         largest = [float(max(np.abs(place.F).max(), np.abs(place.J).max())) for place in known]
@@ -147,49 +150,44 @@ class Forces:
             self.E = float(np.median(largest)) or max(largest)
             self.typical = np.median([place.size for place in known], axis=0) / self.E
 
-    def gap(self, one, other):
+    def gap(self, one: np.ndarray, other: np.ndarray) -> np.ndarray:
         """one − other, of periodic angles the shorter way round."""
         d = one - other
         return np.where(self.periodic, d - math.tau * np.round(d / math.tau), d)
 
 
-def near_drawn(forces, count):
+def near_drawn(forces: Forces, count: int) -> list[np.ndarray]:
     """Some points z near the drawn position, the same at every run."""
     generator = np.random.default_rng(3)
-    z = forces.vector(forces.problem.drawn_floats)
+    z = forces.vector(forces.numeric.drawn_floats)
     return [z + generator.uniform(-0.9, 0.9, len(z)) for _ in range(count)]
 
 
-def idle(problem):
+def idle(numeric: "NumericSystem") -> list[str]:
     """The coordinates on which no force depends and along which none acts: near the drawn position, and anywhere (a
     force with a clearance may begin farther off)."""
-    forces = Forces(problem, problem.scene.coordinates)
-    found = np.array([not _is_felt(problem, row) for row in range(len(forces.names))], bool)
+    forces = Forces(numeric, numeric.scene.coordinates)
+    found = np.array([not _is_felt(numeric.system, row) for row in range(len(forces.names))], bool)
     for place in map(forces.at, near_drawn(forces, 4)):
         if place is not None:
             found &= ~place.J.any(axis=0) & (place.size == 0)
     return [name for name, free in zip(forces.names, found, strict=True) if free]
 
 
-def _is_felt(problem, row):
+def _is_felt(system, row):
     """Does a coordinate stand in a condition of equilibrium, or has it one of its own? Of linear equations, and where
     loops are closed, places near the drawn one tell."""
-    if problem.scene.loops is not None or (problem.is_linear and not problem.scene.table.called):
+    if system.scene.loops is not None or (system.is_linear and not system.scene.table.called):
         return False
-    terms = residual_terms(problem.form)
+    terms = residual_terms(system.linearisation)
     return any(not term.is_zero for term in terms[row]) or any(
-        term.mask & problem.scene.q[row].mask for row_terms in terms for term in row_terms)
+        term.mask & system.scene.q[row].mask for row_terms in terms for term in row_terms)
 
 
-def _is_open(dimension):
-    """Does nothing in the scene settle a dimension?"""
-    return any(base.startswith("?") for base in dimension)
-
-
-def typical_length(problem):
+def typical_length(numeric: "NumericSystem") -> float:
     """The size of the figure in metres, or where nothing has a place the largest length given; 0 if there is none."""
     from vibcli.base.units import LENGTH
 
-    given = [abs(problem.floats[name]) for name in problem.spec.parameters
-             if problem.spec.dimensions.of(name) == LENGTH and name in problem.floats]
-    return problem.figure_size or max(given, default=0.0)
+    given = [abs(numeric.floats[name]) for name in numeric.spec.parameters
+             if numeric.spec.dimensions.of(name) == LENGTH and name in numeric.floats]
+    return numeric.figure_size or max(given, default=0.0)

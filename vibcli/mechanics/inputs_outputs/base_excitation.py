@@ -5,33 +5,34 @@ Linearised like any other, its matrices hold beside those of the coordinates q t
     M q̈ + C q̇ + K q = −(M_u ü + C_u u̇ + K_u u) + excitation,        y = y₀ + y_q δ + y_v δ̇ + y_a δ̈ + the same of u.
 """
 
+from collections.abc import Mapping
 from fractions import Fraction
 from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
-from vibcli.mechanics.autonomous import INSTANTS, SAME, matrices_at, steady, without_time
+from vibcli.mechanics.autonomous import INSTANTS, SAME, matrices_at, steady
 from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction
-from vibcli.mechanics.linearise import linearise
+from vibcli.mechanics.linearise import linearise, without_time
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.mechanics.static_preload import take_over
-from vibcli.scene.build import build_scene
-from vibcli.scene.closed_loops import drawn_values
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.symbolic.node import Node
 
-class Opened:
+
+class SystemWithInputs:
     """scene; n: how many of its coordinates are none of its inputs, which stand last; timed, form: its Linearisation
     with and without excitation."""
 
-    def __init__(self, problem, releasing=False):
-        self.problem = problem
-        self.scene = scene = build_scene(problem.spec, problem.given, problem.scene.attempt, loose=releasing,
-                                         releasing=releasing, opened=True, holding=problem.holding is not None)
-        if scene.static_preloads:
-            take_over(scene, problem.preloads)
-        scene.rename([q for q in scene.q if q not in scene.inputs] + list(scene.inputs))
+    def __init__(self, configuration: "Configuration", releasing: bool = False):
+        self.configuration = configuration
+        scene = configuration.scene.with_released_supports() if releasing else configuration.scene
+        self.scene = scene = take_over(scene.with_inputs(), configuration.system.preloads)
         self.n = len(scene.q) - len(scene.inputs)
         self.timed = linearise(scene)
         self.form = steady(scene, self.timed)
@@ -39,7 +40,7 @@ class Opened:
     @cached_property
     def values(self):
         """{name: float} of every symbol in equilibrium."""
-        known = self.problem
+        known = self.configuration
         return {**self.at_zero, **known.dependent_values, **known.at_rest}
 
     @property
@@ -50,7 +51,8 @@ class Opened:
     @cached_property
     def sample(self):
         """The same as drawn where the scene has letters, with sample values for them."""
-        return {**self.at_zero, **drawn_values(self.scene)} if self.problem.symbolic else self.values
+        symbolic = self.configuration.numeric.has_free_symbols
+        return {**self.at_zero, **self.scene.drawn_values} if symbolic else self.values
 
     @property
     def place(self):
@@ -83,16 +85,17 @@ class Opened:
                 and not abs(one.get(pair, 0.0) - two.get(pair, 0.0)) <= SAME * max(
                     abs(two.get(pair, 0.0)), size.get(pair, 0.0), 1e-6 * largest)}
 
-    def require_steady(self, weights):
+    def require_steady(self, weights: "Mapping[int, float | Node]"):
         """PhysicsError where what these inputs {number: weight} do depends on the time."""
         if self.turning & {*range(self.n), *(j for j, weight in weights.items() if weight)}:
             raise self._turns()
 
     def _turns(self):
         return PhysicsError("what acts here turns with what is driven: it has no constant coefficients",
-                            f"ask for a response to a coordinate, as in frf[…, {self.problem.scene.coordinates[0]}]")
+                            "ask for a response to a coordinate, as in frf[…, "
+                            f"{self.configuration.scene.coordinates[0]}]")
 
-    def carried(self, weights):
+    def carried(self, weights: Any):
         """{i: number} of b₀ of loads that turn with what is driven, `weights` {number of an input: node of the time}:
         the product of the two is what must not depend on it."""
         self.require_steady({})
@@ -119,7 +122,7 @@ class Opened:
                         column[i] = column.get(i, 0.0) - x
         return found
 
-    def rows(self, nodes):
+    def rows(self, nodes: Any):
         """The LinearFunction of each node."""
         scene, kinds = self.scene, (self.scene.q, self.scene.v, self.scene.a)
         slopes = [[{i: slopes[x] for i, x in enumerate(kind) if x in slopes} for kind in kinds]

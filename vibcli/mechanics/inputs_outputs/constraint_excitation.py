@@ -9,27 +9,34 @@ to first order. Inertia must not carry it into M, C or K: of each s(q, u) with i
     w (sᵢⱼ sᵤ + sᵢ sⱼᵤ) ü qⱼ,      2 w sᵢ sⱼᵤ u̇ q̇ⱼ,      w (sᵢᵤ sⱼ + sᵢ sⱼᵤ) u q̈ⱼ        must vanish in sum.
 """
 
+from collections.abc import Mapping
+from fractions import Fraction
 from itertools import product
+from typing import TYPE_CHECKING, Any
 
 from vibcli.mechanics.linearisation import at_position
+from vibcli.mechanics.linearise import row_of, slopes_of
 from vibcli.mechanics.symbolic_linear import place_in_letters
 from vibcli.mechanics.symbolic_matrices import matrices_in_letters
-from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.transfer_between_tables import copied
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.symbolic.node import Node
 
 SAME = 1e-9
 
 
-def excitation_through(problem):
+def excitation_through(symbolic: "SymbolicSystem") -> "dict[int, Node]":
     """{i: Q(t)} of the displacements that are driven to and fro."""
-    opened = problem.opened
+    opened = symbolic.configuration.with_inputs
     table, found = opened.scene.table, {}
-    if problem.linear_in_letters:
-        M, C, G, K = matrices_in_letters(at_position(opened.form, place_in_letters(problem)))
+    if symbolic.linearisable:
+        M, C, G, K = matrices_in_letters(at_position(opened.form, place_in_letters(symbolic)))
     else:
         opened.require_steady({j: 1.0 for j, _ in _driven(opened)})
-        M, C, G, K = ({pair: table.number(exact(x)) for pair, x in part.items()}
+        M, C, G, K = ({pair: table.number(Fraction(x)) for pair, x in part.items()}
                       for part in opened.numbers.elements.matrices())
     for j, opening in _driven(opened):
         moved = opening.node
@@ -39,13 +46,7 @@ def excitation_through(problem):
                     if (i, j) in matrix:
                         found[i] = found.get(i, table.zero) - matrix[i, j] * moved
             moved = opened.scene.rate(moved)
-    return dict(zip(found, copied(list(found.values()), problem.scene.table), strict=True))
-
-
-def exact(value):
-    from fractions import Fraction
-
-    return Fraction(value)
+    return dict(zip(found, copied(list(found.values()), symbolic.scene.table), strict=True))
 
 
 def _driven(opened):
@@ -53,7 +54,7 @@ def _driven(opened):
             if opening.node is not None]
 
 
-def carried_into(opened, values):
+def carried_into(opened: Any, values: Mapping[str, float]) -> int | None:
     """The number of a coordinate whose inertia, damping or stiffness changes with what is driven; None if none does.
     `values`: {name: float} of all symbols in equilibrium."""
     inputs = [j for j, _ in _driven(opened)]
@@ -75,8 +76,7 @@ def carried_into(opened, values):
 
 def _derivatives(term, number, values):
     """(w, {i: ∂s/∂qᵢ}, {(i, j): ∂²s/∂qᵢ∂qⱼ}) of an inertia in numbers."""
-    slopes = {number[q]: slope for q, slope in gradient(term.s).items() if q in number}
-    seconds = {(i, number[q]): node for i, slope in slopes.items() for q, node in gradient(slope).items()
-               if q in number}
+    slopes = row_of(term.s, number)
+    seconds = slopes_of(slopes, number)
     w, *flat = evaluate([term.weight, *slopes.values(), *seconds.values()], Floats, values)
     return w, dict(zip(slopes, flat, strict=False)), dict(zip(seconds, flat[len(slopes):], strict=True))

@@ -1,10 +1,16 @@
 """Displacements of places, turns and stretches as signals (vibcli/language/signals.py lists them)."""
 
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import PhysicsError
 from vibcli.language.reader import Reference
 
+if TYPE_CHECKING:
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
-def displacement(scene, text):
+
+def displacement(scene: "Scene", text: str) -> "Node | None":
     """The node of a coordinate, or of a place, turn or stretch as displaced from where it is drawn; None of a force."""
     if text in scene.spec.coordinates:
         return scene.symbol(text)

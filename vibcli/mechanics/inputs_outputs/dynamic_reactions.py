@@ -9,27 +9,32 @@ with δp = P δq + P_u δu. What q does follows from its own equations, so any l
 """
 
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
+from vibcli.language.signals import CONTACT
 from vibcli.mechanics.autonomous import excitation
-from vibcli.mechanics.inputs_outputs.base_excitation import Opened
+from vibcli.mechanics.inputs_outputs.base_excitation import SystemWithInputs
 from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction, combined, product
-from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, OPEN, signal_of, solved
-from vibcli.mechanics.signals import pinned_at
-from vibcli.symbolic.derivatives import gradient
+from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, OPEN, constraint_slopes, solved
+from vibcli.mechanics.linearise import row_of, slopes_of
+from vibcli.mechanics.signals import normal_of, reaction_of, require_fixed
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.transfer_between_tables import copied
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+
 
 class MovingReactions:
-    """The Rows of all multipliers and supports of a problem."""
+    """The linear functions of all multipliers and supports."""
 
-    def __init__(self, problem):
-        self.problem, self.opened = problem, problem.opened
-        self.released = Opened(problem, releasing=True)
+    def __init__(self, configuration: "Configuration"):
+        self.configuration, self.opened = configuration, configuration.with_inputs
+        self.released = SystemWithInputs(configuration, releasing=True)
 
     @cached_property
-    def rows(self):
+    def rows(self) -> dict[str, LinearFunction]:
         """{signal: LinearFunction, or None where the scene is supported by more than it needs}."""
         import numpy as np
 
@@ -37,23 +42,22 @@ class MovingReactions:
         if any(node.mask & scene.time.mask for node in (part.node for part in scene.constraints)):
             raise PhysicsError("the forces of constraints that depend on the time are not found",
                                "drive a point or a body instead of the constraint")
-        real = [i for i, q in enumerate(scene.q) if q.name in self.problem.spec.coordinates]
+        real = [i for i, q in enumerate(scene.q) if q.name in self.configuration.spec.coordinates]
         held = [scene.q.index(q) for q in scene.released]
         residual = self._residual()
-        G = self._slopes()
+        G = np.array(evaluate(constraint_slopes(scene), Floats, self.released.values)).reshape(-1, len(scene.q))
         constants = np.array([residual[i].constant for i in (*real, *held)])
         static, loose = solved(G[:, real], constants[:len(real)])
         self._bend(residual, static)
         inverse = _left_inverse(G[:, real])
         multipliers = [combined((-float(x), residual[i]) for x, i in zip(line, real, strict=True) if x)
                        for line in inverse]
-        for row, value in zip(multipliers, static, strict=True):
-            row.constant = float(value)
+        multipliers = [row._replace(constant=float(value)) for row, value in zip(multipliers, static, strict=True)]
         found = {}
         for k, constraint in enumerate(scene.constraints):
             sign, row = 1.0 if constraint.form in LENGTHENING else -1.0, multipliers[k]
             open_one = np.abs(loose[:, k]).max(initial=0.0) > OPEN
-            found[signal_of(constraint)] = None if open_one else combined([(sign, row)])
+            found[constraint.signal] = None if open_one else combined([(sign, row)])
         for i in held:
             ties = [(float(G[k, i]), row) for k, row in enumerate(multipliers) if G[k, i]]
             open_one = np.abs(loose @ G[:, i]).max(initial=0.0) > OPEN
@@ -79,53 +83,37 @@ class MovingReactions:
     def _motions(self):
         """δp_j of every coordinate of the released scene, {number: coefficient} over those of the opened one."""
         opened, released = self.opened, self.released.scene
-        names = [q.name for q in released.q if q.name in self.problem.spec.coordinates]
+        names = [q.name for q in released.q if q.name in self.configuration.spec.coordinates]
         rows = dict(zip(names, opened.rows([opened.scene.symbol(name) for name in names]), strict=True))
         inputs = {q.name: {opened.n + k: 1.0} for k, q in enumerate(released.inputs)}
         return [rows[q.name].q if q.name in rows else inputs.get(q.name, {}) for q in released.q]
-
-    def _slopes(self):
-        """∂G_k/∂p as an array."""
-        import numpy as np
-
-        scene = self.released.scene
-        slopes = [gradient(constraint.node) for constraint in scene.constraints]
-        nodes = [slope.get(q, scene.table.zero) for slope in slopes for q in scene.q]
-        return np.array(evaluate(nodes, Floats, self.released.values)).reshape(len(slopes), len(scene.q))
 
     def _bend(self, residual, multipliers):
         """Adds Σ λ_k δ(∂G_k/∂p) to the residual."""
         scene, motions = self.released.scene, self._motions()
         number = {q: i for i, q in enumerate(scene.q)}
         for constraint, size in zip(scene.constraints, multipliers, strict=True):
-            seconds = {(number[p], number[q]): node for p, slope in gradient(constraint.node).items() if p in number
-                       for q, node in gradient(slope).items() if q in number}
+            seconds = slopes_of(row_of(constraint.node, number), number)
             values = evaluate(list(seconds.values()), Floats, self.released.values)
             for (i, j), x in zip(seconds, values, strict=True):
                 if i in residual and x and size:
                     _add(residual[i].q, float(size) * x, motions[j])
 
-    def row(self, text):
+    def row(self, text: str) -> LinearFunction:
         """The LinearFunction of a reaction, a force in a constraint, or a force of contact."""
         name, _, part = text.partition(".")
-        if part in ("normal", "friction"):
-            return self._contact(name, part)
-        if name in (self.problem.spec.get("points") or {}) and not part.startswith("drive"):
-            text = f"{pinned_at(self.problem, name)}.{part}"
-        if text not in self.rows:
-            pieces = [signal for signal in self.rows if signal.startswith(text + ".")]
-            raise PhysicsError(f"this scene has no force '{text}'", "ask for " + " or ".join(pieces) if pieces else
-                               "see `find: [reactions]` for those that it has")
-        if self.rows[text] is None:
-            raise PhysicsError(f"rigid bodies alone do not fix '{text}': the scene is supported by more than it needs",
-                               "take a redundant support out")
-        return self.rows[text]
+        kind = part.partition(".")[0]
+        if kind in CONTACT and text not in self.rows:
+            return self._contact(name, kind)
+        text = reaction_of(self.configuration.system, text, self.rows)
+        return require_fixed(text, self.rows[text])
 
     def _contact(self, name, part):
-        body = self.opened.scene.bodies[name]
-        if body.normal is None:
-            raise PhysicsError(f"'{name}' rolls or slides on no surface", "ask for its reaction, as in rod.reaction.x")
-        nx, ny = self.opened.rows(list(body.normal))
+        normal, reach = normal_of(self.opened.scene, name), self.opened.scene.bodies[name].reach
+        if part == "friction" and reach is not None and f"{name}.drive" not in self.rows:
+            arm = self.opened.rows([reach])[0].constant      # what two surfaces press does not turn it
+            return combined([(1.0 / arm, self.row(f"{name}.reaction.moment"))])
+        nx, ny = self.opened.rows(list(normal))
         x, y = (self.row(f"{name}.reaction.{axis}") for axis in "xy")
         parts = [(1.0, x, nx), (1.0, y, ny)] if part == "normal" else [(1.0, x, ny), (-1.0, y, nx)]
         return combined((sign, product(one, two)) for sign, one, two in parts)
@@ -138,6 +126,7 @@ def _left_inverse(G):
     if not len(G):
         return np.zeros((0, G.shape[1]))
     scale = np.abs(G).max(axis=1)
+    scale[scale == 0.0] = 1.0       # of what ties supports alone
     return np.linalg.pinv((G / scale[:, None]).T, rcond=OPEN) / scale[:, None]
 
 

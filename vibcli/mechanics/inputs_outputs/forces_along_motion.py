@@ -5,39 +5,42 @@ As in equilibrium (mechanics/reactions.py) the scene is released, with the inert
     E_q + Σ λ_k ∂G_k/∂q = 0        R_ρ = E_ρ + Σ λ_k ∂G_k/∂ρ,        ρ = 0 of supports and drives.
 """
 
+from collections.abc import Sequence
 from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import PhysicsError
+from vibcli.language.signals import CONTACT
 from vibcli.mechanics.energies import dissipation, kinetic, potential
-from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, OPEN, Released, signal_of, solved
+from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, OPEN, Released, constraint_slopes, solved
 from vibcli.mechanics.lagrange import equation_of
-from vibcli.mechanics.signals import pinned_at
+from vibcli.mechanics.signals import in_contact, normal_of, reaction_of, require_fixed
 from vibcli.symbolic.array_arithmetic import Arrays
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import evaluate
 
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.mechanics.numeric_system import NumericSystem
+    from vibcli.symbolic.node import Node
+
 
 class ForcesAlong:
-    """The forces of a problem at states {name: array} of all its coordinates, their rates and the time."""
+    """The forces of a system at states {name: array} of all its coordinates, their rates and the time."""
 
-    def __init__(self, problem):
-        self.problem = problem
-
-    @cached_property
-    def released(self):
-        return Released(self.problem)
+    def __init__(self, numeric: "NumericSystem"):
+        self.numeric, self.released = numeric, Released(numeric)
 
     @cached_property
-    def nodes(self):
+    def nodes(self) -> "list[Node]":
         """E of every coordinate and every ∂G_k/∂q, what is released being held."""
         scene = self.released.scene
         T, V, Phi = kinetic(scene), potential(scene), dissipation(scene)
-        slopes = [node for row in self.released.slopes() for node in row]
-        flat = [*(equation_of(scene, i, T, V, Phi) for i in range(len(scene.q))), *slopes]
+        flat = [*(equation_of(scene, i, T, V, Phi) for i in range(len(scene.q))), *constraint_slopes(scene)]
         n = len(self.released.real)
         return substitute(flat, dict.fromkeys((*scene.q[n:], *scene.v[n:], *scene.a[n:]), scene.table.zero))
 
-    def values(self, names, states):
+    def values(self, names: Sequence[str], states: Any) -> "dict[str, np.ndarray]":
         """{signal: array} of the forces of these names."""
         import numpy as np
 
@@ -48,7 +51,8 @@ class ForcesAlong:
         E, G = flat[:size], flat[size:].reshape(ties, size, count)
         found = {name: np.empty(count) for name in names}
         for k in range(count):
-            known, state = self._at(E[:, k], G[:, :, k], n), _at_one(states, k)
+            known = self._at(E[:, k], G[:, :, k], n)
+            state = {name: value[k] if getattr(value, "ndim", 0) else value for name, value in states.items()}
             for name in names:
                 found[name][k] = self._value(known, name, state)
         return found
@@ -62,36 +66,23 @@ class ForcesAlong:
         held, left_open = E[n:] + multipliers @ G[:, n:], np.abs(loose @ G[:, n:]).max(axis=0, initial=0.0) > OPEN
         for k, tie in enumerate(scene.constraints):
             sign = 1.0 if tie.form in LENGTHENING else -1.0
-            found[signal_of(tie)] = None if np.abs(loose[:, k]).max(initial=0.0) > OPEN else sign * multipliers[k]
+            found[tie.signal] = None if np.abs(loose[:, k]).max(initial=0.0) > OPEN else sign * multipliers[k]
         found.update({q.name: None if unknown else value
                       for q, value, unknown in zip(self.released.held, held, left_open, strict=True)})
         return found
 
     def _value(self, known, text, state):
         name, _, part = text.partition(".")
-        if part in ("normal", "friction"):
-            return self._contact(known, name, part, state)
-        if name in (self.problem.spec.get("points") or {}) and not part.startswith("drive"):
-            text = f"{pinned_at(self.problem, name)}.{part}"
-        if text not in known:
-            pieces = [signal for signal in known if signal.startswith(text + ".")]
-            raise PhysicsError(f"this scene has no force '{text}'", "ask for " + " or ".join(pieces) if pieces else
-                               "see `find: [reactions]` for those that it has")
-        if known[text] is None:
-            raise PhysicsError(f"rigid bodies alone do not fix '{text}': the scene is supported by more than it needs",
-                               "take a redundant support out")
-        return known[text]
+        kind = part.partition(".")[0]
+        if kind in CONTACT and text not in known:
+            return self._contact(known, name, kind, state)
+        text = reaction_of(self.numeric.system, text, known)
+        return require_fixed(text, known[text])
 
     def _contact(self, known, name, part, state):
-        normal = self.released.scene.bodies[name].normal
-        if normal is None:
-            raise PhysicsError(f"'{name}' rolls or slides on no surface", "ask for its reaction, as in rod.reaction.x")
         scene, n = self.released.scene, len(self.released.real)
-        nx, ny = evaluate(substitute(normal, dict.fromkeys(scene.q[n:], scene.table.zero)), Arrays, state)
-        x, y = (self._value(known, f"{name}.reaction.{axis}", state) for axis in "xy")
-        return x * nx + y * ny if part == "normal" else x * ny - y * nx
-
-
-def _at_one(states, k):
-    """{name: number} of the instant k."""
-    return {name: value[k] if getattr(value, "ndim", 0) else value for name, value in states.items()}
+        held, reach = dict.fromkeys(scene.q[n:], scene.table.zero), scene.bodies[name].reach
+        normal = evaluate(substitute(normal_of(scene, name), held), Arrays, state)
+        if part == "friction" and reach is not None and f"{name}.drive" not in known:
+            return self._value(known, f"{name}.reaction.moment", state) / evaluate([reach], Arrays, state)[0]
+        return in_contact(part, normal, [self._value(known, f"{name}.reaction.{axis}", state) for axis in "xy"])

@@ -5,14 +5,20 @@ in which it is written, a moment of 1 N·m, an unbalance of 1 kg·m turning at s
 its reference is cos Ωt), a driven displacement of 1 m or 1 rad, a generalised force 1 along a coordinate.
 """
 
+from collections.abc import Mapping
 from fractions import Fraction
 from math import isfinite
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction
+    from vibcli.symbolic.node import Node
 
 INSTANTS, SAME = (0.0, 0.173, 0.891, 2.317), 1e-12
 
@@ -26,27 +32,28 @@ class Input(NamedTuple):
     carried: dict = None
 
 
-def named_input(problem, text):
+def named_input(configuration: "Configuration", text: str) -> Input:
     """The Input of this name: a load, a driven point or body (a component of it: drive.x), a coordinate."""
-    opened = problem.opened
+    opened = configuration.with_inputs
     found = dict(enumerate(opened.scene.inputs.values(), opened.n))
     for kind in (_loads, _driven, _along_coordinate):
-        chosen = kind(problem, text, found)
+        chosen = kind(configuration, text, found)
         if chosen is not None:
             return chosen
     names = list(dict.fromkeys(opening.name for opening in found.values()))
     raise PhysicsError(f"nothing named '{text}' drives this scene", "name one of " + ", ".join(names))
 
 
-def input_columns(problem, chosen):
+def input_columns(configuration: "Configuration", chosen: Input):
     """b as [{i: number}] of the powers s⁰, s¹, s² of an Input; PhysicsError where it depends on the time."""
     if chosen.carried:
-        return [problem.opened.carried(chosen.carried), {}, {}]
-    problem.opened.require_steady(chosen.weights)
-    return in_powers(problem.opened.columns, chosen.weights, chosen.turns)
+        return [configuration.with_inputs.carried(chosen.carried), {}, {}]
+    configuration.with_inputs.require_steady(chosen.weights)
+    return in_powers(configuration.with_inputs.columns, chosen.weights, chosen.turns)
 
 
-def in_powers(columns, weights, turns):
+def in_powers(columns: Mapping[int, list[dict[int, Any]]], weights: Mapping[int, Any],
+              turns: int) -> "list[dict[int, float | Node]]":
     """Σ weight·column of the columns [{i: number or node}] of input coordinates, times (−s²)^turns."""
     parts = [{} for _ in range(3)]
     for j, weight in weights.items():
@@ -56,7 +63,7 @@ def in_powers(columns, weights, turns):
     return _turned(parts, turns, {})
 
 
-def direct_part(row, chosen):
+def direct_part(row: "LinearFunction", chosen: Input) -> list[float]:
     """d as [number] of the powers s⁰, s¹, s²: what an Input does to a LinearFunction at once."""
     if chosen.carried and any(part.get(j) for part in (row.q, row.v, row.a) for j in chosen.carried):
         raise PhysicsError("what this load does to the signal at once turns with what is driven",
@@ -73,9 +80,9 @@ def _turned(parts, turns, nothing):
     return [nothing, nothing, negative]
 
 
-def _loads(problem, text, found):
+def _loads(configuration, text, found):
     name, _, axis = text.partition(".")
-    record = (problem.spec.get("forces") or {}).get(name)
+    record = (configuration.spec.get("forces") or {}).get(name)
     terms = {i: opening.load for i, opening in found.items() if opening.load is not None and opening.name == name}
     if record is None or axis not in ("", "x", "y") or not terms:
         return None
@@ -83,14 +90,18 @@ def _loads(problem, text, found):
         return Input({list(terms)["xy".index(axis)]: 1.0}) if len(terms) == 2 else None
     if "unbalance" in record:
         return Input(dict(zip(terms, (1.0, -1j), strict=False)), turns=1)
-    if len(terms) == 2 and "carrier" in record and not _fixed_line(problem, terms.values()):
-        return _carried(problem, record, name, terms)
-    return Input(dict(zip(terms, _line(problem, name, terms.values()), strict=True)))
+    scene, sample = configuration.with_inputs.scene, configuration.with_inputs.sample
+    nodes = [scene.forces[k].weight for k in terms.values()]
+    if not _keeps_line(nodes, scene, sample):
+        if "carrier" in record:
+            return _carried(configuration, record, name, terms)
+        raise PhysicsError(f"'{name}' changes its direction: it has no line", f"name {name}.x or {name}.y")
+    return Input(dict(zip(terms, _unit(_amplitudes(scene, nodes, sample), name), strict=True)))
 
 
-def _carried(problem, record, name, terms):
+def _carried(configuration, record, name, terms):
     """The direction of a load, as it is written in the axes of the body that carries it."""
-    scene, sample = problem.opened.scene, problem.opened.sample
+    scene, sample = configuration.with_inputs.scene, configuration.with_inputs.sample
     written = _amplitudes(scene, [scene.lower(part) for part in record["force"]], sample)
     line = [scene.table.number(Fraction(x)) for x in _unit(written, name)]
     nodes = dict(zip(terms, scene.frame(record["carrier"]).turned(*line), strict=True))
@@ -98,21 +109,12 @@ def _carried(problem, record, name, terms):
     return Input(dict(zip(nodes, start, strict=True)), carried=nodes)
 
 
-def _fixed_line(problem, loads):
-    """Does a load of two components keep its line?"""
-    opened = problem.opened
-    nodes = [opened.scene.forces[k].weight for k in loads]
-    moving = [evaluate(nodes, Floats, {**opened.sample, opened.scene.time.name: t}) for t in INSTANTS]
+def _keeps_line(nodes, scene, sample):
+    """Does what has these components, one or two, keep its line in time?"""
+    if len(nodes) == 1:
+        return True
+    moving = [evaluate(nodes, Floats, {**sample, scene.time.name: t}) for t in INSTANTS]
     return not any(abs(x * v - y * u) > SAME * (abs(x * v) + abs(y * u)) for x, y in moving for u, v in moving)
-
-
-def _line(problem, name, loads):
-    """The direction of a load as it is written, its function of the time being positive."""
-    opened = problem.opened
-    nodes = [opened.scene.forces[k].weight for k in loads]
-    if len(nodes) == 2 and not _fixed_line(problem, loads):
-        raise PhysicsError(f"'{name}' changes its direction: it has no line", f"name {name}.x or {name}.y")
-    return _unit(_amplitudes(opened.scene, nodes, opened.sample), name)
 
 
 def _amplitudes(scene, nodes, sample):
@@ -133,9 +135,9 @@ def _unit(vector, name):
     return [x / length for x in vector]
 
 
-def _driven(problem, text, found):
+def _driven(configuration, text, found):
     """A point or body that is driven: its one displacement, or the line along which it moves."""
-    scene = problem.opened.scene
+    scene = configuration.with_inputs.scene
     moved = {i: opening for i, opening in found.items() if opening.node is not None}
     exact = [i for i, opening in moved.items() if opening.name == text]
     parts = exact or [i for i, opening in moved.items() if opening.name.partition(".")[0] == text]
@@ -144,15 +146,14 @@ def _driven(problem, text, found):
     if len(parts) == 1:
         return Input({parts[0]: 1.0})
     nodes = [moved[i].node for i in parts]
-    values = problem.opened.sample
-    moving = [evaluate(nodes, Floats, {**values, scene.time.name: t}) for t in INSTANTS]
-    if exact or any(abs(x * v - y * u) > SAME * (abs(x * v) + abs(y * u)) for x, y in moving for u, v in moving):
+    values = configuration.with_inputs.sample
+    if exact or not _keeps_line(nodes, scene, values):
         raise PhysicsError(f"'{text}' is driven in several ways", f"name {text}.x or {text}.y of a point")
     return Input(dict(zip(parts, _unit(_amplitudes(scene, nodes, values), text), strict=True)))
 
 
-def _along_coordinate(problem, text, found):
-    if text not in problem.spec.coordinates:
+def _along_coordinate(configuration, text, found):
+    if text not in configuration.spec.coordinates:
         return None
     return Input({i: 1.0 for i, opening in found.items()
                   if opening.name == text and opening.load is None and opening.node is None})

@@ -1,42 +1,45 @@
 """Linear functions y = constant + q·δ + v·δ̇ + a·δ̈ + what depends on the time, of coordinates and inputs."""
 
+from typing import TYPE_CHECKING, Any, NamedTuple
+
 from vibcli.base.errors import PhysicsError
 
+if TYPE_CHECKING:
+    from vibcli.scene.scene import Scene
 
-class LinearFunction:
+
+class LinearFunction(NamedTuple):
     """Coefficients {i: number} of the deviations, their rates and accelerations; `time`: [(factor, node of t)]."""
 
-    __slots__ = ("a", "constant", "q", "time", "v")
+    constant: float
+    time: list
+    q: dict
+    v: dict
+    a: dict
 
-    def __init__(self, constant=0.0, time=(), q=None, v=None, a=None):
-        self.constant, self.time, self.q, self.v, self.a = constant, list(time), q or {}, v or {}, a or {}
 
-
-def combined(pairs):
+def combined(pairs: Any) -> LinearFunction:
     """Σ factor·row of (factor, row) pairs."""
-    found = LinearFunction()
+    constant, time, totals = 0.0, [], ({}, {}, {})
     for factor, row in pairs:
-        found.constant += factor * row.constant
-        found.time += [(factor * weight, node) for weight, node in row.time]
-        for kind in ("q", "v", "a"):
-            total = getattr(found, kind)
-            for i, x in getattr(row, kind).items():
+        constant += factor * row.constant
+        time += [(factor * weight, node) for weight, node in row.time]
+        for total, part in zip(totals, (row.q, row.v, row.a), strict=True):
+            for i, x in part.items():
                 total[i] = total.get(i, 0.0) + factor * x
-    return found
+    return LinearFunction(constant, time, *totals)
 
 
-def rate(row, scene):
+def rate(row: LinearFunction, scene: "Scene") -> LinearFunction:
     """ẏ; PhysicsError where it would need a third derivative."""
     if row.a:
         raise PhysicsError("the rate of a force of inertia is no function of places, velocities and accelerations",
                            "ask for the force itself")
-    return LinearFunction(0.0, [(weight, scene.rate(node)) for weight, node in row.time], None, row.q, row.v)
+    return LinearFunction(0.0, [(weight, scene.rate(node)) for weight, node in row.time], {}, row.q, row.v)
 
 
-def product(one, two):
+def product(one: LinearFunction, two: LinearFunction) -> LinearFunction:
     """one·two to first order."""
     if one.time and two.time:
         raise PhysicsError("a product of two driven quantities is not linear", "ask for each of them")
-    found = combined([(two.constant, one), (one.constant, two)])
-    found.constant = one.constant * two.constant
-    return found
+    return combined([(two.constant, one), (one.constant, two)])._replace(constant=one.constant * two.constant)

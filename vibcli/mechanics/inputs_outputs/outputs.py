@@ -5,31 +5,36 @@ displacement or a load does to a signal directly goes to a channel of its own. E
 of squares of linear outputs, E = Σ F²/(2k) of springs, P = Σ c ṡ² of dampers.
 """
 
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signals import ENERGIES
 from vibcli.mechanics.inputs_outputs.displacements import displacement
-from vibcli.mechanics.inputs_outputs.linear_functions import combined, rate
-from vibcli.mechanics.support_forces import damper_rates, on_the_ground
+from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction, combined, rate
+from vibcli.mechanics.support_forces import on_the_ground, weighted_rates
 from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
 
 QUADRATIC = ("energy", "power")
 
 
-def is_quadratic(text):
+def is_quadratic(text: str) -> bool:
     return text.partition(".")[2] in QUADRATIC
 
 
-def linear_row(problem, text):
+def linear_row(configuration: "Configuration", text: str) -> LinearFunction:
     """The LinearFunction of a signal over the coordinates and inputs of the opened scene."""
     bare = text.rstrip("'")
-    row = _row(problem, bare)
+    row = _row(configuration, bare)
     for _ in range(len(text) - len(bare)):
-        row = rate(row, problem.opened.scene)
+        row = rate(row, configuration.with_inputs.scene)
     return row
 
 
-def _row(problem, text):
-    opened, scene = problem.opened, problem.opened.scene
+def _row(configuration, text):
+    opened, scene = configuration.with_inputs, configuration.with_inputs.scene
     name, _, part = text.partition(".")
     if text in ENERGIES:
         raise PhysicsError(f"'{text}' is quadratic in the motion: it is not linear", "ask for coordinates or forces")
@@ -41,20 +46,20 @@ def _row(problem, text):
     node = displacement(scene, text)
     if node is not None:
         return opened.rows([node])[0]
-    if scene.terms_of(name, "dampers"):
-        return combined(damper_rates(opened, name))
+    if rates := weighted_rates(opened, name):
+        return combined(rates)
     force = scene.force_of(name)
-    return problem.moving_reactions.row(text) if force is None else opened.rows([force])[0]
+    return configuration.moving_reactions.row(text) if force is None else opened.rows([force])[0]
 
 
-def squares(problem, text):
+def squares(configuration: "Configuration", text: str) -> list[tuple[float, LinearFunction]]:
     """[(weight, LinearFunction)] of a signal that is a sum of squares."""
-    opened = problem.opened
+    opened = configuration.with_inputs
     name, _, part = text.partition(".")
     if opened.scene.terms_of(name, "laws"):
         raise PhysicsError(f"'{text}' of a nonlinear law is found along the full motion alone", "write motion: full")
     if part == "power":
-        return damper_rates(opened, name)
+        return weighted_rates(opened, name)
     terms = opened.scene.terms_of(name, "springs")
     stiffnesses = evaluate([term.weight for term in terms], Floats, opened.values)
     if not all(stiffnesses):

@@ -9,7 +9,9 @@ R is the force (moment) that the support exerts on the body, in the fixed axes, 
 centre, of what rolls about the centre of its circle; λ is a tension for ropes and links, positive in lengthening.
 """
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.mechanics.lagrange import equation_of
 from vibcli.mechanics.linearisation import residual_terms
@@ -17,7 +19,14 @@ from vibcli.mechanics.linearise import linearise
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import is_zero, textbook
-from vibcli.symbolic.rationals import ONE
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.numeric_system import NumericSystem
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 OPEN = 1e-9
 LENGTHENING = ("rope", "link", "gear", "belt", "equation")
@@ -34,109 +43,88 @@ class Reaction(NamedTuple):
 class Released:
     """The scene with all its coordinates and its supports released, and the numbers of its coordinates in `q`."""
 
-    def __init__(self, problem):
-        from vibcli.scene.build import build_scene
-
-        self.problem = problem
-        self.scene = build_scene(problem.spec, problem.given, problem.scene.attempt, loose=True, releasing=True,
-                                 holding=problem.holding is not None)
-        if self.scene.static_preloads and not problem.symbolic:
-            nodes = {node: self.scene.table.number(_float_of(problem, record)) for node, record
-                     in self.scene.static_preloads}
-            self.scene.put(nodes)
-        count = len(problem.spec.coordinates)
+    def __init__(self, numeric: "NumericSystem"):
+        self.scene = numeric.scene.with_released_supports()
+        if self.scene.static_preloads and not numeric.has_free_symbols:
+            tensions = {node: numeric.system.preloads[record.name] for node, record in self.scene.static_preloads}
+            values = evaluate(list(tensions.values()), Floats, numeric.floats)
+            self.scene = self.scene.with_preloads({node: self.scene.table.number(Fraction(value))
+                                                   for node, value in zip(tensions, values, strict=True)})
+        count = len(numeric.spec.coordinates)
         self.held, self.real = self.scene.q[count:], self.scene.q[:count]
 
-    def slopes(self):
-        """∂G_k/∂q over all coordinates, releases last, as lists of expressions."""
-        return self._slopes_of(self.scene.constraints)
 
-    def slopes_at_rest(self):
-        return self._slopes_of(self.scene.resting.constraints)
-
-    def _slopes_of(self, constraints):
-        zero = self.scene.table.zero
-        return [[gradient(constraint.node).get(q, zero) for q in self.scene.q] for constraint in constraints]
+def constraint_slopes(scene: "Scene"):
+    """[∂G_k/∂q] of one constraint after the other, over all coordinates."""
+    return [gradient(constraint.node).get(q, scene.table.zero) for constraint in scene.constraints for q in scene.q]
 
 
-def _float_of(problem, record):
-    from fractions import Fraction
-
-    return Fraction(evaluate([problem.preloads[record.name]], Floats, problem.floats)[0])
-
-
-def reactions(problem):
+def reactions(configuration: "Configuration") -> list[Reaction]:
     """The Reactions in equilibrium: constraints first, then the supports of the bodies."""
     import numpy as np
 
-    released = Released(problem)
+    released = Released(configuration.numeric)
     scene, n = released.scene.resting, len(released.real)
-    values = _at_rest(problem, released)
+    values = _at_rest(configuration, released)
     terms = residual_terms(linearise(scene, still=True))
-    nodes = [scene.table.sum(*((term, ONE) for term in row)) for row in terms]
+    nodes = [scene.table.total(row) for row in terms]
     sizes = evaluate([term for row in terms for term in row], Floats, values)
-    flat = evaluate([*nodes, *(node for row in released.slopes_at_rest() for node in row)], Floats, values)
+    flat = evaluate([*nodes, *constraint_slopes(scene)], Floats, values)
     E = np.array(flat[:len(nodes)])
     G = np.array(flat[len(nodes):]).reshape(len(scene.constraints), len(nodes))
     multipliers, loose = solved(G[:, :n], E[:n])
     held = E[n:] + multipliers @ G[:, n:]
     left_open = np.abs(loose @ G[:, n:]).max(axis=0, initial=0.0) > OPEN
     found = []
+    size = float(max(np.abs(held).max(initial=0.0), np.abs(sizes).max(initial=0.0)))
     for k, constraint in enumerate(scene.constraints):
         sign = 1.0 if constraint.form in LENGTHENING else -1.0
         unknown = np.abs(loose[:, k]).max(initial=0.0) > OPEN
-        found.append(Reaction(signal_of(constraint), None if unknown else sign * float(multipliers[k]) + 0.0,
-                              constraint.form))
-    size = float(max(np.abs(held).max(initial=0.0), np.abs(sizes).max(initial=0.0)))
+        value = 0.0 if constraint.form == "contact" and abs(multipliers[k]) <= 1e-13 * size else float(multipliers[k])
+        found.append(Reaction(constraint.signal, None if unknown else sign * value + 0.0, constraint.form))
     for symbol, force, unknown in zip(released.held, held, left_open, strict=True):
         value = 0.0 if abs(force) <= 1e-13 * size else float(force)
         found.append(Reaction(symbol.name, None if unknown else value, "support"))
     return found
 
 
-def signal_of(constraint):
-    """hoist.force, or knee.force.x of a join, or hoist.force.1 of a rope in several pieces."""
-    name, dot, part = constraint.name.partition(".")
-    return f"{name}.force{dot}{part}"
-
-
-def _at_rest(problem, released):
+def _at_rest(configuration, released):
     """{symbol: float} of the released scene in equilibrium."""
-    scene = problem.scene.resting
-    nodes = [scene.symbol(name) for name in problem.spec.coordinates]
-    values = dict(zip(problem.spec.coordinates, evaluate(nodes, Floats, problem.at_rest), strict=True))
-    return {**problem.floats, **values, **dict.fromkeys((q.name for q in released.held), 0.0),
+    scene = configuration.scene.resting
+    nodes = [scene.symbol(name) for name in configuration.spec.coordinates]
+    values = dict(zip(configuration.spec.coordinates, evaluate(nodes, Floats, configuration.at_rest), strict=True))
+    return {**configuration.numeric.floats, **values, **dict.fromkeys((q.name for q in released.held), 0.0),
             released.scene.time.name: 0.0}
 
 
-def solved(G, E):
+def solved(G: "np.ndarray", E: "np.ndarray") -> "tuple[np.ndarray, np.ndarray]":
     """λ of Gᵀλ = −E by least squares, and a basis of what Gᵀλ = 0 leaves open, as rows."""
     import numpy as np
 
     if not len(G):
         return np.zeros(0), np.zeros((0, 0))
     scale = np.abs(G).max(axis=1)
+    scale[scale == 0.0] = 1.0       # of what ties supports alone
     u, s, vt = np.linalg.svd((G / scale[:, None]).T, full_matrices=True)
     rank = int(np.sum(s > OPEN * s[0]))
     multipliers = vt[:rank].T @ ((u[:, :rank].T @ -E) / s[:rank])
     return multipliers / scale, vt[rank:] / scale
 
 
-def along_the_motion(problem):
+def along_the_motion(numeric: "NumericSystem") -> "dict[str, Node]":
     """{signal: expression} of the supports in coordinates, velocities and accelerations; multipliers of constraints
     stay in it as symbols lambda_NAME."""
-    released = Released(problem)
+    released = Released(numeric)
     scene, table = released.scene, released.scene.table
     still = {node: table.zero for symbol in released.held
              for node in (symbol, table.variable(symbol.name + "'"), table.variable(symbol.name + "''"))}
     symbols = [table.variable("lambda_" + constraint.name.replace(".", "_")) for constraint in scene.constraints]
-    found = {}
-    equations = {}
+    found, equations = {}, {}
     for i, symbol in enumerate(scene.q):
-        ties = [(_steady_slope(released, gradient(constraint.node)[symbol]) * multiplier, ONE)
+        ties = [_steady_slope(released, gradient(constraint.node)[symbol]) * multiplier
                 for constraint, multiplier in zip(scene.constraints, symbols, strict=True)
                 if symbol in gradient(constraint.node)]
-        node = table.sum((equation_of(scene, i), ONE), *ties)
+        node = table.total([equation_of(scene, i), *ties])
         equations[symbol] = textbook(substitute([node], still)[0])
     free = [table.zero, *(equations[q] for q in released.real)]      # what a free coordinate does costs no reaction
     for symbol in released.held:
@@ -159,8 +147,8 @@ def _steady_slope(released, node):
     return scene.table.number(whole) if abs(whole) <= 1 and all(abs(v - whole) <= 1e-12 for v in values) else node
 
 
-def slack(problem):
+def slack(reactions: Sequence[Reaction]) -> list[Any]:
     """[(rope's signal, tension)] of ropes that equilibrium would have to push."""
-    forces = [reaction for reaction in problem.reactions if reaction.form == "rope" and reaction.value is not None]
-    largest = max((abs(reaction.value) for reaction in problem.reactions if reaction.value is not None), default=0.0)
+    forces = [reaction for reaction in reactions if reaction.form == "rope" and reaction.value is not None]
+    largest = max((abs(reaction.value) for reaction in reactions if reaction.value is not None), default=0.0)
     return [(reaction.signal, reaction.value) for reaction in forces if reaction.value < -1e-9 * largest]

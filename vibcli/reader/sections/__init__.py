@@ -3,5 +3,5 @@
 NAMES = {
     "answer": "expected answers, which `check` compares",
     "choose": "parameters that conditions determine",
-    "find": "what is asked of the scene",
+    "find": "what `solve` prints; all that is cheap if left out",
 }

@@ -1,11 +1,17 @@
 """Expected answers: a quantity and its value or expression, which `vibcli check` compares."""
 
+from typing import Any, NamedTuple
+
 from vibcli.base.diagnostics import quoted
+from vibcli.base.spelling import nearest
 from vibcli.language.document.document import Mapping
-from vibcli.language.fields import Element, Expression, Field, Kind, Quantity, nearest
-from vibcli.quantities.quantity import ALL, ASKED
-from vibcli.symbolic.parser import ExpressionError, parse
-from vibcli.symbolic.syntax import QuantityRef
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import Kind, Quantity
+from vibcli.language.reader import Expression
+from vibcli.quantities import FAMILIES
+from vibcli.quantities.quantity import ALL, EQUATION, declared
+from vibcli.symbolic.parser import parse
+from vibcli.symbolic.syntax import ExpressionError, QuantityRef
 
 ELEMENT = Element(
     "answer",
@@ -25,19 +31,18 @@ _EQUATION = Element("equation", "An expected equation of motion, up to a non-zer
                     short="value")
 
 
-class Answer:
-    """One expected answer: the tree asked for, the expected expression, and a tolerance expression or None."""
+class Answer(NamedTuple):
+    """One expected answer: the quantity asked for, the expected expression, and the tolerance."""
 
-    __slots__ = ("asked", "expected", "rtol")
-
-    def __init__(self, asked, expected, rtol):
-        self.asked, self.expected, self.rtol = asked, expected, rtol
+    asked: Expression
+    expected: Expression
+    rtol: Expression | None
 
 
 class Answers(Kind):
     wants = "a mapping from quantities to expected values"
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         if not isinstance(node, Mapping):
             return reader.expected(node, self.wants)
         answers = []
@@ -47,14 +52,15 @@ class Answers(Kind):
             except ExpressionError as error:
                 asked = key.text.partition("(")[0].strip()
                 if error.message.startswith("unknown function") and error.offset == 0:
-                    reader.report(key.where, f"unknown quantity {quoted(asked)}", nearest(asked, ASKED) or ALL)
+                    reader.report(key.where, f"unknown quantity {quoted(asked)}", nearest(asked, FAMILIES) or ALL)
                 else:
                     reader.report(key.place(error.offset, error.width), error.message, error.hint)
                 continue
-            equation = isinstance(tree, QuantityRef) and tree.head in ("equation", "motion")
-            record = (_EQUATION if equation else ELEMENT).read(value, reader, key.text, key.where)
+            quantity = declared(tree) if isinstance(tree, QuantityRef) else None
+            element = _EQUATION if quantity is not None and quantity.kind == EQUATION else ELEMENT
+            record = element.read(value, reader, key.text, key.where)
             if record is not None:
-                answers.append(Answer(Expression(key, tree, None, None), record["value"], record.get("rtol")))
+                answers.append(Answer(Expression(key, tree), record["value"], record.get("rtol")))
         return answers
 
     def schema(self):

@@ -1,24 +1,41 @@
 """Inverse questions: parameters that conditions determine."""
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.diagnostics import quoted
+from vibcli.base.spelling import near, nearest
 from vibcli.language.document.document import Scalar, Sequence
-from vibcli.language.fields import Element, Expression, Field, Kind, Quantity, near, nearest
-from vibcli.quantities.quantity import ALL, ASKED
-from vibcli.symbolic.parser import ExpressionError, parse
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import Kind, Quantity
+from vibcli.language.reader import Expression
+from vibcli.quantities import FAMILIES
+from vibcli.quantities.quantity import ALL
+from vibcli.symbolic.parser import parse
+from vibcli.symbolic.syntax import ExpressionError
+
+if TYPE_CHECKING:
+    from vibcli.base.errors import Where
 
 BALANCE, LIMIT = "equilibrium", "stability limit"
 
 
 class Condition:
-    """What determines a parameter: `word` BALANCE or LIMIT, or the two sides of an equation (then `word` is None)."""
+    """A condition that determines a parameter: `word` BALANCE or LIMIT, or the two sides of an equation (then `word` is
+    None)."""
 
     __slots__ = ("left", "right", "text", "where", "word")
 
-    def __init__(self, text, where, word=None, left=None, right=None):
+    def __init__(self, text: str, where: "Where", word: str | None = None, left: Expression | None = None,
+                 right: Expression | None = None):
         self.text, self.where, self.word, self.left, self.right = text, where, word, left, right
 
     @property
-    def sides(self):
+    def is_balance(self) -> bool:
+        """Is it that the drawn position is one of equilibrium?"""
+        return self.word == BALANCE
+
+    @property
+    def sides(self) -> tuple[Expression, ...]:
         return () if self.word else (self.left, self.right)
 
 
@@ -26,7 +43,7 @@ class _Condition(Kind):
     wants = "an equation, or one of equilibrium, stability limit"
     hint = "write for example zeta[1] = 1"
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         if isinstance(node, Sequence):
             return reader.expected(node, self.wants, "one condition to a parameter: choose as many as there are")
         if not isinstance(node, Scalar) or not node.text.strip():
@@ -43,10 +60,10 @@ class _Condition(Kind):
             asked = node.text[error.offset:error.offset + error.width]
             if error.message.startswith("unknown function"):
                 return reader.report(node.place(error.offset, error.width), f"unknown quantity {quoted(asked)}",
-                                     nearest(asked, ASKED) or ALL)
+                                     nearest(asked, FAMILIES) or ALL)
             return reader.report(node.place(error.offset, error.width), error.message, error.hint)
         sides = [_side(node, tree) for tree in equation.children]
-        reader.expressions += sides
+        reader.expressions.update((side.scalar, side) for side in sides)
         return Condition(words, node.where, None, *sides)
 
     def schema(self):
@@ -58,7 +75,7 @@ def _side(node, tree):
     text = node.text[tree.start:tree.end].rstrip()
     inset = None if node.inset is None else 0
     scalar = Scalar(text, node.place(tree.start, len(text)), node.quoted, inset)
-    return Expression(scalar, parse(text), None, None)
+    return Expression(scalar, parse(text))
 
 
 ELEMENT = Element(

@@ -1,64 +1,31 @@
-"""What is asked of a scene: words, the search for all equilibria, motions in time and frequency responses."""
+"""Questions of a scene: words, the search for all equilibria, and analyses with particulars."""
 
+from typing import TYPE_CHECKING, Any
+
+from vibcli.analyses import ANALYSES, FIND, OF_MODES
 from vibcli.language.document.document import Mapping, Scalar, Sequence
-from vibcli.language.fields import Choice, Element, Expression, Field, Kind, Many, OneOf, Quantity
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import Choice, Many, OneOf, Quantity
+from vibcli.language.named_elements import Lazy
 from vibcli.language.sections.equilibrium import ByCoordinate
-from vibcli.quantities.quantity import FIND
-from vibcli.symbolic.parser import ExpressionError, parse
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Expression, Record
 
 SEARCH, RESPONSE, FREQUENCY_RESPONSE = "equilibria", "response", "frequency_response"
-class _Signal(Kind):
-    """An expression of signals; what its names mean is settled when all are known."""
-
-    wants = "a signal such as x, x' or s.force"
-
-    def read(self, node, reader):
-        if not isinstance(node, Scalar) or not node.text.strip():
-            return reader.expected(node, self.wants)
-        try:
-            return Expression(node, parse(node.text), None, None)
-        except ExpressionError as error:
-            return reader.report(node.place(error.offset, error.width), error.message, error.hint)
-
-    def schema(self):
-        return {"type": "string"}
+RESPONSES = (RESPONSE, FREQUENCY_RESPONSE)
+INSIGHT = tuple(word for word in OF_MODES if ANALYSES[word][1] is None)      # what needs no particulars
+ALWAYS = ("equations", "energies", "equilibrium", "frequencies", "modes", "damping", "virtual_work")
+ON_REQUEST = tuple(word for word in FIND if word not in ALWAYS)         # found only where they are asked for
+WITH_PARTICULARS = {word: row for word, row in ANALYSES.items() if row[1] is not None}
+AT_LENGTH = (SEARCH, *WITH_PARTICULARS)
+WRITTEN = {SEARCH: f"{{{SEARCH}: all}}"} | {word: form for word, (_, _, form) in WITH_PARTICULARS.items() if form}
 
 
-class _Frequency(Quantity):
-    """An angular frequency, or one in Hz, which counts 2π."""
-
-    wants, sample = "a frequency (rad/s or Hz)", "20 rad/s or 5 Hz"
-
-    def __init__(self):
-        super().__init__("Hz")
+def _room(file):
+    return "analyses." + file.rpartition("/")[0]
 
 
-class _Input(_Signal):
-    wants = "the name of a force, driven point or coordinate"
-
-
-_SIGNALS = Many(_Signal(), 1, 50, "a list of signals")
-_IN_TIME = Element(
-    "response",
-    "The motion in time: which signals, and until when.",
-    {
-        "of": Field(_SIGNALS, "the signals; the coordinates if left out"),
-        "until": Field(Quantity("s"), "the end of the motion; some periods, or until it has died out, if left out"),
-    },
-    example="bump_in_the_road",
-)
-_IN_FREQUENCY = Element(
-    "frequency_response",
-    "Frequency responses of signals to a unit of an input.",
-    {
-        "of": Field(_SIGNALS, "the signals; the coordinates if left out"),
-        "to": Field(_Input(), "the input, a unit of it; of a coordinate the generalised force on it; the first of "
-                    "these if left out"),
-        "from": Field(_Frequency(), "where plots and saved numbers begin"),
-        "up_to": Field(_Frequency(), "where they end"),
-    },
-    example="frequency_response",
-)
 ELEMENT = Element(
     "request",
     "A question with particulars. Of all equilibria: each within bounds, with its residual and whether it is stable, "
@@ -72,26 +39,24 @@ ELEMENT = Element(
         "within": Field(ByCoordinate(Many(Quantity(), 2, 2, "two bounds [least, most]"),
                                      "a mapping from coordinates to bounds [least, most]"),
                         "bounds of coordinates in the search, such as {phi: [-90 deg, 90 deg]}"),
-        RESPONSE: Field(_IN_TIME, "which signals of the motion in time, and until when"),
-        FREQUENCY_RESPONSE: Field(_IN_FREQUENCY, "frequency responses of which signals, to which input"),
+        **{word: Field(Lazy(word, _room(file)), about) for word, (file, about, _) in WITH_PARTICULARS.items()},
     },
-    exclusive=((SEARCH, RESPONSE, FREQUENCY_RESPONSE), ("within", RESPONSE), ("within", FREQUENCY_RESPONSE)),
-    needs=((SEARCH, RESPONSE, FREQUENCY_RESPONSE),),
+    exclusive=(AT_LENGTH, *(("within", word) for word in WITH_PARTICULARS)),
+    needs=(AT_LENGTH,),
     example="buckled_post",
 )
-AT_LENGTH = (SEARCH, RESPONSE, FREQUENCY_RESPONSE)
 
 
 class Questions(list):
     """The words asked, in order; `records`: {word: Record} of those that are asked at length."""
 
-    def __init__(self, items):
+    def __init__(self, items: Any):
         self.records = {key: item for item in items if not isinstance(item, str) for key in AT_LENGTH if key in item}
         super().__init__(item if isinstance(item, str) else next(key for key in AT_LENGTH if key in item)
                          for item in items)
 
     @property
-    def search(self):
+    def search(self) -> "Record | None":
         """The Record of the search for equilibria, or None."""
         return self.records.get(SEARCH)
 
@@ -100,18 +65,18 @@ class Questions(list):
         """{coordinate: [least, most]} as written."""
         return self.search.get("within", {}) if self.search else {}
 
-    def about(self, word):
+    def about(self, word: str) -> "Record | None":
         """The Record of what is asked of a response, or None."""
         record = self.records.get(word)
         return None if record is None else record[word]
 
     @property
-    def in_time(self):
+    def in_time(self) -> "Record | None":
         """The Record of what is asked of the motion in time, or None."""
         return self.about(RESPONSE)
 
     @property
-    def signals(self):
+    def signals(self) -> "tuple[list[Expression], list[Expression]]":
         """The expressions of all signals asked, and the inputs."""
         records = [record for record in map(self.about, (RESPONSE, FREQUENCY_RESPONSE)) if record is not None]
         return ([signal for record in records for signal in record.get("of", ())],
@@ -119,24 +84,18 @@ class Questions(list):
 
 
 class _Question(OneOf):
-    def __init__(self):
-        words = Choice(*(word for word in FIND if word != SEARCH))
-        super().__init__(f"{words.wants}, or {{{SEARCH}: all}}", scalar=words, mapping=ELEMENT)
+    """A word, or a question with particulars."""
 
-    def read(self, node, reader):
-        if isinstance(node, Scalar) and node.text == SEARCH:
-            return reader.expected(node, self.wants, f"write {{{SEARCH}: all}}")
+    def read(self, node: Any, reader: Any):
+        if isinstance(node, Scalar) and node.text in WRITTEN:
+            return reader.expected(node, self.wants, f"write {WRITTEN[node.text]}")
         return super().read(node, reader)
 
 
 class _Find(OneOf):
     """A list of questions; a mapping stands for the list of it alone."""
 
-    def __init__(self):
-        super().__init__("a list of questions", sequence=Many(_Question(), 1, 20, "a list of questions"),
-                         mapping=_Question())
-
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         if isinstance(node, Scalar):
             return reader.expected(node, self.wants, f"write [{node.text}]" if node.text in FIND else None)
         items = super().read(node, reader)
@@ -150,4 +109,6 @@ class _Find(OneOf):
         return Questions(items if isinstance(items, list) else [items])
 
 
-QUESTIONS = _Find()
+_WORDS = Choice(*(word for word in FIND if word not in WRITTEN))
+_ONE = _Question(f"{_WORDS.wants}, or {' or '.join(WRITTEN.values())}", scalar=_WORDS, mapping=ELEMENT)
+QUESTIONS = _Find("a list of questions", sequence=Many(_ONE, 1, 20, "a list of questions"), mapping=_ONE)

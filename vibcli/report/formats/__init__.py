@@ -9,5 +9,6 @@ FORMATS = {
     "text": ((".txt",), None, "as in the terminal"),
     "markdown": ((".md", ".markdown"), ".svg", "Markdown with formulas between dollar signs"),
     "latex": ((".tex",), ".pdf", "a LaTeX document of its own"),
+    "asciidoc": ((".adoc", ".asciidoc"), ".svg", "AsciiDoc with formulas as `stem`, in LaTeX"),
     "html": ((".html", ".htm"), WITHIN, "a page complete in itself, its formulas in MathML"),
 }

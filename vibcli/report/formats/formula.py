@@ -1,7 +1,9 @@
 """The mathematics of blocks in a notation: as text, LaTeX or MathML, piece by piece where a line may end."""
 
 import re
+from collections.abc import Iterator, Sequence
 from itertools import groupby
+from typing import Any
 
 from vibcli.notation.numbers import width
 from vibcli.notation.plain import plain
@@ -10,12 +12,13 @@ from vibcli.report.blocks import Either, Factor, Maths, Name, SumOfTerms, Words
 BREAK = re.compile(r"(?= [+−=<>] )")
 
 
-def formula(parts, write):
+def formula(parts: Sequence[Any], write: Any) -> str:
     """Mathematics as one text."""
-    return write.beside(*pieces(parts, write))
+    found = pieces(parts, write)
+    return found[0] if len(found) == 1 else write.beside(*found)
 
 
-def pieces(parts, write):
+def pieces(parts: Sequence[Any], write: Any) -> list[str]:
     """[text] of mathematics; a line may end before each but the first. All notations give the same number of them."""
     found = []
     for part in parts:
@@ -25,7 +28,7 @@ def pieces(parts, write):
     return found
 
 
-def without_words(parts):
+def without_words(parts: Sequence[str | Maths]) -> Iterator[str | Maths]:
     """Running text in which the words within formulas stand outside of them, and the space that ends one too."""
     for part in parts:
         if not isinstance(part, Maths):
@@ -38,7 +41,7 @@ def without_words(parts):
                 yield " "
 
 
-def rows(parts, write, columns):
+def rows(parts: Any, write: Any, columns: int) -> list[str]:
     """A formula broken into rows of about so many columns of plain text, before a relation or a term."""
     found, size = [[]], 0
     for said, text in zip(pieces(parts, plain), pieces(parts, write), strict=True):

@@ -2,10 +2,21 @@
 
 import re
 from base64 import b64encode
+from collections.abc import Callable, Sequence
 
 from vibcli.notation.mathml import mathml, row
 from vibcli.notation.plain import plain
-from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, Picture, Refusal, TableBlock
+from vibcli.report.blocks import (
+    Definitions,
+    Document,
+    Equations,
+    Heading,
+    Maths,
+    Paragraph,
+    Picture,
+    Refusal,
+    TableBlock,
+)
 from vibcli.report.formats.formula import formula, rows, without_words
 from vibcli.report.formats.html_page import page, words
 from vibcli.report.formats.latex import is_signed
@@ -16,14 +27,14 @@ _PROLOGUE = re.compile(r"<\?xml.*?\?>|<!DOCTYPE[^>]*>|<metadata>.*?</metadata>",
 _DEFINED = re.compile(r'\bid="|href="#|url\(#')
 
 
-def render(documents, _=None):
+def render(documents: Sequence[Document], _: Callable | None = None) -> str:
     """The page with all documents, the first at its top, the others below it as cases."""
     contents = _contents(documents) if len(documents) > 1 else ""
     articles = [_article(number, document) for number, document in enumerate(documents)]
     return page(documents[0].title, contents + "\n".join(articles))
 
 
-def fragment(document):
+def fragment(document: Document):
     """One document as a piece of a page."""
     return _article(0, document)
 

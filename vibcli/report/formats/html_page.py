@@ -3,7 +3,7 @@ script runs: the policy of the page forbids both."""
 
 from html import escape
 
-from vibcli.base.plain_text import cleaned
+from vibcli.base.decoding import cleaned
 
 STYLE = """
 :root { color-scheme: light dark; --rule: color-mix(in srgb, currentColor 25%, transparent); }
@@ -39,12 +39,12 @@ figure { margin: 1em 0; } figure svg { max-width: 100%; height: auto; } figcapti
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
 
 
-def words(text):
+def words(text: str) -> str:
     """Words of a file as text or attribute of HTML."""
     return escape(cleaned(text))
 
 
-def page(title, body):
+def page(title: str, body: str) -> str:
     return (f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8"/>\n'
             f'<meta http-equiv="Content-Security-Policy" content="{escape(POLICY)}"/>\n'
             f'<meta name="viewport" content="width=device-width, initial-scale=1"/>\n'

@@ -1,10 +1,21 @@
 """A report as a complete LaTeX document for pdflatex, in plain ASCII."""
 
 import re
+from collections.abc import Callable, Sequence
 
-from vibcli.notation.latex import latex
+from vibcli.notation.latex import Latex, latex
 from vibcli.notation.latex_text import escaped
-from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, Picture, Refusal, TableBlock
+from vibcli.report.blocks import (
+    Definitions,
+    Document,
+    Equations,
+    Heading,
+    Maths,
+    Paragraph,
+    Picture,
+    Refusal,
+    TableBlock,
+)
 from vibcli.report.formats.formula import formula, rows, without_words
 
 COLUMNS = 95        # of plain text, in a row of a formula
@@ -25,12 +36,12 @@ HEAD = r"""\documentclass[11pt,a4paper,fleqn]{article}
 """
 
 
-def render(documents, place):
+def render(documents: Sequence[Document], place: Callable | None) -> str:
     """The LaTeX of all documents; `place(picture)` is the name of the file that a picture is written to."""
     return HEAD + "\n\\clearpage\n".join(_document(document, place) for document in documents) + "\n\\end{document}"
 
 
-def fragment(document):
+def fragment(document: Document):
     """One document without pictures as a piece of a LaTeX document."""
     return _document(document, None)
 
@@ -57,7 +68,7 @@ def _equations(block):
     return f"\\begin{{align*}}\n{lines}\n\\end{{align*}}"
 
 
-def aligned(block, write):
+def aligned(block: Equations, write: Latex) -> list[str]:
     """Rows of an alignment: labels, then formulas, broken where they are long."""
     found = []
     for line in block.lines:
@@ -88,7 +99,7 @@ def _cell(cell):
     return _running((cell,))
 
 
-def is_signed(cell):
+def is_signed(cell: str | Maths) -> bool:
     """Is a cell a number with a sign or a power of ten, which is to be set as mathematics?"""
     return isinstance(cell, str) and bool(_SIGNED.fullmatch(cell))
 

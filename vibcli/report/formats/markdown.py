@@ -1,10 +1,22 @@
 """A report as Markdown as GitHub reads it: mathematics between dollars, tables with bars."""
 
 import re
+from collections.abc import Callable, Sequence
+from typing import Any
 
-from vibcli.base.plain_text import on_one_line
+from vibcli.base.decoding import on_one_line
 from vibcli.notation.latex import Latex
-from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, Picture, Refusal, TableBlock
+from vibcli.report.blocks import (
+    Definitions,
+    Document,
+    Equations,
+    Heading,
+    Maths,
+    Paragraph,
+    Picture,
+    Refusal,
+    TableBlock,
+)
 from vibcli.report.formats.formula import formula, without_words
 from vibcli.report.formats.latex import aligned, is_signed
 
@@ -13,7 +25,7 @@ _OTHERS = {"&": "&amp;", "<": "&lt;", ">": "&gt;", "$": r"<span>\$</span>", "://
 _OTHER = re.compile("|".join(map(re.escape, _OTHERS)), re.IGNORECASE)
 
 
-_WIDE = {letter: chr(ord(letter) + 0xFEE0) for letter in r"\${}%&#_^~<>`"}
+_WIDE: dict[str, str | int] = {letter: chr(ord(letter) + 0xFEE0) for letter in r"\${}%&#_^~<>`"}
 
 
 class Protected(Latex):
@@ -22,27 +34,27 @@ class Protected(Latex):
 
     thin, thick = r"\mkern3mu", r"\mkern5mu"
 
-    def word(self, text):
+    def word(self, text: str) -> str:
         first, _, rest = text.partition("_")
         return self.indexed(rf"\mathrm{{{first}}}", self.word(rest)) if rest else rf"\mathrm{{{first}}}"
 
-    def indexed(self, letter, below):
+    def indexed(self, letter: str, below: str) -> str:
         return f"{letter} _ {{{below}}}"
 
-    def words(self, text):
+    def words(self, text: Any):
         return rf"\text{{{on_one_line(text).translate(str.maketrans(_WIDE))}}}" if text else ""
 
 
 latex = Protected()
 
 
-def escaped(text):
+def escaped(text: str) -> str:
     """Words that Markdown shows as they are: no link, markup, formula or HTML."""
     text = _SPECIAL.sub(r"\\\g<0>", on_one_line(text))
     return _OTHER.sub(lambda found: _OTHERS[found[0].lower()], text)
 
 
-def beginning(text):
+def beginning(text: str) -> str:
     """What begins a line, so that it begins neither a list nor a rule."""
     text = text.strip()
     if re.match(r"[-+=]", text):
@@ -50,7 +62,7 @@ def beginning(text):
     return re.sub(r"^(\d+)([.)])", r"\1\\\2", text)
 
 
-def render(documents, place):
+def render(documents: Sequence[Document], place: Callable | None) -> str:
     """The Markdown of all documents; `place(picture)` is the name of the file that a picture is written to."""
     return "\n\n".join(part for document in documents for part in _document(document, place))
 

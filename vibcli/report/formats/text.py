@@ -1,16 +1,19 @@
 """A report as plain text: sections under their titles, formulas on one line as far as they fit."""
 
-from vibcli.base.plain_text import cleaned
+from collections.abc import Sequence
+from typing import Any
+
+from vibcli.base.decoding import cleaned
 from vibcli.notation.numbers import table, width, wrapped
 from vibcli.notation.plain import plain
-from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, TableBlock
+from vibcli.report.blocks import Definitions, Document, Equations, Heading, Maths, Paragraph, Section, TableBlock
 from vibcli.report.formats.formula import formula
 
 COLUMNS = 100
 NARROW = 98     # of what explains the lines above
 
 
-def render(documents, _=None):
+def render(documents: Sequence[Document], _: Any = None) -> str:
     """The text of all documents."""
     return "\n\n\n".join(map(_document, documents))
 
@@ -22,7 +25,7 @@ def _document(document):
     return shown(lines + section_lines(document.sections))
 
 
-def section_lines(sections):
+def section_lines(sections: Sequence[Section]) -> list[str]:
     """Lines of sections, each after an empty one."""
     lines = []
     for section in sections:
@@ -31,11 +34,11 @@ def section_lines(sections):
     return lines
 
 
-def shown(lines):
+def shown(lines: Sequence[str]) -> str:
     return cleaned("\n".join(lines)).replace("\u00a0", " ")
 
 
-def running(parts):
+def running(parts: Sequence[str | Maths]) -> str:
     """Words and Maths as text."""
     return "".join(formula(part.parts, plain) if isinstance(part, Maths) else part for part in parts)
 

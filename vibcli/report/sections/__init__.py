@@ -15,9 +15,10 @@ SECTIONS = {
     "reactions": ("statics", "reactions in equilibrium and along a motion"),
     "response": ("response", "the motion in time"),
     "frequency_response": ("frequency_response", "resonances, antiresonances and amplitudes"),
-    "shares": ("insight", "what each element has of the energy of a mode"),
-    "sensitivities": ("insight", "how frequencies change with parameters"),
-    "estimates": ("insight", "estimates of Rayleigh and Dunkerley"),
+    "shares": ("shares", "what each element has of the energy of a mode"),
+    "sensitivities": ("sensitivities", "how frequencies change with parameters"),
+    "estimates": ("estimates", "estimates of Rayleigh and Dunkerley"),
+    "ritz": ("ritz", "bounds of frequencies by assumed shapes"),
     "schematic": ("illustrations", "the figure of the scene"),
     "mode_pictures": ("illustrations", "figures of the mode shapes"),
 }

@@ -1,23 +1,28 @@
 """The parameters that a scene chose: as a section of a report, and as data."""
 
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
 from vibcli.notation.numbers import figure, quantity
-from vibcli.notation.scene_language import language
 from vibcli.reader.sections.choose import BALANCE, LIMIT
-from vibcli.report.blocks import Name, Words, equations, line, maths, paragraph, section, separated
-from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.semantics import literals_in
+from vibcli.report.blocks import Name, Section, Words, equations, line, maths, paragraph, section, separated
+from vibcli.report.keys import Key
+
+if TYPE_CHECKING:
+    from vibcli.report.document import Report
+    from vibcli.results.problem import Problem
 
 WORDS = {BALANCE: "the drawn position is an equilibrium", LIMIT: "the equilibrium is at its limit of stability"}
 
 
-def chosen(problem, _):
+def chosen(problem: "Problem", _: "Report") -> Iterator[Section]:
     """Conditions, solutions with closed form and number, and how well they hold."""
-    found = problem.chosen
+    found = problem.choice
     texts = dict.fromkeys(WORDS.get(text, text) for text in found.conditions.values())
     told = paragraph(*separated(maths(Name(name)) for name in found.conditions), f" so that {', '.join(texts)}")
     several = len(found.solutions) > 1
     residual = figure(max(solution.residual for solution in found.solutions), digits=2)
-    where = " at several values of the letters" if problem.letters else ""
+    where = " at several values of the letters" if problem.symbolic.letters else ""
     checked = f"checked by substitution{where}: relative residual {residual}" + " at most" * several
     if any(_with_units(record["so"]) for record in problem.spec.choices.values()) and _any_form(found):
         checked += "; closed forms in SI units"
@@ -26,8 +31,8 @@ def chosen(problem, _):
 
 
 def _lines(problem, several):
-    for number, solution in enumerate(problem.chosen.solutions, 1):
-        for i, name in enumerate(problem.chosen.conditions):
+    for number, solution in enumerate(problem.choice.solutions, 1):
+        for i, name in enumerate(problem.choice.conditions):
             mark, inset = ((Words(f"{number}.  "),), 0) if several and not i else ((), 4 * several)
             fold = (Words(FOLD),) * solution.fold
             yield line(*mark, *_equation(problem, name, solution), *fold, hang=6 if several else 2, inset=inset)
@@ -50,6 +55,8 @@ def _told(condition):
     """The same as a text of the language."""
     if condition.words is not None or not condition.relation:
         return condition.words or f"real {condition.name}"
+    from vibcli.notation.scene_language import language
+
     side = condition.name if condition.node is None else language(condition.node)
     return f"{side} {condition.relation.replace('≥', '>=').replace('≤', '<=')} {language(condition.bound)}"
 
@@ -60,7 +67,7 @@ FOLD = "   a limit point (fold): there the equilibrium meets an unstable one, an
 def _equation(problem, name, solution):
     """Parts of c = closed form = number."""
     form, value = solution.forms[name], solution.values[name]
-    parts = [Name(name)]
+    parts: list = [Name(name)]
     if form is not None and (value is None or _has_letters(form)):
         parts += [" = ", form]
     if value is not None:
@@ -71,6 +78,8 @@ def _equation(problem, name, solution):
 
 
 def _has_letters(node):
+    from vibcli.symbolic.expression_graph import reachable
+
     return any(part.op == "symbol" for part in reachable([node]))
 
 
@@ -80,23 +89,26 @@ def _any_form(chosen):
 
 
 def _with_units(condition):
-    return any(literal.units for side in condition.sides for literal in literals_in(side.tree))
+    return any(literal.units for side in condition.sides for literal in side.parts.numbers)
 
 
-def chosen_data(problem):
-    """[{parameter, condition, values, closed_forms, residuals, limit_points, counts_for}], of lists an entry to each
-    solution."""
-    chosen = problem.chosen
-    found = []
-    for name, condition in chosen.conditions.items():
-        forms = [solution.forms[name] for solution in chosen.solutions]
-        texts = [None if form is None else language(form) for form in forms]
-        values = [solution.values[name] for solution in chosen.solutions]
-        found.append({"parameter": name, "condition": condition,
-                      "values": [text if value is None else float(value)
-                                 for value, text in zip(values, texts, strict=True)],
-                      "closed_forms": texts, "residuals": [solution.residual for solution in chosen.solutions],
-                      "limit_points": [solution.fold for solution in chosen.solutions],
-                      "counts_for": [[_told(condition) for condition in solution.counts]
-                                     for solution in chosen.solutions]})
-    return found
+def _chosen(problem):
+    """What the keys tell of each parameter."""
+    solutions = problem.choice.solutions
+    for name, condition in problem.choice.conditions.items():
+        forms = [solution.forms[name] for solution in solutions]
+        values = [form if solution.values[name] is None else float(solution.values[name])
+                  for solution, form in zip(solutions, forms, strict=True)]
+        yield CHOSEN.row(name, condition, values, forms, [solution.residual for solution in solutions],
+                         [solution.fold for solution in solutions],
+                         [list(map(_told, solution.counts)) for solution in solutions])
+
+
+CHOSEN = Key("chosen", "only where the scene chooses: a list, one entry to each chosen parameter", _chosen, each=(
+    Key("parameter", "its name"),
+    Key("condition", "the condition as written"),
+    Key("values", "its value in each solution, ascending; all else is of the first"),
+    Key("closed_forms", "the same as expressions of the language of scenes, null where none was found"),
+    Key("residuals", "what is left of the conditions after substitution, relative to their terms"),
+    Key("limit_points", "is it a limit point (fold), where the equilibrium and an unstable one vanish?"),
+    Key("counts_for", "in letters: the conditions under which each is a solution, none where it always is")))

@@ -1,38 +1,46 @@
 """Energies and equations of motion, full and for small oscillations."""
 
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import Kinked
 from vibcli.notation.abbreviations import abbreviated
-from vibcli.notation.equation_sides import sides
+from vibcli.notation.equation_sides import equation, sides
 from vibcli.report import blocks
-from vibcli.report.blocks import Heading, Name, line, maths, paragraph, section, separated
-from vibcli.report.sections.data import numeric_drive, numeric_row
+from vibcli.report.blocks import Heading, Name, Paragraph, Section, line, maths, paragraph, section, separated
+from vibcli.report.keys import Key
 from vibcli.report.sections.equilibrium import held
 from vibcli.report.sections.too_long import brief
+
+if TYPE_CHECKING:
+    from vibcli.report.document import Report
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 ENERGIES = (("T", "T", "Kinetic energy"), ("V", "V", "Potential energy"), ("Phi", "Φ", "Dissipation function"))
 WRITTEN_OUT = 16        # coordinates of a scene whose equations are printed in numbers
 
 
-def energies(problem, report):
+def energies(problem: "Problem", report: "Report") -> Iterator[Section]:
     for key, symbol, title in ENERGIES:
-        (shown,), lengths = abbreviated([problem.energies[key]], report.roots)
+        (shown,), lengths = abbreviated([problem.symbolic.energies[key]], report.roots)
         if not shown.is_zero:
             yield from section(title, blocks.equations([line(f"{symbol} = ", brief(shown), hang=2)]),
                                *with_lengths(lengths))
 
 
-def with_lengths(lengths):
+def with_lengths(lengths: "Sequence[tuple[Node, Node]]") -> list[Paragraph]:
     """Paragraphs that tell what new symbols of lengths stand for."""
     return [paragraph("with ", maths(symbol, " = ", length), hang=4, aside=True) for symbol, length in lengths]
 
 
-def equations(problem, report):
+def equations(problem: "Problem", report: "Report") -> Iterator[Section]:
     """The equations of motion; then those of small oscillations, in letters and in numbers."""
-    if not problem.loose.q:
+    if not problem.system.scene_with_multipliers.q:
         return
     yield from _full(problem, report)
-    found, coordinates = problem.equations, problem.scene.coordinates
-    if found.refusal and not (problem.sticking or isinstance(found.refusal, Kinked)):
+    found, coordinates = problem.symbolic.equations, problem.scene.coordinates
+    if found.refusal and not (problem.system.sticking or isinstance(found.refusal, Kinked)):
         raise found.refusal
     if found.refusal:
         yield from _unbent(problem, report)
@@ -42,35 +50,36 @@ def equations(problem, report):
         linear = blocks.equations(
             line(node, " = ", found.drive.get(i, problem.scene.table.zero), label=Name(name))
             for i, (name, node) in enumerate(zip(coordinates, found.linear, strict=True)))
-    numbers = not problem.symbolic and len(coordinates) <= WRITTEN_OUT
-    drawn = problem.balanced_as_drawn if problem.symbolic else problem.equilibrium.drawn
+    numbers = not problem.numeric.has_free_symbols and len(coordinates) <= WRITTEN_OUT
+    drawn = problem.symbolic.balanced_as_drawn
     yield from section(
         "Small oscillations about the equilibrium" + ("" if drawn else ", the coordinates counted from it"), linear,
         Heading("in numbers (SI units):") if linear and numbers else None,
         blocks.equations(_in_numbers(problem, found)) if numbers else None, left_out(problem))
 
 
-def left_out(problem):
+def left_out(problem: "Problem"):
     """What of loads in time and of driven displacements the equations of small oscillations do not hold."""
-    if not problem.left_out:
+    left_out, names = problem.symbolic.left_out, problem.scene.coordinates
+    if not left_out:
         return None
-    told = separated(maths(Name(problem.scene.coordinates[i]), ":  ", node) for i, node in problem.left_out.items())
+    told = separated(maths(Name(names[i]), ":  ", node) for i, node in left_out.items())
     return paragraph("left out of the left side, as products of the coordinates and what drives them: ", *told,
                      "   (parametric excitation: `motion: full` keeps it)", hang=4, aside=True)
 
 
 def _unbent(problem, report):
     """What is said instead of small oscillations where there is a kink."""
-    if problem.sticking is not None and not report.told_held:
+    if problem.system.sticking is not None and not report.tells("Equilibrium"):
         yield from section("Equilibrium", *held(problem))
-    why = problem.equations.refusal.message.partition(":")[0].replace(" in the equilibrium", " there")
-    if problem.sticking is not None:
+    why = problem.symbolic.equations.refusal.message.partition(":")[0].replace(" in the equilibrium", " there")
+    if problem.system.sticking is not None:
         why = "dry friction has a kink there"
     yield from section("Small oscillations", paragraph(f"none: {why}; `motion: full` follows the motion", hang=0))
 
 
 def _full(problem, report):
-    found, loose, title = problem.equations, problem.loose, "Equations of motion"
+    found, loose, title = problem.symbolic.equations, problem.system.scene_with_multipliers, "Equations of motion"
     if not found.full:
         yield from section(title, paragraph(f"not written out for {len(problem.scene.coordinates)} coordinates"))
         return
@@ -88,10 +97,9 @@ def _full(problem, report):
 
 
 def _in_numbers(problem, found):
-    from vibcli.mechanics.lagrange import EquationsOfMotion
+    from vibcli.report.sections.numeric_equations import numeric_drive, numeric_row
 
-    matrices = EquationsOfMotion()
-    matrices.M, matrices.C, matrices.G, matrices.K = problem.elements.matrices()
+    matrices = problem.configuration.linear_system.matrices()
     for i, name in enumerate(problem.scene.coordinates):
         row, drive = numeric_row(problem, matrices, i), numeric_drive(problem, found, i)
         yield line(*_sum(row), " = ", *_sum(drive), label=Name(name))
@@ -107,3 +115,51 @@ def _sum(row):
         else:
             parts += [sign + ("" if abs(value) == 1 else f"{abs(value):.6g}·"), node]
     return parts or ["0"]
+
+
+ENERGY = Key("energies", "as expressions of the language of scenes, in solve and equations",
+             lambda problem: problem.symbolic.energies, of=(
+    Key("T", "kinetic energy"),
+    Key("V", "potential energy, without constants"),
+    Key("Phi", "dissipation function; 0 where nothing damps")))
+
+
+def equation_rows(problem: "Problem") -> Iterator[dict[str, str | None]]:
+    """What the keys below tell of each coordinate."""
+    from vibcli.notation.latex import latex
+    from vibcli.notation.scene_language import language
+    from vibcli.report.sections.numeric_equations import linear_row
+
+    equations, loose = problem.symbolic.equations, problem.system.scene_with_multipliers
+    for i, name in enumerate(equations.names):
+        text, tex, missing = None, None, None
+        if name in problem.scene.coordinates and not equations.refusal:
+            row = problem.scene.coordinates.index(name)
+            text, tex = linear_row(problem, equations, row)
+            missing = equations.left_out.get(row)
+        full = [equation(loose, equations.full[i], write) if equations.full else None for write in (language, latex)]
+        yield EQUATIONS.row(name, *full, text, tex, missing)
+
+
+EQUATIONS = Key("equations", "a list, one entry to each coordinate", equation_rows, each=(
+    Key("coordinate", "the coordinate"),
+    Key("text", "the full equation of motion in the language of scenes; null where there is none"),
+    Key("latex", "the same in LaTeX"),
+    Key("linear_text", "the equation of small oscillations, the coordinates counted from equilibrium"),
+    Key("linear_latex", "the same in LaTeX"),
+    Key("left_out", "what its left side lacks, products of the coordinates and of loads in time or driven "
+        "displacements, as text; null where there are none")))
+
+
+def _matrices(problem):
+    """{name: rows} of numbers or of expressions, None where it is absent."""
+    symbolic, indices = problem.numeric.has_free_symbols, range(len(problem.scene.coordinates))
+    zero, matrices = ("0", problem.symbolic.matrices if problem.symbolic.linearisable else [{}] * 4) if symbolic else (
+        0.0, problem.configuration.linear_system.matrices())
+    return MATRICES.row(*([[matrix.get((i, j), zero) for j in indices] for i in indices] if matrix else None
+                          for matrix in matrices))
+
+
+MATRICES = Key("matrices", "of M q'' + (C + G) q' + K q = 0: lists of rows, null where absent", _matrices, of=(
+    Key("M", "mass matrix"), Key("C", "damping matrix, symmetric"), Key("G", "gyroscopic matrix, skew"),
+    Key("K", "stiffness matrix")))

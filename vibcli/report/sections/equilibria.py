@@ -1,11 +1,17 @@
 """The list of all equilibria, as a section of a report and as data."""
 
-from vibcli.analyses.modal.bifurcation_distance import bifurcation_warning, stiffness_condition
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
 from vibcli.analyses.modal.stability import FALLING, HELD, NEUTRAL, OPEN, STABLE, UNSTABLE, inertless, judged
 from vibcli.notation.numbers import figure, with_unit
-from vibcli.notation.plain import plain
-from vibcli.report.blocks import Name, TableBlock, Words, maths, paragraph, section, separated
+from vibcli.report.blocks import Name, Section, TableBlock, Words, maths, paragraph, section, separated
+from vibcli.report.keys import Key
 from vibcli.report.sections.parameters import unit
+
+if TYPE_CHECKING:
+    from vibcli.report.document import Report
+    from vibcli.results.problem import Problem
 
 KINDS = {STABLE: "stable", UNSTABLE: "unstable", NEUTRAL: "neutral", HELD: "stable by terms beyond the linear ones",
          FALLING: "unstable by terms beyond the linear ones", OPEN: "no small oscillations: a kink"}
@@ -20,23 +26,23 @@ MISSED = ("at least one more exists: the indices of these sum to {}, but the for
 CUT = "the search was cut short: there may be more; give narrower bounds under `within`"
 
 
-def equilibria(problem, _):
+def equilibria(problem: "Problem", _: "Report") -> Iterator[Section]:
     """A table of the equilibria, and where they were searched."""
-    found = problem.equilibria
-    warned = [(number, _warning(about)) for number, about in enumerate(problem.about_each, 1)]
-    limits = [maths(Name(name), Words(f" from {with_unit(low, problem.dimension(name))} to "
-                                      f"{with_unit(high, problem.dimension(name))}"))
-              for name, (low, high) in found.bounds.items()]
+    listed = _listed(problem)
+    warned = [(number, _warning(about, found)) for number, (_, about, found) in enumerate(listed, 1)]
+    limits = [maths(Name(name), Words(f" from {with_unit(low, problem.system.dimension(name))} to "
+                                      f"{with_unit(high, problem.system.dimension(name))}"))
+              for name, (low, high) in problem.equilibria.bounds.items()]
     yield from section(
-        "Equilibria", _table(problem) if found.items else paragraph("none"),
+        "Equilibria", _table(problem, listed) if listed else paragraph("none"),
         *(paragraph(f"{number}: {warning}", hang=3) for number, warning in warned if warning),
         paragraph("searched: ", *separated(limits)) if limits else None,
-        _others(problem, found))
+        _others(problem, problem.equilibria))
 
 
 def _others(problem, found):
     """A paragraph: are there others?"""
-    if problem.sticking is not None:
+    if problem.system.sticking is not None:
         return paragraph(HELD_ELSEWHERE, hang=None)
     if found.linear:
         return paragraph("the equations are linear: there are no others") if found.items else None
@@ -50,22 +56,24 @@ def _signed(number):
     return str(number).replace("-", "−")
 
 
-def equilibrium_warning(problem):
-    """A warning where the equilibrium of a problem is near a bifurcation, else None."""
-    return bifurcation_warning(stiffness_condition(problem))
+def _listed(problem):
+    """[(what was found, the problem about it, its Stability)]"""
+    return [(item, about, judged(about.modal))
+            for item, about in zip(problem.equilibria.items, problem.about_each, strict=True)]
 
 
-def _warning(problem):
-    """The same of one of a list, where its stability may be open."""
-    return None if judged(problem).kind == OPEN else equilibrium_warning(problem)
+def _warning(problem, found):
+    """A warning where an equilibrium is near a bifurcation; None of one whose stability is open."""
+    if found.kind == OPEN:
+        return None
+    from vibcli.analyses.modal.bifurcation_distance import bifurcation_warning, stiffness_condition
+
+    return bifurcation_warning(stiffness_condition(problem.modal))
 
 
-def _table(problem):
-    rows = []
-    for number, (item, about) in enumerate(zip(problem.equilibria.items, problem.about_each, strict=True), 1):
-        found = judged(about)
-        rows.append((str(number), *_places(problem, item), figure(item.equilibrium.residual, digits=2),
-                     _kind(found, item), _rates(about, found)))
+def _table(problem, listed):
+    rows = [(str(number), *_places(problem, item), figure(item.equilibrium.residual, digits=2), _kind(found, item),
+             _rates(about, found)) for number, (item, about, found) in enumerate(listed, 1)]
     return TableBlock(("", *_heads(problem), "residual", "", "ω [rad/s]"), tuple(rows))
 
 
@@ -73,13 +81,15 @@ def _heads(problem):
     names = problem.scene.coordinates
     if len(names) > WIDEST:
         return ["position in SI units"]
-    return [maths(Name(name), Words(f" [{unit(problem.dimension(name))}]")) for name in names]
+    return [maths(Name(name), Words(f" [{unit(problem.system.dimension(name))}]")) for name in names]
 
 
 def _places(problem, item):
     """The coordinates of an equilibrium, in columns where there are few."""
     names, values = problem.scene.coordinates, item.equilibrium.values
     if len(names) > WIDEST:
+        from vibcli.notation.plain import plain
+
         return [", ".join(f"{plain.symbol(name)} = {figure(values[name])}" for name in names)]
     return [figure(values[name]) for name in names]
 
@@ -89,14 +99,15 @@ def _rates(problem, found):
         return f"grows as exp({figure(found.growth_rate)}·t)"
     if found.kind == OPEN:
         return ""
-    return ", ".join(figure(None if mode.omega is None else float(mode.omega), mode.error) for mode in problem.modes)
+    return ", ".join(figure(None if mode.omega is None else float(mode.omega), mode.error)
+                     for mode in problem.modal.modes)
 
 
 def _omega(problem, found):
     """The natural angular frequencies, None of what does not oscillate."""
-    if found.kind == OPEN or inertless(problem.elements):
+    if found.kind == OPEN or inertless(problem.configuration.linear_system):
         return []
-    return [None if mode.omega is None else float(mode.omega) for mode in problem.modes]
+    return [None if mode.omega is None else float(mode.omega) for mode in problem.modal.modes]
 
 
 def _kind(found, item):
@@ -108,23 +119,39 @@ def _kind(found, item):
 
 def _direction(free):
     """`x`, or `(1 x, -1 y)`."""
+    from vibcli.notation.plain import plain
+
     parts = [f"{figure(value, digits=4)} {plain.symbol(name)}" for name, value in free.items()]
     return plain.symbol(next(iter(free))) if len(free) == 1 else f"({', '.join(parts)})"
 
 
-def equilibria_data(problem):
-    """{equilibria: [{coordinates, dependent, stable, kind, growth_rate, residual, omega, free, warning}],
-    search: {bounds, complete, cut, indices, degree}}."""
-    found, entries = problem.equilibria, []
-    for item, about in zip(found.items, problem.about_each, strict=True):
-        result = judged(about)
-        entries.append({
-            "coordinates": {name: item.equilibrium.values[name] for name in problem.scene.coordinates},
-            "dependent": about.dependent_values, "stable": result.stable, "kind": result.kind,
-            "growth_rate": result.growth_rate, "residual": item.equilibrium.residual,
-            "omega": _omega(about, result),
-            "free": item.free, "warning": _warning(about)})
-    limits = {name: [float(low), float(high)] for name, (low, high) in found.bounds.items()}
-    indices, degree = found.indices or (None, None)
-    return {"equilibria": entries, "search": {"bounds": limits, "complete": found.complete, "cut": found.cut,
-                                              "indices": indices, "degree": degree}}
+def _data(problem):
+    """What the keys tell of each of the list."""
+    for item, about, found in _listed(problem):
+        values = {name: item.equilibrium.values[name] for name in problem.scene.coordinates}
+        yield EQUILIBRIA.row(values, about.configuration.dependent_values, found.stable, found.kind, found.growth_rate,
+                             item.equilibrium.residual, _omega(about, found), item.free, _warning(about, found))
+
+
+EQUILIBRIA = Key("equilibria", "where `find` asks for them: a list of all equilibria found within the bounds, in "
+                 "ascending order", _data, each=(
+    Key("coordinates", "{name: value}"),
+    Key("dependent", "{name: value} of the coordinates that constraints tie to the others"),
+    Key("stable", "true or false (motion that costs no energy counts as stable); null where a kink leaves it open"),
+    Key("kind", "stable, unstable, neutral (it can move freely), or where only terms beyond the linear ones decide: "
+        "held, falling; open at a kink"),
+    Key("growth_rate", "the largest growth rate, with the dampers of the scene; null where nothing grows"),
+    Key("residual", "what is left of the forces, relative to their terms"),
+    Key("omega", "natural angular frequencies about it, null for unstable modes"),
+    Key("free", "directions {coordinate: component} in which it can be moved and stays in equilibrium"),
+    Key("warning", "a sentence where it is near a bifurcation, else null")))
+SEARCH = Key("search", "of the search for all equilibria", lambda problem: problem.equilibria, of=(
+    Key("bounds", "{name: [least, greatest]}; empty where the equations are linear",
+        lambda found: {name: [float(low), float(high)] for name, (low, high) in found.bounds.items()}),
+    Key("complete", "true where it is proved that there are no others within the bounds; false where there may be "
+        "more"),
+    Key("cut", "true where the search was cut short"),
+    Key("indices", "sum of the signs of det K of the equilibria found; null where it is complete or not known",
+        lambda found: found.indices and found.indices.sum),
+    Key("degree", "the degree of the forces on the bounds, which this sum has where none is missing; null likewise",
+        lambda found: found.indices and found.indices.degree)))

@@ -1,54 +1,61 @@
 """The equilibrium that is reached from the drawn position."""
 
-from math import isfinite
+from collections.abc import Mapping
+from math import inf, isfinite
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import Kinked, PhysicsError
 from vibcli.notation.numbers import figure, quantity
 from vibcli.report.blocks import Name, Words, equations, line, maths, paragraph, section, separated
+from vibcli.report.keys import Key
 from vibcli.symbolic.rationals import ONE
 
+if TYPE_CHECKING:
+    from vibcli.report.document import Report
+    from vibcli.results.problem import Problem
 
-def equilibrium(problem, report):
+
+def equilibrium(problem: "Problem", _: "Report"):
     try:
-        blocks = _in_letters(problem) if problem.symbolic else _in_numbers(problem)
+        blocks = _in_letters(problem) if problem.numeric.has_free_symbols else _in_numbers(problem)
     except PhysicsError:
-        if problem.sticking is None:
+        if problem.system.sticking is None:
             raise
         blocks = []
-    if problem.sticking is not None:
+    if problem.system.sticking is not None:
         blocks += held(problem)
-        report.told_held = True
     preloads = equations(line(Words(f"static preload of {name}: "), *_preload(problem, node, name), hang=None)
-                         for name, node in problem.preloads.items())
-    slack = [] if problem.symbolic else _slack(problem)
+                         for name, node in problem.system.preloads.items())
+    slack = [] if problem.numeric.has_free_symbols else _slack(problem)
     yield from section("Equilibrium", *blocks, preloads, *slack)
 
 
 def _in_numbers(problem):
-    from vibcli.analyses.modal.stability import WORDS, stability
-    from vibcli.report.sections.equilibria import equilibrium_warning
+    from vibcli.analyses.modal.bifurcation_distance import bifurcation_warning, stiffness_condition
+    from vibcli.analyses.modal.stability import WORDS
 
-    found = problem.equilibrium
+    found = problem.configuration.equilibrium
     try:
-        stable = WORDS[stability(problem).kind]
+        stable = WORDS[problem.modal.stability.kind]
     except Kinked:
         stable = "a kink: no small oscillations about it"
-    values = [*found.values.items(),
-              *((name, value) for name, value in problem.dependent_values.items() if name not in found.values)]
-    told = separated(maths(Name(name), " = ", *measured(value, problem.dimension(name))) for name, value in values)
+    dependent = problem.configuration.dependent_values
+    values = [*found.values.items(), *((name, dependent[name]) for name in dependent if name not in found.values)]
+    told = separated(maths(Name(name), " = ", *measured(value, problem.system.dimension(name)))
+                     for name, value in values)
     where = "the drawn position" if found.drawn else "shifted from the drawn position"
-    warning = None if stable.startswith("a kink") else equilibrium_warning(problem)
-    where += "; without friction" if problem.sticking is not None else ""
+    warning = None if stable.startswith("a kink") else bifurcation_warning(stiffness_condition(problem.modal))
+    where += "; without friction" if problem.system.sticking is not None else ""
     return [paragraph(*told, f"   ({where})"), _from_start(problem),
             paragraph(f"{stable}; residual {figure(found.residual, digits=2)} of the forces", hang=None),
             paragraph(warning) if warning else None]
 
 
-def held(problem):
+def held(problem: "Problem"):
     """Where dry friction holds the scene."""
     from vibcli.mechanics.equilibrium.dry_friction import span
 
-    found, table = problem.sticking, problem.scene.table
+    found, table = problem.system.sticking, problem.scene.table
     lines = []
     for row in found.rows:
         if row.within is not None:
@@ -62,7 +69,7 @@ def held(problem):
     yield equations(lines)
     if told:
         yield paragraph("with ", *separated(told), hang=4)
-    ends = None if problem.symbolic else span(problem, found)
+    ends = None if problem.numeric.has_free_symbols else span(problem.configuration, found)
     if ends is not None and (told := _span(problem, ends)):
         yield paragraph(*told)
 
@@ -73,17 +80,17 @@ def _span(problem, ends):
     if not isfinite(low) and not isfinite(high):
         return ["there is no such place" if low > high else "which is anywhere"] if whole else []
     told = [part for word, end in ((" from ", low), (" to ", high)) if isfinite(end)
-            for part in (word, *measured(end, problem.dimension(name)))]
+            for part in (word, *measured(end, problem.system.dimension(name)))]
     return ["which is " if whole else "one such stretch is ", maths(Name(name), *told)]
 
 
 def _from_start(problem):
     """How far an equilibrium lies from the start that `equilibrium:` names, None where it names none."""
-    found = problem.equilibrium
+    found = problem.configuration.equilibrium
     if found.start is None:
         return None
     def told(values, sign=""):
-        return separated(maths(sign, Name(name), " = ", *measured(values[name], problem.dimension(name)))
+        return separated(maths(sign, Name(name), " = ", *measured(values[name], problem.system.dimension(name)))
                          for name in problem.scene.coordinates)
 
     return paragraph("the nearest found to the start ", *told(found.start), ", from there ",
@@ -91,30 +98,29 @@ def _from_start(problem):
 
 
 def _in_letters(problem):
-    from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
     from vibcli.report.sections.symbolic_modes import equilibrium_parts
 
-    parts = equilibrium_parts(equilibrium_in_letters(problem))
-    settled = problem.equilibrium_letters
-    drawn = problem.balanced_as_drawn and problem.start_in_letters is None
-    searched = settled is not None and problem.start_in_letters is not None and not settled.named
+    parts = equilibrium_parts(problem.symbolic.equilibrium_position)
+    settled = problem.symbolic.equilibrium
+    drawn = problem.symbolic.balanced_as_drawn and problem.symbolic.start is None
+    searched = settled is not None and problem.symbolic.start is not None and not settled.named
     return [paragraph(*parts, "   (the drawn position)" if drawn else ""),
             paragraph("the nearest to the start at sample values of the letters", hang=None) if searched else None]
 
 
-def measured(value, dimension):
+def measured(value: float, dimension: Mapping[str, int]) -> tuple[str, Words]:
     """Parts of a number with its unit."""
     number, unit = quantity(value, dimension)
     return number, Words(unit)
 
 
 def _preload(problem, node, name):
-    if problem.symbolic:
+    if problem.numeric.has_free_symbols:
         return (node,)
     from vibcli.symbolic.evaluation import Floats, evaluate
 
     unit = "N·m" if "torsion" in problem.spec.get("springs")[name] else "N"
-    return node, " = ", figure(evaluate([node], Floats, problem.floats)[0]), Words(f" {unit}")
+    return node, " = ", figure(evaluate([node], Floats, problem.numeric.floats)[0]), Words(f" {unit}")
 
 
 def _slack(problem):
@@ -124,4 +130,54 @@ def _slack(problem):
     from vibcli.mechanics.inputs_outputs.reactions import slack
 
     return [paragraph(f"{signal} = {figure(value)} N would be a push: the rope goes slack", hang=None)
-            for signal, value in slack(problem)]
+            for signal, value in slack(problem.configuration.reactions)]
+
+
+def _data(problem):
+    if problem.numeric.has_free_symbols:
+        return EQUILIBRIUM.row(problem.symbolic.equilibrium_position, problem.scene.dependent, *[None] * 5)
+    from vibcli.analyses.modal.bifurcation_distance import bifurcation_warning, stiffness_condition
+
+    found, condition = problem.configuration.equilibrium, stiffness_condition(problem.modal)
+    values, moved = ({name: of[name] for name in problem.scene.coordinates} if of else of
+                     for of in (found.values, found.from_start))
+    return EQUILIBRIUM.row(values, problem.configuration.dependent_values, moved, problem.modal.stability.stable,
+                           found.residual, condition, bifurcation_warning(condition))
+
+
+EQUILIBRIUM = Key("equilibrium", "the equilibrium reached from the drawn position, or nearest to the place that "
+                  "`equilibrium:` names", _data, of=(
+    Key("coordinates", "{name: value}"),
+    Key("dependent", "{name: value} of the coordinates that constraints tie to the others, as functions of them where "
+        "symbols have no value"),
+    Key("from_start", "{name: how far it lies from the start that `equilibrium:` names}; null where none is named and "
+        "in letters"),
+    Key("stable", "true or false (motion that costs no energy counts as stable); null where symbols leave it open"),
+    Key("residual", "what is left of the forces, relative to the sum of the magnitudes of their terms"),
+    Key("condition", "by which factor a relative change of the data grows in a frequency squared; null in letters, and "
+        "where nothing has inertia"),
+    Key("warning", "a sentence where the equilibrium is near a bifurcation, else null")))
+
+
+def _sticking(problem):
+    from vibcli.mechanics.equilibrium.dry_friction import span
+    from vibcli.notation.scene_language import language
+
+    found, table = problem.system.sticking, problem.scene.table
+    told = []
+    for row in found.rows:
+        if row.within is not None:
+            told.append(f"abs({language(row.b)}) <= {language(row.within)}")
+            continue
+        told.append(language(table.sum((row.b, ONE), *((a * sigma, ONE) for sigma, a in row.held.items()))) + " = 0")
+        told += [f"abs({language(sigma)}) <= {language(found.bounds[sigma])}" for sigma in row.held]
+    ends = None if problem.numeric.has_free_symbols else span(problem.configuration, found)
+    return STICKING.row(list(dict.fromkeys(told)), *(end if isfinite(end) else None for end in (
+        (inf, inf) if ends is None else (ends.low, ends.high))))
+
+
+STICKING = Key("sticking", "where dry friction holds the scene at rest, in solve and equations; absent where none does",
+               _sticking, of=(
+    Key("conditions", "equations and inequalities of the coordinates as texts, sigma_1 … being shares of friction"),
+    Key("from", "of one coordinate in numbers: the least of a stretch of such places; null where there is no end"),
+    Key("to", "the greatest")))

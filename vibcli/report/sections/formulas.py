@@ -1,17 +1,23 @@
 """Motions of small oscillations as textbooks write them: the formula piece by piece, the regime, the steady state."""
 
 import math
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from vibcli.notation.numbers import figure
 from vibcli.report import blocks
-from vibcli.report.blocks import Heading, Name, line, paragraph, section
+from vibcli.report.blocks import Heading, Name, Section, line, paragraph, section
 from vibcli.symbolic.syntax import NameRef
+
+if TYPE_CHECKING:
+    from vibcli.report.sections.requested_signals import RequestedSignal
+    from vibcli.results.problem import Problem
 
 MOST_PARTS, MOST_PIECES = 8, 4
 NO_ANGLE = 1e-12
 
 
-def formulas(asked):
+def formulas(asked: "Sequence[RequestedSignal]") -> Iterator[Section]:
     """x = A e^{−δt} cos(ω_d t − φ) + … of each signal, on each piece of the forcing."""
     found = []
     for one in asked:
@@ -27,7 +33,8 @@ def formulas(asked):
 def _pieces(one, signal, starts):
     from vibcli.analyses.transient.textbook_form import formula
 
-    name, found = Name(one.text) if isinstance(one.tree, NameRef) and "." not in one.text else one.text, []
+    found: list = []
+    name = Name(one.text) if isinstance(one.tree, NameRef) and "." not in one.text else one.text
     for number, start in enumerate(starts):
         parts = formula(signal.motion, signal.output, number)
         if len(parts) > MOST_PARTS:
@@ -67,9 +74,9 @@ def _signed(value):
     return figure(value).replace("-", "−")
 
 
-def free_vibration(problem, asked):
+def free_vibration(problem: "Problem", asked: "Sequence[RequestedSignal]") -> Iterator[Section]:
     """The regime of one degree of freedom; decrement and decay, beats, the share of each mode in the energy."""
-    motion, rows = problem.motion, []
+    motion, rows = problem.response, []
     if motion.drive or not any(x for part in motion.deviations for x in part):
         return
     if len(problem.scene.q) == 1:
@@ -86,8 +93,8 @@ def _regime(problem):
     from vibcli.analyses.transient.textbook_form import regime
     from vibcli.report.sections.mode_tables import bounds
 
-    mode = problem.damped[0] if problem.damped else None
-    words = regime(*problem.motion.matrices)
+    mode = problem.modal.damped[0] if problem.modal.damped else None
+    words = regime(*problem.response.matrices)
     if words == "under-damped" and mode is not None and mode.omega_d:
         decay, omega_d = float(mode.decay), float(mode.omega_d)
         delta = decrement(-decay, omega_d)
@@ -101,13 +108,13 @@ def _regime(problem):
 
 
 def _participation(problem):
-    from vibcli.analyses.transient.modal_participation import energy_shares
+    from vibcli.analyses.transient.free_vibration import energy_shares
 
-    if problem.damped is not None or any(mode.omega is None for mode in problem.modes):
+    if problem.modal.damped is not None or any(mode.omega is None for mode in problem.modal.modes):
         return []
-    shares = energy_shares(problem.motion.matrices[0], problem.modes, *problem.motion.deviations)
+    shares = energy_shares(problem.response.matrices[0], problem.modal.modes, *problem.response.deviations)
     told = ", ".join(f"mode {mode.index}: {figure(100 * share, digits=4)} %"
-                     for mode, share in zip(problem.modes, shares, strict=True))
+                     for mode, share in zip(problem.modal.modes, shares, strict=True))
     return [f"share in the energy: {told}"] if told else []
 
 

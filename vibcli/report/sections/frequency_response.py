@@ -1,25 +1,33 @@
 """Frequency responses: amplitude at rest, resonances and antiresonances; amplitudes in letters of few degrees."""
 
+from collections.abc import Iterator
 from math import isfinite, tau
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.notation.numbers import figure
 from vibcli.report import blocks
-from vibcli.report.blocks import TableBlock, line, paragraph, section
+from vibcli.report.blocks import Section, TableBlock, line, paragraph, section
+from vibcli.report.keys import Key, data
 from vibcli.report.sections.requested_signals import curves_asked, symbol
+
+if TYPE_CHECKING:
+    from vibcli.report.document import Report
+    from vibcli.report.wanted import Wanted
+    from vibcli.results.problem import Problem
 
 LETTERS = 2     # most degrees of freedom whose amplitudes are written in letters
 
 
-def frequency_response(problem, report):
+def frequency_response(problem: "Problem", report: "Report") -> Iterator[Section]:
     """A section for each frequency response that is asked for."""
     for name, driver, unit in curves_asked(problem, report.wanted):
         title = f"Frequency response H of {symbol(name)} to {driver} [{unit}], lag θ = −arg H"
         blocks_of = list(_in_letters(problem, name, driver))
-        if not problem.symbolic:
+        if not problem.numeric.has_free_symbols:
             blocks_of += _in_numbers(problem, name, driver, unit)
         yield from section(title, *blocks_of)
-    if report.pictures and not problem.symbolic:
+    if report.pictures and not problem.numeric.has_free_symbols:
         from vibcli.report.sections.illustrations import plot
         from vibcli.report.sections.sampled_series import frequency_figure, sampled_curves
 
@@ -31,18 +39,17 @@ def frequency_response(problem, report):
 def _in_letters(problem, name, driver):
     """The amplitude and tan θ, resonances and antiresonances; nothing where they are too long or not known."""
     if len(problem.scene.q) > LETTERS:
-        if problem.symbolic:
+        if problem.numeric.has_free_symbols:
             raise NotInLetters(f"frequency responses of more than {LETTERS} degrees of freedom are found in numbers",
                                "give the parameters values with --set")
         return
-    from vibcli.analyses.closed_form.frequency_response import formula
     from vibcli.report.sections.symbolic_modes import turned
     from vibcli.report.sections.symbolic_response import conditions
 
     try:
-        found = formula(problem, name, driver)
+        found = problem.symbolic_frequency_response(name, driver)
     except (NotInLetters, PhysicsError):
-        if problem.symbolic:
+        if problem.numeric.has_free_symbols:
             raise
         return
     if found.vanishes:
@@ -59,10 +66,10 @@ def _in_letters(problem, name, driver):
 
 
 def _in_numbers(problem, name, driver, unit):
-    curve, rows = problem.frequency_response(name, driver), []
-    for number, (Omega, value) in enumerate(curve.peaks, 1):
-        rows.append((f"peak {number}", figure(Omega), figure(Omega / tau), figure(value) if isfinite(value) else "∞",
-                     *_bandwidth(curve, number)))
+    curve = problem.frequency_response(name, driver)
+    rows = [(f"peak {number}", figure(peak.Omega), figure(peak.Omega / tau),
+             "∞" if peak.value is None else figure(peak.value),
+             *map(_or_dash, (peak.low, peak.high, peak.quality))) for number, peak in enumerate(_peaks(curve), 1)]
     for number, Omega in enumerate(curve.antiresonances, 1):
         rows.append((f"antiresonance {number}", figure(Omega), figure(Omega / tau),
                      "0" if curve.transfer.undamped else figure(abs(curve.at(Omega)[0])), "", "", ""))
@@ -86,12 +93,29 @@ def _fixed_points(problem, curve, unit):
         yield TableBlock(("", "Ω [rad/s]", "f [Hz]", f"|H| [{unit}]"), tuple(rows))
 
 
-def _bandwidth(curve, number):
-    """The half-power points of a peak and its quality, dashes where it has none."""
-    try:
-        return (*(figure(Omega) for Omega in curve.half_power_of(number)), figure(curve.quality(number)))
-    except PhysicsError:
-        return ("–", "–", "–")
+class ResonancePeak(NamedTuple):
+    """Ω, amplitude (None where it has no bound), half-power points and quality (None where one of these is missing)."""
+
+    Omega: float
+    value: float | None
+    low: float | None
+    high: float | None
+    quality: float | None
+
+
+def _peaks(curve):
+    """The resonances of a frequency response, by ascending Ω."""
+    for number, (Omega, value) in enumerate(curve.peaks, 1):
+        try:
+            low, high = curve.half_power_of(number)
+        except PhysicsError:
+            low = high = None
+        yield ResonancePeak(Omega, value if isfinite(value) else None, low, high,
+                            None if low is None else Omega / (high - low))
+
+
+def _or_dash(value):
+    return "–" if value is None else figure(value)
 
 
 def _static(curve, unit):
@@ -99,3 +123,24 @@ def _static(curve, unit):
         return paragraph(f"at rest (Ω → 0): {figure(curve.at(0.0)[0].real)}{f' {unit}' * (unit != '1')}")
     except PhysicsError:
         return paragraph("at rest (Ω → 0) it has no bound: the scene moves off freely")
+
+
+FREQUENCY_RESPONSE = Key(
+    "frequency_response", "of `vibcli frf`, and where `find` asks: a list, one entry to each signal; null where "
+    "symbols have no value", each=(
+        Key("signal", "the signal as written"),
+        Key("input", "the name of the input"),
+        Key("unit", "unit of the signal over that of the input"),
+        Key("peaks", "a list of its resonances, by ascending Omega", each=(
+            Key("Omega", "where it is"),
+            Key("value", "amplitude there; null where it has no bound"),
+            Key("quality", "Omega over the distance of the half-power points; null where one is missing"))),
+        Key("antiresonances", "the Omega of zeros, or of minima where it is damped")))
+
+
+def frequency_response_data(problem: "Problem",
+                            wanted: "Wanted") -> list[dict[str, list[dict[Any, Any] | float] | str]]:
+    """The frequency responses asked for, as data."""
+    found = [(asked, problem.frequency_response(*asked[:2])) for asked in curves_asked(problem, wanted)]
+    return [data(FREQUENCY_RESPONSE.each, FREQUENCY_RESPONSE.row(*asked, _peaks(curve), curve.antiresonances))
+            for asked, curve in found]

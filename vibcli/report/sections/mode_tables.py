@@ -1,11 +1,17 @@
 """Rows of the tables of modes: frequencies, damping, shapes."""
 
 from cmath import polar as to_polar
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 from math import degrees, hypot, tau
+from typing import TYPE_CHECKING
 
 from vibcli.notation.numbers import figure
-from vibcli.report.blocks import Name, TableBlock, maths, paragraph
+from vibcli.report.blocks import Name, Paragraph, TableBlock, maths, paragraph
+
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.damped_modes import DampedMode
+    from vibcli.analyses.modal.undamped import Mode
 
 ZERO_MODES = {"free": "rigid-body mode", "held": "no linear restoring force", "falling": "unstable: V falls beyond the "
               "linear terms"}
@@ -13,7 +19,7 @@ GROWING = {"divergence": "unstable: grows", "flutter": "flutter: grows"}
 MANY, LONGEST = 8, 12       # modes in columns; else amplitudes of a shape, and shapes
 
 
-def repeated(modes):
+def repeated(modes: "Sequence[Mode]") -> set[int]:
     """The indices of modes whose frequencies coincide within their bounds: any mix of their shapes is a mode."""
     found = set()
     for a, b in pairwise(modes):
@@ -23,7 +29,7 @@ def repeated(modes):
     return found
 
 
-def mode_row(mode, kind=None, same=False):
+def mode_row(mode: "Mode", kind: str | None = None, same: bool = False) -> tuple[str, ...]:
     """A row of the table of natural frequencies: number, ω, f, T, error bound, remark."""
     number, error = str(mode.index), f"{mode.error:.0e}" if mode.error else "exact"
     if mode.rigid:
@@ -38,7 +44,7 @@ def mode_row(mode, kind=None, same=False):
     return number, *(figure(x, mode.error) for x in (omega, omega / tau, tau / omega)), error, remark
 
 
-def damped_row(mode):
+def damped_row(mode: "DampedMode") -> tuple[str, ...]:
     error = f"{mode.error:.0e}" if mode.error else "exact"
     note = {"ζ = 1": "critically damped", None: ""}.get(mode.note, mode.note)
     if not note and mode.omega_d is None and mode.omega:
@@ -54,7 +60,7 @@ def damped_row(mode):
             figure(_float(mode.decay), of_decay), error, note)
 
 
-def bounds(mode):
+def bounds(mode: "DampedMode"):
     """Bounds of the relative errors of decay and ζ, and of ω_d: that of |λ| falls on the parts of λ, the small too."""
     if not mode.omega_d:
         return mode.error, mode.error
@@ -72,12 +78,13 @@ def _real(value):
     return figure(0.0 if abs(value) < 1e-12 else value)
 
 
-def polar(value):
+def polar(value: complex) -> str:
     size, angle = to_polar(complex(value))
     return f"{size:.4g} ∠ {degrees(angle):.4g}°" if abs(degrees(angle)) > 1e-9 else f"{size:.4g}"
 
 
-def shapes(names, found, write=_real):
+def shapes(names: Sequence[str], found: Sequence[list[complex]],
+           write: Callable = _real) -> list[Paragraph | TableBlock | None]:
     """Blocks of shapes: a column a mode, or a line a mode where there are many coordinates."""
     if len(found) > MANY:
         return [*(paragraph(f"mode {i}: " + " ".join(write(value) for value in shape[:LONGEST])

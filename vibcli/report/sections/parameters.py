@@ -1,14 +1,24 @@
 """What is given, and the coordinates."""
 
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
+
 from vibcli.base import units
 from vibcli.language.record_calls import own
-from vibcli.report.blocks import Definition, Definitions, Name, Paragraph, maths, paragraph, section, separated
+from vibcli.report.blocks import Definition, Definitions, Name, Paragraph, Section, maths, paragraph, section, separated
 from vibcli.report.sections.too_long import brief
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.report.document import Report
+    from vibcli.results.problem import Problem
+    from vibcli.scene.scene import Scene
 
 MOVES = {"slide": "displacement", "pin": "rotation", "roll": "rolling", "turn": "rotation"}
 
 
-def given(problem, _):
+def given(problem: "Problem", _: "Report") -> Iterator[Section]:
     items, letters = [], []
     for name, record in problem.spec.parameters.items():
         if name in problem.spec.choices:
@@ -33,17 +43,17 @@ def _record(problem, name, samples):
     return f"{found} {units.text(problem.spec.dimensions.of(own(name)))}".rstrip()
 
 
-def coordinates(problem, _):
+def coordinates(problem: "Problem", _: "Report") -> Iterator[Section]:
     items, moves = [], _moves(problem)
     for name in problem.scene.coordinates:
         about = problem.spec.coordinates[name].get("about") or moves.get(name, "")
-        items.append(Definition((maths(Name(name)), f" [{unit(problem.dimension(name))}]"), about))
+        items.append(Definition((maths(Name(name)), f" [{unit(problem.system.dimension(name))}]"), about))
     n = len(items)
     yield from section(f"Generalised coordinates ({n} degree{'s' if n != 1 else ''} of freedom)",
                        Definitions(tuple(items)) if items else None, *tied(problem.scene))
 
 
-def unit(dimension):
+def unit(dimension: "Mapping[str, Fraction | int]") -> str:
     """The SI unit of a dimension."""
     return "rad" if dimension == {} else units.text(dimension)
 
@@ -54,14 +64,14 @@ def _moves(problem):
     for body, record in (problem.spec.get("bodies") or {}).items():
         for key, words in MOVES.items():
             motion = record.get(key)
-            for value in motion.values.values() if hasattr(motion, "values") else (motion,):
+            for value in motion.values() if hasattr(motion, "values") else (motion,):
                 text = getattr(value, "text", None)
                 if text is not None:
                     found.setdefault(text, f"{words} of {body}")
     return found
 
 
-def tied(scene):
+def tied(scene: "Scene") -> list[Paragraph]:
     """Paragraphs on how constraints leave the independent coordinates."""
     freedom = scene.freedom
     if not freedom.conditions:

@@ -1,14 +1,20 @@
 """Motions in time as data: what is asked, sampled series with their units, extremes, steady amplitudes."""
 
-from typing import NamedTuple
+from collections.abc import Callable, Iterator, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from vibcli.base import units
 from vibcli.base.errors import NotFixed, PhysicsError, SpecError
-from vibcli.language.reader import Reader
-from vibcli.reader.quantity_check import check_questions
-from vibcli.reader.quantity_dimensions import input_dimension, inputs, output_dimension, signal_tree_dimension
+from vibcli.quantities.dimensions import checker
+from vibcli.quantities.signal_dimensions import input_dimension, inputs, output_dimension
 from vibcli.reader.sections.find import FREQUENCY_RESPONSE, RESPONSE
-from vibcli.symbolic.syntax import NameRef
+from vibcli.report.sections.parameters import unit
+from vibcli.symbolic.syntax import NameRef, Sum
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Expression
+    from vibcli.language.spec import Spec
+    from vibcli.report.wanted import Wanted
+    from vibcli.results.problem import Problem
 
 
 class RequestedSignal(NamedTuple):
@@ -17,34 +23,37 @@ class RequestedSignal(NamedTuple):
     text: str
     tree: tuple
     dimension: dict
-    signal: object
+    signal: Any
 
     @property
-    def label(self):
+    def label(self) -> str:
         """The signal as it is printed: a coordinate by its symbol."""
         return symbol(self.text)
 
     @property
-    def unit(self):
-        return "rad" if self.dimension == {} else units.text(self.dimension)
+    def unit(self) -> str:
+        return unit(self.dimension)
 
 
-def symbol(text):
+def symbol(text: str) -> str:
     """A coordinate or its rate by its symbol; other signals as they are written."""
     from vibcli.notation.plain import plain
 
     return plain.symbol(text) if text.rstrip("'").isidentifier() else text
 
 
-def require_known(spec, signals, inputs=()):
+def require_known(spec: "Spec", signals: "Sequence[Expression]", inputs: "Sequence[Expression]" = ()) -> None:
     """SpecError where signals or inputs (Expressions) are not of this scene."""
+    from vibcli.language.reader import Reader
+    from vibcli.reader.quantity_check import check_questions
+
     reader = Reader()
     check_questions(spec, reader, signals, inputs)
     if reader.diagnostics:
         raise SpecError(reader.diagnostics)
 
 
-def trees_asked(problem, word, given=()):
+def trees_asked(problem: "Problem", word: str, given: "Sequence[Expression]" = ()) -> list[tuple[str, NameRef | Sum]]:
     """[(text, tree)] of the signals asked: those given, else those of `find`, else the coordinates."""
     if given:
         require_known(problem.spec, given)
@@ -56,23 +65,23 @@ def trees_asked(problem, word, given=()):
     return [(name, NameRef(0, len(name), name, 0)) for name in problem.spec.coordinates]
 
 
-def signals_asked(problem, given=()):
+def signals_asked(problem: "Problem", given: "Sequence[Expression]" = ()) -> list[RequestedSignal]:
     """The Asked signals of a motion in time."""
-    return [RequestedSignal(text, tree, _dimension(problem, tree), problem.motion.signal(tree))
+    return [RequestedSignal(text, tree, _dimension(problem, tree), problem.response.signal(tree))
             for text, tree in trees_asked(problem, RESPONSE, given)]
 
 
 def _dimension(problem, tree):
-    return problem.spec.dimensions.resolve(signal_tree_dimension(problem.spec, tree) or {})
+    return problem.spec.dimensions.resolve(checker(problem.spec).dimension(tree) or {})
 
 
-def extremes(asked, until):
+def extremes(asked: Any, until: Any) -> Any:
     """[(signal, (t, value) of the largest, of the smallest)], None for each of a force that statics does not fix."""
     return [(one, *if_fixed(lambda one=one: [one.signal.extreme(0.0, until, sense) for sense in (1, -1)],
                             [(None, None)] * 2)) for one in asked]
 
 
-def if_fixed(found, otherwise=None):
+def if_fixed(found: Callable, otherwise: Any = None):
     """What a function finds, else where statics alone does not fix it."""
     try:
         return found()
@@ -80,7 +89,7 @@ def if_fixed(found, otherwise=None):
         return otherwise
 
 
-def names_asked(problem, word, given=()):
+def names_asked(problem: "Problem", word: str, given: "Sequence[Expression]" = ()) -> Iterator[str]:
     """The names of the signals asked for, of which none may be a sum or product."""
     for text, tree in trees_asked(problem, word, given):
         if not isinstance(tree, NameRef):
@@ -88,17 +97,12 @@ def names_asked(problem, word, given=()):
         yield text
 
 
-def curves_asked(problem, wanted):
+def curves_asked(problem: "Problem", wanted: "Wanted") -> Iterator[tuple[str, str, str]]:
     """[(signal, input, unit of the response)] of the frequency responses that are asked for."""
     driver = _input_asked(problem, wanted.driver)
     for text in names_asked(problem, FREQUENCY_RESPONSE, wanted.signals):
-        yield text, driver, _ratio(*(_unit(problem, find(problem.spec, name)) for find, name in (
-            (output_dimension, text), (input_dimension, driver))))
-
-
-def _unit(problem, dimension):
-    found = problem.spec.dimensions.resolve(dimension)
-    return "rad" if found == {} else units.text(found)
+        dimensions = output_dimension(problem.spec, text), input_dimension(problem.spec, driver)
+        yield text, driver, _ratio(*map(unit, map(problem.spec.dimensions.resolve, dimensions)))
 
 
 def _ratio(above, below):

@@ -1,42 +1,54 @@
-"""The motion in time: where it starts, what drives it, its free part as a formula, its steady state, its extremes."""
+"""The motion in time: where it starts, what drives it, its free part as a formula, its steady state, its extremes; and
+as data."""
 
+from collections.abc import Iterator
 from math import inf
+from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import NotInLetters
+from vibcli.base.errors import NotInLetters, PhysicsError, Unknown
 from vibcli.base.units import TIME, times
 from vibcli.language.sections.initial import let_go
 from vibcli.notation.numbers import figure, supported, with_unit
 from vibcli.reader.sections.find import RESPONSE
 from vibcli.report import blocks
-from vibcli.report.blocks import Name, TableBlock, line, maths, paragraph, section
-from vibcli.report.sections.requested_signals import extremes, if_fixed, names_asked, signals_asked
+from vibcli.report.blocks import Name, Section, TableBlock, line, maths, paragraph, section
+from vibcli.report.keys import Key, data
+from vibcli.report.sections.requested_signals import RequestedSignal, extremes, if_fixed, names_asked, signals_asked
+from vibcli.report.sections.steady_state import harmonics_of, phase_in, steady_state
 from vibcli.symbolic.syntax import NameRef
 
-MOST_EVENTS, MOST_LINES = 40, 16
-LEAST = 2.0**-52
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.report.document import Report
+    from vibcli.report.wanted import Wanted
+    from vibcli.results.problem import Problem
+
+MOST_LINES = 16         # of what drives a motion
 NOT_FIXED = "not fixed by statics"
 
 
-def response(problem, report):
+def response(problem: "Problem", report: "Report") -> Iterator[Section]:
     """The sections of a motion in time."""
-    if problem.symbolic:
+    if problem.numeric.has_free_symbols:
         from vibcli.report.sections.symbolic_response import response_in_letters
 
         if report.wanted.at:
-            names = ", ".join(name for name in problem.scene.parameters.free if name not in problem.given)
+            names = ", ".join(name for name in problem.scene.parameters.free if name not in problem.numeric.given)
             raise NotInLetters("values at instants are found in numbers", f"give values with --set to {names}")
         yield from response_in_letters(problem, names_asked(problem, RESPONSE, report.wanted.signals))
         return
-    motion, asked = problem.motion, signals_asked(problem, report.wanted.signals)
+    motion, asked = problem.response, signals_asked(problem, report.wanted.signals)
     if motion.KIND == "prescribed":
         yield from section(f"Motion in time ({motion.WORDS})", paragraph("nothing moves freely"))
     else:
         yield from _start(problem, motion, _drive(problem, motion) if motion.KIND == "small" else ())
     if motion.KIND == "full":
-        yield from _integration(motion.trajectory())
+        from vibcli.report.sections.integration import integration
+
+        yield from integration(motion.trajectory())
     elif motion.KIND == "small":
         from vibcli.report.sections.formulas import formulas, free_vibration
-        from vibcli.report.sections.steady_state import steady_state
 
         yield from free_vibration(problem, asked)
         yield from formulas(asked)
@@ -48,26 +60,38 @@ def response(problem, report):
 
         yield from section("As a plot", plot("response", "The motion in time", response_figure(
             problem, sampled(problem, report.wanted))))
-    if motion.KIND == "prescribed" and report.wanted.at and not motion.ends:
-        yield from _at_instants(problem, asked, report.wanted, inf)
-        return
-    known = known_until(motion, report.wanted) if motion.KIND == "full" else motion.until
+    known = known_until(motion, report.wanted)
     yield from _at_instants(problem, asked, report.wanted, known)
-    yield from _extremes(asked, min(known, motion.until))
-    latest = latest_asked(motion, report.wanted)
-    if known < latest:
-        raise motion.trajectory().unknown(latest)
+    if not at_instants_alone(motion, report.wanted):
+        yield from _extremes(asked, min(known, motion.until))
+    missing = unknown(problem, report.wanted)
+    if missing is not None:
+        raise missing
 
 
-def latest_asked(motion, wanted):
+def at_instants_alone(motion: Any, wanted: "Wanted"):
+    """Is it a motion without an end, that is prescribed, of which instants are asked for?"""
+    return motion.KIND == "prescribed" and wanted.at and not motion.ends
+
+
+def known_until(motion: Any, wanted: "Wanted") -> float:
+    """Up to when a motion is known, of what is asked for [s]: any other than one that is integrated at all times."""
+    if motion.KIND != "full":
+        return inf
+    latest = _latest(motion, wanted)
+    return min(latest, motion.trajectory(latest).end)
+
+
+def unknown(problem: "Problem", wanted: "Wanted") -> Unknown | None:
+    """The refusal of the part of a motion that is asked for and not known, else None."""
+    motion, known = problem.response, known_until(problem.response, wanted)
+    late = known < inf and known < _latest(motion, wanted)
+    return motion.trajectory().unknown(_latest(motion, wanted)) if late else None
+
+
+def _latest(motion, wanted):
     """The last instant that is asked for [s]."""
     return max([motion.until, *(float(t) for _, t in wanted.at)])
-
-
-def known_until(motion, wanted):
-    """Up to when a full motion is known, of what is asked for [s]."""
-    latest = latest_asked(motion, wanted)
-    return min(latest, motion.trajectory(latest).end)
 
 
 def _at_instants(problem, asked, wanted, known):
@@ -80,7 +104,7 @@ def _at_instants(problem, asked, wanted, known):
         yield from section("Values", TableBlock(("signal", *(f"t = {text}" for text, _ in wanted.at)), rows))
 
 
-def value_at(problem, one, t, digits=None):
+def value_at(problem: "Problem", one: RequestedSignal, t: "Fraction", digits: int | None = None) -> str:
     """A signal at an instant, as text."""
     if digits is None:
         import numpy as np
@@ -88,12 +112,11 @@ def value_at(problem, one, t, digits=None):
         return supported(float(one.signal.values(np.array([float(t)]))[0]), one.signal.error(float(t)), 12)
     import mpmath
 
-    from vibcli.base.errors import PhysicsError
     from vibcli.results.high_precision_response import precise_value
 
-    if problem.motion.KIND != "small":
-        raise PhysicsError(f"--digits is for small motions: more digits of one that is {problem.motion.WORDS} are not "
-                           "found", "leave --digits out")
+    if problem.response.KIND != "small":
+        raise PhysicsError("--digits is for small motions: more digits of one that is "
+                           f"{problem.response.WORDS} are not found", "leave --digits out")
     if not isinstance(one.tree, NameRef) or one.tree.name not in problem.scene.coordinates:
         raise PhysicsError(f"--digits is for coordinates: more digits of '{one.text}' are not found",
                            "ask for --of " + problem.scene.coordinates[0])
@@ -104,7 +127,7 @@ def _start(problem, motion, drive):
     places, speeds = motion.start
     parts = []
     for name, value in places.items():
-        dimension = problem.dimension(name)
+        dimension = problem.system.dimension(name)
         parts += [", "] * bool(parts) + [maths(Name(name), "(0) = "), with_unit(value, dimension)]
         if speeds[name]:
             parts += [", ", maths(Name(name + "'"), "(0) = "), with_unit(speeds[name], times(dimension, TIME, -1))]
@@ -123,42 +146,6 @@ def _drive(problem, motion):
                             for i, node in motion.drive.items()), left_out(problem)
 
 
-def _integration(trajectory):
-    """What happened on the way, and how well the energies balance."""
-    balance = trajectory.balance
-    rows = [("T + V at the start", figure(float(balance.energy[0]))), ("at the end", figure(float(balance.energy[-1])))]
-    for words, values in (("work of the loads", balance.work), ("dissipated", balance.dissipated),
-                          ("work of what drives the motion", balance.driving)):
-        if values[-1]:
-            rows.append((words, figure(float(values[-1]))))
-    yield from section("Energy", TableBlock(("", "[J]"), tuple(rows)), paragraph(_accuracy(trajectory)))
-    events = [(figure(event.time), event.kind, event.name) for event in trajectory.events[:MOST_EVENTS]]
-    more = len(trajectory.events) - len(events)
-    yield from section("Events", TableBlock(("t [s]", "what", "where"), tuple(events)) if events else None,
-                       paragraph(f"and {more} more") if more else None)
-
-
-def _accuracy(trajectory):
-    """How well a motion is known: what it says of itself."""
-    if trajectory.rests and trajectory.rests == trajectory.end:
-        return "it starts at rest where its forces balance, and nothing acts on it in time: there it stays"
-    told = f"it rests up to t = {figure(trajectory.rests)} s; " if trajectory.rests else ""
-    error = figure(float(trajectory.balance.error), digits=2)
-    told += f"the balance of these energies holds to {error} of the largest of them"
-    shared = max(trajectory.shared.of_state(trajectory.end), LEAST)
-    told += ("; nothing moves by more than rounding may" if trajectory.shared.still else
-             f"; a second solution of another order agrees to {figure(shared, digits=2)} of the motion")
-    if trajectory.end < trajectory.until:
-        told += f" up to t = {figure(trajectory.end, digits=4)} s, from where on it is not known"
-    if trajectory.fast is not None:
-        told += (f"; from t = {figure(trajectory.fast.since, digits=3)} s on an oscillation of "
-                 f"{figure(trajectory.fast.speed)} rad/s, {figure(trajectory.fast.part, digits=2)} of the motion, is "
-                 "stepped over: velocities and forces that it moves are known the less")
-    if trajectory.drift is not None:
-        told += f"; the loops stay closed to {figure(float(max(trajectory.drift)), digits=2)} of their motion"
-    return told
-
-
 def _extremes(asked, until):
     rows = []
     for one, *both in extremes(asked, until):
@@ -168,3 +155,73 @@ def _extremes(asked, until):
         rows.append((f"{one.label} [{one.unit}]".replace(" []", ""), *cells))
     yield from section(f"Extremes for 0 ≤ t ≤ {figure(until)} s",
                        TableBlock(("signal", "largest", "at t [s]", "smallest", "at t [s]"), tuple(rows)))
+
+
+def response_data(problem: "Problem", wanted: "Wanted") -> dict[str, Any]:
+    """A motion in time as data, as far as it is known."""
+    motion, asked = problem.response, signals_asked(problem, wanted.signals)
+    places, speeds = motion.start
+    known = known_until(motion, wanted)
+    instants = [_values(problem, one, wanted, known) for one in asked]
+    alone = at_instants_alone(motion, wanted)
+    end = None if alone else min(known, motion.until)
+    ends = [(one, (None, None), (None, None)) for one in asked] if alone else extremes(asked, end)
+    found = [SIGNALS.row(one.text, one.unit, most, late, least, early,
+                         None if alone else _steady(motion, one.signal, wanted.phase), values)
+             for (one, (late, most), (early, least)), values in zip(ends, instants, strict=True)]
+    missing = unknown(problem, wanted)
+    return data((*KNOWN, UNKNOWN), {
+        "until": end, "initial": {} if alone else {**places, **{name + "'": v for name, v in speeds.items()}},
+        "signals": found, "balance": motion.trajectory().balance.error if motion.KIND == "full" else None,
+        "unknown": missing and missing.message})
+
+
+def _values(problem, one, wanted, known):
+    """[(t, value)] at the instants asked for; with --digits as texts; None beyond what is known."""
+    def value(t):
+        import numpy as np
+
+        if float(t) > known:
+            return None
+        if wanted.digits is not None:
+            return value_at(problem, one, t, wanted.digits)
+        return if_fixed(lambda: float(one.signal.values(np.array([float(t)]))[0]))
+
+    return [(t, value(t)) for _, t in wanted.at]
+
+
+def _steady(motion, signal, convention):
+    """[(Ω, X, phase)] of the steady state; None where there is none."""
+    if not motion.drive or not hasattr(signal, "output"):
+        return None
+    try:
+        return [(Omega, X, phase_in(convention, X)) for Omega, X in harmonics_of(signal)]
+    except PhysicsError:
+        return None
+
+
+SIGNALS = Key("signals", "a list, one entry to each signal", each=(
+    Key("signal", "the signal as written"),
+    Key("unit", "its unit"),
+    Key("max", "its largest value for 0 ≤ t ≤ until; null of a force that statics alone does not fix at all of these "
+        "instants"),
+    Key("argmax", "the instant of that, in s"),
+    Key("min", "its smallest value; null as above"),
+    Key("argmin", "the instant of that, in s"),
+    Key("steady", "a list of the harmonics of the steady state, of a periodic load the first; null where there is none",
+        each=(
+            Key("Omega", "angular frequency of a harmonic", lambda one: one[0]),
+            Key("amplitude", "its amplitude X", lambda one: abs(one[1])),
+            Key("phase", "its θ in X sin(Omega t − θ), or as --phase says", lambda one: one[2]))),
+    Key("at", "a list, one entry to each --at; empty without", each=(
+        Key("t", "the instant, in s", lambda one: float(one[0])),
+        Key("value", "the value then, null where it is not known; with --digits a decimal", lambda one: one[1])))))
+KNOWN = (
+    Key("until", "its end, in s, as far as it is known; null where a motion that is all prescribed is asked for at "
+        "instants alone"),
+    Key("initial", "{coordinate, or velocity x': value at t = 0}"), SIGNALS,
+    Key("balance", "what the energies of an integrated motion fail to balance by, relative to the largest; null of "
+        "small oscillations"))
+UNKNOWN = Key("unknown", "null, or why the motion is known up to `until` alone, though more was asked for")
+MOTION = Key("response", "of `vibcli response`, and where `find` asks: the motion in time; null where symbols have no "
+             "value", of=(UNKNOWN, *KNOWN))

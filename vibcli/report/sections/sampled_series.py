@@ -1,9 +1,17 @@
 """Responses sampled for pictures and files."""
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.report.sections.requested_signals import curves_asked, signals_asked, symbol
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.plots.figure import Figure
+    from vibcli.report.wanted import Wanted
+    from vibcli.results.problem import Problem
 
 
 class SampledSignal(NamedTuple):
@@ -12,8 +20,8 @@ class SampledSignal(NamedTuple):
 
     name: str
     unit: str
-    times: object
-    values: object
+    times: Any
+    values: Any
     parts: dict
     bounds: tuple | None = None
 
@@ -24,22 +32,20 @@ class SampledCurve(NamedTuple):
     name: str
     driver: str
     unit: str
-    Omega: object
-    values: object
+    Omega: Any
+    values: Any
     peaks: list
     antiresonances: list
 
 
-def sampled(problem, wanted):
+def sampled(problem: "Problem", wanted: "Wanted") -> list[SampledSignal]:
     """The Series of the signals asked for."""
     import numpy as np
 
-    times = np.linspace(0.0, problem.motion.known, wanted.points)
+    times = np.linspace(0.0, problem.response.known, wanted.points)
     found = []
     for one in signals_asked(problem, wanted.signals):
-        parts = {}
-        for part in wanted.parts:
-            parts[part] = getattr(one.signal, part).values(times)
+        parts = {part: getattr(one.signal, part).values(times) for part in wanted.parts}
         found.append(SampledSignal(one.text, one.unit, times, one.signal.values(times), parts,
                             _bounds(problem, one.signal, times)))
     return found
@@ -47,7 +53,7 @@ def sampled(problem, wanted):
 
 def _bounds(problem, signal, times):
     """(upper, lower) envelope of a free vibration that dies out; None of others."""
-    if problem.motion.drive or not hasattr(signal, "output"):
+    if problem.response.drive or not hasattr(signal, "output"):
         return None
     from vibcli.results.signal_features import vibration
 
@@ -60,7 +66,7 @@ def _bounds(problem, signal, times):
     return middle + size, middle - size
 
 
-def response_figure(problem, series):
+def response_figure(problem: "Problem", series: Sequence[SampledSignal]) -> "Figure":
     """The motion in time as a Figure."""
     from vibcli.plots.response import of_response
 
@@ -73,10 +79,10 @@ def response_figure(problem, series):
             lines.append((f"{symbol(one.name)}, transient", one.unit, one.parts["transient"]))
             steady.append(None)
             bounds.append(None)
-    return of_response(series[0].times, lines, steady, bounds, title=problem.motion.title)
+    return of_response(series[0].times, lines, steady, bounds, title=problem.response.title)
 
 
-def columns(series):
+def columns(series: Sequence[SampledSignal]) -> "list[tuple[str, str, np.ndarray]]":
     """[(name, unit, array)] of a motion in time."""
     found = [("t", "s", series[0].times)]
     for one in series:
@@ -85,7 +91,7 @@ def columns(series):
     return found
 
 
-def sampled_curves(problem, wanted):
+def sampled_curves(problem: "Problem", wanted: "Wanted") -> list[SampledCurve]:
     """The SampledCurves asked for, over one range."""
     asked = [(name, driver, unit, problem.frequency_response(name, driver))
              for name, driver, unit in curves_asked(problem, wanted)]
@@ -111,7 +117,7 @@ def _asked_end(problem, key):
     return number_of(problem, record[key].tree) if record is not None and key in record else None
 
 
-def frequency_figure(problem, curves, nyquist=False):
+def frequency_figure(problem: "Problem", curves: Sequence[SampledCurve], nyquist: bool = False) -> "Figure":
     """The frequency responses as a Figure: magnitude and phase, or in the complex plane."""
     from vibcli.plots import frequency
 
@@ -119,7 +125,7 @@ def frequency_figure(problem, curves, nyquist=False):
     if len(curves) == 1:
         peaks, dips = curves[0].peaks, curves[0].antiresonances
     else:
-        natural = [float(mode.omega) for mode in problem.modes if mode.omega]
+        natural = [float(mode.omega) for mode in problem.modal.modes if mode.omega]
         peaks, dips = [place for place in natural if Omega[0] < place < Omega[-1]], []
     title = problem.spec.get("title") or ""
     if nyquist:
@@ -133,19 +139,19 @@ def _unit(curves):
     return units.pop() if len(units) == 1 else ""
 
 
-def frequency_columns(curves):
+def frequency_columns(curves: Sequence[SampledCurve]) -> "list[tuple[str, str, np.ndarray]]":
     """[(name, unit, array)] of frequency responses."""
     return [("Omega", "rad/s", curves[0].Omega), *((curve.name, curve.unit, curve.values) for curve in curves)]
 
 
-def eigenvalue_figure(problem):
+def eigenvalue_figure(problem: "Problem") -> "Figure":
     """The eigenvalues in the complex plane, those of the undamped system where nothing damps."""
     from vibcli.plots.eigenvalues import argand
 
-    if problem.symbolic:
+    if problem.numeric.has_free_symbols:
         raise PhysicsError("eigenvalues are plotted in numbers", "give the parameters values with --set")
     found = []
-    for mode in problem.damped or problem.modes:
+    for mode in problem.modal.damped or problem.modal.modes:
         if hasattr(mode, "eigenvalue"):
             value = complex(mode.eigenvalue)
         else:

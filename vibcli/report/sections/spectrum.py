@@ -1,31 +1,42 @@
 """Natural frequencies, damping and mode shapes."""
 
+from collections.abc import Iterator
+from math import tau
+from typing import TYPE_CHECKING, Any
+
 from vibcli.analyses.modal.normalisation import WORDS
 from vibcli.base.errors import Inertless
-from vibcli.report.blocks import TableBlock, equations, line, paragraph, section
+from vibcli.report.blocks import Section, TableBlock, equations, line, paragraph, section
+from vibcli.report.keys import Key, data
+from vibcli.report.sections.equilibrium import EQUILIBRIUM
 from vibcli.report.sections.mode_tables import damped_row, mode_row, polar, repeated, shapes
+
+if TYPE_CHECKING:
+    from vibcli.report.document import Report
+    from vibcli.results.problem import Problem
 
 WITHOUT_DAMPERS = "without its dampers nothing would hold what has no inertia in this scene"
 DAMPED = "Damped modes (eigenvalue λ: ω = |λ|, ζ = −Re λ/|λ|, decay = −Re λ = ζω, log. decrement = 2πζ/√(1−ζ²))"
 
 
-def frequencies(problem, _):
-    if problem.symbolic:
+def frequencies(problem: "Problem", _: "Report") -> Iterator[Section]:
+    if problem.numeric.has_free_symbols:
         yield from _frequencies_in_letters(problem)
         return
-    if not problem.modes:
+    if not problem.modal.modes:
         yield from section("Natural frequencies", paragraph("none are told: " + WITHOUT_DAMPERS))
         return
-    same = repeated(problem.modes)
-    rows = [mode_row(mode, problem.zero_modes.get(mode.index), mode.index in same) for mode in problem.modes]
-    damped = "of the undamped system" if problem.damped else "undamped"
+    modal = problem.modal
+    same = repeated(modal.modes)
+    rows = [mode_row(mode, modal.zero_modes.get(mode.index), mode.index in same) for mode in modal.modes]
+    damped = "of the undamped system" if modal.damped else "undamped"
     head = ("mode", "ω [rad/s]", "f [Hz]", "T [s]", "error ≤", "")
     yield from section(f"Natural frequencies ({damped})", TableBlock(head, tuple(rows)), _form(problem))
 
 
 def _form(problem):
     """The closed form of the frequency of one degree of freedom."""
-    if len(problem.scene.coordinates) == 1 and problem.linear_in_letters and problem.modes[0].omega:
+    if len(problem.scene.coordinates) == 1 and problem.symbolic.linearisable and problem.modal.modes[0].omega:
         form = problem.closed_forms
         if form is not None:
             return equations([line("ω = ", form.modes[0].omega, hang=None)])
@@ -33,11 +44,10 @@ def _form(problem):
 
 
 def _frequencies_in_letters(problem):
-    from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
     from vibcli.report.sections.symbolic_modes import damping_blocks, frequency_blocks
 
-    equilibrium_in_letters(problem)  # refused where there is none
-    M, C, _, K = problem.matrices_in_letters
+    problem.symbolic.equilibrium_position  # noqa: B018, refused where there is none
+    M, C, _, K = problem.symbolic.matrices
     if not M and not C:
         raise Inertless
     if len(problem.scene.q) == 1 and not M and C and K:
@@ -48,35 +58,119 @@ def _frequencies_in_letters(problem):
     yield from section("Damping", *damping_blocks(forms))
 
 
-def damping(problem, _):
-    if problem.symbolic or problem.damped is None:
+def damping(problem: "Problem", _: "Report") -> Iterator[Section]:
+    if problem.numeric.has_free_symbols or problem.modal.damped is None:
         return
     head = ("mode", "ω [rad/s]", "ζ", "ω_d [rad/s]", "T_d [s]", "decay [1/s]", "error ≤", "")
-    yield from section(DAMPED, TableBlock(head, tuple(map(damped_row, problem.damped))))
+    yield from section(DAMPED, TableBlock(head, tuple(map(damped_row, problem.modal.damped))))
 
 
-def modes(problem, report):
+def modes(problem: "Problem", report: "Report") -> Iterator[Section]:
     names = problem.scene.coordinates
     if len(names) < 2:
         return
-    if problem.symbolic:
+    if problem.numeric.has_free_symbols:
         from vibcli.report.sections.symbolic_modes import shape_blocks
 
         if problem.closed_forms is not None:
             yield from section("Mode shapes (the first coordinate that moves is 1)",
                                *shape_blocks(problem, names, problem.closed_forms))
         return
-    if problem.modes:
-        yield from _shapes(problem, report, problem.modes, f"Mode shapes ({WORDS[report.normalise]})")
-    if problem.damped is not None:
-        yield from _shapes(problem, report, problem.damped, "Shapes of the damped modes", only_complex=True)
+    if problem.modal.modes:
+        yield from _shapes(problem, report, problem.modal.modes, f"Mode shapes ({WORDS[report.normalise]})")
+    if problem.modal.damped is not None:
+        yield from _shapes(problem, report, problem.modal.damped, "Shapes of the damped modes", only_complex=True)
 
 
 def _shapes(problem, report, modes, title, only_complex=False):
     names = problem.scene.coordinates
-    found = [problem.shape(mode, report.normalise) for mode in modes]
+    found = [problem.modal.shape(mode, report.normalise) for mode in modes]
     out_of_phase = any(abs(complex(value).imag) > 1e-9 * abs(value) for shape in found for value in shape)
     if out_of_phase:
         yield from section(f"{title}, amplitude ∠ phase", *shapes(names, found, polar))
     elif not only_complex:
         yield from section(title, *shapes(names, found))
+
+
+MODES = Key("modes", "a list: modes of the system without its dampers, by ascending omega, unstable ones first", each=(
+    Key("index", "number of the mode, from 1"),
+    Key("omega", "natural angular frequency; exactly 0 of a rigid mode, null of one that grows without oscillating"),
+    Key("frequency", "omega/(2 pi), in Hz"),
+    Key("period", "2 pi/omega; null of a rigid mode and where omega is null"),
+    Key("growth_rate", "of an unstable mode, which grows as exp(growth_rate t), oscillating where omega is given too "
+        "(flutter); negative of one that decays where there is G and K is not symmetric; else null"),
+    Key("shape", "{coordinate: amplitude}, the first one that moves being 1 (see --normalise)"),
+    Key("error", "bound of the relative error of omega and of growth_rate")))
+DAMPED_MODES = Key(
+    "damped", "a list by ascending |eigenvalue|, one entry to a conjugate pair; null where nothing damps", each=(
+        Key("index", "number of the mode, from 1; two real eigenvalues of one over-damped mode share it"),
+        Key("eigenvalue", "[re, im] of the eigenvalue, im ≥ 0: motion as exp(eigenvalue t)"),
+        Key("omega", "|eigenvalue|; √(λ₁λ₂) of an over-damped mode"),
+        Key("zeta", "damping ratio −re/|eigenvalue|; −(λ₁ + λ₂)/(2 omega) ≥ 1 of an over-damped mode; null of an "
+            "unpaired real eigenvalue"),
+        Key("omega_d", "damped angular frequency |im|; null where it does not oscillate"),
+        Key("omega_d_where", "the condition under which omega_d counts where it is in letters; null in numbers"),
+        Key("decay", "decay rate −re; −(λ₁ + λ₂)/2 of an over-damped mode"),
+        Key("growth_rate", "growth rate re where it grows; else null"),
+        Key("shape", "{coordinate: amplitude}, a number or [re, im]"),
+        Key("error", "bound of the relative error of the eigenvalue")))
+POLYNOMIAL = Key("characteristic_polynomial", "in letters only: factors in λ = omega² that have no readable roots")
+
+
+def frequencies_data(problem: "Problem", normalise: str = "first",
+                     digits: int | None = None) -> dict[str, Any]:
+    """What `vibcli frequencies --json` prints."""
+    from vibcli.report.sections.equations_of_motion import MATRICES
+    from vibcli.report.sections.statics import REACTIONS
+
+    asked = "reactions" in problem.spec.get("find", ()) and not problem.numeric.has_free_symbols
+    found = data((EQUILIBRIUM, MATRICES, *[REACTIONS] * asked), problem)
+    if problem.numeric.has_free_symbols:
+        closed = _closed_forms(problem)
+        return found | data((MODES, DAMPED_MODES, *[POLYNOMIAL] * (POLYNOMIAL.name in closed)), closed)
+    if digits is None:
+        modes = _modes(problem, problem.modal.modes, problem.modal.damped, normalise, tau)
+        return found | data((MODES, DAMPED_MODES), modes)
+    import mpmath
+
+    with mpmath.workdps(digits + 15):
+        modes = _modes(problem, *problem.modal.to_digits(digits), normalise, 2 * mpmath.pi)
+        return found | data((MODES, DAMPED_MODES), modes, digits)
+
+
+def _modes(problem, modes, damped, normalise, turn):
+    """{modes, damped} in numbers."""
+    def shape(mode):
+        return dict(zip(problem.scene.coordinates, problem.modal.shape(mode, normalise), strict=True))
+
+    return {"modes": [MODES.row(
+        mode.index, mode.omega, mode.omega and mode.omega / turn, turn / mode.omega if mode.omega else None,
+        mode.growth_rate, shape(mode), float(mode.error)) for mode in modes],
+        "damped": None if damped is None else [DAMPED_MODES.row(
+            mode.index, [mode.eigenvalue.real, mode.eigenvalue.imag], mode.omega, mode.zeta, mode.omega_d, None,
+            mode.decay, mode.growth_rate, shape(mode), float(mode.error)) for mode in damped]}
+
+
+def _closed_forms(problem):
+    """{modes, damped, characteristic_polynomial where there is one} in letters; None where no form is readable."""
+    from vibcli.notation.scene_language import language
+
+    forms, names, table = problem.closed_forms, problem.scene.coordinates, problem.scene.table
+    if forms is None:
+        return {"modes": None, "damped": None}
+    turn, modes, damped = 2 * table.pi, [], []
+    for mode in forms.modes:
+        shape = dict(zip(names, mode.shape or [None] * len(names), strict=True))
+        rates = (None, None, None, mode.omega) if mode.unstable else (
+            mode.omega, mode.omega / turn, None if mode.omega.is_zero else turn / mode.omega, None)
+        modes.append(MODES.row(mode.index, *rates, shape, 0.0))
+        if mode.zeta is not None:
+            damped.append(DAMPED_MODES.row(
+                mode.index, None, mode.omega, mode.zeta, mode.omega_d, f"{language(mode.zeta)} < 1",
+                mode.zeta * mode.omega, None, shape, 0.0))
+    found = {"modes": modes, "damped": damped or None}
+    if forms.polynomials:
+        square = table.parameter("omega") ** 2
+        found[POLYNOMIAL.name] = [table.sum(*((c * square ** i, 1) for i, c in enumerate(reversed(polynomial))))
+                                  for polynomial in forms.polynomials]
+    return found

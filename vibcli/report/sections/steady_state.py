@@ -1,11 +1,17 @@
 """The steady state: harmonics, amplitude and phase."""
 
 import math
+from collections.abc import Iterator, Sequence
 from math import degrees
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.notation.numbers import figure
-from vibcli.report.blocks import TableBlock, paragraph, section
+from vibcli.report.blocks import Section, TableBlock, paragraph, section
+
+if TYPE_CHECKING:
+    from vibcli.report.sections.requested_signals import RequestedSignal
+    from vibcli.results.signals import LinearSignal
 
 FIRST, SMALL = 9, 1e-9     # harmonics of a periodic steady state that are listed
 PHASES = {"sine": ("X·sin(Ω·t − θ)", 1, -0.25), "cosine": ("X·cos(Ω·t − θ)", 1, 0.0),
@@ -13,7 +19,7 @@ PHASES = {"sine": ("X·sin(Ω·t − θ)", 1, -0.25), "cosine": ("X·cos(Ω·t �
 NOTHING = 1e-12
 
 
-def steady_state(asked, convention):
+def steady_state(asked: "Sequence[RequestedSignal]", convention: Any) -> Iterator[Section]:
     """Amplitude and phase of each harmonic of the steady state, or why there is none."""
     try:
         rows = tuple(steady_rows(asked, convention))
@@ -44,7 +50,7 @@ def _left_out(signal):
            f"harmonics after the {FIRST}th have a root mean square of {figure(rest, digits=2)}")
 
 
-def phase_in(convention, X):
+def phase_in(convention: str, X: complex) -> float:
     """The phase of Re X e^{iΩt} as the convention counts it, in (−π, π]."""
     import cmath
 
@@ -54,7 +60,7 @@ def phase_in(convention, X):
     return wrapped(sign * (-cmath.phase(X) + turn * math.tau))
 
 
-def harmonics_of(signal):
+def harmonics_of(signal: "LinearSignal") -> list[tuple[float, complex]]:
     """[(Ω, X)] of the steady state: all of finitely many, the first of a periodic one; none of products of signals."""
     from vibcli.results.steady_features import fundamental, harmonic
 
@@ -68,7 +74,7 @@ def harmonics_of(signal):
     return [(speed, X) for speed, X in found if abs(X) > SMALL * largest]
 
 
-def steady_rows(asked, convention):
+def steady_rows(asked: "Sequence[RequestedSignal]", convention: str) -> Iterator[tuple[str, ...]]:
     """Rows of signal, Ω, f, T, amplitude and phase of each harmonic of the steady state."""
     for one in asked:
         for Omega, X in harmonics_of(one.signal):

@@ -1,11 +1,33 @@
 """Equilibrium, frequencies, damping and mode shapes in letters."""
 
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
+
 from vibcli.base.work import longer
 from vibcli.notation.plain import plain
-from vibcli.report.blocks import Either, Factor, Name, SumOfTerms, Words, equations, line, maths, paragraph, separated
+from vibcli.report.blocks import (
+    Either,
+    Equations,
+    Factor,
+    Maths,
+    Name,
+    Paragraph,
+    SumOfTerms,
+    Words,
+    equations,
+    line,
+    maths,
+    paragraph,
+    separated,
+)
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.rationals import ONE
+
+if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.closed_forms import ClosedForms
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 LONGEST = 100           # letters of an expression, above which it is not read
 OMEGA = "ω"
@@ -15,7 +37,7 @@ NONE = "no closed form that is readable; give the parameters values with --set"
 NUMBERED = "(numbered as at sample values of the letters; f = ω/(2π), T = 2π/ω)"
 
 
-def equilibrium_parts(values):
+def equilibrium_parts(values: "Mapping[str, Node]") -> tuple[str | Maths, ...]:
     """An equilibrium in letters in running text, with what the letters must fulfil for it."""
     limits = [limit for node in values.values() for part in reachable([node]) if (limit := _limit(part))]
     where = ["   (where ", *separated(maths(*limit) for limit in dict.fromkeys(limits)), ")"] if limits else []
@@ -34,7 +56,7 @@ def _limit(part):
     return table.product(*above), " < ", table.product(*below)
 
 
-def frequency_blocks(problem, forms):
+def frequency_blocks(problem: "Problem", forms: "ClosedForms") -> Iterator[Equations | Paragraph]:
     """What the section of natural frequencies says."""
     told = [no_form(problem)]
     if forms is not None:
@@ -48,12 +70,12 @@ def frequency_blocks(problem, forms):
         elif forms.modes and not forms.modes[0].unstable:
             yield paragraph(maths("f = ω/(2π)"), ", ", maths("T = 2π/ω"))
     damped = forms is not None and any(mode.zeta is not None for mode in forms.modes)
-    if problem.matrices_in_letters[1] and not damped:
+    if problem.symbolic.matrices[1] and not damped:
         told.append("the damped modes are found in numbers only; give the parameters values with --set")
     yield from (paragraph(text, hang=4) for text in told)
 
 
-def no_form(problem):
+def no_form(problem: "Problem") -> str:
     """That there is no closed form, and whether the search for it was given up."""
     if problem.work.cut:
         return f"no closed form was found before the search was given up; {longer(problem.work)}; or give the " \
@@ -109,7 +131,7 @@ def _polynomial(coefficients):
                        if not c.is_zero))
 
 
-def damping_blocks(forms):
+def damping_blocks(forms: "ClosedForms") -> Iterator[Equations | Paragraph]:
     """What the section of damping says."""
     damped = [mode for mode in forms.modes if mode.zeta is not None] if forms is not None else []
     if not damped:
@@ -144,7 +166,7 @@ def _ratios(damped):
             done |= {other.index for other in same}
 
 
-def shape_blocks(problem, names, forms):
+def shape_blocks(problem: "Problem", names: Sequence[str], forms: "ClosedForms") -> list[Equations]:
     """What the section of mode shapes says."""
     lines, done = [], set()
     for mode in forms.modes:
@@ -163,7 +185,7 @@ def shape_blocks(problem, names, forms):
     return [equations(lines) or paragraph(no_form(problem), hang=None)]
 
 
-def turned(value):
+def turned(value: "Node") -> tuple[str | Factor, ...]:
     """Parts of i times an amplitude: a quarter period ahead."""
     negative = value.op != "sum" and value.coefficient < 0
     value = -value if negative else value

@@ -1,13 +1,21 @@
 """The motion in time in letters: the steady state of one harmonic, and of one degree of freedom all of it."""
 
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import NotInLetters, PhysicsError
-from vibcli.report.blocks import Name, SumOfTerms, Words, equations, line, maths, paragraph, section
+from vibcli.report.blocks import Name, Paragraph, Section, SumOfTerms, Words, equations, line, maths, paragraph, section
 from vibcli.report.sections.requested_signals import symbol
 from vibcli.report.sections.symbolic_modes import equilibrium_parts
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression import Table
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.transfer_between_tables import copied
+
+if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.frequency_response import Formula
+    from vibcli.results.problem import Problem
 
 LETTERS = {"X": ("X", "Z", "A"), "theta": ("theta", "psi", "beta"), "omega": ("omega", "omega_0"),
            "omega_d": ("omega_d", "omega_1"), "beta": ("beta", "nu"), "A": ("A", "P"), "B": ("B", "Q")}
@@ -15,14 +23,16 @@ AHEAD = {"sin": ("", "cos"), "cos": ("−", "sin")}       # a quarter period ahe
 CONDITIONS = {"under-damped": " < ", "critically damped": " = ", "over-damped": " > "}
 
 
-def response_in_letters(problem, names):
+def response_in_letters(problem: "Problem", names: Iterable) -> Iterator[Section]:
     """Sections of the steady state of signals, {text}, and of the motion of one coordinate from its start."""
     if problem.spec.get("motion") == "full":
         raise NotInLetters("motions of the full equations are found in numbers",
                            "give the parameters values with --set")
-    driven, names = bool(problem.scene.timed and problem.excitation), list(names)
-    steady = _steady(problem, names) if driven else {}
-    yield from _equilibrium(problem)
+    driven, names = bool(problem.scene.timed and problem.symbolic.excitation), list(names)
+    steady = {name: problem.symbolic_steady_state(name) for name in names} if driven else {}
+    values = {name: node for name, node in problem.symbolic.equilibrium_position.items() if not node.is_zero}
+    if values:
+        yield from section("Equilibrium, from which motions are counted", paragraph(*equilibrium_parts(values)))
     for number, (name, found) in enumerate(steady.items(), 1):
         yield from _steady_section(problem, name, found, str(number) * (len(steady) > 1))
     if len(problem.scene.q) == 1:
@@ -35,21 +45,7 @@ def response_in_letters(problem, names):
         raise NotInLetters("free motions in letters are found for one degree of freedom", "give numbers with --set")
 
 
-def _steady(problem, names):
-    from vibcli.analyses.closed_form.steady_state import steady_state
-
-    return {name: steady_state(problem, name) for name in names}
-
-
-def _equilibrium(problem):
-    from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
-
-    values = {name: node for name, node in equilibrium_in_letters(problem).items() if not node.is_zero}
-    if values:
-        yield from section("Equilibrium, from which motions are counted", paragraph(*equilibrium_parts(values)))
-
-
-def letter(problem, name):
+def letter(problem: "Problem", name: str) -> str:
     """A letter that the scene leaves free."""
     taken = {*problem.scene.parameters.nodes, *problem.spec.coordinates}
     return next((one for one in LETTERS[name] if one not in taken), LETTERS[name][-1])
@@ -65,11 +61,11 @@ def _steady_section(problem, name, steady, number):
              line(Name(X), " = ", formula.amplitude)]
     if lag:
         lines.append(line(Words("tan "), Name(theta), " = ", formula.tangent))
-    told = () if problem.chosen is not None else conditions(formula)     # what is chosen holds at this Ω alone
+    told = () if problem.choice is not None else conditions(formula)     # what is chosen holds at this Ω alone
     yield from section(f"Steady state of {symbol(name)}", equations(lines), *told)
 
 
-def conditions(formula):
+def conditions(formula: "Formula") -> Iterator[Paragraph]:
     """Where an undamped response has no bound and where it vanishes; where a damped one has its peak."""
     for words, place in (("resonance", formula.poles), ("antiresonance", formula.zeros)):
         if place is not None:
@@ -89,18 +85,18 @@ def _from_the_start(problem, steady):
     if steady and name not in steady:
         return
     table = Table()
-    table.sample = problem.scene.sample
+    table.resample(problem.scene.sample)
     copied(list(problem.scene.parameters.nodes.values()), table)
-    start = start_in_letters(problem)
+    start = start_in_letters(problem.symbolic)
     general = start is None and not steady
     start = start or ([table.parameter(name + "0"), table.parameter(name + "0'")] if general else [table.zero] * 2)
-    massless = problem.matrices_in_letters[0].get((0, 0), problem.scene.table.zero).is_zero
+    massless = problem.symbolic.matrices[0].get((0, 0), problem.scene.table.zero).is_zero
     if massless and not general and not start[1].is_zero:
         raise PhysicsError(f"'{name}' has no inertia: its velocity follows from the forces and cannot be given",
                            f"leave {name}' out")
     start, prefix, meaning = _about_steady(problem, table, copied(start, table), steady.get(name), massless)
     m, c, k = (copied([entries.get((0, 0), problem.scene.table.zero)], table)[0]
-               for entries in (problem.matrices_in_letters[i] for i in (0, 1, 3)))
+               for entries in (problem.symbolic.matrices[i] for i in (0, 1, 3)))
     if not general and not steady and all(node.is_zero for node in start):
         raise NotInLetters("nothing moves: the motion starts at rest in the equilibrium",
                            "give initial: {x: x0} or a force that depends on time")
@@ -120,7 +116,8 @@ def _about_steady(problem, table, start, steady, massless):
         return start, (), None
     formula, (x, v) = steady.formula, start
     X, theta = (table.parameter(letter(problem, name)) for name in ("X", "theta"))
-    argument, Omega, still = copied([steady.argument, formula.Omega, _at_start(problem, steady)], table)
+    at_start, = substitute([steady.argument], {problem.scene.time: problem.scene.table.zero})
+    argument, Omega, still = copied([steady.argument, formula.Omega, at_start], table)
     lag = table.zero if formula.undamped else theta
     at = still - lag
     sine, cosine = table.call("sin", at), table.call("cos", at)
@@ -135,17 +132,11 @@ def _about_steady(problem, table, start, steady, massless):
     return (A, B), prefix, equations(lines[:1] if massless else lines)
 
 
-def _at_start(problem, steady):
-    from vibcli.analyses.closed_form.steady_state import at_start
-
-    return at_start(steady.argument, problem.scene)
-
-
 def _known_regime(problem, m, c, k):
     """The regime where no letter decides about it."""
     from vibcli.analyses.closed_form.free_response import regime_at
 
-    if {part.name for part in reachable([m, c, k]) if part.op == "symbol"} & set(problem.letters):
+    if {part.name for part in reachable([m, c, k]) if part.op == "symbol"} & set(problem.symbolic.letters):
         return None
     return regime_at(*evaluate([m, c, k], Floats, problem.scene.sample))
 

@@ -1,12 +1,18 @@
 """Expressions that are too long to read."""
 
-from vibcli.notation.plain import plain
+from typing import TYPE_CHECKING
+
 from vibcli.report.blocks import Words
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
 
 LONGEST = 2400
 
 
-def brief(node):
+def brief(node: "Node"):
     """An expression, or words about its size where it is too long to read."""
+    from vibcli.notation.plain import plain
+
     size = len(plain(node))
     return node if size <= LONGEST else Words(f"(an expression of {size} characters; see --json)")

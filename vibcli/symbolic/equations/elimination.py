@@ -4,8 +4,10 @@ An equation that is linear in (a power of) an unknown expresses it by the others
 gives one unknown less. Where the slope of the linear equation may vanish together with its rest, solutions are lost.
 """
 
+from collections.abc import Sequence
 from fractions import Fraction
 from math import isclose
+from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.derivatives import substitute
@@ -15,25 +17,19 @@ from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import ONE, ZERO
 
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
 
-def solve_equations(nodes, unknowns, scene, thorough=False):
-    """The Candidates for `unknowns` (symbol nodes) from nodes = 0; None where none were found in letters.
 
-    `thorough`: SymPy may try what is not of degree one or two.
-    """
+def solve_equations(nodes: "Sequence[Node]", unknowns: "Sequence[Node]", scene: Any,
+                    thorough: bool = False) -> Candidates:
+    """The Candidates for `unknowns` (symbol nodes) from nodes = 0; None where none were found in letters. One unknown
+    from an equation that is linear in a power of it, the others from the equations that are left; of two the other one
+    is eliminated as well, where that gives the first in a shorter form. `thorough`: SymPy may try what is not of degree
+    one or two."""
     if len(unknowns) == 1:
-        relevant = [node for node in nodes if depends(node, unknowns)]
-        if not relevant:
-            return None
-        return solve_equation(relevant[0], unknowns[0], scene, thorough)
-    return _eliminated(nodes, unknowns, scene, thorough)
-
-
-def _eliminated(nodes, unknowns, scene, thorough):
-    """One unknown from an equation that is linear in a power of it, the others from the equations that are left.
-
-    Of two unknowns the other one is eliminated as well, where that gives the first in a shorter form.
-    """
+        relevant = next((node for node in nodes if depends(node, unknowns)), None)
+        return None if relevant is None else solve_equation(relevant, unknowns[0], scene, thorough)
     first = _linear(nodes, unknowns, unknowns, scene)
     found = first and _without(first, nodes, unknowns, scene, thorough)
     if not found or len(unknowns) > 2:

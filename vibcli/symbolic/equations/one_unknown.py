@@ -4,7 +4,9 @@ equations in its sine and cosine. SymPy factors the condition; each factor is so
 Solutions are candidates: a root is squared away, and branches are all offered, so that they have to be checked.
 """
 
+from collections.abc import Sequence
 from fractions import Fraction
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.symbolic.angle_addition import opened
 from vibcli.symbolic.common_denominator import single
@@ -16,19 +18,21 @@ from vibcli.symbolic.rationals import HALF
 from vibcli.symbolic.surds import Pair
 from vibcli.symbolic.time_limit import within
 
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
+
 CALLS = 8_000_000
 
 
-class SymbolicSolution:
+class SymbolicSolution(NamedTuple):
     """value: the unknown; sine, cosine: of it where it is an angle, else None."""
 
-    __slots__ = ("cosine", "sine", "value")
+    value: Any
+    sine: Any = None
+    cosine: Any = None
 
-    def __init__(self, value, sine=None, cosine=None):
-        self.value, self.sine, self.cosine = value, sine, cosine
 
-
-def solutions(node, unknown, samples):
+def solutions(node: "Node", unknown: "Node", samples: Sequence[dict[str, float]]):
     """The Solutions of node = 0; none where its form is not known. `samples`: admissible values of the letters."""
     node, = opened([node], unknown)
     node = textbook(node)
@@ -38,12 +42,13 @@ def solutions(node, unknown, samples):
 class _Condition:
     """A condition as polynomials in the letters and x, sin x, cos x and roots that hold these."""
 
-    def __init__(self, node, unknown, samples):
+    def __init__(self, node: "Node", unknown: "Node", samples: Sequence[dict[str, float]]):
         table = self.table = node.table
         self.x, self.samples = unknown, samples
         self.sine, self.cosine = table.call("sin", unknown), table.call("cos", unknown)
-        extra = [self.sine, self.cosine, *_under_roots(node, unknown)]
-        self.quotients = Quotients(table, [node, *extra])
+        under_roots = [base for part in reachable([node]) if part.op == "product" for base, e in part.args
+                       if e.denominator == 2 and base.mask & unknown.mask]
+        self.quotients = Quotients(table, [node, self.sine, self.cosine, *under_roots])
         self.node = node
 
     def solutions(self):
@@ -51,11 +56,8 @@ class _Condition:
         if any(base not in (self.x, self.sine, self.cosine) and e != HALF for base, e in moving):
             return []
         roots = [base for base, e in moving if e == HALF]
-        polynomial = self.quotients(self.node).numer
-        found = []
-        for factor in self._factors(polynomial):
-            found += self._of_factor(factor, roots)
-        return found
+        factors = self._factors(self.quotients(self.node).numer)
+        return [solution for factor in factors for solution in self._of_factor(factor, roots)]
 
     def _factors(self, polynomial):
         return [factor for factor, _ in self.quotients.factors(polynomial)[1]]
@@ -77,24 +79,12 @@ class _Condition:
         return [solution for value in self._polynomial_roots(factor, atom)
                 for solution in (self._of_sine(value) if atom is self.sine else self._of_cosine(value))]
 
-    def _generator(self, atom, e=1):
-        return self.quotients.generator(atom, e).numer
-
     def _degree(self, polynomial, atom, e=1):
-        return polynomial.degree(self._generator(atom, e)) if (atom, e) in self.quotients.atoms else 0
-
-    def _coefficients(self, polynomial, atom, e=1):
-        """From the lowest, as elements of the field."""
-        i = self.quotients.ring.gens.index(self._generator(atom, e))
-        found = {}
-        for powers, value in polynomial.terms():
-            found.setdefault(powers[i], {})[(*powers[:i], 0, *powers[i + 1:])] = value
-        ring, field = self.quotients.ring, self.quotients.field
-        return [field(ring.from_dict(found.get(d, {}))) for d in range(max(found) + 1)]
+        return polynomial.degree(self.quotients.generator(atom, e)) if (atom, e) in self.quotients.atoms else 0
 
     def _without_root(self, factor, base):
         """A + B√D = 0 gives A² = B²D."""
-        parts = self._coefficients(factor, base, HALF)
+        parts = self.quotients.coefficients(factor, base, HALF)
         if len(parts) != 2:
             return []
         squared = parts[0] ** 2 - parts[1] ** 2 * self.quotients(base)
@@ -104,15 +94,15 @@ class _Condition:
     def _one_of_two(self, polynomial):
         """sin² replaced by 1 − cos²."""
         field = self.quotients.field
-        cosine = field(self._generator(self.cosine))
+        cosine = field(self.quotients.generator(self.cosine))
         total = field(0)
-        for d, c in enumerate(self._coefficients(polynomial, self.sine)):
-            total += c * (1 - cosine ** 2) ** (d // 2) * field(self._generator(self.sine)) ** (d % 2)
+        for d, c in enumerate(self.quotients.coefficients(polynomial, self.sine)):
+            total += c * (1 - cosine ** 2) ** (d // 2) * field(self.quotients.generator(self.sine)) ** (d % 2)
         return total.numer
 
     def _polynomial_roots(self, polynomial, atom):
         """The roots in an atom of a polynomial of degree one or two, or c₀ + cₙ xⁿ."""
-        c = self._coefficients(polynomial, atom)
+        c = self.quotients.coefficients(polynomial, atom)
         n = len(c) - 1
         if n == 1:
             return [self.quotients.node(-c[0] / c[1])]
@@ -152,10 +142,10 @@ class _Condition:
 
     def _both(self, factor):
         """a sin x + b cos x + d = 0."""
-        by_sine = self._coefficients(factor, self.sine)
+        by_sine = self.quotients.coefficients(factor, self.sine)
         if len(by_sine) != 2 or self._degree(by_sine[1].numer, self.cosine):
             return []
-        rest = self._coefficients(by_sine[0].numer, self.cosine)
+        rest = self.quotients.coefficients(by_sine[0].numer, self.cosine)
         if len(rest) > 2:
             return []
         a, b, d = by_sine[1], rest[1], rest[0]
@@ -175,9 +165,3 @@ class _Condition:
             for branch in (inner, table.pi - inner, -table.pi - inner):
                 found += [SymbolicSolution(branch - lean + k * table.pi, sine, cosine) for k in (0, 1, -1)]
         return found
-
-
-def _under_roots(node, unknown):
-    """The sums under roots that hold the unknown."""
-    return [base for part in reachable([node]) if part.op == "product" for base, e in part.args
-            if e.denominator == 2 and base.mask & unknown.mask]

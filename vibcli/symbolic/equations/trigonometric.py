@@ -1,12 +1,18 @@
 """Angles in letters: A sin x + B cos x + C = 0, each from −π to 2π at least."""
 
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
 from vibcli.symbolic.common_denominator import single
-from vibcli.symbolic.derivatives import substitute
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import ONE
 
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
 
-def angles(terms, x, sample_zero):
+
+def angles(terms: Any, x: "Node", sample_zero: Callable) -> "list[Node] | None":
     """The x of Σ terms = 0, {monomial: coefficient}, linear in sin x and cos x up to a common factor of these; None of
     other equations. `sample_zero(node)`: does a coefficient vanish?"""
     table = x.table
@@ -15,7 +21,7 @@ def angles(terms, x, sample_zero):
     for monomial, value in terms.items():
         powers = dict(monomial)
         key = powers.pop(sine, 0), powers.pop(cosine, 0)
-        if any(part is x or _holds(part, x) for part in powers):
+        if any(x in reachable([part]) for part in powers):
             return None
         parts.setdefault(key, []).append((table.product(*powers.items()), value))
     parts = {key: textbook(table.sum(*pieces)) for key, pieces in parts.items()}
@@ -32,10 +38,6 @@ def angles(terms, x, sample_zero):
         return None
     zero = table.zero
     return found + _linear(rest.get((1, 0), zero), rest.get((0, 1), zero), rest.get((0, 0), zero))
-
-
-def _holds(node, x):
-    return substitute([node], {x: x.table.one})[0] is not node
 
 
 def _linear(a, b, c):

@@ -5,10 +5,11 @@ A² − B² S = 0. Powers of one power of x are roots of degree one and two; fac
 are left to SymPy, within so many CALLS. Clearing and squaring add roots that are none: every candidate has to be tried.
 """
 
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
 from math import gcd, lcm
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.equations.trigonometric import angles
@@ -19,6 +20,9 @@ from vibcli.symbolic.quadratic_roots import quadratic_roots
 from vibcli.symbolic.radicals import root as square_root
 from vibcli.symbolic.rationals import HALF, ONE, ZERO
 from vibcli.symbolic.time_limit import within
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
 
 CALLS = 8_000_000
 VANISHING, MOST_ROOTS, MOST_RADICALS = 1e-12, 12, 3
@@ -33,15 +37,13 @@ class Candidates(NamedTuple):
     always: bool = False
 
 
-def depends(node, symbols):
+def depends(node: "Node", symbols: "Sequence[Node]") -> bool:
     return any(part in symbols for part in reachable([node]))
 
 
-def solve_equation(node, x, scene, thorough=False):
-    """The Candidates for the symbol x from node = 0; None where none were found in letters.
-
-    `thorough`: SymPy may try what is not of degree one or two.
-    """
+def solve_equation(node: "Node", x: "Node", scene: Any, thorough: bool = False):
+    """The Candidates for the symbol x from node = 0; None where none were found in letters. `thorough`: SymPy may try
+    what is not of degree one or two."""
     terms = polynomial(node, x)
     if terms is None:
         found = _angles(node, x, scene)
@@ -77,7 +79,7 @@ def _common(exponents):
     return Fraction(reduce(gcd, [int(e * below) for e in exponents]), below)
 
 
-def unpowered(power, step, x, scene):
+def unpowered(power: "Node", step: Fraction, x: "Node", scene: Any) -> "list[Node]":
     """The x with x^step = power; the negative one too where x may have any sign and the step is even."""
     if step == 1:
         return [power]
@@ -108,7 +110,7 @@ def _primitive(coefficients):
     return [textbook(node.table.product((node, ONE), *common)) for node in coefficients] if common else coefficients
 
 
-def polynomial(node, x, radicals=MOST_RADICALS):
+def polynomial(node: "Node", x: "Node", radicals: int = MOST_RADICALS) -> "dict[int, Node]":
     """{exponent: coefficient} of a polynomial in powers of x that vanishes wherever the node does; None of none."""
     try:
         terms = reduced(expanded(_cleared(node, x)))
@@ -146,17 +148,13 @@ def _cleared(node, x):
     for part in reachable([node]):
         args = part.args if part.op != "call" else ()
         if part is x or not any(below.get(arg) is not None for arg, _ in args):
-            above[part], below[part] = part, {} if part is x or _holds(part, below) else None
+            holds = part is x or (part.op == "call" and any(below.get(arg) is not None for arg in part.args))
+            above[part], below[part] = part, {} if holds else None
         elif part.op == "sum":
             above[part], below[part] = _cleared_sum(table, part, above, below)
         else:
             above[part], below[part] = _cleared_product(table, part, above, below)
     return above[node]
-
-
-def _holds(call, below):
-    """Does a function have an argument that holds x?"""
-    return call.op == "call" and any(below.get(arg) is not None for arg in call.args)
 
 
 def _cleared_sum(table, part, above, below):
@@ -185,7 +183,7 @@ def _cleared_product(table, part, above, below):
     return table.product(*top), bottom
 
 
-def vanishes(node, sample):
+def vanishes(node: "Node", sample: Mapping[str, float]) -> bool:
     """Is a coefficient, or a factor of it, zero at the sample values but for the rounding of its terms?"""
     if node.op == "product":
         return any(vanishes(base, sample) for base, e in node.args if e > 0)

@@ -1,0 +1,84 @@
+"""Motions in time and frequency responses of every file, as text, data and curves: finite numbers, or a refusal that
+says why. Letters are given values as well."""
+
+import re
+from math import isfinite
+from pathlib import Path
+
+import numpy as np
+import pytest
+from support.scenes import problem_of
+
+from vibcli.base.errors import PhysicsError
+from vibcli.check.instances import Instances
+from vibcli.plots.braille import braille
+from vibcli.report.document import Report
+from vibcli.report.formats.text import render
+from vibcli.report.sections.frequency_response import frequency_response_data
+from vibcli.report.sections.response import response_data
+from vibcli.report.sections.sampled_series import frequency_figure, response_figure, sampled, sampled_curves
+from vibcli.report.wanted import Wanted
+
+ROOT = Path(__file__).parents[2]
+FILES = sorted([*ROOT.glob("problems/*/*.yaml"), *ROOT.glob("vibcli/examples/*.yaml")])
+NO_NUMBER = re.compile(r"(?<!\w)(nan|inf|infinity|[\d.]+j)(?!\w)", re.IGNORECASE)
+WANTED = Wanted(points=40)
+
+
+def problems_of(path):
+    """The scene and its cases; where a scene holds letters or choices, the same in numbers as well."""
+    scene = problem_of(path)
+    for problem in (scene, *(scene.case(name) for name in scene.spec.cases)):
+        if problem.numeric.has_free_symbols:
+            yield problem
+        numeric = next(iter(Instances(problem)), None)
+        if numeric is not None:
+            yield numeric
+
+
+def finite(data):
+    """Are all numbers in a piece of data real and finite?"""
+    if isinstance(data, dict):
+        data = list(data.values())
+    if isinstance(data, list | tuple):
+        return all(map(finite, data))
+    return data is None or isinstance(data, str | bool) or (isinstance(data, int | float) and isfinite(data))
+
+
+def text(problem):
+    """The sections of both kinds; the first refusal, or None."""
+    report = Report(problem, wanted=WANTED)
+    for name in ("response", "frequency_response"):
+        report.add(name)
+    assert not NO_NUMBER.findall(render([report.document(question=False)]).partition("\n")[2])
+    if report.refusal:
+        raise report.refusal
+
+
+def in_time(problem):
+    assert finite(response_data(problem, WANTED))
+    series = sampled(problem, WANTED)
+    assert all(np.isfinite(one.values).all() and len(one.values) == WANTED.points for one in series)
+    assert not NO_NUMBER.findall(braille(response_figure(problem, series)).partition("\n")[2])
+
+
+def over_frequency(problem):
+    assert finite(frequency_response_data(problem, WANTED))
+    curves = sampled_curves(problem, WANTED)
+    for nyquist in (False, True):
+        assert not NO_NUMBER.findall(braille(frequency_figure(problem, curves, nyquist)).partition("\n")[2])
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+def test_numbers_or_a_refusal(path):
+    outcomes = []
+    for problem in problems_of(path):
+        for ask in (text, in_time, over_frequency):
+            try:
+                ask(problem)
+                outcomes.append(None)
+            except PhysicsError as error:
+                assert error.message and not NO_NUMBER.findall(error.message)
+                outcomes.append(error.message)
+    assert outcomes

@@ -1,0 +1,123 @@
+"""Every command with a stdout that is full, closed or read by nobody, and with a stderr that is: codes and words."""
+
+import os
+import subprocess
+import sys
+from contextlib import redirect_stderr, redirect_stdout
+from io import StringIO
+from pathlib import Path
+
+import pytest
+
+from vibcli.cli import COMMANDS, run, streams
+
+ROOT = Path(__file__).parents[2]
+INVALID = str(ROOT / "tests" / "bad" / "parts_with_several_circles.yaml")
+SCENE = """
+bodies: {a: {mass: 1 kg, slide: x}}
+springs: {s: {k: 4 N/m, between: [ground, a]}}
+forces: {f: {at: a, force: 3 N*cos(1 rad/s*t)}}
+answers:
+  omega[NUMBER]: RATE rad/s
+"""
+SILENT = ("draw", "animate")        # these print nothing on stdout
+CALLS = {"explain": ["springs"], "schema": [], "new": []}       # the others read a scene
+pytestmark = pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")
+
+
+@pytest.fixture(scope="module", autouse=True)
+def imported(tmp_path_factory):
+    """What the commands import, once for all processes."""
+    folder = tmp_path_factory.mktemp("once")
+    scene = folder / "scene.yaml"
+    scene.write_text(SCENE.replace("NUMBER", "1").replace("RATE", "2"))
+    with redirect_stdout(StringIO()), redirect_stderr(StringIO()):
+        for command in COMMANDS:
+            files = ["-o", str(folder / f"{command}.{'gif' if command == 'animate' else 'png'}")] * (command in SILENT)
+            assert run([command, *CALLS.get(command, [str(scene)]), *files]) == 0
+
+
+@pytest.fixture
+def call(tmp_path, monkeypatch):
+    """call(arguments, how stdout is, how stderr is) -> (exit code, stdout, stderr) of a process of its own."""
+    monkeypatch.chdir(tmp_path)
+    for name, number, rate in (("right", 1, 2), ("wrong", 1, 3), ("refused", 2, 3)):
+        text = SCENE.replace("NUMBER", str(number)).replace("RATE", str(rate))
+        (tmp_path / f"{name}.yaml").write_text(text)
+
+    def called(args, stdout="file", stderr="file"):
+        files = [tmp_path / "out.txt", tmp_path / "err.txt"]
+        pid = os.fork()
+        if not pid:
+            code = 99
+            try:
+                for number, (how, file) in enumerate(zip((stdout, stderr), files, strict=True), 1):
+                    _put(number, how, file)
+                streams.provide()
+                code = run(args)
+                sys.stdout.flush()
+            finally:
+                os._exit(code)
+        code = os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
+        for picture in (*tmp_path.glob("*.png"), *tmp_path.glob("*.gif")):
+            picture.unlink()
+        return code, *(file.read_text() if file.exists() else "" for file in files)
+    return called
+
+
+def _put(number, how, file):
+    """Let a standard stream of this process be a file, full, closed, or a pipe that nobody reads."""
+    os.close(number)
+    name = ("stdout", "stderr")[number - 1]
+    if how == "closed":
+        setattr(sys, name, None)
+        return
+    if how == "left":
+        reader, writer = os.pipe()
+        os.close(reader if reader != number else os.dup2(writer, number))
+        os.dup2(writer, number)
+    else:
+        opened = os.open("/dev/full" if how == "full" else file, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
+        os.dup2(opened, number)
+    setattr(sys, name, os.fdopen(number, "w", closefd=False))
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("command", COMMANDS)
+def test_each_command(call, command):
+    args = [command, *CALLS.get(command, ["right.yaml"])]
+    code, out, err = call(args)
+    assert code == 0
+    if command in SILENT:
+        assert call(args, "full") == (0, "", err) and call(args, "closed", "closed")[0] == 0
+        return
+    assert len(out) > 40
+    for how, words in (("full", "No space left on device"), ("closed", "stdout is closed")):
+        found, _, told = call(args, how)
+        assert found == 4 and told.endswith(f"error: the output cannot be written: {words}\n")
+        assert told.count("\n") == 1
+    assert call(args, "left")[::2] == (0, err)
+    for how in ("full", "closed", "left"):
+        assert call(args, "file", how)[:2] == (0, out)
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize(("args", "code"), [
+    (["check", "wrong.yaml"], 1), (["solve"], 2), (["nonsense"], 2), (["solve", INVALID], 3), (["check", INVALID], 3),
+    (["check", "refused.yaml"], 4), (["check", "wrong.yaml", "right.yaml", INVALID], 3), (["explain", "nonsense"], 2),
+    (["--help"], 0), (["solve", "--help"], 0), (["--version"], 0)])
+def test_the_code_is_that_of_the_work(call, args, code):
+    wanted = call(args)
+    assert wanted[0] == code
+    assert call(args, "left")[::2] == wanted[::2]
+    for how in ("full", "closed", "left"):
+        assert call(args, "file", how)[:2] == wanted[:2]
+        assert call(args, how, how)[0] == (4 if wanted[1] and how != "left" else code)
+
+
+@pytest.mark.parametrize(("redirection", "code", "words"), [
+    ("> /dev/full", 4, "No space left on device"), ("| head -1", 0, "")])
+def test_a_process_leaves_without_a_trace(redirection, code, words):
+    done = subprocess.run(["bash", "-c", f"{sys.executable} -m vibcli explain {redirection}; exit ${{PIPESTATUS[0]}}"],
+                          capture_output=True, text=True)
+    assert done.returncode == code and done.stderr.count("\n") == bool(words) and words in done.stderr

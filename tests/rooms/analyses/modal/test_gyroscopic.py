@@ -1,0 +1,61 @@
+"""Conservative gyroscopic systems: the real parts are zero exactly where the exact spectrum is imaginary."""
+
+import random
+
+import mpmath
+import pytest
+from support import families
+from support.spectra import nearest, rate
+
+from vibcli.analyses.modal.modes import natural_modes
+from vibcli.mechanics.factored_system import FactoredSystem
+
+
+@pytest.fixture(autouse=True)
+def many_digits():
+    with mpmath.workdps(100):
+        yield
+
+
+def spun(rng, n):
+    kind = rng.choice((families.gyroscopic, families.held_by_spin, "indefinite", "free"))
+    ratio, size = 10 ** rng.uniform(0, 4), 10 ** rng.uniform(-6, 6)
+    if kind == "free":
+        return families.gyroscopic(rng, n, ratio, size, grounded=False)
+    if kind == "indefinite":
+        base = families.preloaded(rng, n, ratio)
+        return FactoredSystem(n, base.inertias, base.springs, K=base.K,
+                                  G=families.gyroscopic(rng, n, ratio, size).G)
+    return kind(rng, n, ratio, size)
+
+
+@pytest.mark.sweep
+def test_conservative_gyroscopic_systems_are_settled_as_the_exact_spectrum_is():
+    """Re λ exactly zero where it is, growth where there is, nothing lost (n to 12, G from 1e-6 to 1e6)."""
+    kinds = []
+    for seed in range(40):
+        rng = random.Random(seed)
+        elements = spun(rng, 12 if not seed else rng.randrange(2, 6))
+        exact = families.eigenvalues(elements)
+        top, tiny = max(abs(x) for x in exact), mpmath.mpf(10) ** -40
+        exact = [x for x in exact if abs(x) > top * tiny / 10 ** 5]
+        grows = [x for x in exact if x.real > abs(x) * tiny and x.imag >= -abs(x) * tiny]
+        swings = [x for x in exact if abs(x.real) <= abs(x) * tiny and x.imag > 0]
+        modes = [mode for mode in natural_modes(elements) if not mode.rigid]
+        assert len(modes) == len(grows) + len(swings)
+        for mode in modes:
+            value = nearest(swings if mode.growth_rate is None else grows, rate(mode))
+            parts = [(mode.growth_rate, value.real)] * (mode.growth_rate is not None)
+            parts += [(mode.omega, value.imag)] * bool(mode.omega)
+            assert all(abs(a - b) <= mode.error * b for a, b in parts) and mode.error <= 2e-16
+            kinds.append(mode.kind)
+    assert kinds.count("oscillation") >= 60 and {"flutter", "divergence"} <= set(kinds)
+
+
+def test_many_coordinates_held_by_spin_do_not_seem_to_grow():
+    n, rng = 90, random.Random(3)
+    base = families.chain(rng, n, 10.0)
+    g = {(i - 1, i): rng.random() for i in range(1, n)} | {(0, 1): 60.0}
+    g |= {(j, i): -x for (i, j), x in g.items()}
+    modes = natural_modes(FactoredSystem(n, base.inertias, base.springs, G=g, K={(0, 0): -40.0, (1, 1): -40.0}))
+    assert [mode.kind for mode in modes] == ["oscillation"] * n

@@ -1,0 +1,108 @@
+"""Pictures of modes, still and moving, go the way that the table of mode shapes tells, in every scene that has any."""
+
+import cmath
+from pathlib import Path
+
+import pytest
+from support.scenes import problem, problem_of
+
+from vibcli.base.errors import PhysicsError
+from vibcli.drawing import vibration
+from vibcli.drawing.canvas.primitives import Polygon, Polyline
+from vibcli.drawing.layout import compose, plane
+from vibcli.drawing.symbols import mode_shape
+from vibcli.report.sections.spectrum import frequencies_data
+
+ROOT = Path(__file__).parents[3]
+FILES = sorted([*(ROOT / "problems").rglob("*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml"),
+                *(ROOT / "tests" / "trials").glob("*.yaml")])[::3]
+STEP, LEAST_SCENES, LEAST_MODES = 1e-5, 40, 70
+
+
+def displaced(rest, moved):
+    """{what moves: how far, as numbers of one length} between two Sketches."""
+    found = {(name, "place"): plane.minus(moved.frames[name].place, frame.place) for name, frame in rest.frames.items()}
+    found |= {(name, "angle"): (moved.frames[name].angle - frame.angle,) for name, frame in rest.frames.items()}
+    return found | {(name, "axis"): (moved.lumped[name] - u,) for name, u in rest.lumped.items()}
+
+
+def against(told, shown):
+    """What moves against what was told, small displacements left out."""
+    wrong = []
+    for kind in ("place", "angle", "axis"):
+        parts = {key: value for key, value in told.items() if key[1] == kind}
+        most = max((sum(x * x for x in value) for value in parts.values()), default=0.0)
+        wrong += [key for key, value in parts.items() if sum(x * x for x in value) > 0.01 * most
+                  and sum(x * y for x, y in zip(value, shown[key], strict=True)) <= 0]
+    return wrong
+
+
+def checked(found):
+    """How many modes of a scene were drawn; AssertionError where a picture contradicts the table."""
+    stage, count = compose.Scenery(found.scene), 0
+    for mode, row in zip(found.modal.modes, frequencies_data(found)["modes"], strict=True):
+        shape = {name: complex(*value) if isinstance(value, list) else value for name, value in row["shape"].items()}
+        if mode.rigid or any(isinstance(value, complex) for value in shape.values()):
+            continue
+        base = found.configuration.equilibrium.values
+        told = stage.at({**base, **{name: base[name] + STEP * value for name, value in shape.items()}})
+        moving = vibration.Vibration(found, mode.index, stage)
+        for theta in (0.0, vibration.phases(36)[1]):        # the still picture; the moving one, just after its start
+            assert not against(displaced(moving.rest, told), displaced(moving.rest, moving.at(theta))), row
+        count += 1
+    return count
+
+
+@pytest.mark.sweep
+def test_pictures_agree_with_the_table():
+    counts = []
+    for path in FILES:
+        found = problem_of(path)
+        if found.numeric.has_free_symbols or found.spec.choices or not found.scene.bodies:
+            continue
+        try:
+            counts.append(checked(found))
+        except PhysicsError:
+            continue
+    assert len(counts) >= LEAST_SCENES and sum(counts) >= LEAST_MODES
+
+
+SEEN = """
+bodies:
+  near: {mass: 2 kg, at: [0, 0], slide: x}
+  far: {mass: 1 kg, at: [1 m, 0], slide: y}
+springs: {s: {k: 300 N/m, between: [[-1 m, 0], near]}, u: {k: 200 N/m, between: [near, far]}}
+"""
+
+
+@pytest.mark.parametrize("normalise", ["first", "largest", "mass"])
+def test_the_table_may_be_normalised_otherwise(normalise):
+    found = problem(SEEN)
+    stage = compose.Scenery(found.scene)
+    for mode in found.modal.modes:
+        moving = vibration.Vibration(found, mode.index, stage, normalise)
+        for name, value in zip(("near", "far"), found.modal.shape(mode, normalise), strict=True):
+            assert (moving.at(0.0).frames[name].place[0] - moving.rest.frames[name].place[0]) * value > 0
+
+
+@pytest.mark.parametrize("shape", [[1.0, -2j], [1.0, 2j], [1.0, -2 + 0.1j], [1.0, -2.0]])
+def test_what_leads_by_a_quarter_of_a_period_is_seen(shape):
+    """Of a gyroscopic mode the largest amplitude is shown, and what is in phase with the first goes its way."""
+    turned = [value * cmath.exp(-1j * vibration._lead(max(shape, key=abs))) for value in shape]
+    assert turned[0].real >= -1e-12 and abs(turned[1].real) == pytest.approx(abs(shape[1]), rel=1e-2)
+
+
+@pytest.mark.parametrize("name", ["two_storeys", "beats", "chain_of_masses"])
+def test_arrows_are_as_long_as_the_mode_tells(name):
+    """Of lumped bodies: the largest LUMPED long, the others in proportion."""
+    found = problem_of(ROOT / f"vibcli/examples/{name}.yaml")
+    stage = compose.Scenery(found.scene)
+    for mode in found.modal.modes:
+        moving = vibration.Vibration(found, mode.index, stage)
+        ways = [moving.at(0.0).lumped[body] - moving.rest.lumped[body] for row in stage.rows for body in row.places]
+        parts = mode_shape._arrows(stage, moving.rest, moving.at(0.0), moving.unit)
+        starts = [part.points[0][0] for part in parts if isinstance(part, Polyline) and part.role == "coordinate"
+                  and part.points[0][0] == part.points[1][0]]
+        tips = [part.points[0][0] for part in parts if isinstance(part, Polygon)]
+        told = [(start, way / max(map(abs, ways)) * vibration.LUMPED) for start, way in zip(starts, ways, strict=True)]
+        assert tips == pytest.approx([start + length for start, length in told if abs(length) > 2.0])

@@ -1,0 +1,124 @@
+"""Every formula in every notation, read back and evaluated against the expression that was written."""
+
+import math
+import random
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+
+import pytest
+from support import formulas, printed
+from support.scenes import problem_of
+
+from vibcli.notation.plain import plain
+from vibcli.notation.scene_language import language
+from vibcli.report.document import EVERYTHING, Report
+from vibcli.report.sections.equations_of_motion import equation_rows
+from vibcli.report.sections.symbolic_modes import turned
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression import Table
+from vibcli.symbolic.expression_graph import reachable
+
+WAYS = {**printed.NOTATIONS, "language": (language, formulas.plain)}
+LETTERS = ("m", "k", "l1", "L2", "phi", "kf", "m_rot", "x'", "theta2''", "beta", "R")
+EXPONENTS = [Fraction(*pair) for pair in ((1, 1), (1, 1), (2, 1), (-1, 1), (-2, 1), (1, 2), (-1, 2), (3, 2), (-3, 2),
+                                          (1, 3), (-2, 3), (1, 4))]
+NUMBERS = [Fraction(*pair) for pair in ((1, 1), (2, 1), (1, 2), (3, 4), (5, 3), (1, 100), (7, 1000), (12345, 100),
+                                        (1, 7), (10**20, 1), (1, 3 * 10**7))]
+FUNCTIONS = ("sin", "cos", "tan", "exp", "log", "abs", "sinh", "atan", "sign")
+
+
+def grown(table, draw, depth):
+    """A random expression."""
+    kind = draw.random() if depth else 1.0
+    if kind < 0.35:
+        return table.sum(*((grown(table, draw, depth - 1), draw.choice((1, 1, -1)) * draw.choice(NUMBERS))
+                           for _ in range(draw.randint(2, 3))))
+    if kind < 0.75:
+        return table.product((table.number(draw.choice(NUMBERS[:5])), 1), *(
+            (grown(table, draw, depth - 1), draw.choice(EXPONENTS)) for _ in range(draw.randint(1, 3))))
+    if kind < 0.85:
+        return table.call(draw.choice(FUNCTIONS), grown(table, draw, depth - 1))
+    return table.parameter(draw.choice(LETTERS)) if draw.random() < 0.8 else table.number(draw.choice(NUMBERS))
+
+
+def readable(node, values):
+    """Can its value be told from printed digits: no power too large, none of roots of roots, no angle of many turns?"""
+    parts = [part for part in reachable([node]) if part.op in ("product", "call")]
+    powers = [node.table.power(base, e) for part in parts if part.op == "product" for base, e in part.args]
+    if any(e.denominator > 12 for part in parts if part.op == "product" for _, e in part.args):
+        return False
+    angles = [arg for part in parts if part.op == "call" for arg in part.args]
+    return all(1e-30 < abs(size) < 1e30 for size in evaluate([node, *powers], Floats, values)) and all(
+        abs(angle) < 30 for angle in evaluate(angles, Floats, values))
+
+
+@cache
+def expressions():
+    """[(a random expression, its value, the values of its symbols)]"""
+    draw, found = random.Random(14), []
+    while len(found) < 300:
+        try:
+            node = grown(Table(), draw, 3)
+        except ZeroDivisionError:       # of a sum of which nothing is left
+            continue
+        values = {letter: draw.uniform(0.5, 2.0) for letter in LETTERS}
+        if readable(node, values):
+            found.append((node, evaluate([node], Floats, values)[0], values))
+    return found
+
+
+def value_of(text, read, values):
+    try:
+        return formulas.value(read(text), values.__getitem__)
+    except formulas.Unreadable as error:
+        raise AssertionError(text) from error
+
+
+@pytest.mark.parametrize("name", WAYS)
+def test_random_expressions_are_read_back(name):
+    write, read = WAYS[name]
+    for node, wanted, values in expressions():
+        keyed = {formulas.symbol(name): value for letter, value in {**values, "pi": math.pi}.items()
+                 for name in (letter, plain.symbol(letter))}
+        text = write(node)
+        assert formulas.agree(value_of(text, read, keyed), wanted), f"{node}\n{text}"
+
+
+ROOT = Path(__file__).parents[3]
+FILES = sorted([*(ROOT / "problems").rglob("*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml")])
+SHOWN = (*EVERYTHING, "response", "frequency_response", "shares", "sensitivities", "estimates")
+NAMED = ("car_bounce_and_pitch", "press_with_two_blows")
+SAMPLE = [path for i, path in enumerate(FILES) if i % 16 == 3 or path.stem in NAMED]
+
+
+def numbers(found):
+    """{symbol: number}: the parameters of a scene as they are drawn, its motion small and at random."""
+    draw, values = random.Random(3), dict(found.scene.sample)
+    for scene in (found.system.scene_with_multipliers, found.scene):
+        for node in (*scene.q, *scene.v, *scene.a):
+            values.setdefault(node.name, draw.uniform(0.02, 0.08))
+    return values
+
+
+@pytest.mark.parametrize("path", SAMPLE, ids=lambda path: path.stem)
+def test_reports_are_read_back(path):
+    base = problem_of(path)
+    for found in (base, *map(base.case, base.spec.cases)):
+        if found.spec.choices:
+            continue
+        report, values = Report(found), numbers(found)
+        for name in SHOWN:
+            report.add(name)
+        lines = printed.of_documents([report.document()])
+        assert all(printed.compared(parts, values) for parts in lines if len(parts) > 1 and parts[1] != ":  ")
+        for entry in equation_rows(found) if found.system.scene_with_multipliers.q else ():
+            printed.compared_texts(entry["text"], entry["latex"], values)
+            printed.compared_texts(entry["linear_text"], entry["linear_latex"], values)
+
+
+def test_what_leads_by_a_quarter_of_a_period_keeps_its_sign():
+    table = Table()
+    m, k = table.parameter("m"), table.parameter("k")
+    for node in (-2 * m, m - k, -m / (k - m), table.one, -table.one, -(m - k) ** 2):
+        assert printed.compared(["H = ", *turned(table.node(node))], {"m": 1.3, "k": 0.7}) == 2

@@ -1,0 +1,146 @@
+"""Typeset formulas read back: LaTeX, that of Markdown too, and MathML to the tokens of formulas.py."""
+
+import re
+import unicodedata
+import xml.etree.ElementTree as ET
+
+from support.formulas import FUNCTIONS, Unreadable, bracketed, symbol
+
+GREEK = {"varphi": "φ", "varepsilon": "ε", "ell": "ℓ", "partial": "∂", "Sigma": "Σ", "sum": "Σ"} | {
+    name: unicodedata.lookup(f"GREEK {case} LETTER {word.upper().replace('LAMBDA', 'LAMDA')}")
+    for word in ("alpha", "beta", "gamma", "delta", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu", "nu", "xi",
+                 "rho", "sigma", "tau", "upsilon", "chi", "psi", "omega", "pi", "phi")
+    for case, name in (("SMALL", word), ("CAPITAL", word.capitalize()))}
+
+
+# LaTeX
+
+_LATEX = re.compile(r"\\left|\\right|\\[a-zA-Z]+|\\.|\d+(?:\.\d+)?|\s+|.", re.DOTALL)
+_SPACES = {r"\,", r"\;", r"\quad", r"\mkern"}
+_SIGNS = {r"\pm": "+", r"\mp": "-", r"\le": "≤", r"\ge": "≥", r"\cdot": "*", ".": "*"} | {
+    sign: sign for sign in "-+=<>()|,/"}
+_DOTTED = {r"\dot": "'", r"\ddot": "''"}
+_OURS = {r"\arcsin", r"\arccos", r"\arctan"} | {"\\" + name for name in FUNCTIONS}
+
+
+def latex(text):
+    """The tokens of LaTeX."""
+    text = re.sub(r"\\mkern\dmu", r"\\,", text)
+    return bracketed(_latex([part for part in _LATEX.findall(text) if not part.isspace()]))
+
+
+def _latex(parts):
+    found = []
+    while parts and parts[0] != "}":
+        part = parts.pop(0)
+        if part in _SPACES or part in (r"\left", r"\right"):
+            continue
+        if part in _SIGNS:
+            found.append(_SIGNS[part])
+        elif part[0].isdigit():
+            found.append(("number", part))
+        elif part == r"\frac":
+            found.append(("fraction", _braced(parts), _braced(parts)))
+        elif part == r"\sqrt":
+            found.append(("root", _braced(parts)))
+        elif part == "^":
+            found.append(("power", _braced(parts)))
+        elif part in _OURS or part == r"\operatorname":
+            found.append(("function", part[1:] if part in _OURS else _word(parts)))
+        else:
+            found.append(("symbol", _letter(part, parts)))
+    return found
+
+
+def _braced(parts):
+    if parts.pop(0) != "{":
+        raise Unreadable("a brace is missing")
+    found = bracketed(_latex(parts))
+    parts.pop(0)
+    return found
+
+
+def _word(parts):
+    """The letters between braces, indices in a row."""
+    if parts.pop(0) != "{":
+        raise Unreadable("a brace is missing")
+    found = ""
+    while parts[0] != "}":
+        if parts[0] == "{":
+            found += _word(parts)
+            continue
+        part = parts.pop(0)
+        found += "" if part in (r"\_", "_", ",") else _letter(part, parts) if part[0] == "\\" else part
+    parts.pop(0)
+    return found
+
+
+def _letter(part, parts):
+    primes = _DOTTED.get(part, "")
+    if primes or part in (r"\mathrm", r"\text"):
+        found = _word(parts)
+    elif part[0] == "\\" and part[1:] in GREEK:
+        found = GREEK[part[1:]]
+    elif part.isalpha():
+        found = part
+    else:
+        raise Unreadable(part)
+    while parts[:1] == ["_"]:
+        parts.pop(0)
+        found += _word(parts)
+    return found + primes
+
+
+# MathML
+
+_OPERATORS = {"\u2062": "*", "·": "*", "−": "-", "±": "+", "∓": "-", ".": "*"}
+
+
+def mathml(text):
+    """The tokens of the inside of a <math> element."""
+    return bracketed(_row(ET.fromstring(f"<math>{text}</math>")))
+
+
+def _row(element):
+    found, parts = [], list(element)
+    for part, after in zip(parts, [*parts[1:], None], strict=True):
+        if after is not None and after.text == "\u2061" and part.tag == "mi":
+            found.append(("function", _name(part)))
+        else:
+            found += _element(part)
+    return found
+
+
+def _element(part):
+    text = part.text or ""
+    if part.tag in ("mrow", "math"):
+        return _row(part)
+    if part.tag == "mn":
+        return [("number", text)]
+    if part.tag == "mo":
+        if text == "∑":
+            return [("symbol", "Σ")]
+        return [] if text == "\u2061" else [_OPERATORS.get(text, text)]
+    if part.tag == "mspace":
+        return []
+    if part.tag in ("mfrac", "msqrt"):
+        inside = [bracketed(_element(one)) for one in part]
+        return [("fraction", *inside)] if part.tag == "mfrac" else [("root", bracketed(_row(part)))]
+    if part.tag == "msup":
+        return [*_element(part[0]), ("power", bracketed(_element(part[1])))]
+    if part.tag == "msubsup":
+        return [("symbol", _name(part)), ("power", bracketed(_element(part[2])))]
+    name = _name(part)
+    return [("function", name) if part.tag == "mi" and name in FUNCTIONS else ("symbol", name)]
+
+
+def _name(part):
+    if part.tag in ("mi", "mn"):
+        return symbol(part.text)
+    if part.tag == "mover":
+        return _name(part[0]) + {"˙": "'", "¨": "''"}[part[1].text]
+    if part.tag in ("msub", "msubsup"):
+        inner = "".join(_name(one) for one in part[1]) if part[1].tag == "mrow" else _name(part[1])
+        bare = _name(part[0])
+        return bare.rstrip("'") + inner + "'" * (len(bare) - len(bare.rstrip("'")))
+    raise Unreadable(part.tag)

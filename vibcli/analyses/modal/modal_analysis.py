@@ -1,0 +1,139 @@
+"""The modes of a system about one of its equilibria, and what is derived from them."""
+
+from collections.abc import Callable, Sequence
+from functools import cached_property
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from vibcli.analyses import ANALYSES
+from vibcli.base.stage import Stage
+
+if TYPE_CHECKING:
+    import mpmath
+
+    from vibcli.analyses.modal.damped_modes import DampedMode
+    from vibcli.analyses.modal.stability import Stability
+    from vibcli.analyses.modal.undamped import Mode
+    from vibcli.analyses.transient.linear_response import LinearMotion
+    from vibcli.base.work import Work
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.scene.scene import Scene
+
+MOST = 10_000       # steps of a million products
+
+
+class ModalAnalysis:
+    """The modes of a Configuration. `free`: the number of directions in which it is known to move freely, where it is
+    one of a family of equilibria."""
+
+    def __init__(self, configuration: "Configuration", free: int = 0):
+        self.configuration, self.free = configuration, free
+        self.numeric, self.system, self.spec = configuration.numeric, configuration.system, configuration.spec
+        self.work, self.costs = configuration.work, configuration.costs
+        self._results = {}
+
+    @cached_property
+    def scene(self) -> "Scene":
+        return self.system.scene
+
+    @Stage
+    def modes(self):
+        """The modes of the system without its dampers; none where it would not oscillate."""
+        from vibcli.analyses.modal.modes import natural_modes
+
+        elements = self.configuration.linear_system
+        if elements.massless:
+            from vibcli.analyses.modal.massless_coordinates import only_damped
+
+            if only_damped(elements):
+                return []
+        return self.solved(natural_modes, elements, *self.configuration.sources)
+
+    @cached_property
+    def zero_modes(self) -> dict[int, str]:
+        """What each mode without frequency is: free, held or falling (mechanics/equilibrium/zero_modes.py)."""
+        rigid = [mode for mode in self.modes if mode.rigid]
+        if not rigid:
+            return {}
+        from vibcli.mechanics.equilibrium.zero_modes import FREE, zero_modes
+
+        if len(rigid) == self.free:
+            return dict.fromkeys((mode.index for mode in rigid), FREE)
+        return zero_modes(self.configuration, rigid)
+
+    @Stage
+    def damped(self):
+        """The damped modes; None where nothing damps."""
+        elements = self.configuration.linear_system
+        if not (elements.dampers or elements.C):
+            return None
+        from vibcli.analyses.modal.modes import damped_modes
+
+        return self.solved(damped_modes, elements, lambda: self.modes, *self.configuration.sources)
+
+    @cached_property
+    def stability(self) -> "Stability":
+        """The Stability of the equilibrium."""
+        from vibcli.analyses.modal.stability import stability
+
+        return stability(self)
+
+    def shape(self, mode: "DampedMode | Mode", how: str = "first") -> "list[complex | mpmath.mpf]":
+        """The shape of a mode in the normalisation asked for, as a list of numbers."""
+        from vibcli.analyses.modal.normalisation import normalised, weights
+
+        return normalised(mode.shape, how, weights(self.configuration.linear_system))
+
+    def solved(self, solve: Callable, *args: Any,
+               **options: "Sequence[Mode] | int | Work") -> "list[DampedMode | Mode] | LinearMotion | None":
+        """What solves for modes, as a task; its refusals have the names of coordinates."""
+        from vibcli.analyses.modal.scaling import UnheldCoordinate
+
+        try:
+            with self.work.task("the search for the modes", MOST):
+                return solve(*args, **options)
+        except UnheldCoordinate as error:
+            name = self.scene.coordinates[error.number]
+            raise error.named(name, self.spec.coordinates[name].where) from None
+
+    def steps_to_digits(self, digits: int) -> float:
+        """About how many steps of a million products so many digits take, before anything is computed."""
+        from vibcli.numerics.precision import estimated_steps
+
+        damped = any(section in self.spec.sections for section in ("dampers", "energies", "matrices"))
+        return estimated_steps(len(self.spec.coordinates), digits, damped)
+
+    def to_digits(self, digits: int):
+        """(modes, damped modes) recomputed to so many correct digits."""
+        from vibcli.analyses.modal.modes import damped_modes, natural_modes
+
+        elements, sources = self.configuration.linear_system, self.configuration.sources
+        if sources[0] is None:
+            from vibcli.mechanics.high_precision import Degenerate
+
+            raise Degenerate
+        modes = self.solved(natural_modes, elements, *sources, digits=digits) if self.modes else []
+        return modes, self.solved(damped_modes, elements, lambda: modes, *sources, digits=digits)
+
+    @cached_property
+    def sharp_modes(self):
+        """The modes to the digits that shares and derivatives need."""
+        from vibcli.analyses.modal.modes_precise import sharp_modes
+
+        return self.solved(sharp_modes, self.configuration)
+
+    @cached_property
+    def sharp_damped(self):
+        """The damped modes to as many digits; asked for only where something damps."""
+        from vibcli.analyses.modal.modes_precise import sharp_damped
+
+        return self.solved(sharp_damped, self.configuration, lambda: self.sharp_modes)
+
+    def result(self, word: str):
+        """What the analysis of a word of `find` finds of these modes, as the file asks for it; found once."""
+        if word not in self._results:
+            questions = self.spec.get("find")
+            asked = None if questions is None else questions.about(word)
+            find = getattr(import_module("vibcli.analyses." + ANALYSES[word][0].replace("/", ".")), word)
+            self._results[word] = self.costs.measured(word, lambda: find(self, asked))
+        return self._results[word]

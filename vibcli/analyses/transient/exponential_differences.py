@@ -1,0 +1,142 @@
+"""Divided differences of the exponential, the shape of every linear response.
+
+    E[λ₁](t) = e^{λ₁t}        E[λ₁…λₘ] = (E[λ₁…λₘ₋₁] − E[λ₂…λₘ]) / (λ₁ − λₘ)        E[λ…λ] = t^{m−1} e^{λt} / (m−1)!
+
+With Laplace transform 1/Π(p − λᵢ), E[λ₁, λ₂] answers an impulse on an oscillator with the poles λ₁ and λ₂,
+E[λ₁, λ₂, s] a force e^{st}, and k! E[λ₁, λ₂, s…s] with k + 1 times s a force tᵏe^{st}: critical damping, resonance,
+beats and rigid motion are nodes that coincide or nearly do. The quotient is taken of the two nodes farthest apart, and
+where that distance times t is small a series replaces it, so nothing cancels (McCurdy, Ng & Parlett 1984).
+"""
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+NEAR = 2.0
+TERMS, SINH = 40, 8
+
+
+def exponential(node: complex, t: np.ndarray) -> np.ndarray:
+    """e^{λt} for real times, of real type for a real λ."""
+    decay = np.exp(node.real * t)
+    if not node.imag:
+        return decay
+    angle, out = node.imag * t, np.empty(np.shape(t), complex)
+    np.multiply(decay, np.cos(angle), out=out.real)
+    np.multiply(decay, np.sin(angle), out=out.imag)
+    return out
+
+
+def real_wave(factor: complex | np.ndarray, node: complex, t: np.ndarray) -> float | np.ndarray:
+    """Re(factor e^{λt})."""
+    decay = np.exp(node.real * t) if node.real else 1.0
+    if not node.imag:
+        return np.real(factor) * decay
+    angle = node.imag * t
+    return decay * (np.real(factor) * np.cos(angle) - np.imag(factor) * np.sin(angle))
+
+
+def differences(nodes: Sequence[complex], t: np.ndarray) -> np.ndarray:
+    """E[nodes] at an array of times, exact to a few roundings of |node| t."""
+    known = {}
+
+    def of(nodes):
+        if nodes not in known:
+            known[nodes] = _difference(nodes, t, of)
+        return known[nodes]
+
+    return of(tuple(sorted(map(complex, nodes), key=lambda s: (s.real, s.imag))))
+
+
+def _difference(nodes, t, of):
+    if len(nodes) == 1:
+        return exponential(nodes[0], t)
+    i, j = farthest(nodes)
+    gap = nodes[i] - nodes[j]
+    if not gap:
+        return t ** (len(nodes) - 1) / math.factorial(len(nodes) - 1) * exponential(nodes[0], t)
+    near = abs(gap) * t <= NEAR
+    if near.all():
+        return _series(nodes, t)
+    out = (of(nodes[:j] + nodes[j + 1:]) - of(nodes[:i] + nodes[i + 1:])) / gap
+    if near.any():
+        out[near] = _series(nodes, t[near])
+    return out
+
+
+def farthest(nodes: Sequence[complex]) -> tuple[int, int]:
+    """The places i < j of the two nodes farthest apart."""
+    pairs = ((i, j) for i in range(len(nodes)) for j in range(i + 1, len(nodes)))
+    return max(pairs, key=lambda pair: abs(nodes[pair[0]] - nodes[pair[1]]))
+
+
+def _series(nodes, t):
+    """e^{at} Σ hₖ t^{m−1+k} / (m−1+k)! with the mean a of the nodes, hₖ the complete symmetric polynomials of λ − a."""
+    m = len(nodes)
+    if m == 2:
+        return _pair(nodes, t)
+    mean = sum(nodes) / m
+    top = float(t.max(initial=0.0))
+    offsets = [(node - mean) * top for node in nodes]
+    reach = max(map(abs, offsets))
+    count = next((k for k in range(1, TERMS) if reach**k < 1e-18 * math.factorial(k)), TERMS)
+    h = [1.0] + [0.0] * (count - 1)
+    for offset in offsets:
+        for k in range(1, count):
+            h[k] = h[k] + offset * h[k - 1]
+    real = not any(np.imag(h))
+    share = t / top if top else t
+    total = np.zeros(np.shape(t), float if real else complex)
+    for k in reversed(range(count)):
+        total *= share
+        total += (h[k].real if real else h[k]) * math.factorial(m - 1) / math.factorial(m - 1 + k)
+    return t ** (m - 1) / math.factorial(m - 1) * exponential(mean, t) * total
+
+
+def _pair(nodes, t):
+    """t e^{at} sinh(z)/z with the mean a of two nodes and z half their distance times t, |z| <= 1."""
+    half = (nodes[0] - nodes[1]) / 2
+    square = half * half
+    z = (square if square.imag else square.real) * t * t
+    total = np.ones_like(z)
+    for k in range(SINH, 0, -1):
+        total *= z / (2 * k * (2 * k + 1))
+        total += 1.0
+    return t * exponential(nodes[1] + half, t) * total
+
+
+def bounds(nodes: Any, early: Any, late: Any):
+    """Upper bounds of |E[nodes](t)| on the intervals early <= t <= late."""
+    m = len(nodes)
+    fastest = np.exp(np.maximum(*(max(node.real for node in nodes) * t for t in (early, late))))
+    found = fastest * late ** (m - 1) / math.factorial(m - 1)
+    if m > 1:
+        i, j = farthest(nodes)
+        gap = abs(nodes[i] - nodes[j])
+        if gap:
+            apart = bounds(nodes[:j] + nodes[j + 1:], early, late) + bounds(nodes[:i] + nodes[i + 1:], early, late)
+            found = np.minimum(found, apart / gap)
+    return found
+
+
+def real_sum(terms: Sequence[tuple[int, tuple[complex, ...], np.ndarray | slice, complex | np.ndarray]],
+             t: np.ndarray) -> np.ndarray:
+    """Σ Re(factor tᵏ E[nodes]) of terms (k, nodes, which of the times, factors there)."""
+    total = np.zeros(len(t))
+    for power, nodes, inside, factor in terms:
+        here = t[inside]
+        part = real_wave(factor, nodes[0], here) if len(nodes) == 1 else np.real(factor * differences(nodes, here))
+        total[inside] += here**power * part if power else part
+    return total
+
+
+def largest_sum(terms: Sequence[tuple[int, tuple[complex, ...], np.ndarray | slice, complex | np.ndarray]],
+                early: np.ndarray, late: np.ndarray) -> np.ndarray:
+    """An upper bound of the magnitude of the same on the intervals early <= t <= late."""
+    total = np.zeros(len(early))
+    for power, nodes, inside, factor in terms:
+        part = bounds(nodes, early[inside], late[inside])
+        total[inside] += np.abs(factor) * (late[inside]**power * part if power else part)
+    return total

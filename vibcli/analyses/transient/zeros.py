@@ -1,0 +1,131 @@
+"""Where an output is zero: nothing is missed between the points looked at.
+
+Stretches that can hold no zero by the bounds of the output and its derivatives are left out, those that hold a single
+one are narrowed down, the others divided.
+"""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from vibcli.analyses.transient.isolating_intervals import EPSILON, LEVELS, MOST, BoundedOutput, Cells, refused, root
+
+if TYPE_CHECKING:
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.analyses.transient.composition import Composition
+    from vibcli.analyses.transient.linear_response import Pieces
+    from vibcli.base.work import Task, Work
+
+CLEAR, SOONER = 64, 2.0 ** np.arange(-60, 1)
+
+
+def zeros(pieces: "Composition | Pieces", output: "LinearOutput | None", start: float, end: float,
+          work: "Work") -> np.ndarray:
+    """All times where the output passes or touches zero, ascending; where it rests at zero, none."""
+    search = PassageSearch(BoundedOutput(pieces, output, start, end))
+    with work.task(f"the search for passages until t = {end:.6g} s", MOST, search.refusal) as task:
+        return search.run(task)
+
+
+class PassageSearch:
+    """found: arrays of times; closest: Cells in which the output turns at zero but for rounding; left: [(how often they
+    were divided, Cells)], those of the earliest times last."""
+
+    def __init__(self, curve: BoundedOutput):
+        self.curve = curve
+        cells = curve.first_cells()
+        self.found, self.closest = [_jumps(curve, cells)], []
+        self.left = [(0, cells)]
+
+    def run(self, task: "Task") -> np.ndarray:
+        curve = self.curve
+        while self.left:
+            level, cells = self.left[-1]
+            task.step((self.reached - curve.start) / (curve.end - curve.start or 1.0), curve.steps(cells))
+            self.left.pop()
+            self._look(level, cells)
+        closest = Cells.together(self.closest)
+        if len(closest):
+            self.found.append(_touching(curve, closest))
+        return _left_once(curve, self._times())
+
+    def _times(self):
+        """Those found, ascending, of those that but rounding tells apart the first."""
+        times = np.sort(np.concatenate(self.found))
+        apart = 4 * EPSILON * max(abs(self.curve.start), abs(self.curve.end))
+        return times[np.append(True, np.diff(times) > apart)] if len(times) else times
+
+    @property
+    def reached(self):
+        """Before which all is known."""
+        cells = self.left[-1][1]
+        return self.curve.times(cells.segment[0], cells.early[0]) if len(cells) else self.curve.start
+
+    def _look(self, level, cells):
+        curve = self.curve
+        cells = cells.where(curve.bound(cells) > 0)
+        left, right = curve.ends(cells)
+        rounding, bend = 4 * EPSILON * curve.bound(cells), curve.bend(cells)
+        rise = cells.width * np.maximum(*map(np.abs, curve.ends(cells, slope=True)))
+        jump = (left * right < 0) & curve.instants(cells)
+        steep = (rise > bend) & (rise > 4 * rounding) | jump
+        through = (left * right < 0) | (left == 0) | (right == 0)
+        single = cells.where(steep & through)
+        self.found.append(curve.times(single.segment, root(curve.y, curve.slope, single)))
+        unsure = ~steep & (through | (np.minimum(np.abs(left), np.abs(right)) <= bend / 8 + rounding))
+        resolved = bend / 8 <= rounding
+        self.closest.append(cells.where(unsure & resolved))
+        cells = cells.where(unsure & ~resolved)
+        if level + 1 == LEVELS:
+            self.closest.append(cells)
+        else:
+            self.left += [(level + 1, some) for _, some in reversed(curve.batches(cells))]
+
+    def refusal(self, task: "Task"):
+        """What is said of a search that was given up, and what is known by then."""
+        passed = (self._times() < self.reached).sum()
+        return refused(task, f": before t = {self.reached:.6g} s it passes {passed} times")
+
+
+def _jumps(curve, cells):
+    """Times where one segment leaves the output on one side of zero and the next finds it on the other."""
+    follow = np.flatnonzero(cells.segment[1:] == cells.segment[:-1] + 1)
+    before = curve.y.at(cells.segment[follow], cells.late[follow])
+    after = curve.y.at(cells.segment[follow + 1], cells.early[follow + 1])
+    return curve.timeline.starts[cells.segment[follow + 1][before * after < 0]]
+
+
+def _left_once(curve, times):
+    """The times with one at most from each start of a segment on at which the output leaves zero, of whatever order,
+    until it is more than rounding; the first start always counts."""
+    whole, y = curve.whole, curve.y
+    zero = np.abs(y.at(whole.segment, whole.early)) <= 4 * EPSILON * y.bound(whole.segment, whole.early, whole.early)
+    whole, first = whole.where(zero), bool(len(zero)) and bool(zero[0])
+    away = _away(curve, whole)
+    for k in np.flatnonzero(away):
+        left = curve.times(whole.segment[k], whole.early[k])
+        near = (times >= left) & (times <= left + away[k])
+        if near.any() or (first and k == 0):
+            times = np.append(times[~near], left)
+    return np.sort(times)
+
+
+def _away(curve, whole):
+    """How long after the start of each stretch, at zero, the output is but rounding away from there; 0 where it
+    rests."""
+    length = np.minimum(whole.width, 1 / curve.fastest) if curve.fastest else whole.width
+    segment, early = np.repeat(whole.segment, len(SOONER)), np.repeat(whole.early, len(SOONER))
+    tau = early + np.outer(length, SOONER).ravel()
+    rounding = 4 * EPSILON * curve.y.bound(segment, early, tau)
+    clear = (np.abs(curve.y.at(segment, tau)) > CLEAR * rounding).reshape(len(whole), len(SOONER))
+    return np.where(clear.any(axis=1), length * SOONER[clear.argmax(axis=1)], 0.0)
+
+
+def _touching(curve, cells):
+    """Times where the output turns but rounding away from zero, one in each run of undecided cells."""
+    order = np.lexsort((cells.early, cells.segment))
+    cells = cells.where(order)
+    first = np.append(True, (np.diff(cells.segment) > 0) | (cells.early[1:] > cells.late[:-1]))
+    runs = Cells(cells.segment[first], cells.early[first], cells.late[np.append(first[1:], True)])
+    tau = curve.turns(runs)
+    return curve.times(runs.segment, tau)[np.abs(curve.y.at(runs.segment, tau)) <= 16 * EPSILON * curve.bound(runs)]

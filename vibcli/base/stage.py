@@ -1,0 +1,33 @@
+"""A stage of a lazy pipeline: computed once, on first touch, and its cost kept."""
+
+from collections.abc import Callable
+from functools import cached_property
+from time import perf_counter
+from typing import Any
+
+
+class Costs(dict):
+    """{stage: seconds}, each without the stages that it had to wait for; the parts of a pipeline share them."""
+
+    inner = 0.0         # seconds of the stages within the one under way
+
+    def measured(self, stage: str, compute: Callable):
+        """The result of a stage; its cost is kept."""
+        before, outer = perf_counter(), self.inner
+        self.inner = 0.0
+        value = compute()
+        spent = perf_counter() - before
+        self[stage] = spent - self.inner
+        self.inner = outer + spent
+        return value
+
+
+class Stage(cached_property):
+    """A cached property that records in the `costs` of its object what it cost."""
+
+    def __get__(self, part: Any, owner: type[Any] | None = None):
+        if part is None:
+            return self
+        if self.attrname in part.__dict__:
+            return part.__dict__[self.attrname]
+        return part.costs.measured(self.attrname, lambda: cached_property.__get__(self, part, owner))

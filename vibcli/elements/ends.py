@@ -1,0 +1,115 @@
+"""What springs and dampers join: places, bodies and the ground, and how far their ends are apart."""
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Record
+
+TURNING = "torsion acts between two bodies, or a body and `ground`"
+
+
+def stretch(record: "Record", scene: Any, torsion: Any):
+    """The stretch of a spring or damper since the drawn position; None where it was reported as wrong."""
+    if "stretch" in record:
+        return moving(record, scene, scene.lower(record["stretch"]))
+    if torsion:
+        angles = [_angle(end, scene) for end in record["between"]]
+        return None if None in angles else moving(record, scene, angles[1] - angles[0])
+    lumped = [_lumped(end, scene) for end in record["between"]]
+    if lumped == [0, 0] or any(lumped):
+        return moving(record, scene, _lumped_stretch(record, scene, lumped))
+    dx, dy = span(record, scene)
+    found = None if dx is None else length(record, scene, dx, dy)
+    return None if found is None else moving(record, scene, found - scene.at_drawn(found)[0])
+
+
+def length(record: "Record", scene: Any, dx: Any, dy: Any):
+    """The distance of two ends; None where they coincide as drawn, which is reported."""
+    found = scene.distance(dx, dy)
+    if scene.number(found) > 0:
+        return found
+    scene.report(record.where, f"the ends of '{record.name}' coincide as drawn: its direction is not defined",
+                 "draw them apart" + (", or give `free_length: 0`" if "k" in record else ""))
+    return None
+
+
+def moving(record: "Record", scene: Any, found: Any):
+    """The stretch; None where it never changes, which is reported."""
+    if found is not None and not found.mask:
+        hint = "check its ends, or take it out"
+        if any(isinstance(end, list) for end in record.get("between", ())):
+            hint = "a place [x, y] is fixed; a point of a body is P: {body: name, at: [x, y]} under `points`"
+        scene.report(record.where, f"the stretch of '{record.name}' never changes", hint)
+        return None
+    return found
+
+
+def span(record: "Record", scene: Any):
+    """(dx, dy) from the first end to the second; (None, None) where an end has no place."""
+    places = [_place_of(end, record, scene) for end in record["between"]]
+    if None in places:
+        return None, None
+    (ax, ay), (bx, by) = places
+    return bx - ax, by - ay
+
+
+def _place_of(end, record, scene):
+    if isinstance(end, list):
+        return scene.pair(end)
+    if end.text == "ground":
+        scene.report(end.where, f"'{record.name}' joins a place and bare ground", "say where on the ground: [x, y]")
+        return None
+    if end.text in scene.bodies and scene.bodies[end.text].frame is None:
+        scene.report(end.where, f"'{end.text}' is lumped: it has no place, so '{record.name}' has no free length",
+                     "give `preload` instead, or say where the body is drawn with `at`")
+        return None
+    return scene.place(end)[1]
+
+
+def _lumped(end, scene):
+    """(kind, motion) of a lumped body, 0 for the ground, None for what has a place."""
+    if isinstance(end, list):
+        return None
+    if end.text == "ground":
+        return 0
+    return scene.bodies[end.text].lumped if end.text in scene.bodies else None
+
+
+def _lumped_stretch(record, scene, lumped):
+    motions = []
+    for end, part in zip(record["between"], lumped, strict=True):
+        if part is None:
+            where = end[0].where if isinstance(end, list) else end.where
+            scene.report(where, f"'{record.name}' joins a lumped body and a place",
+                         "lumped bodies are joined with each other or with `ground`")
+            return None
+        if part and part[0] == "turn":
+            scene.report(end.where, f"'{end.text}' turns: '{record.name}' must be a torsion element",
+                         "write `torsion:` instead")
+            return None
+        motions.append(part[1] if part else scene.table.zero)
+    return motions[1] - motions[0]
+
+
+def _angle(end, scene):
+    """The rotation of an end; None where it has none."""
+    if isinstance(end, list):
+        scene.report(end[0].where, "a place does not turn", TURNING)
+        return None
+    if end.text == "ground":
+        return scene.table.zero
+    if end.text not in scene.bodies:
+        scene.report(end.where, f"the point '{end.text}' does not turn", TURNING)
+        return None
+    return angle_of(end, scene, "write `k` or `c` instead of `torsion`")
+
+
+def angle_of(end: Any, scene: Any, hint: Any = "give it a `turn`, or a place and a `pin`"):
+    """The rotation of a body; None where it has none, which is reported."""
+    body = scene.bodies[end.text]
+    if body.frame is not None:
+        return body.frame.angle
+    if body.lumped[0] == "slide":
+        scene.report(end.where, f"'{end.text}' slides: it has no rotation", hint)
+        return None
+    return body.lumped[1]

@@ -1,0 +1,215 @@
+"""Kinds of what may stand in a field: texts, names, words, expressions, lists and alternatives of them.
+
+A kind reads a document node into a value, or reports what was expected and found. Expressions are parsed here and kept
+as trees; what their names mean and whether their dimensions fit is settled by the reader, once all names are known.
+"""
+
+from typing import Any, NamedTuple
+
+from vibcli.base import units
+from vibcli.base.spelling import near
+from vibcli.language.document.document import Mapping, Scalar, Sequence
+from vibcli.language.reader import Expression, Reference, check_name
+from vibcli.language.record_calls import with_record_calls
+from vibcli.symbolic.parser import parse, plain_name
+from vibcli.symbolic.syntax import ExpressionError
+
+
+class Kind:
+    """The kind of what a field holds: `read(node, reader)`, `schema()`, and `wants`, which completes "expected …"."""
+
+    wants = "a value"
+    about = None
+
+
+class Text(Kind):
+    wants = "text"
+
+    def read(self, node: Any, reader: Any):
+        if not isinstance(node, Scalar):
+            return reader.expected(node, self.wants)
+        return node.text
+
+    def schema(self):
+        return {"type": ["string", "number"]}
+
+
+class Quantity(NamedTuple):
+    """An expression of a given dimension; `unit` None leaves it to be inferred; `equation`: an example of one that is
+    due instead. `kept`: the dictionary of the reader that takes it up beside that of all expressions."""
+
+    unit: str | None = None
+    equation: str | None = None
+    kept = None
+
+    @property
+    def dimension(self):
+        return None if self.unit is None else units.parse_unit(self.unit).dimension
+
+    @property
+    def wants(self):
+        if self.equation:
+            return "an equation"
+        if self.unit is None:
+            return "an expression"
+        return units.wanted(self.unit, self.dimension)
+
+    def read(self, node: Any, reader: Any):
+        if not isinstance(node, Scalar) or not node.text.strip():
+            return reader.expected(node, self.wants, f"write for example {self.sample}" if self.sample else None)
+        try:
+            tree = parse(node.text, self.equation)
+        except ExpressionError as error:
+            return reader.report(node.place(error.offset, error.width), error.message, error.hint)
+        if reader.records and "(" in node.text:
+            tree = with_record_calls(tree, reader.records)
+        expression = Expression(node, tree, self.unit, self.dimension)
+        reader.expressions[node] = expression
+        if self.kept:
+            getattr(reader, self.kept)[node] = expression
+        return expression
+
+    @property
+    def sample(self) -> str:
+        return f"3 {self.unit}" if self.unit and self.dimension else None
+
+    def schema(self):
+        return {"type": ["string", "number"]}
+
+
+class MotionField(Quantity):
+    """A displacement or rotation in coordinates; a bare name here, if no parameter, is a coordinate."""
+
+    __slots__ = ()
+    kept = "motions"
+
+
+class Load(Quantity):
+    """An expression of the time, coordinates and velocities."""
+
+    __slots__ = ()
+    kept = "loads"
+
+
+class EquationField(Load):
+    """An equation between coordinates and the time."""
+
+    __slots__ = ()
+
+
+class NewName(Text):
+    """A name that is good within the one element."""
+
+    wants = "a name"
+
+    def read(self, node: Any, reader: Any):
+        return check_name(node, reader, ("t", "pi")) if isinstance(node, Scalar) else reader.expected(node, self.wants)
+
+
+class NameOf(Kind):
+    """The name of something declared elsewhere in the file, in one of the namespaces of spec.py."""
+
+    def __init__(self, wants: str, *namespaces: str):
+        self.wants, self.namespaces = wants, namespaces
+
+    def read(self, node: Any, reader: Any):
+        if not isinstance(node, Scalar) or not node.text.strip():
+            return reader.expected(node, self.wants)
+        name = Reference(plain_name(node.text.strip()), node.where)
+        reader.references.append((name, self.namespaces, self.wants))
+        return name
+
+    def schema(self):
+        return {"type": "string"}
+
+
+class Choice(Kind):
+    def __init__(self, *words: str):
+        self.words = words
+
+    @property
+    def wants(self):
+        *words, last = self.words
+        return ("one of " if len(words) > 1 else "") + (", ".join(words) + " or " if words else "the word ") + last
+
+    def read(self, node: Any, reader: Any):
+        if not isinstance(node, Scalar) or node.text not in self.words:
+            meant = near(node.text, self.words) if isinstance(node, Scalar) else None
+            return reader.expected(node, self.wants, meant and f"did you mean '{meant}'?")
+        return node.text
+
+    def schema(self):
+        return {"enum": list(self.words)}
+
+
+class Flag(Choice):
+    def __init__(self):
+        super().__init__("true", "false")
+
+    def read(self, node: Any, reader: Any):
+        word = super().read(node, reader)
+        return None if word is None else word == "true"
+
+    def schema(self):
+        return {"type": "boolean"}
+
+
+class Many(NamedTuple):
+    """A list of one kind; `least` and `most` bound its length; `named`: what it is, in words."""
+
+    kind: Any
+    least: int = 0
+    most: int = 10000
+    named: str | None = None
+
+    @property
+    def wants(self):
+        return self.named or (f"a list of {self.least}" if self.least == self.most else "a list")
+
+    def read(self, node: Any, reader: Any):
+        if not isinstance(node, Sequence) or not self.least <= len(node.items) <= self.most:
+            if isinstance(node, Sequence):
+                count = {0: "an empty list", 1: "one item"}.get(len(node.items), f"{len(node.items)} items")
+                return reader.report(node.where, f"expected {self.wants}, found {count}")
+            one = isinstance(node, Scalar) and node.text.strip() and isinstance(self.kind, Choice)
+            return reader.expected(node, self.wants, f"write [{node.text.strip()[:40]}]" if one else None)
+        items = [self.kind.read(item, reader) for item in node.items]
+        return None if any(item is None for item in items) else items
+
+    def schema(self):
+        return {"type": "array", "items": self.kind.schema(), "minItems": self.least, "maxItems": self.most}
+
+
+def vector(unit: str | None, wants: str, kind: type[Any] = Quantity) -> Many:
+    return Many(kind(unit), 2, 2, wants)
+
+
+class OneOf(NamedTuple):
+    """Alternatives told apart by the node's form."""
+
+    wants: str
+    scalar: Any = None
+    sequence: Any = None
+    mapping: Any = None
+
+    @property
+    def kinds(self) -> dict[type[Any], Any]:
+        """{form of a node: kind} of the forms that it may have."""
+        pairs = ((Scalar, self.scalar), (Sequence, self.sequence), (Mapping, self.mapping))
+        return {form: kind for form, kind in pairs if kind is not None}
+
+    def read(self, node: Any, reader: Any):
+        kind = self.kinds.get(type(node))
+        return reader.expected(node, self.wants) if kind is None else kind.read(node, reader)
+
+    def schema(self):
+        return {"anyOf": [kind.schema() for kind in self.kinds.values()]}
+
+
+PLACE = OneOf("a place [x, y] or the name of a point or body",
+              scalar=NameOf("the name of a point or body", "points", "bodies"), sequence=vector("m", "a place [x, y]"))
+END = OneOf("a place [x, y], the name of a point or body, or ground",
+            scalar=NameOf("the name of a point or body, or ground", "points", "bodies", "ground"),
+            sequence=vector("m", "a place [x, y]"))
+BODY = NameOf("the name of a body", "bodies")
+ENDS = Many(END, 2, 2, "two ends [A, B]")

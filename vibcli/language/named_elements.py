@@ -1,0 +1,65 @@
+"""Elements by name: those that have a file of their own, and mappings from names that the writer chooses."""
+
+from collections.abc import Callable
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from vibcli.language.document.document import Mapping
+from vibcli.language.fields import Element
+from vibcli.language.reader import check_name
+
+if TYPE_CHECKING:
+    from types import ModuleType
+
+    from vibcli.base.errors import Where
+
+
+def load(name: Any, room: str = "elements") -> "ModuleType":
+    """The module of an element or a section, vibcli/ROOM/NAME.py."""
+    return import_module(f"vibcli.{room}.{name}")
+
+
+class Lazy(NamedTuple):
+    """An element or section by its room and the name of its file, imported when a scene first uses it."""
+
+    name: str
+    room: str = "elements"
+
+    @property
+    def module(self) -> "ModuleType":
+        return load(self.name, self.room)
+
+    def __getattr__(self, attribute: str) -> Callable | str:
+        return getattr(self.module.ELEMENT, attribute)
+
+    def read(self, node: Any, reader: Any, *named: "str | Where"):
+        return self.module.ELEMENT.read(node, reader, *named)
+
+
+class Named(NamedTuple):
+    """A mapping from names, chosen by the writer, to elements of one kind."""
+
+    kind: Any
+    wants: str
+    forbidden: tuple[str, ...] = ()
+
+    def read(self, node: Any, reader: Any):
+        if not isinstance(node, Mapping):
+            return reader.expected(node, self.wants)
+        records = {}
+        for key, (key_node, value_node) in node.entries.items():
+            name = check_name(key_node, reader, self.forbidden)
+            if name is None:
+                continue
+            if name in records:
+                reader.report(key_node.where, f"'{key}' is the same name as one before it",
+                              "Greek letters are names like those that spell them: φ is phi")
+                continue
+            record = (self.kind.read(value_node, reader, name, key_node.where) if isinstance(self.kind, (Element, Lazy))
+                      else self.kind.read(value_node, reader))
+            if record is not None:
+                records[name] = record
+        return records
+
+    def schema(self):
+        return {"type": "object", "additionalProperties": self.kind.schema()}

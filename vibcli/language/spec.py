@@ -1,0 +1,66 @@
+"""A scene file as read: records by section, coordinates in order, dimensions of all names."""
+
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
+
+from vibcli.base.units import Dimensions
+from vibcli.language.reader import Record
+
+
+class Spec(NamedTuple):
+    """`get(section, default)`: the records of a section; `named`: the names that stand in each section, of what could
+    not be read as well; `used`: those on which something depends; `counts`: what names count, cycles or radians;
+    `asked_dimension(spec, tree)`: that of a quantity, None while none may stand; `sample`: values of letters at which
+    the scene is drawn, where not any will do."""
+
+    file: str
+    sections: dict
+    get: Callable
+    named: dict[str, list[str]]
+    parameters: dict[str, Record]
+    choices: dict[str, Record]
+    answers: list
+    used: set[str]
+    counts: dict[str, dict]
+    sample: dict[str, float]
+    cases: dict[str, "Spec"]
+    coordinates: dict[str, Record] | None = None
+    dimensions: Dimensions | None = None
+    free_numbers: bool | str = False
+    asked_dimension: Callable | None = None
+
+    @classmethod
+    def of(cls, file: Any, sections: Any, named: Any) -> "Spec":
+        """A Spec whose names are not settled yet."""
+        return cls(file, sections, sections.get, named, parameters=sections.get("parameters", {}), choices={},
+                   answers=sections.get("answers", []), used=set(), counts={}, sample={}, cases={})
+
+    def with_sections(self, **changed: Mapping[str, Record]) -> "Spec":
+        """The Spec with other records in some sections."""
+        sections = {**self.sections, **changed}
+        return self._replace(sections=sections, get=sections.get)
+
+    @property
+    def connections(self) -> list[Record]:
+        """The records of what joins two ends: springs, dampers and their like."""
+        return [record for section in self.sections.values() if isinstance(section, dict) for record in section.values()
+                if isinstance(record, Record) and record.element is not None and record.element.signals]
+
+    def connection(self, name: str) -> Record | None:
+        """The one of that name; None where there is none."""
+        return next((record for record in self.connections if record.name == name), None)
+
+    def with_parameters(self, parameters: Any) -> "Spec":
+        """The Spec with other parameters."""
+        return self.with_sections(parameters=parameters)._replace(parameters=parameters)
+
+    @property
+    def independent_parameters(self) -> list[str]:
+        """Names of the parameters that are not defined by others."""
+        records = self.parameters
+        return [name for name, record in records.items() if "value" not in record
+                or not any(other in records for other, *_ in record["value"].parts.names)]
+
+    def example(self, literal: str) -> str:
+        """A number with its unit for a hint, as this scene writes numbers: without it where it uses none."""
+        return literal.partition(" ")[0] if self.free_numbers else literal

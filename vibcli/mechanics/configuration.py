@@ -1,0 +1,167 @@
+"""A mechanical system at one of its equilibria, and the linear system about it."""
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base.stage import Costs, Stage
+from vibcli.mechanics.numeric_linearisation import in_numbers
+from vibcli.mechanics.numeric_system import NumericSystem
+from vibcli.symbolic.evaluation import Floats, Rationals, evaluate
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.equilibrium.equilibrium import Equilibrium
+    from vibcli.mechanics.inputs_outputs.dynamic_reactions import MovingReactions
+    from vibcli.mechanics.inputs_outputs.reactions import Reaction
+    from vibcli.mechanics.linearisation import Linearisation
+    from vibcli.scene.scene import Scene
+
+
+class Configuration:
+    """A NumericSystem at the equilibrium next to the drawn position, or at one that is given, with its linear system
+    if that is; `final`: no more digits of this are to be had."""
+
+    def __init__(self, numeric: NumericSystem, equilibrium: Any = None, linear_system: Any = None, final: bool = False):
+        self.numeric, self.system, self.spec, self.work = numeric, numeric.system, numeric.spec, numeric.work
+        self.costs = numeric.costs if equilibrium is None else Costs()
+        self._equilibrium, self._linear_system, self._final = equilibrium, linear_system, final
+
+    @cached_property
+    def scene(self) -> "Scene":
+        return self.system.scene
+
+    def with_values(self, given: Mapping[str, Fraction]) -> "Configuration":
+        """The same with values for its symbols, its scene drawn anew."""
+        return Configuration(self.numeric.with_values(given))
+
+    @property
+    def reference_form(self) -> "Linearisation":
+        """The Linearisation from which the linear system is: as drawn, where that is the equilibrium."""
+        system = self.system
+        return system.linearisation_at_reference if self.equilibrium.drawn else system.linearisation
+
+    def about(self, equilibrium: "Equilibrium", linear_system: Any = None, final: bool = False) -> "Configuration":
+        """The same system at another of its equilibria."""
+        return Configuration(self.numeric, equilibrium, linear_system, final)
+
+    @cached_property
+    def preloaded(self):
+        """The Configuration under the force that lets go at t = 0; None where none does."""
+        held = self.system.preloaded
+        return held and Configuration(NumericSystem(held, self.numeric.given))
+
+    @Stage
+    def equilibrium(self):
+        """The Equilibrium; PhysicsError where none is reached."""
+        if self._equilibrium is not None:
+            return self._equilibrium
+        found = self._reached()
+        if self.scene.timed:
+            from vibcli.mechanics.autonomous import require_autonomous
+
+            require_autonomous(self, self.numeric.at_rest_in(found.values))
+        return found
+
+    def _reached(self):
+        from vibcli.mechanics.equilibrium import equilibrium
+
+        numeric = self.numeric
+        if self.system.named_start:
+            from vibcli.mechanics.equilibrium.nearest import nearest_equilibrium
+
+            found = nearest_equilibrium(numeric, numeric.start())
+        elif numeric.drawn_numbers is not None:
+            residual = equilibrium.relative_residual(numeric.drawn_numbers)
+            found = equilibrium.Equilibrium(numeric.drawn_floats, True, residual)
+        else:
+            found = equilibrium.find_equilibrium(numeric, numeric.start())
+        if found.drawn or self.system.is_linear:
+            return found
+        from vibcli.mechanics.equilibrium.degenerate import sharpened
+
+        return sharpened(numeric, found)
+
+    @property
+    def at_rest(self) -> dict[str, float]:
+        """{symbol: float} of everything in equilibrium, at t = 0."""
+        return self.numeric.at_rest_in(self.equilibrium.values)
+
+    @property
+    def dependent_values(self) -> dict[str, float]:
+        """{name: float} of the dependent coordinates in equilibrium."""
+        nodes = self.scene.resting.dependent
+        values = dict(zip(nodes, evaluate(list(nodes.values()), Floats, self.at_rest), strict=True))
+        return {name: value if abs(value) > 1e-14 * self.scene.unit_of(name) else 0.0 for name, value in values.items()}
+
+    @Stage
+    def linear_system(self):
+        """The FactoredSystem about the equilibrium, in floats that are correct but for their own rounding."""
+        from vibcli.mechanics.nonsmooth import require_smooth
+
+        if self._linear_system is not None:
+            return self._linear_system
+        require_smooth(self)
+        numeric, system = self.numeric, self.system
+        closed = self.scene.loops is not None or "atan2" in self.scene.table.called
+        if self.equilibrium.drawn and not closed:
+            return numeric.drawn_numbers.elements
+        if system.is_linear:
+            return in_numbers(system.linearisation, Floats, {**numeric.floats, **self.equilibrium.values},
+                              numeric.rational).elements
+        from vibcli.mechanics.high_precision import Degenerate, require_inertia, rounded_system
+
+        try:
+            found = rounded_system(self)
+        except Degenerate as degenerate:
+            from vibcli.mechanics.equilibrium.degenerate import settled_alone
+
+            self._final = True
+            self.equilibrium, found = settled_alone(numeric, self.equilibrium, degenerate.position)
+            return found
+        if closed:
+            require_inertia(numeric, found)
+        return found
+
+    def precise_system(self, digits: int):
+        """The FactoredSystem to so many digits, as mpmath numbers."""
+        from vibcli.mechanics.high_precision import system_to
+
+        return system_to(self, digits)
+
+    def exact_system(self):
+        """The FactoredSystem in Fractions, None where it is irrational or the equilibrium had to be searched for."""
+        system = self.system
+        if not (self.equilibrium.drawn or system.is_linear):
+            return None
+        try:
+            anywhere = dict.fromkeys(self.scene.coordinates, Fraction(0))
+            return in_numbers(self.reference_form, Rationals(), {**self.numeric.rational, **anywhere}).elements
+        except (Rationals.Irrational, KeyError, ZeroDivisionError):
+            return None
+
+    @property
+    def sources(self) -> tuple[Callable, Callable]:
+        """Where more digits of the linear system come from, (None, None) where there are none."""
+        return (None, None) if self._final else (self.precise_system, self.exact_system)
+
+    @cached_property
+    def with_inputs(self):
+        """The scene with what drives it as further coordinates, linearised about the equilibrium."""
+        from vibcli.mechanics.inputs_outputs.base_excitation import SystemWithInputs
+
+        return SystemWithInputs(self)
+
+    @Stage
+    def reactions(self) -> "list[Reaction]":
+        """Forces in constraints and supports in equilibrium, by multipliers."""
+        from vibcli.mechanics.inputs_outputs.reactions import reactions
+
+        return reactions(self)
+
+    @cached_property
+    def moving_reactions(self) -> "MovingReactions":
+        """Forces in constraints and supports during small oscillations."""
+        from vibcli.mechanics.inputs_outputs.dynamic_reactions import MovingReactions
+
+        return MovingReactions(self)

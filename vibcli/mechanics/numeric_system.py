@@ -1,0 +1,120 @@
+"""A mechanical system with numbers for its parameters, before it rests anywhere."""
+
+from collections.abc import Mapping
+from functools import cached_property
+from math import isfinite
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base.errors import PhysicsError
+from vibcli.base.stage import Costs
+from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    import mpmath
+
+    from vibcli.mechanics.numeric_linearisation import Numbers
+    from vibcli.mechanics.system import MechanicalSystem
+    from vibcli.scene.scene import Scene
+
+
+class NumericSystem:
+    """`given`: exact values for parameters that the file leaves as symbols."""
+
+    def __init__(self, system: "MechanicalSystem", given: "Mapping[str, Fraction] | None" = None):
+        self.system, self.spec, self.work = system, system.spec, system.work
+        self.given, self.costs = (system.given, system.costs) if given is None else (given, Costs())
+
+    @cached_property
+    def scene(self) -> "Scene":
+        return self.system.scene
+
+    def with_values(self, given: "Mapping[str, Fraction]") -> "NumericSystem":
+        """The same with values for its symbols, its scene drawn anew."""
+        return NumericSystem(self.system.with_values({**self.given, **given}))
+
+    def sharing(self, given: "Mapping[str, Fraction]") -> "NumericSystem":
+        """The same with the expressions of this scene: for values on which no sign in its geometry hangs."""
+        return NumericSystem(self.system, {**self.given, **given})
+
+    @property
+    def has_free_symbols(self) -> bool:
+        """Are there parameters without value?"""
+        return any(name not in self.given for name in self.scene.parameters.free)
+
+    def values(self, arithmetic: Any) -> "dict[str, float | mpmath.mpf]":
+        """{parameter: number} in an arithmetic."""
+        from vibcli.language.parameters import require_values
+
+        if self.has_free_symbols:
+            require_values(self.scene.parameters, "this")
+        given = {name: arithmetic.number(value) for name, value in self.given.items()}
+        return self.scene.parameters.values(arithmetic, given)
+
+    @cached_property
+    def floats(self) -> dict[str, float]:
+        return self.values(Floats)
+
+    @cached_property
+    def drawn_floats(self) -> dict[str, float]:
+        drawn = {q.name: node for q, node in self.scene.drawn.items()}
+        drawn = {name: drawn[name] for name in self.spec.coordinates if name in drawn}
+        return dict(zip(drawn, evaluate(list(drawn.values()), Floats, self.floats), strict=True))
+
+    @cached_property
+    def rational(self) -> "dict[str, Fraction]":
+        """Exact values of the parameters that have a rational one."""
+        return self.scene.parameters.rational(self.given)
+
+    @cached_property
+    def figure_size(self) -> float:
+        """The extent of the drawn figure in metres; 0 where nothing has a place."""
+        return self.scene.extent({**self.floats, **self.drawn_floats})
+
+    def size_along(self, coordinate: str) -> float:
+        """The size of the figure along a coordinate: 1 of an angle."""
+        return (self.figure_size or 1.0) if self.system.dimension(coordinate) else 1.0
+
+    def at_rest_in(self, position: Mapping[str, float]) -> dict[str, float]:
+        """{symbol: float} of everything at rest in a position, at t = 0."""
+        return {**self.floats, self.scene.time.name: 0.0, **position, **{v.name: 0.0 for v in self.scene.v}}
+
+    @cached_property
+    def drawn_numbers(self) -> "Numbers | None":
+        """The Numbers in the drawn position where that is an equilibrium, else None."""
+        from vibcli.mechanics.equilibrium.equilibrium import is_balanced
+        from vibcli.mechanics.numeric_linearisation import in_numbers
+
+        form = self.system.linearisation_at_reference
+        numbers = in_numbers(form, Floats, self.floats, self.rational)
+        return numbers if is_balanced(numbers, len(form.curved) + len(form.residual) + 2) else None
+
+    def start(self) -> dict[str, float]:
+        """The position from which the equilibrium is searched: as drawn but for what is named."""
+        start = self.system.named_start
+        values = evaluate(list(start.values()), Floats, self.floats)
+        for name, value in zip(start, values, strict=True):
+            if not isfinite(value):
+                raise PhysicsError(f"the start of '{name}' is no real number", "name another place under "
+                                   "`equilibrium:`", self.spec.get("equilibrium")[name].where)
+        return self.closed(self.drawn_floats, {**self.drawn_floats, **dict(zip(start, values, strict=True))})
+
+    def closed(self, start: Mapping[str, float], target: Mapping[str, float]) -> dict[str, float]:
+        """The position at rest `target` ({coordinate: float}) with its dependent coordinates, reached from the closed
+        position `start`; PhysicsError where its loops cannot close there."""
+        return self._followed(self.scene.resting.loops, start, target)
+
+    def closed_at_start(self, start: Mapping[str, float], target: Mapping[str, float]) -> dict[str, float]:
+        """The same with what is driven to and fro where it is at t = 0."""
+        return self._followed(self.scene.loops, start, target)
+
+    def _followed(self, loops, start, target):
+        if loops is None:
+            return target
+        floats = {**self.floats, self.scene.time.name: 0.0}
+        found = loops.followed({**floats, **start}, {**floats, **target})
+        if found is None:
+            raise PhysicsError("the loops of this scene cannot close in the position asked for",
+                               "start nearer to the drawn position, or make the links longer")
+        return {name: found[name] for name in self.drawn_floats}

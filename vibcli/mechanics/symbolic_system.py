@@ -1,0 +1,171 @@
+"""The small oscillations of a scene in letters: equilibrium, matrices, excitation, equations of motion."""
+
+from contextlib import suppress
+from fractions import Fraction
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base.errors import NotInLetters
+from vibcli.base.stage import Stage
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.lagrange import EquationsOfMotion
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
+
+
+class SymbolicSystem:
+    """A Configuration in letters. `modal_of`: what finds the modes of a Configuration, by which the stable equilibria
+    are told from the others."""
+
+    def __init__(self, configuration: "Configuration", modal_of: type[Any]):
+        self.configuration, self.modal_of = configuration, modal_of
+        self.numeric, self.system, self.spec = configuration.numeric, configuration.system, configuration.spec
+        self.work, self.costs = configuration.work, configuration.costs
+
+    @cached_property
+    def scene(self) -> "Scene":
+        return self.system.scene
+
+    @cached_property
+    def preloaded(self):
+        """The same under the force that lets go at t = 0; None where none does."""
+        held = self.configuration.preloaded
+        return held and SymbolicSystem(held, self.modal_of)
+
+    @property
+    def letters(self) -> list[str]:
+        """The parameters that have neither a value nor a condition."""
+        return [name for name in self.scene.parameters.free
+                if name not in self.numeric.given and name not in self.spec.choices]
+
+    @cached_property
+    def matrices(self) -> Any:
+        """M, C, G, K of the small oscillations."""
+        from vibcli.mechanics.nonsmooth import require_unheld
+        from vibcli.mechanics.symbolic_matrices import matrices_in_letters
+
+        require_unheld(self.system)
+        if self.scene.timed:
+            from vibcli.mechanics.autonomous import require_autonomous
+
+            require_autonomous(self.configuration, self.scene.drawn_values)
+        self._require_held()
+        found = matrices_in_letters(self.linearisation)
+        if self.equilibrium is not None:
+            from vibcli.symbolic.rational_functions import factored as shorter
+        else:
+            from vibcli.symbolic.common_denominator import shorter
+        with self.work.task("the matrices in letters"):
+            return tuple({pair: shorter(node) for pair, node in matrix.items()} for matrix in found)
+
+    def _require_held(self):
+        """PhysicsError where a load drives what nothing holds, so that there is no equilibrium to oscillate about."""
+        if self.numeric.has_free_symbols and self.system.is_linear and not self.balanced_as_drawn:
+            with suppress(NotInLetters):
+                self.equilibrium_position  # noqa: B018
+
+    @cached_property
+    def linearisable(self) -> bool:
+        """Can the small oscillations be written in letters: is the equilibrium known, or does its place not matter?"""
+        return self.system.is_linear or self.balanced_as_drawn or self.equilibrium is not None
+
+    @property
+    def linearisation(self):
+        """The Linearisation about the equilibrium."""
+        system = self.system
+        if self.balanced_as_drawn or system.is_linear:
+            return system.linearisation_at_reference if self.balanced_as_drawn else system.linearisation
+        from vibcli.mechanics.linearisation import at_position
+
+        return at_position(system.linearisation, self.equilibrium.position(system.linearisation))
+
+    @cached_property
+    def equilibrium(self):
+        """The SymbolicEquilibrium of a nonlinear scene with letters that is not the drawn position; None where none is
+        found."""
+        if not self.numeric.has_free_symbols or self.balanced_as_drawn or self.system.is_linear:
+            return None
+        from vibcli.mechanics.symbolic_equilibrium import symbolic_equilibrium
+
+        with self.work.task("the search for the equilibrium in letters"):
+            return symbolic_equilibrium(self)
+
+    @cached_property
+    def equilibrium_position(self) -> "dict[str, Node]":
+        """{coordinate: expression} of the equilibrium; PhysicsError where there is none, or none in letters."""
+        from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
+
+        return equilibrium_in_letters(self)
+
+    @cached_property
+    def start(self):
+        """{symbol: expression} of the position that `equilibrium:` names; None where it is the drawn one."""
+        from vibcli.symbolic.normal_form import is_zero
+
+        scene = self.scene
+        named = {scene.symbol(name): node for name, node in self.system.named_start.items()}
+        moved = any(not is_zero(node - scene.drawn[q]) for q, node in named.items())
+        return {**{q: scene.drawn[q] for q in scene.q}, **named} if moved else None
+
+    @cached_property
+    def balanced_as_drawn(self) -> bool:
+        """Is the equilibrium the drawn position? (Of linear equations its place does not matter.)"""
+        if self.numeric.has_free_symbols:
+            from vibcli.mechanics.symbolic_equilibrium_linear import vanishes
+
+            drawn = all(vanishes(self.scene, terms) for terms in self.system.drawn_residual)
+            return drawn and (self.system.is_linear or self.start is None)
+        return self.configuration.equilibrium.drawn
+
+    @cached_property
+    def excitation(self) -> "dict[int, Node]":
+        """{i: Q(t)}: what drives coordinate i of the small oscillations, in letters, with numbers for the place of an
+        equilibrium that is not the drawn one."""
+        from vibcli.mechanics.autonomous import excitation
+
+        if not self.scene.timed:
+            return {}
+        scene, place = self.scene.vibrating, self.excitation_place
+        found = excitation(scene, self.system.time_dependent_linearisation, place)
+        if scene is not self.scene:
+            from vibcli.mechanics.inputs_outputs.constraint_excitation import excitation_through
+
+            for i, node in excitation_through(self).items():
+                found[i] = found.get(i, scene.table.zero) + node
+        return found
+
+    @cached_property
+    def left_out(self):
+        """{i: products that the left side of equation i of the small oscillations lacks}."""
+        if not self.scene.timed:
+            return {}
+        from vibcli.mechanics.neglected_products import left_out
+
+        return left_out(self)
+
+    @property
+    def excitation_place(self) -> "dict[Node, Node]":
+        """{symbol: node} of the position about which loads in time act."""
+        timed, scene, settled = self.system.time_dependent_linearisation, self.scene.vibrating, self.equilibrium
+        if settled is not None:
+            return settled.position(timed)
+        if self.linearisable or self.numeric.has_free_symbols:
+            return scene.drawn_position
+        values = self.configuration.equilibrium.values
+        return {q: scene.table.number(Fraction(values[q.name])) for q in scene.drawn}
+
+    @Stage
+    def energies(self) -> "dict[str, Node]":
+        """T, V and Φ of the scene, brought into the form a textbook prints."""
+        from vibcli.mechanics.energies import textbook_energies
+
+        return textbook_energies(self.system.scene_with_multipliers)
+
+    @Stage
+    def equations(self) -> "EquationsOfMotion":
+        """Lagrange's equations, full and for small oscillations."""
+        from vibcli.mechanics.lagrange import equations
+
+        return equations(self)

@@ -1,0 +1,164 @@
+"""The mechanical system of a scene: its expressions, which hold wherever it rests and whatever values it is given."""
+
+from collections.abc import Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base.errors import PhysicsError, defined_as_drawn
+from vibcli.base.stage import Costs, Stage
+from vibcli.base.work import Work
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.language.spec import Spec
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
+
+SENSES = ("sign", "abs", "min", "max")      # functions by which dry friction acts
+
+
+class MechanicalSystem:
+    """A scene and what follows from it in letters. `given`: exact values for parameters that the file leaves as
+    symbols, by which signs in the geometry are read off; `work`: what counts its long work; `released`: the system
+    whose motion starts under the force that lets go, where this one is held by it."""
+
+    def __init__(self, spec: "Spec", given: "Mapping[str, Fraction] | None" = None, work: Work | None = None,
+                 released: Any = None):
+        self.spec, self.given, self.work, self.released = spec, dict(given or {}), work or Work(), released
+        self.costs = Costs()
+
+    def with_values(self, given: "Mapping[str, Fraction]") -> "MechanicalSystem":
+        """The same scene drawn anew with these values alone for its symbols."""
+        return MechanicalSystem(self.spec, given, self.work, self.released)
+
+    @cached_property
+    def preloaded(self) -> "MechanicalSystem | None":
+        """The system under the force that lets go at t = 0; None where none does."""
+        from vibcli.language.sections.initial import let_go
+
+        if let_go(self.spec) is None or self.released is not None:
+            return None
+        return MechanicalSystem(self.spec, self.given, self.work, self)
+
+    def dimension(self, coordinate: str):
+        """The dimension of a coordinate; a length where nothing settles it."""
+        from vibcli.base.units import LENGTH
+
+        found = self.spec.dimensions.of(coordinate)
+        return LENGTH if any(base.startswith("?") for base in found) else found
+
+    @Stage
+    def scene(self) -> "Scene":
+        from vibcli.scene.build import build_preloaded, build_scene
+
+        scene = (build_scene if self.released is None else build_preloaded)(self.spec, self.given)
+        if any(name not in self.given for name in scene.parameters.free):
+            from vibcli.mechanics.symbolic_equilibrium_linear import drawn_stable
+
+            scene = drawn_stable(scene)
+        self.preloads = {}
+        if scene.static_preloads and self.released is not None:
+            from vibcli.mechanics.static_preload import take_over
+
+            scene = take_over(scene, self.released.preloads)
+        elif scene.static_preloads:
+            from vibcli.mechanics.static_preload import settle_static_preloads
+
+            scene, self.preloads = defined_as_drawn(settle_static_preloads, scene)
+        return scene
+
+    @cached_property
+    def scene_with_multipliers(self):
+        """The scene with all its coordinates, its closed loops held by multipliers; itself where it has none."""
+        return self.scene if self.scene.loops is None else self.scene.with_multipliers()
+
+    @Stage
+    def linearisation(self):
+        """The Linearisation of the scene, its excitation left out."""
+        if not self.scene.vibrating.timed:
+            return self.time_dependent_linearisation
+        from vibcli.mechanics.autonomous import steady
+
+        return steady(self.scene.vibrating, self.time_dependent_linearisation)
+
+    @cached_property
+    def time_dependent_linearisation(self):
+        """The Linearisation of the scene with what drives it."""
+        from vibcli.mechanics.linearise import linearise
+
+        self._require_coordinates()
+        return defined_as_drawn(linearise, self.scene.vibrating)
+
+    def _require_coordinates(self):
+        if not self.scene.q and any(body.moves for body in self.scene.bodies.values()):
+            from vibcli.scene.constraints import words_of_locked
+
+            hint = "take a constraint out, or let one more body move"
+            until = self.spec.example("2 s")
+            in_time = f", or ask for its motion in time: find: [{{response: {{until: {until}}}}}]"
+            raise PhysicsError(words_of_locked(self.scene), hint + in_time * self.scene.timed)
+        if not self.scene.q:
+            raise PhysicsError("nothing moves in this scene: it has no coordinates",
+                               "give a body a motion, as in bodies: {block: {mass: 2 kg, slide: x}}")
+
+    @cached_property
+    def linearisation_at_reference(self):
+        """The Linearisation in the drawn position, in letters: what vanishes there by structure is exactly zero."""
+        from vibcli.mechanics.linearisation import at_position
+
+        scene = self.scene.vibrating
+        try:
+            return at_position(self.linearisation, scene.drawn_position)
+        except ZeroDivisionError:
+            from vibcli.mechanics.nonsmooth import without_slope
+
+            defined_as_drawn(without_slope, scene)
+
+    @cached_property
+    def is_linear(self) -> bool:
+        """Do the equations not depend on where the scene is linearised?"""
+        form = self.linearisation
+        terms = (*form.inertias, *form.springs, *form.dampers)
+        rows = [node for _, row in terms for node in row.values()]
+        parts = [node for part in (form.M, form.C, form.G, form.drag, *form.K) for node in part.values()]
+        return not any(node.mask for node in rows + parts) and not any(curvature for _, curvature, _ in form.curved)
+
+    @cached_property
+    def drawn_residual(self) -> "list[list[Node]]":
+        """The terms of each condition of equilibrium as drawn: lists of expressions."""
+        from vibcli.mechanics.linearisation import residual_terms
+
+        return residual_terms(self.linearisation_at_reference)
+
+    @cached_property
+    def potential(self):
+        """V of the whole scene less the kinetic energy at rest, as an expression."""
+        from vibcli.mechanics.energies import effective_potential
+
+        return defined_as_drawn(effective_potential, self.scene.vibrating)
+
+    @cached_property
+    def conservative(self) -> bool:
+        """Have all loads a potential: constant forces alone, and no driven motion?"""
+        scene = self.scene.vibrating
+        return not scene.timed and not any(term.weight.mask for term in scene.forces)
+
+    @cached_property
+    def sticking(self):
+        """Where dry friction holds the scene at rest; None where nothing does, or loops are closed numerically."""
+        if self.scene.loops is not None or not self.scene.table.called.intersection(SENSES):
+            return None
+        from vibcli.mechanics.equilibrium.dry_friction import sticking
+
+        return sticking(self)
+
+    @cached_property
+    def named_start(self) -> "dict[str, Node]":
+        """{coordinate: expression} of the place that `equilibrium:` names, empty where it names none."""
+        start = self.spec.get("equilibrium") or {}
+        for name, expression in start.items():
+            if name not in self.scene.coordinates:
+                raise PhysicsError(f"'{name}' follows from the other coordinates by the constraints", "start "
+                                   + " or ".join(f"'{other}'" for other in self.scene.coordinates), expression.where)
+        return {name: self.scene.lower(expression) for name, expression in start.items()}

@@ -1,0 +1,46 @@
+"""Moments of inertia and mass centres."""
+
+from vibcli.quantities.quantity import ROUNDING, Declaration
+
+
+def _inertia(problem, tree):
+    """J about the mass centre, or by the parallel axis theorem about a point as drawn."""
+    scene, indices = problem.scene, tree.indices
+    body = scene.bodies[indices[0]]
+    node = body.inertia if body.inertia is not None else scene.table.zero
+    if len(indices) == 2:
+        x, y = _drawn(scene, indices[1])
+        mass = body.mass if body.mass is not None else scene.table.zero
+        node = node + mass * ((x - body.centre[0]) ** 2 + (y - body.centre[1]) ** 2)
+    return scene.at_drawn(node)[0]
+
+
+def _drawn(scene, name):
+    if name in scene.bodies:
+        return scene.bodies[name].centre
+    return scene.pair(scene.spec.get("points")[name]["at"])
+
+
+def _centre(problem, tree):
+    return problem.scene.bodies[tree.indices[0]].centre["xy".index(tree.component)]
+
+
+def _value(symbolic):
+    def value(problem, tree, args):
+        from vibcli.symbolic.evaluation import Floats, evaluate
+
+        return evaluate([symbolic(problem, tree)], Floats, problem.numeric.floats)[0], ROUNDING
+    return value
+
+
+def _turned(problem, tree):
+    body, size = problem.scene.bodies[tree.indices[0]], problem.numeric.figure_size
+    return (problem.scene.number(body.mass) if body.mass is not None else 1.0) * size * size
+
+
+QUANTITIES = {
+    "J": Declaration("moment of inertia of a body about its mass centre, or about a point", "kg*m^2", _value(_inertia),
+                     ("body", "place"), size=_turned, symbolic=_inertia),
+    "centre": Declaration("mass centre of a body as drawn", "m", _value(_centre), ("body",), components=("x", "y"),
+                          size=lambda problem, tree: problem.numeric.figure_size, symbolic=_centre),
+}

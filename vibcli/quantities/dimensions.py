@@ -1,0 +1,45 @@
+"""The dimension of a quantity, and of a signal: an expression of coordinates, signals and parameters."""
+
+from typing import TYPE_CHECKING
+
+from vibcli.base import units
+from vibcli.quantities.quantity import SIGNAL, declared, is_choice
+from vibcli.quantities.signal_dimensions import output_dimension
+from vibcli.symbolic.semantics import DimensionCheck
+from vibcli.symbolic.syntax import ExpressionError, QuantityRef
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.language.reader import Expression
+    from vibcli.language.spec import Spec
+
+
+def asked_dimension(spec: "Spec", tree: QuantityRef):
+    """The dimension of a quantity; None where any fits, or something in it is unknown."""
+    if is_choice(spec, tree):
+        return spec.dimensions.of(tree.head)
+    quantity = declared(tree)
+    if quantity.unit == SIGNAL:
+        return checker(spec).dimension(tree.args[0]) if tree.args else None
+    if quantity.unit is not None:
+        return units.parse_unit(quantity.unit).dimension
+    return None if quantity.dimension is None else quantity.dimension(spec, tree)
+
+
+def dimension_of(spec: "Spec", expression: "Expression") -> "dict[str, Fraction | int] | None":
+    """The dimension of an expression of quantities and parameters; None where its parts do not fit."""
+    try:
+        return DimensionCheck(spec.dimensions, lambda name, primes: spec.dimensions.of(name), spec.free_numbers,
+                              lambda tree: asked_dimension(spec, tree)).dimension(expression.tree)
+    except ExpressionError:
+        return None
+
+
+def checker(spec: "Spec", text: str = "") -> DimensionCheck:
+    """What finds the dimensions of signals; ExpressionError of a misfit."""
+    def of(name, primes):
+        found = spec.dimensions.of(name) if name in spec.parameters else output_dimension(spec, name + "'" * primes)
+        return units.times(found, units.TIME, 0)
+
+    return DimensionCheck(spec.dimensions, of, spec.free_numbers, lambda part: asked_dimension(spec, part), text)

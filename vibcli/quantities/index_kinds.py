@@ -1,0 +1,76 @@
+"""What may stand in the square brackets of a quantity, by its kind: a mode, a coordinate, a body …"""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+from vibcli.language.signals import coordinate_name, near_signals, signal_dimension
+from vibcli.quantities.signal_dimensions import input_dimension, inputs, output_dimension
+
+MOST_COUNTED = 1000
+
+
+class IndexKind(NamedTuple):
+    """`names(spec, index)`: those of the scene, or like the index; `fits(spec, index)`: is it one of the kind? `sample`
+    stands for any, and so do `letters` in the manual; `wants`: what is expected where it is no name of the scene."""
+
+    names: Callable
+    fits: Callable
+    sample: str
+    letters: tuple = ()
+    noun: str = ""
+    wants: str = ""
+
+
+def _whole(index):
+    return index.isdecimal() and index.isascii() and int(index) > 0
+
+
+def _fraction(index):
+    try:
+        return 0 < float(index) < 1
+    except ValueError:
+        return False
+
+
+def _free(wants, fits, sample):
+    """The kind of numbers that no scene limits."""
+    return IndexKind(lambda spec, index: (), lambda spec, index: fits(index), sample, wants=wants)
+
+
+def _named(noun, letters, *sections):
+    """The kind of the names in some sections."""
+    def names(spec, index):
+        return [name for section in sections for name in spec.get(section) or ()]
+
+    return IndexKind(names, lambda spec, index: index in names(spec, index), noun, letters, noun)
+
+
+def _is_mode(spec, index):
+    return _whole(index) and int(index) <= 2 * len(spec.coordinates)
+
+
+def _is_signal(spec, index):
+    return coordinate_name(spec, index) is not None or signal_dimension(spec, index) is not None
+
+
+INDICES = {
+    "mode": IndexKind(lambda spec, index: [str(i + 1) for i in range(len(spec.coordinates))], _is_mode, "1", ("i",),
+                      "mode"),
+    "equilibrium": IndexKind(lambda spec, index: ["1", "2", "3"], lambda spec, index: _whole(index), "1", (),
+                             "equilibrium"),
+    "coordinate": IndexKind(lambda spec, index: list(spec.coordinates),
+                            lambda spec, index: coordinate_name(spec, index) is not None, "coordinate", ("q", "r"),
+                            "coordinate"),
+    "signal": IndexKind(near_signals, _is_signal, "signal", ("q",), "coordinate or signal"),
+    "output": IndexKind(near_signals, lambda spec, index: output_dimension(spec, index) is not None, "x", (), "output"),
+    "input": IndexKind(lambda spec, index: inputs(spec), lambda spec, index: input_dimension(spec, index) is not None,
+                       "F", (), "input"),
+    "number": _free(f"a whole number from 1 to {MOST_COUNTED}",
+                    lambda index: _whole(index) and int(index) <= MOST_COUNTED, "1"),
+    "fraction": _free("a fraction between 0 and 1", _fraction, "0.1"),
+    "parameter": IndexKind(lambda spec, index: spec.independent_parameters,
+                           lambda spec, index: index in spec.independent_parameters, "parameter", ("p",), "parameter"),
+    "damper": _named("damper", (), "dampers")._replace(sample="d"),
+    "body": _named("body", ("body",), "bodies"),
+    "place": _named("place", ("O",), "bodies", "points"),
+}

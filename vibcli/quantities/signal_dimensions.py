@@ -1,0 +1,51 @@
+"""Names of signals and inputs of a scene, and what they measure."""
+
+from typing import TYPE_CHECKING
+
+from vibcli.base import units
+from vibcli.language.signals import ENERGIES, signal_dimension
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.language.spec import Spec
+
+
+def name_dimension(spec: "Spec", name: str):
+    """The dimension of a coordinate, parameter or signal."""
+    known = name in spec.coordinates or name in spec.parameters
+    return spec.dimensions.of(name) if known else signal_dimension(spec, name)
+
+
+def output_dimension(spec: "Spec", text: str):
+    """The dimension of a coordinate or signal, with its primes; None where there is none of that name."""
+    name = text.rstrip("'")
+    primes = len(text) - len(name)
+    found = spec.dimensions.of(name) if name in spec.coordinates else signal_dimension(spec, name)
+    if found is None and name in ENERGIES and name not in spec.parameters:
+        found = units.parse_unit(ENERGIES[name]).dimension
+    return None if found is None or primes > 2 else units.times(found, units.TIME, -primes)
+
+
+def inputs(spec: "Spec") -> list[str]:
+    """The names of what can drive a scene."""
+    driven = [name for name, record in (spec.get("points") or {}).items() if "moves" in record]
+    return [*(spec.get("forces") or {}), *driven, *spec.coordinates]
+
+
+def input_dimension(spec: "Spec", name: str):
+    """The dimension of a unit of an input: of a force, moment, unbalance, displacement or generalised force."""
+    record = (spec.get("forces") or {}).get(name)
+    if record is not None:
+        if "value" in record:
+            return generalised_dimension(spec, record["coordinate"].text)
+        unit = next(unit for key, unit in (("force", "N"), ("moment", "N*m"), ("unbalance", "kg*m")) if key in record)
+        return units.parse_unit(unit).dimension
+    if "moves" in (spec.get("points") or {}).get(name, ()):
+        return units.LENGTH
+    return generalised_dimension(spec, name) if name in spec.coordinates else None
+
+
+def generalised_dimension(spec: "Spec", coordinate: str) -> "dict[str, Fraction | int]":
+    """Of a generalised force: energy over coordinate."""
+    return units.times(units.ENERGY, spec.dimensions.of(coordinate), -1)

@@ -1,0 +1,72 @@
+"""Curves in the terminal, as pictures, and as files for other programs: CSV, NPZ or JSON by the suffix."""
+
+from collections.abc import Callable, Sequence
+from io import BytesIO, StringIO
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.plots.figure import Figure
+
+DATA = (".csv", ".npz", ".json")
+
+
+def in_terminal(figure: "Figure", width: int) -> str:
+    """A Figure as text of so many columns."""
+    from vibcli.plots.braille import braille
+
+    return braille(figure, width=width)
+
+
+def curve_file(suffix: str, title: str, figure: Callable, columns: Callable | None) -> bytes:
+    """The bytes of a file under a title: of what `columns()` gives, or of the Figure that `figure()` gives."""
+    if suffix in DATA:
+        return data(suffix, title, columns())
+    from vibcli.plots.picture import picture
+
+    return picture(figure(), suffix[1:])
+
+
+def data(suffix: str, title: str, columns: "Sequence[tuple[str, str, np.ndarray]]") -> bytes:
+    """The bytes of [(name, unit, array)], complex columns as real and imaginary part; the others are over the first."""
+    apart = []
+    for name, unit, values in columns:
+        if values.dtype.kind == "c":
+            apart += [(f"re {name}", unit, values.real), (f"im {name}", unit, values.imag)]
+        else:
+            apart.append((name, unit, values))
+    return {".csv": _csv, ".npz": _npz, ".json": _json}[suffix](title, apart)
+
+
+def _csv(title, columns):
+    """A header of names with units, then the rows; a cell that a spreadsheet would take for a formula is quoted."""
+    import csv
+
+    text = StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow([_plain(f"{name} [{unit}]") for name, unit, _ in columns])
+    writer.writerows([repr(float(value)) for value in row] for row in zip(*(values for *_, values in columns),
+                                                                          strict=True))
+    return text.getvalue().encode()
+
+
+def _plain(cell):
+    return "'" + cell if cell[0] in "=+-@" else cell
+
+
+def _npz(title, columns):
+    import numpy as np
+
+    data = BytesIO()
+    np.savez(data, **{name: values for name, _, values in columns},
+             units=np.array([f"{name} [{unit}]" for name, unit, _ in columns]))
+    return data.getvalue()
+
+
+def _json(title, columns):
+    import json
+
+    found = {"title": title, "columns": [{"name": name, "unit": unit, "values": [float(x) for x in values]}
+                                         for name, unit, values in columns]}
+    return json.dumps(found, ensure_ascii=False, allow_nan=False, indent=1).encode()

@@ -1,0 +1,52 @@
+"""Estimates of the lowest natural frequency, by Rayleigh and by Dunkerley."""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from vibcli.base.errors import PhysicsError
+from vibcli.notation.numbers import figure
+from vibcli.report.blocks import Name, Section, TableBlock, maths, paragraph, section, separated
+from vibcli.report.keys import Key
+from vibcli.report.sections.insight import ROWS, off, require_numbers
+
+if TYPE_CHECKING:
+    from vibcli.report.document import Report
+    from vibcli.results.problem import Problem
+
+
+def estimates(problem: "Problem", _: "Report") -> Iterator[Section]:
+    require_numbers(problem, "estimates")
+    title = "Estimates of the lowest natural frequency"
+    try:
+        found = problem.modal.result("estimates")
+    except PhysicsError as error:
+        yield from section(title, paragraph(f"None: {error.message}."))
+        return
+    rows = (("Rayleigh (from above)", figure(found.rayleigh), off(found.rayleigh, found.omega)),
+            ("exact", figure(found.omega), ""),
+            ("Dunkerley (from below)", figure(found.dunkerley), off(found.dunkerley, found.omega)))
+    deflection = [maths(Name(name), " = ", figure(x, digits=4)) for name, x in list(found.deflection.items())[:ROWS]]
+    alone = [f"{name}: {figure(x)} rad/s" for name, x in list(found.alone.items())[:ROWS]]
+    yield from section(
+        title, TableBlock(("", "ω [rad/s]", "error"), rows),
+        paragraph("Rayleigh's shape is the static deflection ", *separated(deflection, ",  "))
+        if len(found.deflection) > 1 else None,
+        paragraph("Dunkerley: ", maths("1/ω² = Σ 1/ω_j²"), ", with the inertia of one alone ", ",  ".join(alone))
+        if len(found.alone) > 1 else None)
+
+
+def _estimates(problem):
+    try:
+        found = problem.modal.result("estimates")
+    except PhysicsError as error:
+        return KEY.row(*[None] * 5, error.message)
+    return KEY.row(found.omega, found.rayleigh, found.dunkerley, found.deflection, found.alone, None)
+
+
+KEY = Key("estimates", "of the lowest natural frequency; null each where the bounds do not hold", _estimates, of=(
+    Key("omega", "its exact value"),
+    Key("rayleigh", "Rayleigh's quotient of the static deflection, an upper bound of omega"),
+    Key("dunkerley", "Dunkerley's lower bound of omega"),
+    Key("deflection", "{coordinate: static deflection}, the largest being 1"),
+    Key("alone", "{name of a body: omega with its inertia alone}, from which Dunkerley's bound is made"),
+    Key("refusal", "why the bounds do not hold, or null")))

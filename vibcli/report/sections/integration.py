@@ -1,0 +1,49 @@
+"""A motion that is integrated: the balance of its energies, its events, and how well it is known."""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from vibcli.notation.numbers import figure
+from vibcli.report.blocks import Section, TableBlock, paragraph, section
+
+if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.trajectory import Trajectory
+
+MOST_EVENTS = 40
+LEAST = 2.0**-52
+
+
+def integration(trajectory: "Trajectory") -> Iterator[Section]:
+    """What happened on the way, and how well the energies balance."""
+    balance = trajectory.balance
+    rows = [("T + V at the start", figure(float(balance.energy[0]))), ("at the end", figure(float(balance.energy[-1])))]
+    for words, values in (("work of the loads", balance.work), ("dissipated", balance.dissipated),
+                          ("work of what drives the motion", balance.driving)):
+        if values[-1]:
+            rows.append((words, figure(float(values[-1]))))
+    yield from section("Energy", TableBlock(("", "[J]"), tuple(rows)), paragraph(_accuracy(trajectory)))
+    events = [(figure(event.time), event.kind, event.name) for event in trajectory.events[:MOST_EVENTS]]
+    more = len(trajectory.events) - len(events)
+    yield from section("Events", TableBlock(("t [s]", "what", "where"), tuple(events)) if events else None,
+                       paragraph(f"and {more} more") if more else None)
+
+
+def _accuracy(trajectory):
+    """How well a motion is known: what it says of itself."""
+    if trajectory.rests and trajectory.rests == trajectory.end:
+        return "it starts at rest where its forces balance, and nothing acts on it in time: there it stays"
+    told = f"it rests up to t = {figure(trajectory.rests)} s; " if trajectory.rests else ""
+    error = figure(float(trajectory.balance.error), digits=2)
+    told += f"the balance of these energies holds to {error} of the largest of them"
+    shared = max(trajectory.shared.of_state(trajectory.end), LEAST)
+    told += ("; nothing moves by more than rounding may" if trajectory.shared.still else
+             f"; a second solution of another order agrees to {figure(shared, digits=2)} of the motion")
+    if trajectory.end < trajectory.until:
+        told += f" up to t = {figure(trajectory.end, digits=4)} s, from where on it is not known"
+    if trajectory.fast is not None:
+        told += (f"; from t = {figure(trajectory.fast.since, digits=3)} s on an oscillation of "
+                 f"{figure(trajectory.fast.speed)} rad/s, {figure(trajectory.fast.part, digits=2)} of the motion, is "
+                 "stepped over: velocities and forces that it moves are known the less")
+    if trajectory.drift is not None:
+        told += f"; the loops stay closed to {figure(float(max(trajectory.drift)), digits=2)} of their motion"
+    return told

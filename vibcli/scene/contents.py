@@ -1,0 +1,90 @@
+"""What the elements of a scene contribute: bodies, points and the terms of the energies."""
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.node import Node
+
+TERMS = ("inertias", "springs", "dampers", "weights", "forces", "laws", "constraints")
+
+
+class Constraint(NamedTuple):
+    """One condition node = 0 of the constraint `name` (a part of it: `name.x`); `form` is one of
+    equation, join, link, point, gear, belt, rope, contact, release."""
+
+    name: str
+    node: Any
+    where: Any
+    form: str
+
+    @property
+    def nodes(self) -> "list[Node]":
+        """The expressions of the coordinates that it is made of."""
+        return [self.node]
+
+    def over(self, new: "Mapping[Node, Node]") -> "Constraint":
+        """Itself with its expressions replaced, {node: node}."""
+        return self._replace(node=new[self.node])
+
+    @property
+    def whole(self) -> str:
+        """The name of the constraint that this is a part of."""
+        return self.name.partition(".")[0]
+
+    @property
+    def signal(self):
+        """What its force is called: hoist.force, knee.force.x of a join, hoist.force.1 of a rope in several pieces; of
+        a contact its name."""
+        name, dot, part = self.name.partition(".")
+        return self.name if self.form == "contact" else f"{name}.force{dot}{part}"
+
+
+class Contents(NamedTuple):
+    """`points`: {name: (drawn, present)}; `energies`: T, V and Φ that are written out, and the laws once they are
+    settled; `static_preloads`: [(symbol, record)] of unknown tensions; `shaken`: {kind: terms} as functions of the
+    symbols of driven displacements, empty where nothing is driven."""
+
+    gravity: tuple
+    bodies: dict
+    points: dict
+    inertias: list
+    springs: list
+    dampers: list
+    weights: list
+    forces: list
+    laws: list
+    constraints: list
+    energies: dict
+    matrices: dict
+    static_preloads: list
+    shaken: dict
+
+    @classmethod
+    def empty(cls, table: "Table") -> "Contents":
+        """Contents to which elements may add."""
+        energies = {"T": table.zero, "V": table.zero, "Phi": table.zero}
+        return cls(None, {}, {}, *([] for _ in TERMS), energies, {}, [], {})  # type: ignore[arg-type]
+
+    @property
+    def nodes(self) -> "list[Node]":
+        """All expressions of the coordinates in it."""
+        kinds = [*(getattr(self, kind) for kind in TERMS), *self.shaken.values(), self.bodies.values()]
+        places = [node for _, place in self.points.values() for node in place]
+        return [*(node for kind in kinds for part in kind for node in part.nodes), *places, *self.energies.values()]
+
+    @property
+    def depends_on(self) -> "list[Node]":
+        """Those of the inertias, springs, dampers, weights and loads, with their factors, and of the energies."""
+        kinds = (self.inertias, self.springs, self.dampers, self.weights, self.forces)
+        return [*(node for kind in kinds for term in kind for node in term.nodes), *self.energies.values()]
+
+    def over(self, new: Any) -> "Contents":
+        """Itself with its expressions replaced, {node: node}."""
+        return self._replace(
+            **{kind: [term.over(new) for term in getattr(self, kind)] for kind in TERMS},  # type: ignore[arg-type]
+            shaken={kind: [term.over(new) for term in terms] for kind, terms in self.shaken.items()},
+            bodies={name: body.over(new) for name, body in self.bodies.items()},
+            points={name: (drawn, tuple(new[node] for node in place)) for name, (drawn, place) in self.points.items()},
+            energies={key: new[node] for key, node in self.energies.items()})

@@ -1,0 +1,229 @@
+"""A scene: every body, spring and damper as scalar functions s(q, t) with their weights.
+
+    T = ½ Σ w ṡ²       V = Σ (N s + ½ k s²) − Σ m (gₓ x + g_y y)       Φ = ½ Σ c ṡ²
+"""
+
+from collections.abc import Callable, Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from vibcli.scene.displacements import stays_bounded
+from vibcli.scene.expressions import Expressions
+from vibcli.scene.places import Places
+from vibcli.symbolic.derivatives import substitute
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.rationals import ONE
+
+if TYPE_CHECKING:
+    from vibcli.scene.contents import Contents
+    from vibcli.scene.coordinates import SceneCoordinates
+    from vibcli.scene.energy_terms import Term
+    from vibcli.symbolic.node import Node
+
+CONNECTIONS = ("springs", "dampers", "laws", "inertias")        # of the inertias those that exert a force
+BENT = ("abs", "sign", "min", "max", "step", "ramp")
+
+
+class Variant(NamedTuple):
+    """What a scene is beside that of its file: its constraints held by multipliers, its supports `released`, its drives
+    and loads as further coordinates, the `inputs`; `preloaded`: with the force that lets go where the motion starts."""
+
+    multipliers: bool = False
+    released: bool = False
+    inputs: bool = False
+    preloaded: bool = False
+
+
+class Setting(NamedTuple):
+    """What is the same for a scene and those that are derived from it; `draw(attempt, variant)`: another Scene of the
+    same file and values."""
+
+    spec: Any
+    attempt: int
+    variant: Variant
+    parameters: Any
+    sample: dict
+    reports: Any
+    draw: Callable
+
+
+class Drives(NamedTuple):
+    """`driven`: {symbol: function of the time}; `inputs`: {symbol: Opening}; coordinates `released` by supports."""
+
+    driven: dict
+    inputs: dict
+    released: list
+
+
+class Freedom(NamedTuple):
+    """How many coordinates and independent conditions a scene has, and which constraints follow from others."""
+
+    coordinates: int
+    conditions: int
+    redundant: tuple
+
+
+class Closure(NamedTuple):
+    """What constraints make of a scene: its Loops, if any, the `dependent` coordinates {name: node}, its Freedom."""
+
+    loops: Any
+    dependent: dict
+    freedom: Freedom
+
+
+class Scene:
+    """The scalar functions of a scene; finished when it is made.
+
+    `still`: the scene at rest, where something is driven to and fro.
+    """
+
+    def __init__(self, setting: Setting, coordinates: "SceneCoordinates", contents: "Contents", drives: Drives,
+                 closure: Closure | None = None, still: "Scene | None" = None):
+        self._parts = {"setting": setting, "coordinates": coordinates, "contents": contents, "drives": drives,
+                       "closure": closure, "still": still}
+        self.setting, self.kinematics, self.contents, self.still = setting, coordinates, contents, still
+        self.spec, self.attempt, _, self.parameters, self.sample, reports, _ = setting
+        self.surfaces, self.report = self.spec.sections.get("surfaces") or {}, reports.report
+        self.table, self.time, self.coordinates, self.q, self.v, self.a, self.speeds, _, self.drawn, _ = coordinates
+        self.symbol, self.rate, self.at_drawn = coordinates.symbol, coordinates.rate, coordinates.at_drawn
+        expressions = Expressions(coordinates, self.parameters, self.sample, reports)
+        self.lower, self.pair, self.number = expressions.lower, expressions.pair, expressions.number
+        self.terms_with, self.unrooted = expressions.terms_with, expressions.unrooted
+        self.distance, self.height_of = expressions.distance, expressions.height_of
+        (self.gravity, self.bodies, self.points, self.inertias, self.springs, self.dampers, self.weights, self.forces,
+         self.laws, self.constraints, self.energies, self.matrices, self.static_preloads, self.shaken) = contents
+        places = Places(self.spec, expressions, self.bodies, self.points)
+        self.frame, self.place, self.place_of, self.rim = places.frame, places.place, places.place_of, places.rim
+        self.extent, self.unit_of = places.extent, places.unit_of
+        self.driven, self.inputs, self.released = drives
+        self.loops, self.dependent, self.freedom = closure or Closure(None, {}, Freedom(len(self.q), 0, ()))
+        self.timed = any(node.mask & self.time.mask for node in contents.depends_on)
+
+    def with_parts(self, **parts: Any) -> "Scene":
+        """The same with other parts, as they are named where a Scene is made."""
+        return Scene(**{**self._parts, **parts})
+
+    def replaced(self, values: Any, **parts: Any) -> "Scene":
+        """With other parts, and symbols replaced in every expression, {symbol: node}."""
+        scene = self.with_parts(**parts)
+        nodes = scene.contents.nodes
+        new = scene.unrooted(substitute(nodes, values))
+        return scene.with_parts(contents=scene.contents.over(dict(zip(nodes, new, strict=True))))
+
+    def with_preloads(self, tensions: "Mapping[Node, Node]") -> "Scene":
+        """The same with its static preloads, {symbol: node}; so is the scene at rest."""
+        found = self.replaced(tensions, contents=self.contents._replace(static_preloads=[]))
+        return found.with_parts(still=self.still and self.still.with_preloads(tensions))
+
+    def with_multipliers(self) -> "Scene":
+        """The same with all its coordinates, its constraints to be held by multipliers."""
+        return self.setting.draw(self.attempt, self.setting.variant._replace(multipliers=True))
+
+    def with_released_supports(self) -> "Scene":
+        """The same with all its coordinates and those by which its supports give way, whose forces are reactions."""
+        return self.setting.draw(self.attempt, self.setting.variant._replace(multipliers=True, released=True))
+
+    def with_inputs(self) -> "Scene":
+        """The same with what drives it as further coordinates, which stand last: displacements that come and go, a load
+        beside each load, and one along each coordinate."""
+        return self.setting.draw(self.attempt, self.setting.variant._replace(inputs=True))
+
+    def drawn_anew(self, attempt: int) -> "Scene":
+        """The same drawn with other sample values for its symbols, of the first attempt from this one that fits."""
+        return self.setting.draw(attempt, self.setting.variant)
+
+    @property
+    def resting(self) -> "Scene":
+        """The scene at rest: itself where nothing is driven to and fro."""
+        return self.still or self
+
+    @property
+    def vibrating(self) -> "Scene":
+        """The scene whose small oscillations are those of this one: itself; but the one at rest where constraints tie
+        its coordinates to what is driven to and fro."""
+        tied = self.still and any(node.mask & self.time.mask for node in self.dependent.values())
+        return self.still if tied else self
+
+    @property
+    def drawn_position(self) -> "dict[Node, Node]":
+        """{symbol: its value as drawn} of all coordinates and the time."""
+        return {**self.drawn, self.time: self.table.zero}
+
+    @property
+    def drawn_coordinates(self) -> "dict[str, Node]":
+        """{name: node as drawn} of the independent coordinates."""
+        return {q.name: self.drawn[q] for q in self.q}
+
+    @property
+    def drawn_values(self) -> dict[str, float]:
+        """{name: float} as drawn, with sample values for letters."""
+        names = {node.name: value for node, value in self.drawn.items()}
+        found = evaluate(list(names.values()), Floats, self.sample)
+        return {**self.sample, **dict(zip(names, found, strict=True)), self.time.name: 0.0}
+
+    def terms_of(self, name: str, *kinds: str, undriven: bool = False) -> list[Any]:
+        """The springs, dampers, laws and inerters of an element, or those of the given kinds; `undriven`: as functions
+        of the symbols of driven displacements."""
+        return [term for kind in kinds or CONNECTIONS
+                for term in (self.undriven(kind) if undriven else getattr(self, kind))
+                if term.owner == name and hasattr(term, "force")]
+
+    def force_of(self, name: str) -> "Node | None":
+        """The force of a spring or damper, of a spring without free length its magnitude; None of another element."""
+        forces = [term.force(self) for term in self.terms_of(name)]
+        if len(forces) > 1:
+            return self.table.sqrt(self.table.sum(*((force * force, ONE) for force in forces)))
+        return forces[0] if forces else None
+
+    def law_switches(self) -> "tuple[dict[Node, str], dict[Node, Node]]":
+        """({argument: owner}, {argument: σ₀}) of what bends or jumps in the laws."""
+        owners, bounds = {}, {}
+        for law in self.laws:
+            for part in reachable([law.potential(self)]):
+                if part.name in BENT and part.mask:
+                    u = part.args[0] - part.args[1] if part.name in ("min", "max") else part.args[0]
+                    sign = self.table.call("sign", u)
+                    if sign.op != "call":
+                        sign = self.table.call("sign", -u)
+                    owners[sign.args[0]] = law.owner
+                    if law.bound is not None:
+                        bounds[sign.args[0]] = law.bound
+        return owners, bounds
+
+    def undriven(self, kind: str) -> "list[Term]":
+        """Terms, or laws, as functions of the symbols of driven displacements, which are zero as drawn."""
+        return self.shaken[kind] if self.shaken else getattr(self, kind)
+
+    @cached_property
+    def oscillating(self) -> "list[Node]":
+        """The driven displacements that come and go, so that they count as small ones."""
+        return [symbol for symbol, node in self.driven.items() if stays_bounded(node, self.time, self.sample)]
+
+    @property
+    def held_drives(self) -> "dict[Node, Node]":
+        """{symbol: node} of driven displacements, zero of those that oscillate."""
+        return self.driven | dict.fromkeys(self.oscillating, self.table.zero)
+
+    def at_still(self, kind: str) -> "list[Term]":
+        """The springs, dampers, inertias or loads with the driven displacements that oscillate left out."""
+        if not self.shaken:
+            return getattr(self, kind)
+        held = self.held_drives
+        return [term.over(dict(zip(term.nodes, substitute(term.nodes, held), strict=True)))
+                for term in self.shaken[kind]]
+
+    def loads_at_still(self):
+        """The loads, the steady ones with the driven displacements that oscillate left out; beside each of them what of
+        it is a load in time, as it is."""
+        if not self.oscillating:
+            return self.forces
+        found, zero = [], self.table.zero
+        for still, term in zip(self.at_still("forces"), self.forces, strict=True):
+            if term.offset is None:
+                found.append(still)
+                continue
+            if not still.offset.is_zero:
+                found.append(still._replace(weight=still.offset, offset=None))
+            found.append(term._replace(weight=term.weight - term.offset, offset=zero))
+        return found

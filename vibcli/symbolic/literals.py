@@ -1,0 +1,69 @@
+"""Numbers with their units in a text: `3 N/mm^2`, `2 kg*m^(1/2)`."""
+
+import re
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from vibcli.base.units import UNITS
+from vibcli.symbolic.syntax import ExpressionError, Number, UnitPower
+
+if TYPE_CHECKING:
+    from re import Match
+
+SMALLEST, LARGEST = 1e-60, 1e60
+RANGE = "in SI units a value is zero or between 1e-60 and 1e60 in size"
+_UNIT = re.compile(r"\s*([*/·])?\s*([A-Za-zµμ°%]+)(?:\s*(?:\^|\*\*)\s*(?:"
+                   r"(-?\d+(?:\.\d+)?)(?!\d)|\(\s*(-?\d+(?:\.\d+|\s*/\s*\d+)?)\s*\))|([²³⁴]))?(?![\w.(\[])")
+_SUPERSCRIPTS = {"²": "2", "³": "3", "⁴": "4"}
+_POWER_SIGN = re.compile(r"\s*(?:\^|\*\*)")
+
+
+def literal(text: str, number: "Match") -> Number:
+    """The Number of a match of one in a text, with the units that follow it."""
+    start, digits = number.start(), number.group()
+    mantissa, _, exponent = digits.lower().partition("e")
+    if len(mantissa) > 80 or len(exponent) > 4 or abs(int(exponent or 0)) > 60:
+        raise ExpressionError(start, len(digits), "this number is out of range", RANGE)
+    chain, end = _units(text, start, number.end())
+    return Number(start, end, Fraction(digits), tuple(chain))
+
+
+def _units(text, start, at):
+    """The longest chain of units at a place, after the number at `start`, and its end."""
+    chain = []
+    while True:
+        match = _UNIT.match(text, at)
+        if not match or bool(match.group(1)) != bool(chain):
+            return chain, at
+        word = match.group(2).replace("μ", "µ")
+        if word not in UNITS:
+            if not chain:
+                raise _unknown_unit(text, match, start, at)
+            return chain, at
+        power = _unit_power(match)
+        chain.append(UnitPower(word, -power if match.group(1) == "/" else power, match.start(2), match.end(2)))
+        at = match.end()
+        if _POWER_SIGN.match(text, at):
+            raise ExpressionError(match.start(2), len(word), f"the power of the unit '{word}' is no number",
+                                  f"write {word}^2 or {word}^(1/2), or brackets around what is raised")
+
+
+def _unit_power(match):
+    """The power of a unit: 2, -1, 0.5 or (3/2)."""
+    text = match.group(3) or match.group(4) or _SUPERSCRIPTS.get(match.group(5), "1")
+    above, _, below = text.partition("/")
+    if len(text) > 12 or (below and not int(below)) or abs(power := Fraction(above) / Fraction(below or 1)) > 12:
+        raise ExpressionError(match.start(2), match.end() - match.start(2), "this power is out of range",
+                              "units have powers such as -2, 1/2 or 1.5, at most 12")
+    return int(power) if power.denominator == 1 else power
+
+
+def _unknown_unit(text, match, start, at):
+    from vibcli.base.unit_suggestions import TAKEN, unit_meant
+
+    word = match.group(2)
+    meant = None if word == "pi" else unit_meant(word)
+    product = f"a product is written with *: {text[start:at]}*{word}"
+    return ExpressionError(match.start(2), len(word), f"'{word}' is not a unit",
+                           f"write {meant}; {product}" if word in TAKEN else
+                           f"did you mean '{meant}'?" if meant else product)

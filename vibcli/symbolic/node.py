@@ -1,0 +1,70 @@
+"""Nodes of expressions.
+
+A node is one of
+
+    number   an exact rational                     symbol   a parameter or a variable (coordinate, velocity)
+    sum      c₀ + Σ cᵢ·nodeᵢ                        product  c·Π nodeᵢ^eᵢ, rational cᵢ, c, eᵢ
+    call     a function of nodes                   pi
+"""
+
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from vibcli.symbolic.rationals import ONE
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.expression import Table
+
+
+class Node:
+    """One immutable expression, owned by its Table. `mask` has a bit for each variable that it depends on;
+    `args`: (node, rational) pairs of a sum or product, nodes of a call."""
+
+    __slots__ = ("args", "coefficient", "gradient", "index", "mask", "name", "op", "table")
+    table: "Table"
+    op: str
+    args: tuple
+    coefficient: Fraction | int
+    mask: int
+    name: str
+    index: int
+    gradient: "dict[Node, Node] | None"
+
+    def keep_gradient(self, gradient: Any) -> None:
+        """Keep {variable: derivative}, which is worked out once."""
+        self.gradient = gradient
+
+    def __add__(self, other: "int | Node") -> "Node":
+        return self.table.sum((self, ONE), (self.table.node(other), ONE))
+
+    def __sub__(self, other: "Node") -> "Node":
+        return self.table.sum((self, ONE), (self.table.node(other), -ONE))
+
+    def __mul__(self, other: "Fraction | int | Node") -> "Node":
+        return self.table.product((self, ONE), (self.table.node(other), ONE))
+
+    def __truediv__(self, other: "int | Node") -> "Node":
+        return self.table.product((self, ONE), (self.table.node(other), -ONE))
+
+    def __pow__(self, exponent: Fraction | int) -> "Node":
+        return self.table.power(self, exponent)
+
+    def __neg__(self) -> "Node":
+        return self.table.scaled(self, -ONE)
+
+    def __rsub__(self, other: Fraction | int) -> "Node":
+        return self.table.node(other) - self
+
+    def __rtruediv__(self, other: int) -> "Node":
+        return self.table.node(other) / self
+
+    __radd__, __rmul__ = __add__, __mul__
+
+    @property
+    def is_zero(self) -> bool:
+        return self.op == "number" and not self.coefficient
+
+    def __repr__(self) -> str:
+        if self.op in ("sum", "product"):
+            return f"{self.op}({self.coefficient}, {', '.join(f'{a!r}^{e}' for a, e in self.args)})"
+        return str(self.coefficient) if self.op == "number" else f"{self.name}({', '.join(map(repr, self.args))})"
