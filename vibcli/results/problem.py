@@ -42,13 +42,14 @@ class Problem:
 
     def __init__(self, spec: "Spec", given: "Mapping[str, Fraction] | None" = None, work: "Work | None" = None,
                  modal: ModalAnalysis | None = None, choice: Any = None, earlier: Mapping[str, float] | None = None,
-                 end: Any = None, signed: bool = False):
+                 end: Any = None, signed: bool = False, digits: int | None = None):
         if modal is None:
             modal = ModalAnalysis(Configuration(NumericSystem(MechanicalSystem(spec, given, work))))
         self.spec, self.modal, self.configuration, self.numeric = spec, modal, modal.configuration, modal.numeric
         self.system, self.work, self.costs = modal.system, modal.work, modal.costs
         self.symbolic = SymbolicSystem(self.configuration, ModalAnalysis)
         self.choice, self.earlier, self.end, self.signed = choice, earlier or {}, end, signed
+        self.digits = digits
         self._cases, self._curves = {}, {}
 
     @cached_property
@@ -89,12 +90,17 @@ class Problem:
         """The same scene with amplitudes that have a sign."""
         return self._copy(signed=True)
 
+    def with_digits(self, digits: int) -> "Problem":
+        """The same scene with its quantities found to so many digits."""
+        return self._copy(digits=digits)
+
     def about(self, configuration: Configuration, free: int = 0) -> "Problem":
         """The same scene about another of its equilibria; `free`: in how many directions it moves freely there."""
         return self._copy(modal=ModalAnalysis(configuration, free), end=None)
 
     def _copy(self, **changes):
-        kept = {"modal": self.modal, "choice": self.choice, "earlier": self.earlier, "end": self.end}
+        kept = {"modal": self.modal, "choice": self.choice, "earlier": self.earlier, "end": self.end,
+                "signed": self.signed, "digits": self.digits}
         return Problem(self.spec, **{**kept, **changes})
 
     def case(self, name: str) -> "Problem":
