@@ -42,9 +42,13 @@ RESPONSE = [
          "of the free vibration"),
         ("mean(x)", "with `rms(x)`: of the steady state, or of free vibrations that do not die out; `harmonic[3](x)` "
          "of a periodic steady state"),
-        ("decrement(x)", "with `time_to[0.1](x)`, `cycles_to[0.1](x)`, `envelope(x)`: of a free vibration of one "
-         "frequency, after the last change of the loads; of what a load keeps up ask for `decrement(transient(x))`"),
+        ("decrement(x)", "with `time_to[0.1](x)`, `cycles_to[0.1](x)`: of a free vibration of one frequency, after the "
+         "last change of the loads; of what a load keeps up ask for `decrement(transient(x))`"),
         ("beat_period(x)", "of two neighbouring frequencies"),
+        ("envelope(x)", "a signal, `envelope(x)(2 s)`, `max(envelope(x))`: of exactly one vibration A e^(−δt), of "
+         "exactly two, each free or kept up by a load, √(A₁² + A₂² + 2A₁A₂ cos(Δω t − Δφ)), each A with its own decay: "
+         "beats where the frequencies are near. What does not vibrate is left out. Of more vibrations there is none, "
+         "nor at a resonance without damping, nor of loads that change after t = 0 or have harmonics without end"),
         ("steady(x)", "with `transient(x)`: signals again, as in `max(steady(x))`, `steady(x)(2 s)`"),
     ],
     "Loads in time: `vibcli explain time`. Signals: `vibcli explain signals`. Plots and files: `--plot`, `--save`, see "

@@ -182,7 +182,8 @@ QUANTITIES = {
                             ("fraction",), one),
     "steady": _part("steady state of a signal, itself a signal: steady(x)(2 s), max(steady(x))"),
     "transient": _part("the rest of a signal, which dies out where the scene is damped"),
-    "envelope": _part("envelope of a free motion A e^(−δt), itself a signal"),
+    "envelope": _part("envelope of one vibration, A e^(−δt), or of two, √(A₁² + A₂² + 2A₁A₂ cos(Δω t − Δφ)), each A "
+                      "with its own decay; itself a signal"),
     "M()": Declaration("entry of the mass matrix at an instant", None, _measured(_inertia),
                        ("coordinate", "coordinate"), ("time",), dimension=entry_dimension, size=largest_entry),
     "period()": _of_signal("period of the actual motion of a signal", "s", _small("period"), size=_end, kind=PERIOD),

@@ -8,6 +8,7 @@ from vibcli.analyses.excitation.forcing import oscillates
 from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
+    from vibcli.analyses.transient.envelope import Beats, Decay
     from vibcli.analyses.transient.textbook_form import Part
     from vibcli.results.signals import LinearSignal
 
@@ -50,11 +51,42 @@ def vibration(signal: "LinearSignal") -> "Part":
 
 def from_the_start(signal: "LinearSignal") -> "Part":
     """The same of a vibration that is free from t = 0 on."""
-    part, last = vibration(signal), signal.motion.forcing.segments(inf)[-1].start
-    if last:
-        raise PhysicsError(f"this vibration is free only from t = {last:.6g} s on: A e^(−δt) cos(ω_d t − φ) is not its "
-                           "motion from t = 0", "ask for max(x), or its value at a time")
+    part = vibration(signal)
+    require_from_the_start(signal)
     return part
+
+
+def require_from_the_start(signal: "LinearSignal") -> None:
+    """Refuses a signal whose loads change after t = 0."""
+    last = signal.motion.forcing.segments(inf)[-1].start
+    if last:
+        kept = "kept up" if kept_up(signal) else "free"
+        raise PhysicsError(f"this vibration is {kept} only from t = {last:.6g} s on: A e^(−δt) cos(ω_d t − φ) is not "
+                           "its motion from t = 0", "ask for max(x), or its value at a time")
+
+
+def envelope(signal: "LinearSignal") -> "Decay | Beats":
+    """Of the one or two vibrations, free or kept up by loads, that are there from t = 0 on."""
+    from vibcli.analyses.transient.envelope import Beats, Decay
+    from vibcli.analyses.transient.free_vibration import vibrations
+
+    forcing = signal.motion.forcing
+    if forcing.period is not None:
+        raise PhysicsError("the loads of this signal have harmonics without end: it has no envelope that is found",
+                           "ask for max(x), or its value at a time")
+    waves = vibrations(signal.motion, signal.output)
+    if any(wave.power for wave in waves):
+        raise PhysicsError("at a resonance the amplitude of this signal grows with the time: an envelope is found of "
+                           "one vibration and of two", "ask for max(x), or its value at a time")
+    if len(waves) > 2:
+        raise PhysicsError(f"this signal holds {len(waves)} vibrations: an envelope is found of one and of two",
+                           "ask for max(x), or start in one mode or two")
+    if len(waves) < 2 and not kept_up(signal):
+        waves = [vibration(signal)]
+    if not waves:
+        raise PhysicsError("this signal does not vibrate", "ask for max(x), or its value at a time")
+    require_from_the_start(signal)
+    return Beats(*waves) if len(waves) == 2 else Decay(waves[0].amplitude, waves[0].rate)
 
 
 def amplitude(signal: "LinearSignal") -> float:
@@ -97,7 +129,7 @@ def beat_period(signal: "LinearSignal") -> float:
     from vibcli.analyses.transient.free_vibration import beat_period
 
     if signal.motion.forcing.period is None:
-        found = beat_period(signal.motion, signal.output, -1)
+        found = beat_period(signal.motion, signal.output)
         if found is not None:
             return found
     raise PhysicsError("this signal has no beats", "beats need two vibrations of nearly equal frequency and comparable "

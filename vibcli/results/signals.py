@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
     from vibcli.analyses.excitation.linear_output import LinearOutput
     from vibcli.analyses.transient.composition import Composition, Leaf
+    from vibcli.analyses.transient.envelope import Beats, Decay
     from vibcli.analyses.transient.linear_response import LinearMotion
     from vibcli.symbolic.node import Node
 
@@ -233,7 +234,8 @@ class TransientOfComposed(ComposedSignal):
 
 
 class Envelope(Signal):
-    """A e^{−δt} of a free vibration."""
+    """A e^{−δt} of the one vibration in a signal; of two, beats, √(A₁² + A₂² + 2A₁A₂ cos(Δω t − Δφ)), each A with its
+    own decay."""
 
     KIND = "an envelope"
 
@@ -241,36 +243,31 @@ class Envelope(Signal):
         self.signal = signal
 
     @cached_property
-    def part(self):
-        """The vibration, free from t = 0 on."""
-        from vibcli.results.signal_features import from_the_start
+    def found(self) -> "Decay | Beats":
+        """That of the vibrations, which are there from t = 0 on."""
+        from vibcli.results.signal_features import envelope
 
-        return from_the_start(self.signal)
+        return envelope(self.signal)
+
+    @property
+    def period(self):
+        """After which the beats repeat themselves, None where they do not."""
+        return self.found.period
 
     def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
         import numpy as np
 
-        return self.part.amplitude * np.exp(self.part.rate * np.asarray(times))
+        return self.found.values(np.asarray(times, float))
 
-    def along(self, end: float):
-        from vibcli.analyses.transient.composition import Decay
+    def along(self, end: float) -> "Decay | Beats":
+        return self.found
 
-        return Decay(self.part.amplitude, self.part.rate)
+    def extreme(self, start: Any, end: float, sense: int) -> tuple[float, float]:
+        """(instant, value) of the largest (sense 1) or smallest (−1) value."""
+        return self.found.extreme(start, end, sense, self.signal.motion.work)
 
-    def extreme(self, start: Any, end: float, sense: int):
-        """(instant, value) of the largest (sense 1) or smallest (−1) value: at an end."""
-        import numpy as np
+    def zeros(self, start: float, end: float) -> list[float]:
+        return self.found.zeros(start, end)
 
-        times = np.array([start, end])
-        found = self.values(times)
-        best = int(np.argmax(sense * found))
-        return float(times[best]), float(found[best])
-
-    def zeros(self, start: float, end: float):
-        """None: it dies out, or is 0 for good."""
-        return []
-
-    def final(self):
-        if self.part.rate > 0:
-            raise PhysicsError("the motion grows without end: it comes to no rest", "ask for a value at a time")
-        return 0.0 if self.part.rate else self.part.amplitude
+    def final(self) -> float:
+        return self.found.final()

@@ -52,16 +52,16 @@ def regime(M: np.ndarray, C: np.ndarray, K: np.ndarray) -> str:
     return "under-damped" if slow.imag else "over-damped"
 
 
-def formula(motion: "LinearMotion", output: Any, segment: int = 0) -> list[Part]:
+def formula(motion: "LinearMotion", output: Any, segment: int = 0, same: float = SAME) -> list[Part]:
     """The Parts that add up to the output on a segment (−1: the last), free ones first, each kind by ascending
-    frequency and decay."""
+    frequency and decay; `same`: the relative distance within which exponents are one."""
     pieces = motion.pieces(0.0 if motion.forcing.period else math.inf)
     terms = pieces.terms(output, 0)
     segment = segment % terms.count
     found, summed = {}, {}
     for nodes, factor in terms.on(segment):
-        for (node, power), c in fractions(nodes).items():
-            key = _known(found, node, power)
+        for (node, power), c in fractions(nodes, same).items():
+            key = _known(found, node, power, same)
             found[key] = found.get(key, 0j) + factor * c
             summed[key] = summed.get(key, 0.0) + abs(factor * c)
     real = {}
@@ -72,23 +72,23 @@ def formula(motion: "LinearMotion", output: Any, segment: int = 0) -> list[Part]
             node, c = node.conjugate(), c.conjugate()
         real[node, power] = real.get((node, power), 0j) + c
     size = max(map(abs, real.values()), default=0.0)
-    parts = [_part(node, power, c, power >= _multiplicity(motion.blocks, node)) for (node, power), c in real.items()
-             if abs(c) > NOTHING * size]
+    parts = [_part(node, power, c, power >= _multiplicity(motion.blocks, node, same))
+             for (node, power), c in real.items() if abs(c) > NOTHING * size]
     return sorted(parts, key=lambda part: (part.forced, part.omega, -part.rate, part.power))
 
 
-def _known(found, node, power):
+def _known(found, node, power, same):
     """The key of an exponential that is there already, or that of a new one."""
-    return next((key for key in found if key[1] == power and _same(key[0], node)), (node, power))
+    return next((key for key in found if key[1] == power and _same(key[0], node, same)), (node, power))
 
 
-def _same(one, two):
-    return abs(one - two) <= SAME * max(abs(one), abs(two))
+def _same(one, two, same):
+    return abs(one - two) <= same * max(abs(one), abs(two))
 
 
-def _multiplicity(blocks, node):
+def _multiplicity(blocks, node, same):
     """How often an exponent is an eigenvalue of one block: so many powers of τ are in its free motion."""
-    return max((sum(_same(node, own) for own in block.nodes) for block in blocks), default=0)
+    return max((sum(_same(node, own, same) for own in block.nodes) for block in blocks), default=0)
 
 
 def _part(node, power, c, forced):
@@ -97,11 +97,11 @@ def _part(node, power, c, forced):
     return Part(float(c.real), power, node.real, 0.0, 0.0, forced)
 
 
-def fractions(nodes: Sequence[complex]) -> dict[tuple[complex, int], complex]:
+def fractions(nodes: Sequence[complex], same: float = SAME) -> dict[tuple[complex, int], complex]:
     """{(λ, k): c} with E[nodes](t) = Σ c tᵏ e^{λt}: the partial fractions of 1/Π(p − λ), nearly equal nodes as one."""
     groups = []
     for node in nodes:
-        near = next((group for group in groups if _same(group[0], node)), None)
+        near = next((group for group in groups if _same(group[0], node, same)), None)
         groups.append([node]) if near is None else near.append(node)
     found = {}
     for group in groups:

@@ -1,4 +1,4 @@
-"""Motions of small oscillations as textbooks write them: the formula piece by piece, the regime, the steady state."""
+"""Motions of small oscillations as textbooks write them: the formula piece by piece."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 
 from vibcli.notation.numbers import figure
 from vibcli.report import blocks
-from vibcli.report.blocks import Heading, Name, Section, line, paragraph, section
+from vibcli.report.blocks import Heading, Name, Section, line, section
 from vibcli.symbolic.syntax import NameRef
 
 if TYPE_CHECKING:
+    from vibcli.analyses.transient.textbook_form import Part
     from vibcli.report.sections.requested_signals import RequestedSignal
-    from vibcli.results.problem import Problem
 
 MOST_PARTS, MOST_PIECES = 8, 4
 NO_ANGLE = 1e-12
@@ -43,12 +43,12 @@ def _pieces(one, signal, starts):
             end = f" ≤ t < {figure(starts[number + 1])} s" if number + 1 < len(starts) else " s ≤ t"
             clock = f", τ = t − {figure(start)} s" if start else ""
             found.append(Heading(f"{figure(start)}{end}{clock}:"))
-        found.append(blocks.equations([line(name, f" = {_sum(parts, 'τ' if start else 't')}")]))
+        found.append(blocks.equations([line(name, f" = {sum_of(parts, 'τ' if start else 't')}")]))
     return found
 
 
-def _sum(parts, t):
-    """Σ of the Parts as text."""
+def sum_of(parts: "Sequence[Part]", t: str) -> str:
+    """Σ of the Parts as text, `t` being the letter of the time."""
     text = ""
     for part in parts:
         negative = part.amplitude < 0
@@ -72,56 +72,3 @@ def _product(part, t):
 
 def _signed(value):
     return figure(value).replace("-", "−")
-
-
-def free_vibration(problem: "Problem", asked: "Sequence[RequestedSignal]") -> Iterator[Section]:
-    """The regime of one degree of freedom; decrement and decay, beats, the share of each mode in the energy."""
-    motion, rows = problem.response, []
-    if motion.drive or not any(x for part in motion.deviations for x in part):
-        return
-    if len(problem.scene.q) == 1:
-        rows += _regime(problem)
-    else:
-        rows += _participation(problem)
-    for one in asked:
-        rows += _beats(one)
-    yield from section("Free vibration", *(paragraph(row) for row in rows))
-
-
-def _regime(problem):
-    from vibcli.analyses.transient.free_vibration import decrement
-    from vibcli.analyses.transient.textbook_form import regime
-    from vibcli.report.sections.mode_tables import bounds
-
-    mode = problem.modal.damped[0] if problem.modal.damped else None
-    words = regime(*problem.response.matrices)
-    if words == "under-damped" and mode is not None and mode.omega_d:
-        decay, omega_d = float(mode.decay), float(mode.omega_d)
-        delta = decrement(-decay, omega_d)
-        bound = sum(bounds(mode))
-        zeta, shown, per_cycle, time, cycles = (figure(value, bound) for value in (
-            float(mode.zeta), decay, delta, math.log(10) / decay, math.log(10) / delta))
-        return [f"under-damped, ζ = {zeta}",
-                f"decay constant {shown} 1/s, logarithmic decrement {per_cycle}; the amplitude falls to 1/10 in {time} "
-                f"s, or {cycles} cycles"]
-    return [words]
-
-
-def _participation(problem):
-    from vibcli.analyses.transient.free_vibration import energy_shares
-
-    if problem.modal.damped is not None or any(mode.omega is None for mode in problem.modal.modes):
-        return []
-    shares = energy_shares(problem.response.matrices[0], problem.modal.modes, *problem.response.deviations)
-    told = ", ".join(f"mode {mode.index}: {figure(100 * share, digits=4)} %"
-                     for mode, share in zip(problem.modal.modes, shares, strict=True))
-    return [f"share in the energy: {told}"] if told else []
-
-
-def _beats(one):
-    from vibcli.analyses.transient.free_vibration import beat_period
-
-    if not hasattr(one.signal, "output"):
-        return []
-    period = beat_period(one.signal.motion, one.signal.output)
-    return [f"{one.label} beats with the period 2π/|ω₁ − ω₂| = {figure(period)} s"] if period else []

@@ -48,11 +48,13 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
 
         yield from integration(motion.trajectory())
     elif motion.KIND == "small":
-        from vibcli.report.sections.formulas import formulas, free_vibration
+        from vibcli.report.sections.formulas import formulas
+        from vibcli.report.sections.vibrations import beats, free_vibration
 
         yield from free_vibration(problem, asked)
         yield from formulas(asked)
         if motion.drive:
+            yield from section("Beats", *map(paragraph, beats(asked, motion.until)))
             yield from steady_state(asked, report.wanted.phase)
     if report.pictures:
         from vibcli.report.sections.illustrations import plot

@@ -52,17 +52,17 @@ def sampled(problem: "Problem", wanted: "Wanted") -> list[SampledSignal]:
 
 
 def _bounds(problem, signal, times):
-    """(upper, lower) envelope of a free vibration that dies out; None of others."""
-    if problem.response.drive or not hasattr(signal, "output"):
+    """(upper, lower) envelope of beats, and of a free vibration that dies out; None of others."""
+    if not hasattr(signal, "output"):
         return None
-    from vibcli.results.signal_features import vibration
+    from vibcli.results.signal_features import beat_period, vibration
 
     try:
-        if not vibration(signal).rate < 0:
-            return None
+        if problem.response.drive or not vibration(signal).rate < 0:
+            beat_period(signal)
+        size, middle = signal.envelope.values(times), signal.output.constant
     except PhysicsError:
         return None
-    size, middle = signal.envelope.values(times), signal.output.constant
     return middle + size, middle - size
 
 
