@@ -55,8 +55,8 @@ COMPARED = [
     ("stable", "`true` or `false`."),
 ]
 
-SEVERAL = ("A last index asks about one of all the equilibria that `find: {equilibria: all}` lists, in ascending "
-           "order: `equilibrium[phi][2]`, `stable[2]`, `omega[1][2]`; likewise ")
+SEVERAL = ("A last index of its own asks about one of all the equilibria that `find: {equilibria: all}` lists, in "
+           "ascending order: `equilibrium[phi][2]`, `stable[2]`, `omega[1][2]`, `K[x,y][2]`; likewise ")
 
 IN_SHORT = ("A written number to half a unit of its last digit (or as `rtol` says), an expression to rounding: see "
             "`vibcli explain quantities`.")

@@ -1,4 +1,4 @@
-"""Moments of inertia and mass centres."""
+"""Masses, moments of inertia and mass centres of bodies."""
 
 from vibcli.quantities.quantity import ROUNDING, Declaration
 
@@ -13,6 +13,10 @@ def _inertia(problem, tree):
         mass = body.mass if body.mass is not None else scene.table.zero
         node = node + mass * ((x - body.centre[0]) ** 2 + (y - body.centre[1]) ** 2)
     return scene.at_drawn(node)[0]
+
+
+def _mass(problem, tree):
+    return problem.scene.bodies[tree.indices[0]].mass
 
 
 def _drawn(scene, name):
@@ -39,8 +43,10 @@ def _turned(problem, tree):
 
 
 QUANTITIES = {
+    "mass": Declaration("mass of a body, that of all its parts together less that of its holes", "kg", _value(_mass),
+                        ("body",), symbolic=_mass),
     "J": Declaration("moment of inertia of a body about its mass centre, or about a point", "kg*m^2", _value(_inertia),
-                     ("body", "place"), size=_turned, symbolic=_inertia),
+                     ("body", "place"), size=_turned, symbolic=_inertia, spare=1),
     "centre": Declaration("mass centre of a body as drawn", "m", _value(_centre), ("body",), components=("x", "y"),
                           size=lambda problem, tree: problem.numeric.figure_size, symbolic=_centre),
 }

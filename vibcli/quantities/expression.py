@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.quantities.cycle_count import counts_cycles
-from vibcli.quantities.quantity import ROUNDING, declared, is_choice
+from vibcli.quantities.quantity import ROUNDING, about_which, declared, is_choice
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import ExpressionError, QuantityRef, parts_of
@@ -22,11 +22,11 @@ def measure(problem: "Problem", tree: QuantityRef) -> tuple[float, float]:
     """(value, relative error bound) of a quantity tree."""
     if not tree.args and is_choice(problem.spec, tree) and problem.choice is not None:
         return problem.choice.value(tree.head, int(tree.indices[0])), ROUNDING
-    quantity = declared(tree)
-    if quantity.several and len(tree.indices) > len(quantity.indices):
+    quantity, (tree, number) = declared(tree), about_which(tree)
+    if number is not None:
         from vibcli.quantities.equilibrium import about
 
-        problem, tree = about(problem, int(tree.indices[-1])), tree._replace(indices=tree.indices[:-1])
+        problem = about(problem, int(number))
     kinds = zip(quantity.args, tree.args, strict=not quantity.optional)
     return quantity.value(problem, tree, [_argument(problem, kind, arg) for kind, arg in kinds])
 

@@ -23,9 +23,20 @@ def _frf(problem, tree, args):
 
 
 def _complex_part(part):
+    """A part of a complex number, which its error may fall on whole however small it is."""
     def value(problem, tree, args):
         found, error = args[0]
-        return part(found), error
+        number = part(found)
+        return number, error * abs(found) / (abs(number) or abs(found) or 1.0)
+    return value
+
+
+def _angle(sign):
+    """The angle of a complex number times 1 or −1, which is off by as much as the number is of its size."""
+    def value(problem, tree, args):
+        found, error = args[0]
+        angle = wrapped(sign * cmath.phase(found))
+        return angle, error / (abs(angle) or 1.0)
     return value
 
 
@@ -86,8 +97,8 @@ def _of_response(about, unit, value, indices=("number",), components=("",), dime
     return Declaration(about, unit, value, indices, ("response",), components, dimension, _size_of_argument)
 
 
-def _of_value(about, part, unit=None, size=_size_of_argument):
-    return Declaration(about, unit, _complex_part(part), args=("complex",), dimension=_of_argument, size=size)
+def _of_value(about, value, unit=None, size=_size_of_argument):
+    return Declaration(about, unit, value, args=("complex",), dimension=_of_argument, size=size)
 
 
 QUANTITIES = {
@@ -113,9 +124,9 @@ QUANTITIES = {
     "quality": _of_response(
         "quality of the i-th peak, Ω/(Ω₂ − Ω₁) by its half-power points", "1",
         _of_curve(lambda curve, i, _: curve.quality(i))),
-    "arg": _of_value("angle of a complex frequency response", cmath.phase, "rad", size=one),
-    "re": _of_value("real part of a frequency response", lambda value: value.real),
-    "im": _of_value("imaginary part of a frequency response", lambda value: value.imag),
-    "phase(frf)": _of_value("lag −arg of a frequency response", lambda value: wrapped(-cmath.phase(value)), "rad",
+    "arg": _of_value("angle of a complex frequency response, eigenvalue or shape", _angle(1), "rad", size=one),
+    "re": _of_value("real part of the same", _complex_part(lambda value: value.real)),
+    "im": _of_value("imaginary part of the same", _complex_part(lambda value: value.imag)),
+    "phase(frf)": _of_value("lag −arg of a frequency response", _angle(-1), "rad",
                             size=one),
 }

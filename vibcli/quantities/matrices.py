@@ -59,7 +59,7 @@ def dimension(spec: "Spec", tree: "QuantityRef") -> dict[str, int]:
 
 def _of_matrix(word):
     return Declaration(f"entry of the {word} matrix", None, _entry, ("coordinate", "coordinate"), dimension=dimension,
-                       size=largest, symbolic=_symbolic)
+                       size=largest, symbolic=_symbolic, several=True)
 
 
 QUANTITIES = {"M": _of_matrix("mass"), "C": _of_matrix("damping"), "G": _of_matrix("gyroscopic"),

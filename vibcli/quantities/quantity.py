@@ -31,7 +31,7 @@ class Declaration(NamedTuple):
     a whole response); `symbolic(problem, tree)`: its expression in the letters of a scene, NotInLetters where it is
     found in numbers; `size(problem, tree)`: the largest value of its kind, what its rounding is measured by.
     `indices`, `args`: the kinds of what stands in square and in round brackets, these left out perhaps where
-    `optional`; `several`: a last index says of which equilibrium."""
+    `optional`, and of those `spare` at the end; `several`: a last index of its own says of which equilibrium."""
 
     about: str
     unit: str | None = None
@@ -45,6 +45,7 @@ class Declaration(NamedTuple):
     kind: str = NUMBER
     optional: bool = False
     several: bool = False
+    spare: int = 0
 
     @property
     def own_unit(self) -> str | None:
@@ -67,6 +68,14 @@ class Declaration(NamedTuple):
 def one(problem: "Problem", tree: QuantityRef):
     """The size of an angle or a ratio."""
     return 1.0
+
+
+def about_which(tree: QuantityRef) -> tuple[QuantityRef, str | None]:
+    """(the tree without the index of an equilibrium, that index or None)."""
+    quantity = declared(tree)
+    if quantity.several and tree.alone and len(tree.indices) > len(quantity.indices) - quantity.spare:
+        return tree._replace(indices=tree.indices[:-1], alone=False), tree.indices[-1]
+    return tree, None
 
 
 def named(form: str) -> Declaration:

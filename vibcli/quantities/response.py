@@ -1,11 +1,9 @@
 """Numbers of responses: values in time, extremes, steady amplitudes, decrements, and frequency responses."""
 
 from math import isfinite
+from typing import Any
 
 from vibcli.base.errors import PhysicsError
-from vibcli.quantities.matrices import coordinate_number
-from vibcli.quantities.matrices import dimension as entry_dimension
-from vibcli.quantities.matrices import largest as largest_entry
 from vibcli.quantities.quantity import ERROR, NUMBER, OF_SIGNAL, PERIOD, SIGNAL, Declaration, declared, one
 from vibcli.symbolic.syntax import QuantityRef
 
@@ -64,27 +62,17 @@ def _signal(problem, tree):
     return problem.response.signal(tree.args[0])
 
 
-def _value(problem, tree, args):
+def at_instant(signal: Any, time: float) -> float:
+    """The value of a signal at an instant from t = 0 on."""
     import numpy as np
 
-    time = args[1]
     if not time >= 0 or not isfinite(time):
         raise PhysicsError(f"there is no motion at t = {time:.6g} s", "motions start at t = 0")
-    return float(_signal(problem, tree).values(np.array([time]))[0])
+    return float(signal.values(np.array([time]))[0])
 
 
-def _inertia(problem, tree, args):
-    """∂²T/∂q̇ᵢ∂q̇ⱼ at an instant of the motion."""
-    import numpy as np
-
-    from vibcli.mechanics.energies import kinetic
-    from vibcli.symbolic.derivatives import gradient
-
-    scene = problem.scene
-    i, j = (scene.v[coordinate_number(problem, index)] for index in tree.indices)
-    zero = scene.table.zero
-    node = gradient(gradient(kinetic(scene)).get(i, zero)).get(j, zero)
-    return float(problem.response.state_signal(node).values(np.array([args[0]]))[0])
+def _value(problem, tree, args):
+    return at_instant(_signal(problem, tree), args[1])
 
 
 def _extreme(sense, which):
@@ -184,8 +172,6 @@ QUANTITIES = {
     "transient": _part("the rest of a signal, which dies out where the scene is damped"),
     "envelope": _part("envelope of one vibration, A e^(−δt), or of two, √(A₁² + A₂² + 2A₁A₂ cos(Δω t − Δφ)), each A "
                       "with its own decay; itself a signal"),
-    "M()": Declaration("entry of the mass matrix at an instant", None, _measured(_inertia),
-                       ("coordinate", "coordinate"), ("time",), dimension=entry_dimension, size=largest_entry),
     "period()": _of_signal("period of the actual motion of a signal", "s", _small("period"), size=_end, kind=PERIOD),
     "value": Declaration("value of a signal at an instant", SIGNAL, _measured(_value), args=("signal", "time"),
                          size=_size),

@@ -33,14 +33,13 @@ def free_vibration(problem: "Problem", asked: "Sequence[RequestedSignal]") -> It
 def _regime(problem):
     from vibcli.analyses.transient.free_vibration import decrement
     from vibcli.analyses.transient.textbook_form import regime
-    from vibcli.report.sections.mode_tables import bounds
 
     mode = problem.modal.damped[0] if problem.modal.damped else None
     words = regime(*problem.response.matrices)
     if words == "under-damped" and mode is not None and mode.omega_d:
         decay, omega_d = float(mode.decay), float(mode.omega_d)
         delta = decrement(-decay, omega_d)
-        bound = sum(bounds(mode))
+        bound = sum(mode.bounds)
         zeta, shown, per_cycle, time, cycles = (figure(value, bound) for value in (
             float(mode.zeta), decay, delta, math.log(10) / decay, math.log(10) / delta))
         return [f"under-damped, ζ = {zeta}",

@@ -1,0 +1,86 @@
+"""M, C, K and Q at states of motions against hand-written energies, differentiated by mpmath at their places."""
+
+from textwrap import dedent
+
+import mpmath
+import pytest
+from support.scenes import problem, value
+
+from vibcli.base.errors import PhysicsError
+
+NUMBERS = {"m": 2.0, "M": 3.0, "L": 0.7, "k": 40.0, "c": 1.5, "g": 9.81, "F": 6.0, "w": 5.0, "h": 0.9}
+CART = dedent("""
+    parameters: {m: 2 kg, M: 3 kg, L: 0.7 m, k: 40 N/m, c: 1.5 N*s/m, g: 9.81 m/s^2, F: 6 N, w: 5 rad/s, h: 0.9 m}
+    gravity: g
+    points: {E: [-2*h, -h]}
+    bodies:
+      cart: {mass: M, at: [0, 0], slide: x}
+      bob: {mass: m, at: [0, -L], pin: {at: [0, 0], carrier: cart, by: phi}}
+    springs: {s: {k: k, between: [E, bob]}}
+    dampers: {d: {c: c, between: [[-h, 0], cart]}}
+    forces: {f: {at: bob, force: ["F*cos(w*t)", 0]}}
+    motion: KIND
+    initial: {x: 0.3 m, "x'": 1 m/s, phi: 0.8 rad, "phi'": -2 rad/s}
+    find: [{response: {until: 1 s}}]
+""")
+
+
+def by_hand(x, phi, t):
+    """{quantity: value}, V = ½ k (l − l₀)² − m g L cos φ of a bob on a cart, F cos wt along x of the bob."""
+    m, M, L, k, c, g, F, w, h = map(mpmath.mpf, NUMBERS.values())
+
+    def V(x, phi):
+        X, Y = x + L * mpmath.sin(phi), -L * mpmath.cos(phi)
+        stretch = mpmath.hypot(X + 2 * h, Y + h) - mpmath.hypot(2 * h, h - L)
+        return k * stretch**2 / 2 + m * g * Y
+
+    load = F * mpmath.cos(w * t)
+
+    def work(x, phi):
+        return V(x, phi) - load * (x + L * mpmath.sin(phi))
+
+    here = (x, phi)
+    found = {"Q[x]": -mpmath.diff(work, here, (1, 0)), "Q[phi]": -mpmath.diff(work, here, (0, 1)),
+             "K[x,x]": mpmath.diff(work, here, (2, 0)), "K[x,phi]": mpmath.diff(work, here, (1, 1)),
+             "K[phi,x]": mpmath.diff(work, here, (1, 1)), "K[phi,phi]": mpmath.diff(work, here, (0, 2)),
+             "M[x,x]": M + m, "M[x,phi]": m * L * mpmath.cos(phi), "M[phi,phi]": m * L**2,
+             "C[x,x]": c, "C[x,phi]": 0, "C[phi,phi]": 0}
+    return {text: float(number) for text, number in found.items()}
+
+
+@pytest.mark.parametrize("kind", ["full", "small"])
+@pytest.mark.parametrize("time", [0.0, 0.37])
+def test_they_are_those_of_the_place_and_instant(kind, time):
+    scene = problem(CART.replace("KIND", kind))
+    x, phi = (value(scene, f"{name}({time} s)") for name in ("x", "phi"))
+    with mpmath.workdps(30):
+        wanted = by_hand(mpmath.mpf(x), mpmath.mpf(phi), mpmath.mpf(time))
+    for text, number in wanted.items():
+        assert value(scene, f"{text}({time} s)") == pytest.approx(number, rel=1e-9, abs=1e-9), text
+
+
+def test_no_motion_is_followed_to_its_start():
+    """A load that would take the whole patience to follow is no hindrance at t = 0."""
+    scene = problem(CART.replace("KIND", "full").replace("F*cos(w*t)", "F*cos(1e9*w*t)"))
+    assert value(scene, "K[phi,phi](0 s)") == pytest.approx(by_hand(0.3, 0.8, 0)["K[phi,phi]"], rel=1e-9)
+    assert not scene.response.integrated
+
+
+def test_about_each_equilibrium():
+    """K about all rests of a pendulum held by a soft torsion spring: kt + m g L cos φ."""
+    scene = problem("""
+        parameters: {m: 2 kg, L: 0.5 m, g: 9.81 m/s^2, kt: 2 N*m}
+        gravity: g
+        points: {O: [0, 0]}
+        bodies: {b: {mass: m, at: [0, -L], pin: {at: O, by: phi}}}
+        springs: {s: {torsion: kt, between: [ground, b]}}
+        find: [{equilibria: all, within: {phi: [-7, 7]}}]
+    """)
+    count = value(scene, "equilibria")
+    assert count > 2
+    for i in range(1, count + 1):
+        phi = value(scene, f"equilibrium[phi][{i}]")
+        assert value(scene, f"K[phi,phi][{i}]") == pytest.approx(2 + 9.81 * float(mpmath.cos(phi)), rel=1e-9)
+        assert value(scene, f"M[1,1][{i}]") == pytest.approx(0.5)
+    with pytest.raises(PhysicsError, match="there is no equilibrium"):
+        value(scene, f"K[phi,phi][{count + 1}]")

@@ -1,0 +1,126 @@
+"""Quantities of damped modes: eigenvalues and what is read off them, and complex shapes."""
+
+from math import sqrt, tau
+from typing import TYPE_CHECKING
+
+from vibcli.base.errors import NotInLetters, PhysicsError
+from vibcli.language.signals import coordinate_name
+from vibcli.quantities.modal import along, counted, in_letters, largest, of_shape, one_degree, ten
+from vibcli.quantities.quantity import COMPLEX, PERIOD, Declaration
+
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.damped_modes import DampedMode
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.syntax import QuantityRef
+
+SHAPE = 1e-11       # relative, of an amplitude in a shape
+
+
+def _pair(problem: "Problem", tree: "QuantityRef") -> "list[DampedMode]":
+    """The damped modes of an index, two where it is over-damped; a scene without dampers has none."""
+    modes, number = problem.modal.damped, int(tree.indices[0])
+    if modes is None:
+        raise PhysicsError("nothing damps this scene: it has no damped modes", "add a damper")
+    found = [mode for mode in modes if mode.index == number]
+    if not found:
+        raise PhysicsError(f"there is no damped mode {number}: this scene has "
+                           f"{counted(modes[-1].index, 'damped mode')}", "ask for one that it has")
+    return found
+
+
+def _of_damped(attribute, words):
+    def value(problem, tree, args):
+
+        mode = _pair(problem, tree)[0]
+        number = getattr(mode, attribute)
+        if number is None:
+            raise PhysicsError(f"damped mode {tree.indices[0]} has no {words}",
+                               "see `vibcli frequencies` for what it has")
+        of_decay, of_omega_d = mode.bounds
+        return float(number), of_omega_d if attribute == "omega_d" else of_decay
+    return value
+
+
+_zeta = _of_damped("zeta", "damping ratio")
+
+
+def _decrement(problem, tree, args):
+    zeta, error = _zeta(problem, tree, args)
+    if not zeta < 1:
+        raise PhysicsError(f"damped mode {tree.indices[0]} does not oscillate: it has no logarithmic decrement",
+                           f"ask for decay[{tree.indices[0]}]")
+    return tau * zeta / sqrt((1 - zeta) * (1 + zeta)), 4 * error
+
+
+def _period(problem, tree, args):
+    mode, number = _pair(problem, tree)[0], tree.indices[0]
+    if not mode.omega_d:
+        raise PhysicsError(f"damped mode {number} does not oscillate: it has no period", f"ask for decay[{number}]")
+    omega_d, error = _of_damped("omega_d", "period")(problem, tree, args)
+    return tau / omega_d, error
+
+
+def _eigenvalue(problem, tree, args):
+    """λ, of two real ones the first or that which is asked for."""
+    modes = _pair(problem, tree)
+    i, which = tree.indices[0], int(tree.indices[1]) if tree.indices[1:] else 1
+    if which > len(modes):
+        what, hint = (("oscillates: its eigenvalues are a conjugate pair", f"ask for re and im of eigenvalue[{i}]")
+                      if modes[0].omega_d else ("has one real eigenvalue", f"ask for eigenvalue[{i}]"))
+        raise PhysicsError(f"damped mode {i} {what}", hint)
+    mode = modes[which - 1]
+    return complex(mode.eigenvalue) if mode.omega_d else float(mode.eigenvalue.real), mode.error
+
+
+def _shape(problem, tree, args):
+    signal = coordinate_name(problem.spec, tree.indices[1]) or tree.indices[1]
+    amplitude = complex(along(problem, problem.modal.shape(_pair(problem, tree)[0]), signal))
+    return amplitude if amplitude.imag else amplitude.real, SHAPE
+
+
+def _omega_d(m, c, k, omega, table):
+    from vibcli.symbolic.normal_form import textbook
+
+    return table.sqrt(textbook(k / m - c * c / (4 * m * m)))
+
+
+def _eigenvalue_in_letters(problem, tree):
+    """−δ ± √(δ² − ω²), −K/C without inertia."""
+    from vibcli.symbolic.normal_form import textbook
+
+    if tree.indices not in (("1", "1"), ("1", "2")):
+        raise NotInLetters(f"'{tree.text}' is found in numbers", "ask for eigenvalue[1,1] or eigenvalue[1,2]")
+    m, c, k = one_degree(problem)
+    if m.is_zero and not c.is_zero and tree.indices[1] == "1":
+        return textbook(-k / c)
+    if m.is_zero or not problem.scene.number(c / m) > 0:
+        raise NotInLetters(f"'{tree.text}' is found in numbers")
+    delta = textbook(c / (2 * m))
+    root = problem.scene.table.sqrt(textbook(delta * delta - k / m))
+    return root - delta if tree.indices[1] == "1" else -root - delta
+
+
+QUANTITIES = {
+    "zeta": Declaration(
+        "damping ratio of damped mode i, by ascending |λ|", "1", _zeta, ("mode",), size=ten, several=True,
+        symbolic=in_letters(lambda m, c, k, omega, table: c / (2 * m * omega))),
+    "omega_d": Declaration(
+        "damped angular frequency of damped mode i", "rad/s", _of_damped("omega_d", "damped frequency"), ("mode",),
+        size=largest, several=True, symbolic=in_letters(_omega_d)),
+    "period_d": Declaration(
+        "period 2π/ω_d of damped mode i", "s", _period, ("mode",), several=True, kind=PERIOD,
+        symbolic=in_letters(lambda m, c, k, omega, table: 2 * table.pi / _omega_d(m, c, k, omega, table))),
+    "decay": Declaration(
+        "decay ζω of damped mode i: −Re λ, or −(λ₁ + λ₂)/2 where it is over-damped", "1/s",
+        _of_damped("decay", "decay"), ("mode",), size=largest, several=True),
+    "eigenvalue": Declaration(
+        "eigenvalue λ = −δ + i ω_d of damped mode i: use re, im, abs or arg of it; of an over-damped one j is 1 or 2, "
+        "of its two real eigenvalues by ascending |λ|", "1/s", _eigenvalue, ("mode", "root"), kind=COMPLEX, spare=1,
+        several=True, symbolic=_eigenvalue_in_letters),
+    "mode_d": Declaration(
+        "complex amplitude φ of a coordinate or signal in damped mode i, q = Re φ e^{λt}, the first coordinate that "
+        "moves being 1: use re, im, abs or arg of it", None, _shape, ("mode", "signal"), size=ten, kind=COMPLEX,
+        dimension=of_shape),
+    "decrement[]": Declaration("logarithmic decrement of damped mode i, 2πζ/√(1 − ζ²)", "1", _decrement, ("mode",),
+                               several=True),
+}

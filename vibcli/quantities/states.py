@@ -1,0 +1,66 @@
+"""Matrices and generalised forces at an instant of a motion (mechanics/state_functions.py)."""
+
+from vibcli.language.signals import coordinate_name
+from vibcli.quantities.matrices import coordinate_number
+from vibcli.quantities.matrices import dimension as entry_dimension
+from vibcli.quantities.quantity import ERROR, ROUNDING, Declaration
+from vibcli.quantities.response import at_instant
+from vibcli.quantities.signal_dimensions import generalised_dimension
+
+
+def _node(problem, tree):
+    from vibcli.mechanics.state_functions import entry, force
+
+    numbers = [coordinate_number(problem, index) for index in tree.indices]
+    return force(problem.scene, *numbers) if tree.head == "Q" else entry(problem.scene, tree.head, *numbers)
+
+
+def _value(problem, tree, args):
+    found, error = _at(problem, _node(problem, tree), args[0])
+    return float(found), min(1.0, max(ERROR if args[0] else ROUNDING, error / (abs(found) or 1e-300)))
+
+
+def _at(problem, node, time):
+    """(value, absolute error bound) of a function of the state at an instant; no motion is followed to its start."""
+    from vibcli.symbolic.evaluation import Floats, evaluate
+    from vibcli.symbolic.expression_graph import reachable
+
+    if not time and not any(part.name == "sign" for part in reachable([node])):
+        return evaluate([node], Floats, _start(problem))[0], 0.0
+    signal = problem.response.state_signal(node)
+    return at_instant(signal, time), signal.error(time)
+
+
+def _start(problem):
+    """{symbol: float} of the state at t = 0."""
+    numeric, (places, speeds) = problem.numeric, problem.response.start
+    drawn = numeric.drawn_floats
+    closed = numeric.closed_at_start(drawn, {**drawn, **places})
+    rates = {name + "'": speed for name, speed in speeds.items()}
+    return {**numeric.floats, problem.scene.time.name: 0.0, **closed, **rates}
+
+
+def _size(problem, tree):
+    """The sum of the magnitudes of its terms."""
+    from vibcli.quantities.expression import number_of
+    from vibcli.symbolic.rationals import ONE
+
+    node, time = _node(problem, tree), number_of(problem, tree.args[0])
+    parts = node.args if node.op == "sum" else ((node, ONE),)
+    return sum(abs(float(c) * _at(problem, part, time)[0]) for part, c in parts)
+
+
+def _entry(about):
+    return Declaration(about, None, _value, ("coordinate", "coordinate"), ("time",), dimension=entry_dimension,
+                       size=_size)
+
+
+QUANTITIES = {
+    "M()": _entry("entry of the mass matrix at an instant of the motion"),
+    "C()": _entry("entry ∂²Φ/∂q̇∂ṙ of the damping matrix at an instant"),
+    "K()": _entry("tangent stiffness −∂Q/∂r at an instant, Q being Q[q](2 s)"),
+    "Q()": Declaration(
+        "generalised force −∂V/∂q + Σ F ∂s/∂q of springs, weights and loads as they act at an instant, without dampers "
+        "and inertia", None, _value, ("coordinate",), ("time",),
+        dimension=lambda spec, tree: generalised_dimension(spec, coordinate_name(spec, tree.indices[0])), size=_size),
+}
