@@ -20,7 +20,9 @@ if TYPE_CHECKING:
 
 class Configuration:
     """A NumericSystem at the equilibrium next to the drawn position, or at one that is given, with its linear system
-    if that is; `final`: no more digits of this are to be had."""
+    if that is; `final`: no more digits of this are to be had. arithmetic: of what is evaluated about it."""
+
+    arithmetic: Any = Floats
 
     def __init__(self, numeric: NumericSystem, equilibrium: Any = None, linear_system: Any = None, final: bool = False):
         self.numeric, self.system, self.spec, self.work = numeric, numeric.system, numeric.spec, numeric.work

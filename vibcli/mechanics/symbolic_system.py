@@ -1,12 +1,12 @@
 """The small oscillations of a scene in letters: equilibrium, matrices, excitation, equations of motion."""
 
 from contextlib import suppress
-from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters
 from vibcli.base.stage import Stage
+from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
@@ -154,7 +154,7 @@ class SymbolicSystem:
         if self.linearisable or self.numeric.has_free_symbols:
             return scene.drawn_position
         values = self.configuration.equilibrium.values
-        return {q: scene.table.number(Fraction(values[q.name])) for q in scene.drawn}
+        return {q: scene.table.number(fraction_of(values[q.name])) for q in scene.drawn}
 
     @Stage
     def energies(self) -> "dict[str, Node]":

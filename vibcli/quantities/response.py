@@ -4,6 +4,7 @@ from math import isfinite
 from typing import Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.quantities.precise_numbers import settled
 from vibcli.quantities.quantity import ERROR, NUMBER, OF_SIGNAL, PERIOD, SIGNAL, Declaration, declared, one
 from vibcli.symbolic.syntax import QuantityRef
 
@@ -13,7 +14,7 @@ def _measured(number):
     def value(problem, tree, args):
         try:
             found = number(problem, tree, args)
-            return found, max(ERROR, _doubt(problem, tree, args, found))
+            return settled(problem, tree, found, max(ERROR, _doubt(problem, tree, args, found)))
         except PhysicsError as error:
             if error.hint and "(x)" in error.hint:
                 raise error.told(hint=error.hint.replace("(x)", f"({_found(problem, tree)})")) from None

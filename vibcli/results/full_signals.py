@@ -4,7 +4,8 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
-from vibcli.results.signals import ComposedSignal, Signal, require_finite
+from vibcli.results.signal import Signal, require_finite
+from vibcli.results.signals import ComposedSignal
 from vibcli.symbolic.evaluation import evaluate
 
 if TYPE_CHECKING:

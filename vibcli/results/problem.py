@@ -162,7 +162,7 @@ class Problem:
             from vibcli.results.full_response import FullResponse
 
             return FullResponse(self)
-        return responses.SmallResponse(self)
+        return responses.SmallResponse(self, _precise_response)
 
     def symbolic_frequency_response(self, signal: "LinearSignal", driver: str, frequency: "str | Node" = "Omega"):
         """The Formula of a frequency response; `frequency`: its letter, or an expression for it."""
@@ -183,3 +183,9 @@ class Problem:
         if (signal, driver) not in self._curves:
             self._curves[signal, driver] = FrequencyResponse(self, signal, driver)
         return self._curves[signal, driver]
+
+
+def _precise_response(problem):
+    from vibcli.results.precise_response import PreciseResponse
+
+    return PreciseResponse(problem)

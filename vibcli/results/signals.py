@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Work
+from vibcli.results.signal import Signal, part_of, require_finite
 from vibcli.symbolic.evaluation import evaluate
 
 if TYPE_CHECKING:
@@ -21,50 +22,12 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 
-def require_finite(values: "np.ndarray", times: "np.ndarray") -> "np.ndarray":
-    """The values; PhysicsError where one is no real number."""
-    import numpy as np
-
-    bad = ~np.isfinite(values)
-    if bad.any():
-        instant = np.asarray(times)[bad][0]
-        raise PhysicsError(f"this signal has no finite real value at t = {instant:.6g} s",
-                           "mind its divisors and what stands under roots and in logarithms")
-    return values
-
-
-class Signal:
-    """A function of the time. What a kind of signal does not have is refused by the name of that kind."""
-
-    KIND, period = "a signal", None
-
-    def error(self, t: float) -> float:
-        """How far its value at an instant may be off; 0 where that is rounding."""
-        return 0.0
-
-    def error_of_time(self, t: float) -> float:
-        """How far an instant that was searched may be off [s]."""
-        return 0.0
-
-    @property
-    def steady(self):
-        raise PhysicsError(f"{self.KIND} has no steady part that is found", "ask for max(x), min(x) or values in time")
-
-    @property
-    def transient(self):
-        raise PhysicsError(f"{self.KIND} has no transient part that is found",
-                           "ask for max(x), min(x) or values in time")
-
-    @property
-    def envelope(self):
-        raise PhysicsError(f"{self.KIND} has no envelope that is found", "ask for max(x), min(x) or values in time")
-
-
 class LinearSignal(Signal):
-    """A linear output of a linear motion. part: "steady" or "transient" where it is that of another."""
+    """A linear output of a linear motion. part: "steady" or "transient" where it is that of another; source: the
+    response and the tree it was asked as, and the parts of that which it is."""
 
-    def __init__(self, motion: "LinearMotion", output: "LinearOutput", part: str = ""):
-        self.motion, self.output, self.part = motion, output, part
+    def __init__(self, motion: "LinearMotion", output: "LinearOutput", part: str = "", source: tuple = ()):
+        self.motion, self.output, self.part, self.source = motion, output, part, source
 
     def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
         return self.motion.values(self.output, times, order)
@@ -89,6 +52,14 @@ class LinearSignal(Signal):
         end = min(end, start + (self.period or end))      # later ones are the same but for rounding
         return self.motion.extreme(self.output, start, end, "max" if sense > 0 else "min")
 
+    def rivals(self, start: float, end: float, sense: int, margin: float) -> list[float]:
+        """The instants at which it comes within a margin of its largest or smallest value."""
+        from vibcli.analyses.transient.extremes import rivals
+
+        end = min(end, start + (self.period or end))
+        return rivals(self.motion.pieces(end), self.output, start, end, "max" if sense > 0 else "min", margin,
+                      self.motion.work)
+
     def zeros(self, start: float, end: float) -> "np.ndarray":
         return self.motion.zeros(self.output, start, end)
 
@@ -97,11 +68,11 @@ class LinearSignal(Signal):
 
     @cached_property
     def steady(self) -> "LinearSignal":
-        return LinearSignal(self.motion.steady, self.output, "steady")
+        return LinearSignal(self.motion.steady, self.output, "steady", part_of(self.source, "steady"))
 
     @cached_property
     def transient(self) -> "LinearSignal":
-        return LinearSignal(self.motion.transient, self.output, "transient")
+        return LinearSignal(self.motion.transient, self.output, "transient", part_of(self.source, "transient"))
 
     @cached_property
     def envelope(self) -> "Envelope":
@@ -136,9 +107,9 @@ class ComposedSignal(Signal):
     KIND = "a signal composed of others"
 
     def __init__(self, node: "Node", signals: Mapping[str, LinearSignal], floats: Mapping[str, Any], time: "Node",
-                 closing: Any = None, work: Work | None = None):
+                 closing: Any = None, work: Work | None = None, source: tuple = ()):
         self.node, self.signals, self.floats, self.time, self.closing = node, signals, floats, time, closing
-        self.work = work or Work()
+        self.work, self.source = work or Work(), source
 
     def values(self, times: Any, order: int = 0) -> "np.ndarray":
         from vibcli.symbolic.array_arithmetic import Arrays
@@ -174,6 +145,14 @@ class ComposedSignal(Signal):
         except KeyError:
             return SampledSearch(self.values, start, end, self.work).extreme(sense)
 
+    def rivals(self, start: float, end: float, sense: int, margin: float) -> list[float]:
+        """The instants at which it comes within a margin of its largest or smallest value; KeyError where it holds what
+        has no known bounds."""
+        from vibcli.analyses.transient.extremes import rivals
+
+        end = min(end, start + (self.period or end))
+        return rivals(self.along(end), None, start, end, "max" if sense > 0 else "min", margin, self.work)
+
     def zeros(self, start: float, end: float) -> list[float]:
         """Instants at which the signal passes or touches zero."""
         from vibcli.analyses.transient.sampled_extremes import SampledSearch
@@ -205,7 +184,7 @@ class ComposedSignal(Signal):
     def steady(self):
         self._require_no_time("steady state")
         return ComposedSignal(self.node, {name: signal.steady for name, signal in self.signals.items()}, self.floats,
-                              self.time, work=self.work)
+                              self.time, work=self.work, source=part_of(self.source, "steady"))
 
     def _require_no_time(self, what):
         if self.node.mask & self.time.mask or self.closing is not None:
@@ -224,7 +203,8 @@ class ComposedSignal(Signal):
                 instead[symbol] = table.variable(f"steady {symbol.name}")
                 signals[f"steady {symbol.name}"] = self.steady.signals[symbol.name]
         node = self.node - substitute([self.node], instead)[0]
-        return TransientOfComposed(node, signals, self.floats, self.time, work=self.work)
+        return TransientOfComposed(node, signals, self.floats, self.time, work=self.work,
+                                   source=part_of(self.source, "transient"))
 
 
 class TransientOfComposed(ComposedSignal):

@@ -1,12 +1,11 @@
 """Signals as LinearOutputs of the response methods, each with the channel of what drives it directly."""
 
-from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.excitation.linear_output import LinearOutput
 from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction, rate
 from vibcli.mechanics.inputs_outputs.outputs import linear_row, squares
-from vibcli.symbolic.rationals import ONE
+from vibcli.symbolic.rationals import ONE, fraction_of
 
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
@@ -58,4 +57,4 @@ def _direct(opened, row):
 
 
 def _number(scene, value):
-    return scene.table.number(Fraction(value))
+    return scene.table.number(fraction_of(value))

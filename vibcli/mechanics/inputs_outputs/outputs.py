@@ -12,7 +12,7 @@ from vibcli.language.signals import ENERGIES
 from vibcli.mechanics.inputs_outputs.displacements import displacement
 from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction, combined, rate
 from vibcli.mechanics.support_forces import on_the_ground, weighted_rates
-from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.evaluation import evaluate
 
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
@@ -61,7 +61,7 @@ def squares(configuration: "Configuration", text: str) -> list[tuple[float, Line
     if part == "power":
         return weighted_rates(opened, name)
     terms = opened.scene.terms_of(name, "springs")
-    stiffnesses = evaluate([term.weight for term in terms], Floats, opened.values)
+    stiffnesses = evaluate([term.weight for term in terms], opened.arithmetic, opened.values)
     if not all(stiffnesses):
         raise PhysicsError(f"'{name}' has no stiffness: its energy is not a square of its force",
                            f"ask for {name}.force")

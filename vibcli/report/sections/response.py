@@ -2,6 +2,7 @@
 as data."""
 
 from collections.abc import Iterator
+from contextlib import suppress
 from math import inf
 from typing import TYPE_CHECKING, Any
 
@@ -15,14 +16,17 @@ from vibcli.report.blocks import Name, Section, TableBlock, line, maths, paragra
 from vibcli.report.keys import Key, data
 from vibcli.report.sections.requested_signals import RequestedSignal, extremes, if_fixed, names_asked, signals_asked
 from vibcli.report.sections.steady_state import harmonics_of, phase_in, steady_state
-from vibcli.symbolic.syntax import NameRef
 
 if TYPE_CHECKING:
     from fractions import Fraction
 
+    import mpmath
+
     from vibcli.report.document import Report
     from vibcli.report.wanted import Wanted
+    from vibcli.results.escalation import BoundedExtreme
     from vibcli.results.problem import Problem
+    from vibcli.results.signal import Signal
 
 MOST_LINES = 16         # of what drives a motion
 NOT_FIXED = "not fixed by statics"
@@ -65,7 +69,7 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
     known = known_until(motion, report.wanted)
     yield from _at_instants(problem, asked, report.wanted, known)
     if not at_instants_alone(motion, report.wanted):
-        yield from _extremes(asked, min(known, motion.until))
+        yield from _extremes(asked, min(known, motion.until), report.wanted.digits)
     missing = unknown(problem, report.wanted)
     if missing is not None:
         raise missing
@@ -109,20 +113,20 @@ def _at_instants(problem, asked, wanted, known):
 def value_at(problem: "Problem", one: RequestedSignal, t: "Fraction", digits: int | None = None) -> str:
     """A signal at an instant, as text."""
     if digits is None:
-        import numpy as np
+        from vibcli.results.escalation import value_of_signal
 
-        return supported(float(one.signal.values(np.array([float(t)]))[0]), one.signal.error(float(t)), 12)
-    import mpmath
-
-    from vibcli.results.high_precision_response import precise_value
-
+        return supported(*value_of_signal(one.signal, t), 12)
     if problem.response.KIND != "small":
         raise PhysicsError("--digits is for small motions: more digits of one that is "
                            f"{problem.response.WORDS} are not found", "leave --digits out")
-    if not isinstance(one.tree, NameRef) or one.tree.name not in problem.scene.coordinates:
-        raise PhysicsError(f"--digits is for coordinates: more digits of '{one.text}' are not found",
-                           "ask for --of " + problem.scene.coordinates[0])
-    return mpmath.nstr(precise_value(problem, one.tree.name, one.tree.primes, t, digits), digits, strip_zeros=False)
+    return precise_text(one.signal.precise(t, digits), digits)
+
+
+def precise_text(value: "mpmath.mpf", digits: int) -> str:
+    """A number with so many digits, as text."""
+    import mpmath
+
+    return mpmath.nstr(value, digits, strip_zeros=False)
 
 
 def _start(problem, motion, drive):
@@ -148,15 +152,24 @@ def _drive(problem, motion):
                             for i, node in motion.drive.items()), left_out(problem)
 
 
-def _extremes(asked, until):
+def _extremes(asked, until, digits):
     rows = []
     for one, *both in extremes(asked, until):
-        cells = [cell for t, value in both for cell in (
-            (NOT_FIXED, "") if value is None else
-            (supported(value, one.signal.error(t)), supported(t, one.signal.error_of_time(t))))]
+        cells = [cell for found, sense in zip(both, (1, -1), strict=True) for cell in (
+            (NOT_FIXED, "") if found is None else extreme_cells(one.signal, found, until, sense, digits))]
         rows.append((f"{one.label} [{one.unit}]".replace(" []", ""), *cells))
     yield from section(f"Extremes for 0 ≤ t ≤ {figure(until)} s",
                        TableBlock(("signal", "largest", "at t [s]", "smallest", "at t [s]"), tuple(rows)))
+
+
+def extreme_cells(signal: "Signal", found: "BoundedExtreme", until: float, sense: int,
+                  digits: int | None) -> tuple[str, str]:
+    """(value, instant) of an extreme as texts, with so many digits where they are asked for and found."""
+    if digits is not None:
+        with suppress(PhysicsError):
+            t, value = signal.precise_extreme(0.0, until, sense, digits)
+            return precise_text(value, digits), precise_text(t, digits)
+    return supported(found.value, found.error), supported(found.time, found.error_of_time)
 
 
 def response_data(problem: "Problem", wanted: "Wanted") -> dict[str, Any]:
@@ -167,10 +180,11 @@ def response_data(problem: "Problem", wanted: "Wanted") -> dict[str, Any]:
     instants = [_values(problem, one, wanted, known) for one in asked]
     alone = at_instants_alone(motion, wanted)
     end = None if alone else min(known, motion.until)
-    ends = [(one, (None, None), (None, None)) for one in asked] if alone else extremes(asked, end)
-    found = [SIGNALS.row(one.text, one.unit, most, late, least, early,
+    ends = [(one, None, None) for one in asked] if alone else extremes(asked, end)
+    found = [SIGNALS.row(one.text, one.unit, *(number for which in both for number in (
+                         (None, None) if which is None else (which.value, which.time))),
                          None if alone else _steady(motion, one.signal, wanted.phase), values)
-             for (one, (late, most), (early, least)), values in zip(ends, instants, strict=True)]
+             for (one, *both), values in zip(ends, instants, strict=True)]
     missing = unknown(problem, wanted)
     return data((*KNOWN, UNKNOWN), {
         "until": end, "initial": {} if alone else {**places, **{name + "'": v for name, v in speeds.items()}},
@@ -181,13 +195,13 @@ def response_data(problem: "Problem", wanted: "Wanted") -> dict[str, Any]:
 def _values(problem, one, wanted, known):
     """[(t, value)] at the instants asked for; with --digits as texts; None beyond what is known."""
     def value(t):
-        import numpy as np
+        from vibcli.results.escalation import value_of_signal
 
         if float(t) > known:
             return None
         if wanted.digits is not None:
             return value_at(problem, one, t, wanted.digits)
-        return if_fixed(lambda: float(one.signal.values(np.array([float(t)]))[0]))
+        return if_fixed(lambda: value_of_signal(one.signal, t)[0])
 
     return [(t, value(t)) for _, t in wanted.at]
 

@@ -1,0 +1,139 @@
+"""The steady state and the transient of a motion in more digits.
+
+After its last breakpoint a force Re(F e^{iΩτ}) keeps up q = Re((K + iΩ C − Ω² M)⁻¹ F e^{iΩτ}); under periodic forcing
+the state at the start of a period is that which a period repeats, (1 − Φ) y = what the period brings from rest.
+"""
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from mpmath import mp
+
+from vibcli.analyses.excitation.forcing import Forcing
+from vibcli.analyses.transient.descriptor_system import real
+from vibcli.analyses.transient.high_precision import PreciseMotion
+from vibcli.analyses.transient.time_shift import turned
+from vibcli.base.errors import PhysicsError
+
+if TYPE_CHECKING:
+    import mpmath
+
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+
+
+def steady_motion(motion: PreciseMotion) -> "PreciseMotion | SteadyWaves":
+    """What is reached, continued back to t = 0. It is asked for of motions that have a steady state alone."""
+    return SteadyWaves(motion) if motion.forcing.period is None else _repeating(motion)
+
+
+def _repeating(motion):
+    forcing = Forcing(motion.forcing.channels, turned(motion.forcing), motion.forcing.period)
+    size, bits, period = len(motion.start), mp.prec, motion.forcing.period
+
+    def after(start):
+        return list(motion._replace(forcing=forcing, start=start).at(period, bits, before=True).z[:size])
+
+    brought = after([mp.mpf(0)] * size)
+    columns = [[x - y for x, y in zip(after([mp.mpf(int(i == j)) for i in range(size)]), brought, strict=True)]
+               for j in range(size)]
+    kept = mp.matrix([[int(i == j) - columns[j][i] for j in range(size)] for i in range(size)])
+    return motion._replace(forcing=forcing, start=list(_solved(kept, brought)))
+
+
+def _solved(matrix, right):
+    try:
+        return mp.lu_solve(matrix, mp.matrix(right))
+    except ZeroDivisionError:
+        raise PhysicsError("a steady state beside which something vibrates freely at a frequency of the load is not "
+                           "found in more digits", "leave --digits out") from None
+
+
+class SteadyWaves:
+    """waves: [(s, Q, F)] of Re(Q e^{sτ}) and of the forces Re(F e^{sτ}) that keep it up, τ counted from `since`."""
+
+    def __init__(self, motion: PreciseMotion):
+        last = motion.forcing.segments(math.inf)[-1]
+        self.since, forces = real(last.start), {}
+        for wave in last.waves:
+            if not wave.exponent.real:
+                s, c = mp.mpc(0, wave.exponent.imag), mp.mpc(wave.coefficient)
+                s, c = (s.conjugate(), c.conjugate()) if s.imag < 0 else (s, c)
+                row = forces.setdefault(s.imag, np.zeros(motion.forcing.channels, object))
+                row[wave.channel] += c if s.imag else c.real
+        self.waves = [(mp.mpc(0, speed), kept_up(motion, mp.mpc(0, speed), row), row)
+                      for speed, row in sorted(forces.items())]
+
+    def breaks(self, until: float) -> "list[mpmath.mpf]":
+        """None."""
+        return []
+
+    def at(self, time: "mpmath.mpf", bits: int, before: bool = False) -> "WavesAt":
+        """The WavesAt a time; they do not jump."""
+        return WavesAt(self.waves, real(time) - self.since)
+
+    def phasors(self, output: "LinearOutput") -> "list[tuple[mpmath.mpf, mpmath.mpc]]":
+        """[(Ω, X)] with Re Σ X e^{iΩt} the output but for its constant, Ω ascending."""
+        return [(s.imag, amplitude(output, s, Q, F) * mp.expj(-s.imag * self.since)) for s, Q, F in self.waves]
+
+
+def kept_up(motion: PreciseMotion, s: "mpmath.mpc", forces: Any) -> "list[mpmath.mpc]":
+    """Q of q = Re(Q e^{st}) under the forces Re(F e^{st}) on the coordinates."""
+    n, (M, C, K) = motion.n, motion.matrices
+    if not any(forces[:n]):
+        return [mp.mpf(0)] * n
+    dynamic = mp.matrix([[(real(M[i][j]) * s + real(C[i][j])) * s + real(K[i][j]) for j in range(n)] for i in range(n)])
+    return list(_solved(dynamic, [mp.mpmathify(x) for x in forces[:n]]))
+
+
+def amplitude(output: "LinearOutput", s: "mpmath.mpc", Q: Any, F: Any) -> "mpmath.mpc":
+    """The complex amplitude of an output of q = Re(Q e^{st}) under the forces Re(F e^{st}), without its constant."""
+    parts = ((output.q, 1), (output.v, s), (output.a, s * s))
+    return mp.fsum([real(x) * factor * Q[i] for rows, factor in parts for i, x in rows.items()]
+                   + [real(x) * F[channel] for channel, x in output.channels.items()])
+
+
+class WavesAt:
+    """SteadyWaves at an instant, read like a PreciseState."""
+
+    def __init__(self, waves: Any, tau: "mpmath.mpf"):
+        self.waves, self.tau = waves, tau
+
+    def later(self, by: "mpmath.mpf") -> "WavesAt":
+        """The same a little later."""
+        return WavesAt(self.waves, self.tau + by)
+
+    def read(self, output: "LinearOutput", order: int = 0) -> "mpmath.mpf":
+        """The order-th derivative of an output."""
+        terms = [amplitude(output, s, Q, F) * s**order * mp.exp(s * self.tau) for s, Q, F in self.waves]
+        return mp.re(mp.fsum(terms)) + (real(output.constant) if not order else 0)
+
+
+class TransientMotion:
+    """A motion less its steady state."""
+
+    def __init__(self, motion: PreciseMotion):
+        self.whole, self.steady = motion, steady_motion(motion)
+
+    def breaks(self, until: float) -> "list[mpmath.mpf]":
+        """The instants up to a time at which the loads of either bend or jump."""
+        return [*self.whole.breaks(until), *self.steady.breaks(until)]
+
+    def at(self, time: "mpmath.mpf", bits: int, before: bool = False) -> "DifferenceAt":
+        """The DifferenceAt a time, as of PreciseMotion."""
+        return DifferenceAt(self.whole.at(time, bits, before), self.steady.at(time, bits, before))
+
+
+class DifferenceAt:
+    """The difference of two motions at an instant, read like a PreciseState."""
+
+    def __init__(self, whole: Any, steady: Any):
+        self.whole, self.steady = whole, steady
+
+    def later(self, by: "mpmath.mpf") -> "DifferenceAt":
+        """The same a little later."""
+        return DifferenceAt(self.whole.later(by), self.steady.later(by))
+
+    def read(self, output: "LinearOutput", order: int = 0) -> "mpmath.mpf":
+        """The order-th derivative of an output."""
+        return self.whole.read(output, order) - self.steady.read(output, order)
