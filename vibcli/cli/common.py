@@ -185,3 +185,7 @@ def require_quick(problem: "Problem", digits: int | None) -> None:
                                f"digits, or allow more with --patience {ceil(steps / MOST)}")
 
 
+def with_digits(problems: "Sequence[tuple[Any, Problem]]", digits: int | None) -> "list[tuple[Any, Problem]]":
+    """The same, their motions of the full equations followed to so many digits."""
+    return [(case, problem.with_digits(digits) if digits and problem.spec.get("motion") == "full" else problem)
+            for case, problem in problems]

@@ -14,9 +14,13 @@ from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef, Power, QuantityRef, Sum
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
+    import mpmath
     import numpy as np
 
     from vibcli.analyses.time_integration.trajectory import Trajectory
+    from vibcli.results.motion_in_series import MotionInSeries
     from vibcli.results.problem import Problem
     from vibcli.results.shared_friction import SharedFriction
     from vibcli.symbolic.node import Node
@@ -104,6 +108,17 @@ class FullResponse(StatesInTime):
 
             self._trajectory = known_motion(self.problem.configuration, until, self.problem.initial.given)
         return self._trajectory
+
+    @cached_property
+    def precise(self) -> "MotionInSeries":
+        """The same motion to any number of digits."""
+        from vibcli.results.motion_in_series import MotionInSeries
+
+        return MotionInSeries(self.problem)
+
+    def value_to(self, node: "Node", time: "Fraction", digits: int) -> "mpmath.mpf":
+        """An expression of coordinates, their rates and the time at an instant, to so many correct digits."""
+        return self.precise.value(node, time, digits)
 
     @property
     def known(self):

@@ -9,6 +9,9 @@ from vibcli.results.signals import ComposedSignal
 from vibcli.symbolic.evaluation import evaluate
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
+    import mpmath
     import numpy as np
 
     from vibcli.results.shared_friction import SharedFriction
@@ -32,6 +35,13 @@ class FullSignal(Signal):
 
         times = np.asarray(times, dtype=float)
         return self._along(self.motion.reaching(times.max(initial=0.0)), times)
+
+    def precise(self, t: "Fraction", digits: int) -> "mpmath.mpf":
+        """The value at an instant, correct to so many digits."""
+        if self.forces:
+            raise PhysicsError("more digits of forces of constraints, supports and drives are not found along a motion",
+                               "ask for coordinates, or for forces of springs and dampers")
+        return self.motion.value_to(self.node, t, digits)
 
     def error(self, t: float) -> float:
         trajectory = self.motion.reaching(t)

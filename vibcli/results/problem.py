@@ -158,6 +158,10 @@ class Problem:
         kind = self.spec.get("motion")
         if kind is None and self.scene.laws:
             raise responses.nonlinear(self.spec, self.scene.laws[0].owner)
+        if kind == "full" and self.digits is not None:
+            from vibcli.results.series_response import SeriesResponse
+
+            return SeriesResponse(self)
         if kind == "full":
             from vibcli.results.full_response import FullResponse
 

@@ -116,9 +116,6 @@ def value_at(problem: "Problem", one: RequestedSignal, t: "Fraction", digits: in
         from vibcli.results.escalation import value_of_signal
 
         return supported(*value_of_signal(one.signal, t), 12)
-    if problem.response.KIND != "small":
-        raise PhysicsError("--digits is for small motions: more digits of one that is "
-                           f"{problem.response.WORDS} are not found", "leave --digits out")
     return precise_text(one.signal.precise(t, digits), digits)
 
 
