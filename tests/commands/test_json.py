@@ -20,6 +20,7 @@ DAMPED = ["index", "eigenvalue", "omega", "zeta", "omega_d", "omega_d_where", "d
 FREQUENCIES = {"title", "coordinates", "equilibrium", "matrices", "modes", "damped"}
 KEYS = {"solve": FREQUENCIES | {"energies", "equations"}, "frequencies": FREQUENCIES,
         "equations": {"title", "coordinates", "energies", "equations", "matrices"}}
+STATICS = {"title", "coordinates", "reactions"}     # of a scene without freedom
 
 SCENE = """
 title: Two cars
@@ -67,6 +68,9 @@ def numbers(data):
 def well_formed(data, command):
     optional = {"cases", "characteristic_polynomial", "chosen", "closed_forms", "equilibria", "frequency_response",
                 "insight", "remark", "response", "search"}
+    if not data["coordinates"]:
+        assert set(data) == STATICS and data["reactions"]
+        return
     assert set(data) - optional == KEYS[command]
     n = len(data["coordinates"])
     assert all(list(entry) == EQUATIONS for entry in data.get("equations", ()))

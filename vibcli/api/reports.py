@@ -12,6 +12,7 @@ from vibcli.report.wanted import Wanted
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
+STATICS = ("given", "chosen", "coordinates", "reactions")       # of a scene without freedom
 SLOPES = ("frequencies", "modes", "damping", *OF_MODES)       # what needs a slope of the forces
 FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",),
             "equilibrium": ("equilibrium", "virtual_work"), "frequencies": ("frequencies",), "modes": ("modes",),
@@ -21,10 +22,19 @@ FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",),
 def solution(problem: "Problem", insight: bool = False) -> Sequence[str]:
     """The sections of the solution of a scene: all that is cheap, or what its `find` asks for."""
     wanted = problem.spec.get("find")
+    if wanted is None and problem.scene.held:
+        return STATICS
     if wanted is None:
         return EVERYTHING + INSIGHT * insight
     asked = {"given", "chosen", "coordinates", *INSIGHT * insight} | {s for word in wanted for s in FOUND_BY[word]}
+    if problem.scene.held and "equations" in asked:
+        asked = asked - set(FOUND_BY["equations"]) | set(STATICS)
     return [s for s in EVERYTHING + ON_REQUEST if s in asked]
+
+
+def derivation(problem: "Problem") -> Sequence[str]:
+    """The sections of the energies and equations of motion; of the conditions of equilibrium where nothing moves."""
+    return STATICS[1:] if problem.scene.held else ("chosen", "coordinates", *FOUND_BY["equations"])
 
 
 def illustrated(sections: Sequence[str]) -> list[str]:
@@ -45,6 +55,10 @@ def data(problem: "Problem", parts: Sequence[str], normalise: str, digits: int |
         from vibcli.report.sections.design_parameters import CHOSEN
 
         found |= keys.data([CHOSEN], problem)
+    if problem.scene.held and not set(sections).intersection(SLOPES):
+        from vibcli.report.sections.statics import REACTIONS
+
+        return found | keys.data([REACTIONS], problem)
     if "frequencies" in parts:
         found |= _frequencies(problem, parts, normalise, digits, sections)
     if "equilibria" in sections:

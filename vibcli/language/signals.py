@@ -8,7 +8,7 @@ from vibcli.language.reader import Record
 if TYPE_CHECKING:
     from vibcli.language.spec import Spec
 
-POINT = {"x": "m", "y": "m", "reaction.x": "N", "reaction.y": "N"}
+POINT = {"x": "m", "y": "m", "reaction.x": "N", "reaction.y": "N", "reaction.moment": "N*m"}
 BODY = {"x": "m", "y": "m", "angle": "rad", "reaction.x": "N", "reaction.y": "N", "reaction.moment": "N*m",
         "normal": "N", "friction": "N"}
 CONTACT = ("normal", "friction")
@@ -33,9 +33,9 @@ ABOUT = (
                      "scenes; ground.moment of torsion; ground.force.x, .y of scenes in the plane"),
     ("hoist.force", "tension of a rope (hoist.force.1, .2 where it is in several pieces) or link; tangential force of "
                     "gears and belts; force on a point from its surface; knee.force.x of a join, on its second point"),
-    ("B.reaction.x, .y, .moment", "what the support (pin, guide, contact) exerts on a body, its moment about the pin "
-                                  "or mass centre, of what rolls about the centre of its circle; O.reaction.x of the "
-                                  "one body pinned at a point O"),
+    ("B.reaction.x, .y, .moment", "what the support (pin, guide, contact, clamp) exerts on a body, its moment about "
+                                  "the pin, clamp or mass centre, of what rolls about the centre of its circle; "
+                                  "O.reaction.x of the one body pinned or clamped at a point O"),
     ("B.drive", "force or moment of what prescribes the motion of a body, along that motion: `crank.drive(1 s)` of "
                 "`pin: Omega*t`; of `move` B.drive.x, .y, .moment, of a point that `moves` P.drive.x, .y. Times the "
                 "prescribed velocity it is the power of the drive"),

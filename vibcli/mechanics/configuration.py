@@ -69,6 +69,8 @@ class Configuration:
         from vibcli.mechanics.equilibrium import equilibrium
 
         numeric = self.numeric
+        if self.scene.held:
+            return equilibrium.Equilibrium(numeric.drawn_floats, True, 0.0)
         if self.system.named_start:
             from vibcli.mechanics.equilibrium.nearest import nearest_equilibrium
 

@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING, Any
 
+from vibcli.base.enumeration import listed
 from vibcli.base.errors import NotFixed, PhysicsError
 from vibcli.language.signals import ENERGIES
 from vibcli.mechanics.energies import dissipation, kinetic, potential, potential_as_drawn
@@ -10,10 +11,14 @@ from vibcli.mechanics.inputs_outputs.displacements import displacement
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.system import MechanicalSystem
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
+
+MOST_NAMED = 6      # forces that share a load
 
 
 def moving(system: "MechanicalSystem", text: str, primes: int = 0) -> "Node":
@@ -77,8 +82,17 @@ def force(configuration: "Configuration", text: str) -> float:
         return in_contact(part, normal, [known[f"{name}.reaction.{axis}"] for axis in "xy"])
     text = reaction_of(configuration.system, text, known)
     if known[text] is None:
-        raise NotFixed(text)
+        raise not_fixed(text, known)
     return known[text]
+
+
+def not_fixed(text: str, known: "Mapping[str, Any]") -> NotFixed:
+    """The refusal of a force in equilibrium that is one of those without value among {signal: value}, which share."""
+    others = [signal for signal, value in known.items() if value is None and signal != text]
+    verb = "shares" if len(others) == 1 else "share"
+    shared = f": {listed(others[:MOST_NAMED])} {verb} the load with it" if others else ""
+    return NotFixed(text, "the scene is supported by more than it needs" + shared,
+                    "take one of these supports out, or let one give: a spring in its place")
 
 
 def _of_outputs(configuration, text):
@@ -116,12 +130,13 @@ def require_fixed(text: str, value: Any):
 
 
 def _pinned_at(system, point):
-    """The one body pinned at a named point."""
+    """The one body pinned or clamped at a named point."""
     found = [name for name, record in (system.spec.get("bodies") or {}).items()
-             if getattr((record.get("pin") or {}).get("at"), "text", None) == point]
+             if any(getattr((record.get(key) or {}).get("at"), "text", None) == point for key in ("pin", "clamp"))]
     if len(found) != 1:
         what = "no body is" if not found else "several bodies are"
-        raise PhysicsError(f"{what} pinned at '{point}'", "ask for the reaction of a body, as in rod.reaction.x")
+        raise PhysicsError(f"{what} pinned or clamped at '{point}'",
+                           "ask for the reaction of a body, as in rod.reaction.x")
     return found[0]
 
 

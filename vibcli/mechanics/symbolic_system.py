@@ -10,6 +10,7 @@ from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.inputs_outputs.symbolic_reactions import SymbolicForces
     from vibcli.mechanics.lagrange import EquationsOfMotion
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
@@ -155,6 +156,17 @@ class SymbolicSystem:
             return scene.drawn_position
         values = self.configuration.equilibrium.values
         return {q: scene.table.number(fraction_of(values[q.name])) for q in scene.drawn}
+
+    @cached_property
+    def reactions(self) -> "SymbolicForces":
+        """The SymbolicForces in equilibrium, of a scene whose equilibrium is the drawn position; else NotInLetters."""
+        from vibcli.mechanics.inputs_outputs.symbolic_reactions import symbolic_forces
+
+        if not self.scene.held and (self.system.sticking is not None or not self.balanced_as_drawn):
+            raise NotInLetters("reactions in an equilibrium that is not the drawn position are found in numbers",
+                               "draw it in equilibrium, or give numbers with --set")
+        with self.work.task("the reactions in letters"):
+            return symbolic_forces(self.numeric)
 
     @Stage
     def energies(self) -> "dict[str, Node]":

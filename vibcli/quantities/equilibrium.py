@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.base.units import LENGTH
-from vibcli.language.signals import coordinate_name, signal_dimension
+from vibcli.language.signals import CONTACT, coordinate_name, is_reaction, signal_dimension
 from vibcli.quantities.matrices import coordinate_number
 from vibcli.quantities.quantity import COUNT, FUNCTION, ROUNDING, TRUTH, Declaration
 from vibcli.quantities.signal_dimensions import generalised_dimension, name_dimension
@@ -59,6 +59,8 @@ def _in_letters(problem, tree):
     node = displacement(scene, text)
     if node is None and part == "force" and name in (problem.spec.get("springs") or {}):
         node = scene.force_of(name)
+    if node is None and is_reaction(problem.spec, text) and part.partition(".")[0] not in CONTACT:
+        return _force_in_letters(problem, text)
     if node is None:
         raise NotInLetters(f"'{text}' in equilibrium is found in numbers")
     values, zero = problem.symbolic.equilibrium_position, scene.table.zero
@@ -67,6 +69,17 @@ def _in_letters(problem, tree):
     if found.mask:
         raise NotInLetters(f"'{text}' in equilibrium is found in numbers")
     return textbook(found)
+
+
+def _force_in_letters(problem, text):
+    """The force of a constraint or support."""
+    from vibcli.mechanics.signals import not_fixed, reaction_of
+
+    known = problem.symbolic.reactions.values
+    text = reaction_of(problem.system, text, known)
+    if known[text] is None:
+        raise not_fixed(text, known)
+    return known[text]
 
 
 def _size(problem, tree):

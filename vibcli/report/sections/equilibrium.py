@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.errors import Kinked, PhysicsError
 from vibcli.notation.numbers import figure, quantity
-from vibcli.report.blocks import Name, Words, equations, line, maths, paragraph, section, separated
+from vibcli.report.blocks import Name, Paragraph, Words, equations, line, maths, paragraph, section, separated
 from vibcli.report.keys import Key
 from vibcli.symbolic.rationals import ONE
 
@@ -26,7 +26,7 @@ def equilibrium(problem: "Problem", _: "Report"):
         blocks += held(problem)
     preloads = equations(line(Words(f"static preload of {name}: "), *_preload(problem, node, name), hang=None)
                          for name, node in problem.system.preloads.items())
-    slack = [] if problem.numeric.has_free_symbols else _slack(problem)
+    slack = [] if problem.numeric.has_free_symbols else slack_ropes(problem)
     yield from section("Equilibrium", *blocks, preloads, *slack)
 
 
@@ -123,7 +123,7 @@ def _preload(problem, node, name):
     return node, " = ", figure(evaluate([node], Floats, problem.numeric.floats)[0]), Words(f" {unit}")
 
 
-def _slack(problem):
+def slack_ropes(problem: "Problem") -> list[Paragraph]:
     """What pushes where only a rope could pull."""
     if not any("rope" in record for record in (problem.spec.get("constraints") or {}).values()):
         return []
