@@ -44,8 +44,11 @@ RESPONSE = [
         ("final(x)", "its limit; `overshoot(x)` is (max − final)/(final − start)"),
         ("amplitude(x)", "with `phase(x)`, `period(x)`: of the steady state, or where no load oscillates without end "
          "of the free vibration"),
-        ("mean(x)", "with `rms(x)`: of the steady state, or of free vibrations that do not die out; `harmonic[3](x)` "
-         "of a periodic steady state"),
+        ("mean(x)", "with `rms(x)`: of the steady state, or of free vibrations that do not die out. Of powers and "
+         "products too: `mean(x^2)`, `mean(P.power)` of a load, `mean(d.power)` of a damper, `mean(s.force*x')`, "
+         "exactly, and over all times where the frequencies have no common period; of other functions, `mean(abs(x))`, "
+         "over the common period by quadrature"),
+        ("harmonic[3](x)", "amplitude of a harmonic of a periodic steady state"),
         ("decrement(x)", "with `time_to[0.1](x)`, `cycles_to[0.1](x)`: of a free vibration of one frequency, after the "
          "last change of the loads; of what a load keeps up ask for `decrement(transient(x))`"),
         ("beat_period(x)", "of two neighbouring frequencies"),

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.enumeration import listed
 from vibcli.base.errors import NotFixed, PhysicsError
-from vibcli.language.signals import ENERGIES
+from vibcli.language.signals import ENERGIES, is_load
 from vibcli.mechanics.energies import dissipation, kinetic, potential, potential_as_drawn
 from vibcli.mechanics.equilibrium.redundant_friction import require_fixed_at_rest
 from vibcli.mechanics.inputs_outputs.displacements import displacement
@@ -52,7 +52,10 @@ def energy(scene: "Scene", text: str, primes: int = 0) -> "Node":
 
 
 def _along(scene, name, part):
-    """The tension or energy of a spring, the force or power of a damper; None of another force."""
+    """The tension or energy of a spring, the force or power of a damper or a load; None of another force."""
+    if is_load(scene.spec, f"{name}.{part}"):
+        terms = scene.terms_of(name, "forces")
+        return scene.table.total([term.power(scene) if part == "power" else term.force(scene) for term in terms])
     if part == "force":
         return scene.force_of(name)
     nodes = []
@@ -67,7 +70,7 @@ def _along(scene, name, part):
 def force(configuration: "Configuration", text: str) -> float:
     """The value of a force in equilibrium."""
     name, _, part = text.partition(".")
-    if name == "ground" or part == "energy":
+    if name == "ground" or part == "energy" or is_load(configuration.spec, text):
         return _of_outputs(configuration, text)
     if name in (configuration.spec.get("springs") or {}):
         return _tension(configuration, name)
@@ -96,10 +99,10 @@ def not_fixed(text: str, known: "Mapping[str, Any]") -> NotFixed:
 
 
 def _of_outputs(configuration, text):
-    from vibcli.mechanics.inputs_outputs.outputs import is_quadratic, linear_row, squares
+    from vibcli.mechanics.inputs_outputs.outputs import is_quadratic, linear_row, products
 
     if is_quadratic(text):
-        return sum(weight * row.constant**2 for weight, row in squares(configuration, text))
+        return sum(weight * one.constant * two.constant for weight, (one, two) in products(configuration, text))
     return linear_row(configuration, text).constant
 
 

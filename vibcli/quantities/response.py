@@ -151,8 +151,9 @@ QUANTITIES = {
     "min": _of_signal("smallest value", SIGNAL, _extreme(-1, 1)),
     "argmax": _of_signal("instant of the largest value", "s", _extreme(1, 0), size=_end),
     "argmin": _of_signal("instant of the smallest value", "s", _extreme(-1, 0), size=_end),
-    "mean": _of_signal("mean over a period of the steady state, or of free vibrations that do not die out", SIGNAL,
-                       _small("mean")),
+    "mean": _of_signal("mean over a period of the steady state, or of free vibrations that do not die out; of powers "
+                       "and products of signals too, as in mean(x^2), over all times where they have no common period",
+                       SIGNAL, _small("mean")),
     "rms": _of_signal("root mean square of the same", SIGNAL, _small("rms")),
     "final": _of_signal("limit for t → ∞", SIGNAL,
                         lambda problem, tree, args: _signal(problem, tree).final()),

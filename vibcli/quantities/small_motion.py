@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import PhysicsError
 from vibcli.quantities.frequency_response import wrapped
 from vibcli.results import signal_features, steady_features
-from vibcli.results.signals import LinearSignal
+from vibcli.results.signals import ComposedSignal, Envelope, LinearSignal
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
@@ -61,6 +61,11 @@ def harmonic(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> fl
 def _over_a_period(which):
     """Of the steady state that loads keep up, else of the free vibrations that last."""
     def value(problem, tree, args):
+        signal = problem.response.signal(tree.args[0])
+        if isinstance(signal, ComposedSignal | Envelope):
+            from vibcli.results import composed_means
+
+            return getattr(composed_means, which)(signal)
         signal = _linear(problem, tree)
         if not signal_features.kept_up(signal):
             return getattr(signal_features, which)(signal)

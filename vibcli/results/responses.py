@@ -213,20 +213,27 @@ class SmallResponse(Response):
         problem, table = self.problem, self.problem.scene.table
         if name in problem.scene.parameters.nodes and not primes:
             return problem.scene.parameters.nodes[name]
-        symbol = table.variable("signal " + (part.text if isinstance(part, QuantityRef) else name + "'" * primes))
+        text = "signal " + (part.text if isinstance(part, QuantityRef) else name + "'" * primes)
         if isinstance(part, QuantityRef):
-            parts[symbol] = (part,)
-        elif name in ENERGIES and name not in problem.spec.coordinates:
+            return self._named(parts, text, (part,))
+        if name in ENERGIES and name not in problem.spec.coordinates:
             return self._at_states(parts, energy(problem.scene, name, primes))
-        elif is_quadratic(name):
+        if is_quadratic(name):
             total = table.zero
-            for number, (weight, *found) in enumerate(quadratic_output(self.configuration, name)):
-                square = table.variable(f"signal {name} {number}")
-                parts[square] = self._apart(*found)
-                total = total + square * square * table.number(fraction_of(weight))
+            for number, (weight, (one, two)) in enumerate(quadratic_output(self.configuration, name, primes)):
+                first, second = (self._named(parts, f"{text} {number}{mark}", self._apart(*found))
+                                 for mark, found in (("", one), ("'", two)))
+                total = total + first * second * table.number(fraction_of(weight))
             return total
-        else:
-            parts[symbol] = self._apart(*linear_output(self.configuration, name + "'" * primes))
+        return self._named(parts, text, self._apart(*linear_output(self.configuration, name + "'" * primes)))
+
+    def _named(self, parts, text, found):
+        """The symbol of what is read off the motion: of what is there already that which it has, so that equals
+        cancel."""
+        symbol = next((symbol for symbol, known in parts.items() if known == found), None)
+        if symbol is None:
+            symbol = self.problem.scene.table.variable(text)
+            parts[symbol] = found
         return symbol
 
     def state_signal(self, node: "Node"):

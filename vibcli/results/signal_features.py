@@ -1,6 +1,7 @@
 """Numbers that are read off one signal of a small motion in free vibration: after the last change of the loads
 x = A e^{−δt} cos(ω_d t − φ), beside what the loads that do not oscillate add."""
 
+from cmath import rect
 from math import inf, tau
 from typing import TYPE_CHECKING
 
@@ -142,21 +143,32 @@ def free_period(signal: "LinearSignal") -> float:
 
 def mean(signal: "LinearSignal"):
     """Of what lasts of a free motion."""
-    return _lasting(signal)[0]
+    return _vibrating(signal)[0][1].real
 
 
 def rms(signal: "LinearSignal"):
     """√(c² + Σ A²/2) of c + Σ A cos(ω t − φ), what lasts of a free motion."""
-    middle, sizes = _lasting(signal)
-    return (middle * middle + sum(A * A for A in sizes) / 2) ** 0.5
+    return sum(abs(X) ** 2 / (2 if speed else 1) for speed, X in _vibrating(signal)) ** 0.5
 
 
-def _lasting(signal):
-    """(constant, amplitudes) of the vibrations that do not die out."""
+def _vibrating(signal):
+    """The waves that last, of which there is one at least."""
+    found = lasting(signal)
+    if not any(speed for speed, _ in found):
+        raise at_rest()
+    return found
+
+
+def at_rest() -> PhysicsError:
+    return PhysicsError("this signal comes to rest: it has no period to take a mean over", "ask for final(x)")
+
+
+def lasting(signal: "LinearSignal") -> list[tuple[float, complex]]:
+    """[(ω, X)] of c + Σ Re X e^{iωt} that does not die out of a free motion, ω = 0 of the constant."""
     parts = free_parts(signal)
     if any(part.amplitude and (part.rate > 0 or (part.power and not part.rate)) for part in parts):
         raise PhysicsError("this motion drifts or grows: it has no mean over a period", "ask for its value at a time")
-    waves = [part.amplitude for part in parts if part.omega and abs(part.rate) <= UNDYING * part.omega]
-    if not waves:
-        raise PhysicsError("this signal comes to rest: it has no period to take a mean over", "ask for final(x)")
-    return sum(part.amplitude for part in parts if not (part.omega or part.rate)), waves
+    start = signal.motion.forcing.segments(inf)[-1].start
+    waves = [(part.omega, rect(part.amplitude, -part.phase - part.omega * start)) for part in parts
+             if part.omega and abs(part.rate) <= UNDYING * part.omega]
+    return [(0.0, complex(sum(part.amplitude for part in parts if not (part.omega or part.rate)))), *waves]

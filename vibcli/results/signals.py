@@ -22,6 +22,9 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 
+EQUAL = 1e-12       # relative distance of periods that are one
+
+
 class LinearSignal(Signal):
     """A linear output of a linear motion. part: "steady" or "transient" where it is that of another; source: the
     response and the tree it was asked as, and the parts of that which it is."""
@@ -166,11 +169,13 @@ class ComposedSignal(Signal):
     @property
     def period(self):
         """After which it repeats itself from t = 0 on, None where that is not known."""
-        periods = {signal.period for signal in self.signals.values()}
-        return None if self.node.mask & self.time.mask or len(periods) != 1 else periods.pop()
+        periods = [signal.period for signal in self.signals.values()]
+        if self.node.mask & self.time.mask or None in periods or not periods:
+            return None
+        return max(periods) if max(periods) - min(periods) <= EQUAL * max(periods) else None
 
     def final(self):
-        self._require_no_time("limit")
+        self.require_no_time("limit")
         from vibcli.symbolic.evaluation import Floats
 
         try:
@@ -182,11 +187,12 @@ class ComposedSignal(Signal):
 
     @cached_property
     def steady(self):
-        self._require_no_time("steady state")
+        self.require_no_time("steady state")
         return ComposedSignal(self.node, {name: signal.steady for name, signal in self.signals.items()}, self.floats,
                               self.time, work=self.work, source=part_of(self.source, "steady"))
 
-    def _require_no_time(self, what):
+    def require_no_time(self, what: str) -> None:
+        """Refuses what holds the time beside its signals."""
         if self.node.mask & self.time.mask or self.closing is not None:
             raise PhysicsError(f"the {what} of what holds a driven motion in a product is not found",
                                "ask for its values at instants, or for max and min")

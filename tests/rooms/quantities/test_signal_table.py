@@ -126,7 +126,7 @@ zero            0 W  n n n n  R R  n O  W B H Z  W W  0 0 W  W n
 wave            s s  n n n n  0 s  Y Y  K B s n  K K  s f e  s n
 wave:s          s s  n n n n  0 s  Y Y  S B s n  S S  s 0 s  s n
 wave:t          f f  n n n n  R R  n n  f B H n  f f  0 f f  f n
-wave:e          E E  n n n n  E E  n n  E E E Z  E E  E E E  E n
+wave:e          E E  n n n n  R R  n n  E E E Z  E E  E E E  E n
 wave:over       s s  n n n n  0 s  Y Y  K B s n  K K  s f s  s n
 wave:over:t     W W  n n n n  R R  n n  W B H Z  W W  0 f W  W n
 wave:undamped   s s  n n n n  0 s  Y Y  K B s n  K K  s f e  s n
@@ -134,7 +134,7 @@ wave:undamped:t f f  n n n n  0 f  V V  0 B H n  D D  0 f f  f n
 wave:rest       0 N  n n n n  0 0  n O  K B P Z  K K  0 0 v  P n
 wave:place      s s  n n n n  0 s  Y Y  K B s n  K K  s 0 s  s n
 wave:apart      s s  n n n n  0 s  Y Y  K B s n  K K  s t e  s n
-wave:composed   E E  n n n n  E E  E E  E E E n  E E  0 f E  E n
+wave:composed   E E  n n n n  0 0  E E  E E E n  E E  0 f E  E n
 square          q M  n n n n  0 q  Q Q  K B q n  K K  s f M  s n
 square:s        q M  n n n n  0 q  Q Q  S B q n  S S  s 0 M  s n
 square:t        f f  n n n n  R R  n n  f B H n  f f  0 f f  f n
