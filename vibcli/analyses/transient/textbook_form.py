@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.transient.linear_response import LinearMotion
 
 SAME = 1e-6
+MERGED = 1e-3       # of a radian or of a fall by e: what two exponents may come apart by, and be written as one
 NOTHING, ROUNDING = 1e-14, 1e-15
 
 
@@ -52,6 +53,13 @@ def regime(M: np.ndarray, C: np.ndarray, K: np.ndarray) -> str:
     return "under-damped" if slow.imag else "over-damped"
 
 
+def parted_by(motion: "LinearMotion", until: float) -> float:
+    """The relative distance within which exponents are one up to an instant: (e^{λt} − e^{μt})/(λ − μ) is t e^{λt} but
+    for ((λ − μ) t)²/24 of it."""
+    fastest = max((abs(node) for block in motion.blocks for node in block.nodes), default=0.0)
+    return min(SAME, MERGED / (until * fastest)) if fastest else SAME
+
+
 def formula(motion: "LinearMotion", output: Any, segment: int = 0, same: float = SAME) -> list[Part]:
     """The Parts that add up to the output on a segment (−1: the last), free ones first, each kind by ascending
     frequency and decay; `same`: the relative distance within which exponents are one."""
@@ -70,7 +78,8 @@ def formula(motion: "LinearMotion", output: Any, segment: int = 0, same: float =
             continue
         if node.imag < 0:
             node, c = node.conjugate(), c.conjugate()
-        real[node, power] = real.get((node, power), 0j) + c
+        key = _known(real, node, power, same)
+        real[key] = real.get(key, 0j) + c
     size = max(map(abs, real.values()), default=0.0)
     parts = [_part(node, power, c, power >= _multiplicity(motion.blocks, node, same))
              for (node, power), c in real.items() if abs(c) > NOTHING * size]

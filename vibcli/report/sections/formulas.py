@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from vibcli.notation.numbers import figure
+from vibcli.notation.numbers import SHOWN, figure
 from vibcli.report import blocks
 from vibcli.report.blocks import Heading, Name, Section, line, section
 from vibcli.symbolic.syntax import NameRef
@@ -13,12 +13,12 @@ if TYPE_CHECKING:
     from vibcli.analyses.transient.textbook_form import Part
     from vibcli.report.sections.requested_signals import RequestedSignal
 
-MOST_PARTS, MOST_PIECES = 8, 4
+MOST_PARTS, MOST_PIECES, MOST_DIGITS = 8, 4, 15
 NO_ANGLE = 1e-12
 
 
-def formulas(asked: "Sequence[RequestedSignal]") -> Iterator[Section]:
-    """x = A e^{−δt} cos(ω_d t − φ) + … of each signal, on each piece of the forcing."""
+def formulas(asked: "Sequence[RequestedSignal]", until: float) -> Iterator[Section]:
+    """x = A e^{−δt} cos(ω_d t − φ) + … of each signal, on each piece of the forcing, looked at `until` an instant."""
     found = []
     for one in asked:
         signal = one.signal
@@ -26,17 +26,17 @@ def formulas(asked: "Sequence[RequestedSignal]") -> Iterator[Section]:
             continue
         starts = [piece.start for piece in signal.motion.forcing.segments(math.inf)]
         if len(starts) <= MOST_PIECES:
-            found += _pieces(one, signal, starts)
+            found += _pieces(one, signal, starts, until)
     yield from section("As a formula, in SI units", *found)
 
 
-def _pieces(one, signal, starts):
-    from vibcli.analyses.transient.textbook_form import formula
+def _pieces(one, signal, starts, until):
+    from vibcli.analyses.transient.textbook_form import formula, parted_by
 
     found: list = []
     name = Name(one.text) if isinstance(one.tree, NameRef) and "." not in one.text else one.text
     for number, start in enumerate(starts):
-        parts = formula(signal.motion, signal.output, number)
+        parts = formula(signal.motion, signal.output, number, parted_by(signal.motion, until))
         if len(parts) > MOST_PARTS:
             return []
         if len(starts) > 1:
@@ -49,26 +49,41 @@ def _pieces(one, signal, starts):
 
 def sum_of(parts: "Sequence[Part]", t: str) -> str:
     """Σ of the Parts as text, `t` being the letter of the time."""
-    text = ""
+    text, digits = "", _digits(parts)
     for part in parts:
-        negative = part.amplitude < 0
+        negative = (part.amplitude < 0) != _turned(part)
         text += (" − " if text else "−") if negative else (" + " if text else "")
-        text += _product(part, t)
+        text += _product(part, t, digits)
     return text or "0"
 
 
-def _product(part, t):
+def _digits(parts):
+    """How many digits of frequencies and rates tell those apart that differ."""
+    def apart(digits):
+        return all(len({figure(value, digits=digits) for value in values}) == len(values) for values in both)
+
+    both = {part.omega for part in parts}, {part.rate for part in parts}
+    return next((digits for digits in range(SHOWN, MOST_DIGITS) if apart(digits)), MOST_DIGITS)
+
+
+def _turned(part):
+    """Is it a cosine that lags by half a turn, −cos?"""
+    return abs(abs(part.phase) - math.pi) <= NO_ANGLE
+
+
+def _product(part, t, digits):
     size = figure(abs(part.amplitude))
     factors = [size] if size != "1" or not (part.power or part.rate or part.omega) else []
     if part.power:
         factors.append(t if part.power == 1 else f"{t}^{part.power}")
     if part.rate:
-        factors.append(f"e^({_signed(part.rate)}·{t})")
+        factors.append(f"e^({_signed(part.rate, digits)}·{t})")
     if part.omega:
-        phase = f" {'−' if part.phase > 0 else '+'} {figure(abs(part.phase))}" if abs(part.phase) > NO_ANGLE else ""
-        factors.append(f"cos({figure(part.omega)}·{t}{phase})")
+        lag = 0.0 if _turned(part) or abs(part.phase) <= NO_ANGLE else part.phase
+        phase = f" {'−' if lag > 0 else '+'} {figure(abs(lag))}" if lag else ""
+        factors.append(f"cos({figure(part.omega, digits=digits)}·{t}{phase})")
     return "·".join(factors)
 
 
-def _signed(value):
-    return figure(value).replace("-", "−")
+def _signed(value, digits):
+    return figure(value, digits=digits).replace("-", "−")

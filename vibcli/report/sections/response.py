@@ -56,7 +56,7 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
         from vibcli.report.sections.vibrations import beats, free_vibration
 
         yield from free_vibration(problem, asked)
-        yield from formulas(asked)
+        yield from formulas(asked, motion.until)
         if motion.drive:
             yield from section("Beats", *map(paragraph, beats(asked, motion.until)))
             yield from steady_state(asked, report.wanted.phase)

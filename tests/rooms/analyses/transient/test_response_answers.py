@@ -15,8 +15,9 @@ from vibcli.analyses.transient import free_vibration
 from vibcli.analyses.transient.free_vibration import energy_shares
 from vibcli.analyses.transient.high_precision import precise_value
 from vibcli.analyses.transient.linear_response import linear_motion
-from vibcli.analyses.transient.textbook_form import formula, regime
+from vibcli.analyses.transient.textbook_form import formula, parted_by, regime
 from vibcli.base.errors import PhysicsError
+from vibcli.report.sections.formulas import sum_of
 from vibcli.symbolic.syntax import NameRef
 
 COSINE = (Segment(0.0, (Wave(0, 1.0, 0, 2j),)),)
@@ -243,6 +244,25 @@ def test_the_formula_is_the_motion(c, k, name, pieces):
     y = motion.values(q(0), t)
     assert np.abs(sum(part.at(t) for part in parts) - y).max() <= 1e-13 * np.abs(y).max()
     assert any(part.forced for part in parts) is (pieces is not FREE)
+
+
+@pytest.mark.parametrize("until", [1.0, 100.0, 1e4, 1e6])
+@pytest.mark.parametrize("off", [0.0, 1e-9, 1e-8, 1e-7, 1e-5])
+def test_the_formula_is_the_motion_as_long_as_it_is_looked_at(until, off):
+    """Next to a resonance, and next to critical damping: exponents are one only where nobody sees them part."""
+    beside = (Segment(0.0, (Wave(0, 1.0, 0, 20j * (1 + off)),)),)
+    for motion, end in ((one(1.0, 0.0, 400.0, beside), until),
+                        (one(1.0, 40.0 * (1 + off), 400.0, FREE, 1.0), until / 1e5)):
+        t = np.linspace(0, end, 2001)
+        parts, y = formula(motion, q(0), 0, parted_by(motion, end)), motion.values(q(0), t)
+        assert np.abs(sum(part.at(t) for part in parts) - y).max() <= 1e-6 * np.abs(y).max()
+
+
+def test_printed_frequencies_are_told_apart_and_nothing_that_cancels_is_printed():
+    motion = one(1.0, 0.0, 400.0, (Segment(0.0, (Wave(0, 1.0, 0, 20.0000002j),)),))
+    late, early = (sum_of(formula(motion, q(0), 0, parted_by(motion, until)), "t") for until in (1e6, 1.0))
+    assert late == "125000·cos(20·t) − 125000·cos(20.0000002·t)"
+    assert early == "0.025·t·cos(20·t − 1.5708)"
 
 
 def test_amplitude_and_phase_of_the_textbook():
