@@ -103,6 +103,14 @@ def _generalised_force(problem, tree):
     return generalised_force_at_rest(problem.system, coordinate_number(problem, tree.indices[0]))
 
 
+def _stable(problem, tree, args):
+    found = problem.modal.stability.stable
+    if found is None:
+        raise PhysicsError("loads without a potential act on what has no inertia: masses or dampers would decide "
+                           "whether it is stable", "give it a mass or a damper")
+    return found, 0.0
+
+
 QUANTITIES = {
     "equilibrium": Declaration(
         "a coordinate or signal in equilibrium", None, _equilibrium, ("signal",), several=True, size=_size,
@@ -114,7 +122,7 @@ QUANTITIES = {
             spec, coordinate_name(spec, tree.indices[0]))),
     "stable": Declaration(
         "`true` where the equilibrium is stable", "1",
-        lambda problem, tree, args: (problem.modal.stability.stable, 0.0), several=True, kind=TRUTH),
+        _stable, several=True, kind=TRUTH),
     "equilibria": Declaration(
         "number of equilibria found within the bounds that `find` gives, or default ones; a line of neutral ones "
         "counts once", "1", lambda problem, tree, args: (count(problem), 0.0), kind=COUNT),

@@ -152,7 +152,8 @@ EQUILIBRIUM = Key("equilibrium", "the equilibrium reached from the drawn positio
         "symbols have no value"),
     Key("from_start", "{name: how far it lies from the start that `equilibrium:` names}; null where none is named and "
         "in letters"),
-    Key("stable", "true or false (motion that costs no energy counts as stable); null where symbols leave it open"),
+    Key("stable", "true or false (motion that costs no energy counts as stable); null where symbols leave it open, "
+        "or masses that the scene does not give would decide"),
     Key("residual", "what is left of the forces, relative to the sum of the magnitudes of their terms"),
     Key("condition", "by which factor a relative change of the data grows in a frequency squared; null in letters, and "
         "where nothing has inertia"),
