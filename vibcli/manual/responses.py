@@ -28,6 +28,11 @@ RESPONSE = [
          "1/1000, between 2 and 60 of the longest periods; where something grows, until it is 1000 times as large, at "
          "most 10 periods; without either 10 periods, or two beats if that is more, at most 60 periods. That is "
          "counted from where the loads last change their form; where nothing vibrates nor decays, as long again."),
+        ("digits", "Every value of a small motion has a bound of its error, and only digits that this supports are "
+         "printed. Where the bound exceeds 1e-9 of the largest value up to there, as after millions of cycles, the "
+         "value, extreme, zero or number of the steady state is found anew from the exact data, to 25 digits, if that "
+         "takes a second or so; curves, plots and files carry floats. `--digits 30` gives values and extremes to 30 "
+         "digits."),
         ("extremes", "`max`, `min`, `argmax`, `argmin` and `zero[i]` look at 0 ≤ t ≤ end. A touch of "
          "zero counts as a passage does."),
         ("steady", "What is left when the free vibration has died out; `transient` is the rest. Without damping the "
@@ -39,7 +44,7 @@ RESPONSE = [
     [
         ("x(0.4 s)", "its value; `x'(0.4 s)` that of its rate; of a sum "
          "`(s.force + d.force)(0.4 s)`; at a jump the value after it. `--at 0.4` prints "
-         "it, `--digits 30` exactly"),
+         "it, `--digits 30` to 30 digits"),
         ("max(x)", "likewise `min`, `argmax`, `argmin`, `zero[1]`"),
         ("final(x)", "its limit; `overshoot(x)` is (max − final)/(final − start)"),
         ("amplitude(x)", "with `phase(x)`, `period(x)`: of the steady state, or where no load oscillates without end "

@@ -6,6 +6,7 @@ from math import isfinite, pi, tau
 from vibcli.base import units
 from vibcli.base.errors import PhysicsError
 from vibcli.quantities.dimensions import checker
+from vibcli.quantities.precise_numbers import settled_response
 from vibcli.quantities.quantity import COMPLEX, ERROR, Declaration, one
 from vibcli.quantities.signal_dimensions import input_dimension, output_dimension
 
@@ -19,7 +20,8 @@ def wrapped(angle: float) -> float:
 def _frf(problem, tree, args):
     if not tree.args:
         raise PhysicsError(f"'{tree.text}' is a function of frequency", f"write {tree.text}(5 Hz)")
-    return problem.frequency_response(*tree.indices).at(args[0])
+    found, error = problem.frequency_response(*tree.indices).at(args[0])
+    return settled_response(problem, tree, found, error)
 
 
 def _complex_part(part):

@@ -9,6 +9,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.quantities.cycle_count import counts_cycles
 from vibcli.results import precise_features, signal_features, steady_features
 from vibcli.results.escalation import largest
+from vibcli.results.precise_frequency_response import precise_response
 from vibcli.results.precise_instants import extreme_to, required, value_when
 from vibcli.results.precise_signals import agreed, precise_signal
 from vibcli.results.signals import LinearSignal
@@ -27,17 +28,28 @@ def _signal(problem, tree):
 
 
 def _value(problem, tree, digits, most):
-    signal, instant = _signal(problem, tree), tree.args[1]
-    if parts_of(instant).quantities:
-        raise PhysicsError("an instant that is found itself has no more digits", "write it as a number")
-
-    def when():
-        arithmetic, nodes = multiprecision(), problem.scene.parameters.nodes
-        node = lower(instant, problem.scene.table, lambda name, primes, part: nodes[name])
-        t, = evaluate([node], arithmetic, problem.numeric.values(arithmetic))
-        return t * 2 * mp.pi if counts_cycles(problem.spec, instant) else t
-
+    signal, when = _signal(problem, tree), _exactly(problem, tree.args[1])
     return value_when(signal, when, digits, most, largest(signal, float(when())))
+
+
+def _exactly(problem, tree):
+    """A function that gives an instant or a frequency at the working precision; cycles count as 2π."""
+    if parts_of(tree).quantities:
+        raise PhysicsError("an instant or a frequency that is found itself has no more digits", "write it as a number")
+
+    def number():
+        arithmetic, nodes = multiprecision(), problem.scene.parameters.nodes
+        node = lower(tree, problem.scene.table, lambda name, primes, part: nodes[name])
+        found, = evaluate([node], arithmetic, problem.numeric.values(arithmetic))
+        return found * 2 * mp.pi if counts_cycles(problem.spec, tree) else found
+
+    return number
+
+
+def response(problem: "Problem", tree: QuantityRef, digits: int, most: float) -> "mpmath.mpc":
+    """A frequency response at a frequency."""
+    signal, driver = tree.indices
+    return precise_response(problem, signal, driver, _exactly(problem, tree.args[0]), digits, most)
 
 
 def _extreme(sense, which):

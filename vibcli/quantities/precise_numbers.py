@@ -1,24 +1,25 @@
 """Numbers of small motions found to more digits: those that are asked for, and where the bound of the floats exceeds
 what a number may be off by."""
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Spent
-from vibcli.results.escalation import ASKED, DIGITS, MOST, ROUNDED
+from vibcli.results.escalation import ASKED, DIGITS, MOST, ROUNDED, largest
 
 if TYPE_CHECKING:
-
     from vibcli.results.problem import Problem
     from vibcli.symbolic.syntax import QuantityRef
 
 LIKE = 1e-4         # relative to the bound in floats and to this: how near the two values are
 
 
-def settled(problem: "Problem", tree: "QuantityRef", found: float, error: float) -> tuple[float, float]:
+def settled(problem: "Problem", tree: "QuantityRef", args: Sequence[Any], found: float,
+            error: float) -> tuple[float, float]:
     """(value, relative error bound) of a number found in floats, or to more digits where these are asked for or its
     bound exceeds what is asked."""
-    if problem.response.KIND != "small" or (problem.digits is None and error <= ASKED):
+    if problem.response.KIND != "small" or (problem.digits is None and not _exceeds(problem, tree, args, error)):
         return found, error
     import mpmath
 
@@ -35,3 +36,28 @@ def settled(problem: "Problem", tree: "QuantityRef", found: float, error: float)
     if abs(near - found) > (10 * error + LIKE) * max(abs(found), abs(near)) and abs(found) > 1e-300:
         return found, error         # the floats see another extreme or zero
     return near, 2 * ROUNDED
+
+
+def settled_response(problem: "Problem", tree: "QuantityRef", found: complex, error: float) -> tuple[Any, float]:
+    """The same of a frequency response at a frequency, its error relative to its size; a number of mpmath where more
+    digits are asked for."""
+    if problem.digits is None and error <= ASKED:
+        return found, error
+    from vibcli.quantities.precise_forms import response
+
+    digits = max(problem.digits or 0, DIGITS)
+    try:
+        value = response(problem, tree, digits, MOST if problem.digits is None else 30 * MOST)
+    except (PhysicsError, Spent):
+        return found, error
+    return (complex(value), 2 * ROUNDED) if problem.digits is None else (value, 10.0 ** (1 - digits))
+
+
+def _exceeds(problem, tree, args, error):
+    """Does a relative bound exceed what is asked? Values and extremes are measured by the largest of their signal."""
+    if error <= ASKED:
+        return False
+    signal, instants = problem.response.signal(tree.args[0]), args[1:]
+    if tree.head in ("max", "min"):
+        instants = [signal.extreme(0.0, problem.response.until, 1 if tree.head == "max" else -1)[0]]
+    return not all(signal.error(t) <= ASKED * largest(signal, t) for t in instants) if instants else True

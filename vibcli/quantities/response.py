@@ -14,7 +14,7 @@ def _measured(number):
     def value(problem, tree, args):
         try:
             found = number(problem, tree, args)
-            return settled(problem, tree, found, max(ERROR, _doubt(problem, tree, args, found)))
+            return settled(problem, tree, args, found, max(ERROR, _doubt(problem, tree, args, found)))
         except PhysicsError as error:
             if error.hint and "(x)" in error.hint:
                 raise error.told(hint=error.hint.replace("(x)", f"({_found(problem, tree)})")) from None

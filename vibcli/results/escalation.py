@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from vibcli.results.signal import Signal
 
 ASKED = 1e-9            # of the largest value up to an instant: what a bound may be
-DIGITS, MOST = 25, 20   # in which more are computed; steps of a million products that this may take by itself
+DIGITS, MOST = 25, 40   # in which more are computed; steps of a million products that this may take by itself
 ROUNDED = 2.0**-53      # relative: of the nearest float
 SAMPLES = 65
 

@@ -8,7 +8,9 @@ import pytest
 from support.scenes import problem
 from support.signals import signal_of
 
+from vibcli.api.given import expression
 from vibcli.base.errors import PhysicsError
+from vibcli.quantities.expression import measure
 
 DIGITS = 40
 NEAR_RESONANCE = """
@@ -95,6 +97,19 @@ def test_steady_and_transient_parts():
         steady, whole = (signal_of(found, text).precise(t, DIGITS) for text in ("steady(y)", "y"))
         assert near(steady, exact)
         assert near(signal_of(found, "transient(y)").precise(t, DIGITS), whole - exact, DIGITS - 2)
+
+
+def test_frequency_responses():
+    """H = cᵀ (K + iΩ C − Ω² M)⁻¹ b of a driven wall and of a force along a line, near a lightly damped resonance."""
+    found = problem(CHAIN)
+    with mpmath.workdps(50):
+        W = 2 * mpmath.pi * mpmath.mpf("0.4")
+        Z = mpmath.matrix([[80 - 2 * W**2, -50], [-50, 50 - 3 * W**2 + 1j * W * mpmath.mpf("0.7")]])
+        X = mpmath.lu_solve(Z, mpmath.matrix([30, 0]))
+        exact = {"x": X[0], "d.force": 1j * W * X[1] * mpmath.mpf("0.7"), "s.force": 30 * (X[0] - 1)}
+        for text, H in exact.items():
+            two, error = measure(found.with_digits(30), expression(f"frf[{text}, wall](0.4 Hz)", "").tree)
+            assert near(two, H, 28) and error <= 1e-28
 
 
 def test_about_an_equilibrium_that_is_searched_for():

@@ -67,18 +67,17 @@ def precise_motion(M: "Sequence[list[float | mpmath.mpf]]", C: "Sequence[list[fl
     return PreciseMotion((M, C, K), system, forcing, start)
 
 
-class PreciseMotion(NamedTuple):
-    """A motion at the working precision of mpmath; start: the state of its system of first order at t = 0."""
+class PreciseMotion:
+    """A motion at the working precision of mpmath; start: the state of its system of first order at t = 0; reached:
+    those at the starts of the stretches of its loads, as far as they were looked at."""
 
-    matrices: tuple
-    system: Descriptor
-    forcing: "Forcing"
-    start: list
+    def __init__(self, matrices: tuple, system: Descriptor, forcing: "Forcing", start: "list[mpmath.mpf]"):
+        self.matrices, self.system, self.forcing, self.start = matrices, system, forcing, start
+        self.n, self.reached, self.found = len(matrices[0]), [start], {}
 
-    @property
-    def n(self) -> int:
-        """How many coordinates move."""
-        return len(self.matrices[0])
+    def under(self, forcing: "Forcing", start: "list[mpmath.mpf]") -> "PreciseMotion":
+        """The same system driven and started otherwise."""
+        return PreciseMotion(self.matrices, self.system, forcing, start)
 
     def breaks(self, until: float) -> "list[mpmath.mpf]":
         """The instants up to a time at which the loads bend or jump."""
@@ -86,29 +85,37 @@ class PreciseMotion(NamedTuple):
 
     def at(self, time: "float | Fraction | mpmath.mpf", bits: int, before: bool = False) -> "PreciseState":
         """The PreciseState at a time, just after what jumps there, or just before it."""
-        n, system, state, time = self.n, self.system, list(self.start), real(time)
+        time = real(time)
+        if (time, before) not in self.found:
+            self.found = {(time, before): self._at(time, bits, before)}
+        return self.found[time, before]
+
+    def _at(self, time, bits, before):
         pieces = self.forcing.segments(math.nextafter(float(time), math.inf))
-        for piece, after in zip(pieces, [*pieces[1:], None], strict=True):
-            start = real(piece.start)
-            for channel, size in piece.impulses:
-                for i in range(len(state) if channel < n else 0):
-                    state[i] += system.B[i, channel] * real(size)
-            G, z, forces, Q = _generator(system, piece.waves, state, self.forcing.channels, n)
-            last = after is None or real(after.start) > time or (before and real(after.start) == time)
-            z = _carried(G, (time if last else real(after.start)) - start, z, bits)
-            if last:
-                break
-            state = list(z[:len(state)])
-        return PreciseState(G, z, forces, Q)
+        starts = [real(piece.start) for piece in pieces]
+        last = max(k for k, start in enumerate(starts) if not k or start < time or (start == time and not before))
+        for k in range(len(self.reached) - 1, last):
+            *_, z = self._along(pieces[k], starts[k + 1] - starts[k], self.reached[k], bits)
+            self.reached.append(list(z[:len(self.start)]))
+        return PreciseState(*self._along(pieces[last], time - starts[last], self.reached[last], bits))
+
+    def _along(self, piece, length, state, bits):
+        """G, rows of the forces, rows of q, and z a length of time after the start of a piece."""
+        state = list(state)
+        for channel, size in piece.impulses:
+            for i in range(len(state) if channel < self.n else 0):
+                state[i] += self.system.B[i, channel] * real(size)
+        G, z, forces, Q = _generator(self.system, piece.waves, state, self.forcing.channels, self.n)
+        return G, forces, Q, _carried(G, length, z, bits)
 
 
 class PreciseState(NamedTuple):
     """ż = G z, f = forces z, q = Q z at an instant."""
 
     G: np.ndarray
-    z: np.ndarray
     forces: np.ndarray
     Q: np.ndarray
+    z: np.ndarray
 
     def later(self, by: "mpmath.mpf") -> "PreciseState":
         """The state a little later, by Taylor's series: nothing may bend or jump on the way."""

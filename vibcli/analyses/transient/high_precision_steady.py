@@ -32,13 +32,13 @@ def _repeating(motion):
     size, bits, period = len(motion.start), mp.prec, motion.forcing.period
 
     def after(start):
-        return list(motion._replace(forcing=forcing, start=start).at(period, bits, before=True).z[:size])
+        return list(motion.under(forcing, start).at(period, bits, before=True).z[:size])
 
     brought = after([mp.mpf(0)] * size)
     columns = [[x - y for x, y in zip(after([mp.mpf(int(i == j)) for i in range(size)]), brought, strict=True)]
                for j in range(size)]
     kept = mp.matrix([[int(i == j) - columns[j][i] for j in range(size)] for i in range(size)])
-    return motion._replace(forcing=forcing, start=list(_solved(kept, brought)))
+    return motion.under(forcing, list(_solved(kept, brought)))
 
 
 def _solved(matrix, right):

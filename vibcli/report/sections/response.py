@@ -43,6 +43,7 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
         yield from response_in_letters(problem, names_asked(problem, RESPONSE, report.wanted.signals))
         return
     motion, asked = problem.response, signals_asked(problem, report.wanted.signals)
+    _require_quick(problem, asked, report.wanted)
     if motion.KIND == "prescribed":
         yield from section(f"Motion in time ({motion.WORDS})", paragraph("nothing moves freely"))
     else:
@@ -73,6 +74,15 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
     missing = unknown(problem, report.wanted)
     if missing is not None:
         raise missing
+
+
+def _require_quick(problem, asked, wanted):
+    """PhysicsError, before anything is computed, where the digits asked for would take long."""
+    if wanted.digits is not None:
+        from vibcli.results.precise_work import estimated_steps, require_quick
+
+        require_quick(sum(max(estimated_steps(one.signal, float(t), wanted.digits) for one in asked)
+                          for _, t in wanted.at), wanted.digits, problem.work)
 
 
 def at_instants_alone(motion: Any, wanted: "Wanted"):
@@ -172,6 +182,7 @@ def extreme_cells(signal: "Signal", found: "BoundedExtreme", until: float, sense
 def response_data(problem: "Problem", wanted: "Wanted") -> dict[str, Any]:
     """A motion in time as data, as far as it is known."""
     motion, asked = problem.response, signals_asked(problem, wanted.signals)
+    _require_quick(problem, asked, wanted)
     places, speeds = motion.start
     known = known_until(motion, wanted)
     instants = [_values(problem, one, wanted, known) for one in asked]
