@@ -1,5 +1,7 @@
 """Any signal of a small motion to as many digits as are asked for, against closed forms and exponentials in mpmath."""
 
+import math
+import re
 from fractions import Fraction
 
 import mpmath
@@ -10,6 +12,7 @@ from support.signals import signal_of
 
 from vibcli.api.given import expression
 from vibcli.base.errors import PhysicsError
+from vibcli.cli import run
 from vibcli.quantities.expression import measure
 
 DIGITS = 40
@@ -176,6 +179,34 @@ def test_what_has_died_out_and_what_is_zero():
         assert near(signal_of(found, "x").precise(Fraction(10**4), 30), z[0], 30)
 
 
+def test_a_start_under_a_force_that_lets_go():
+    """x = x₀ + (p/k) cos ωt about the place where the spring carries the weight, sagging from its free length."""
+    found = problem("""
+        gravity: 9.81 m/s^2
+        bodies: {a: {mass: 3 kg, at: [0 m, 0 m], slide: {along: [0, -1], by: x}}}
+        points: {C: {at: [0 m, 2 m]}}
+        springs: {s: {k: 70 N/m, free_length: 1.9 m, between: [C, a]}}
+        forces: {pull: {at: a, force: [0 N, -4 N]}}
+        initial: {released: pull}
+    """)
+    with mpmath.workdps(50):
+        rest = mpmath.mpf("29.43") / 70 - mpmath.mpf("0.1")
+        exact = rest + mpmath.mpf(4) / 70 * mpmath.cos(mpmath.sqrt(mpmath.mpf(70) / 3) * mpmath.mpf("2.5"))
+        assert near(signal_of(found, "x").precise(Fraction("2.5"), 30), exact, 30)
+
+
 def test_what_has_no_more_digits_is_refused():
     with pytest.raises(PhysicsError, match="more digits of an envelope are not found"):
         signal_of(problem(FREE), "envelope(s.stretch)").precise(Fraction(1), 20)
+
+
+def test_digits_that_would_take_long_are_refused_with_the_estimate(tmp_path, capsys):
+    """Loads that jump a thousand times within what is asked; what the hint says works."""
+    path = tmp_path / "scene.yaml"
+    path.write_text(FREE + "forces: {f: {at: a, force: 2 N*square(200 rad/s*t)}}\n")
+    assert run(["response", str(path), "--at", "1200", "--digits", "150", "--until", "1"]) == 4
+    refused = capsys.readouterr().err
+    found = re.search(r"--digits 150 would take about (\d+) steps of a million products each; 600 are the limit",
+                      refused)
+    assert found and int(found[1]) > 600
+    assert f"--patience {math.ceil(int(found[1]) / 600)}" in refused

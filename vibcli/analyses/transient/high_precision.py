@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 GUARD, MORE, TRIES = 64, 96, 12
 EPSILON = 2.0**-50
+ALIKE, KEPT = 2**20, 16     # rounding of a length of time between jumps; exponentials that are kept
 
 
 def precise_value(M: "Sequence[list[float | mpmath.mpf]]", C: "Sequence[list[float | mpmath.mpf]]",
@@ -73,7 +74,7 @@ class PreciseMotion:
 
     def __init__(self, matrices: tuple, system: Descriptor, forcing: "Forcing", start: "list[mpmath.mpf]"):
         self.matrices, self.system, self.forcing, self.start = matrices, system, forcing, start
-        self.n, self.reached, self.found = len(matrices[0]), [start], {}
+        self.n, self.reached, self.found, self.exponentials = len(matrices[0]), [start], {}, []
 
     def under(self, forcing: "Forcing", start: "list[mpmath.mpf]") -> "PreciseMotion":
         """The same system driven and started otherwise."""
@@ -106,7 +107,16 @@ class PreciseMotion:
             for i in range(len(state) if channel < self.n else 0):
                 state[i] += self.system.B[i, channel] * real(size)
         G, z, forces, Q = _generator(self.system, piece.waves, state, self.forcing.channels, self.n)
-        return G, forces, Q, _carried(G, length, z, bits)
+        return G, forces, Q, _times(self._exponential(G, piece.waves, length, bits), z) if length else z
+
+    def _exponential(self, G, waves, length, bits):
+        """e^{Gτ} as of _exponential, known already where an equal stretch has been passed."""
+        for known, tau, found in self.exponentials:
+            if known is waves and abs(length - tau) <= tau * mp.eps * ALIKE:
+                return found
+        found = _exponential(G, length, bits)
+        self.exponentials = [*self.exponentials[-KEPT:], (waves, length, found)]
+        return found
 
 
 class PreciseState(NamedTuple):
@@ -163,10 +173,8 @@ def _generator(system, waves, state, channels, n):
     return G, z, forces, np.concatenate([system.Q, system.F.dot(loads)], axis=1)
 
 
-def _carried(G, tau, z, bits):
-    """e^{Gτ} z."""
-    if not tau:
-        return z
+def _exponential(G, tau, bits):
+    """(e^{Gτ} in fixed point, its bits)."""
     size = len(G)
     norm = np.abs(G).sum(axis=1).max(initial=0) * abs(tau)
     halvings = max(0, int(mp.ceil(mp.log(norm, 2))) + 8) if norm else 0
@@ -180,5 +188,11 @@ def _carried(G, tau, z, bits):
         total = total + term
     for _ in range(halvings):
         total = fx.product(total, total, wide)
+    return total, wide
+
+
+def _times(exponential, z):
+    """e^{Gτ} z."""
+    total, wide = exponential
     return np.array([mp.fsum(mp.ldexp(mp.mpf(int(x)), -wide) * y for x, y in zip(row, z, strict=True))
                      for row in total], object)
