@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     import mpmath
     import numpy as np
 
+    from vibcli.analyses.time_integration.signal_error import SignalError
     from vibcli.results.shared_friction import SharedFriction
     from vibcli.symbolic.node import Node
 
@@ -27,6 +28,7 @@ class FullSignal(Signal):
     def __init__(self, motion: Any, node: "Node", forces: Mapping[Any, Any] | None = None,
                  shared: "SharedFriction | None" = None):
         self.motion, self.node, self.forces, self.shared = motion, node, forces or {}, shared
+        self._errors: dict[Any, SignalError] = {}
 
     def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
         if order:
@@ -45,7 +47,7 @@ class FullSignal(Signal):
 
     def error(self, t: float) -> float:
         trajectory = self.motion.reaching(t)
-        found = trajectory.shared.of_signal(self._along, t)
+        found = max(one.at(t) for one in self._about(trajectory, t))
         return found if trajectory.fast is None or t < trajectory.fast.since else found + self._of_fast(trajectory, t)
 
     def _of_fast(self, trajectory, t):
@@ -66,7 +68,22 @@ class FullSignal(Signal):
                    for symbol, slope in slopes.items() if symbol.name in amplitudes)
 
     def error_of_time(self, t: float) -> float:
-        return t * self.motion.reaching(t).shared.of_state(t)
+        from math import isfinite
+
+        if not t:
+            return 0.0
+        found = [one.of_time(t) for one in self._about(self.motion.reaching(t), t)]
+        return next(filter(isfinite, found), t)     # before it sticks: what rests has an extreme at any instant
+
+    def _about(self, trajectory, t):
+        """The SignalError of each window in which an instant lies."""
+        from vibcli.analyses.time_integration.signal_error import SignalError
+
+        numbers = trajectory.about(t)
+        for k in numbers:
+            if (id(trajectory), k) not in self._errors:
+                self._errors[id(trajectory), k] = SignalError(trajectory, self._along, k)
+        return [self._errors[id(trajectory), k] for k in numbers]
 
     def _along(self, trajectory, times):
         """The values along one solution."""

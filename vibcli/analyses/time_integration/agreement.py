@@ -6,7 +6,7 @@ difference grows as e^(λt), and from some instant on no digit of either is righ
 """
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -15,19 +15,24 @@ from vibcli.analyses.time_integration.error_scales import EPSILON
 from vibcli.analyses.time_integration.trajectory import POINTS, Trajectory
 from vibcli.numerics.collocation_rule import rule
 
+if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.deviations import Deviations
+
 ROUNDED = CLOSE / 2   # last digits of a place: what rounding may leave of an iteration that comes no nearer
 LOST = 1e-3         # of the motion: where two solutions differ by more, neither is known
 NEAR = POINTS       # places before and after an instant, at which two signals are compared
+EDGE = 1e-6         # of a window
 STILL = 1e-3        # of the size of a coordinate: its error is not compared with less, however little it moves
 
 
 class Shared:
     """Two Trajectories of one motion; error: the largest difference of their states at the places `times` or before,
     relative to how far each coordinate goes and how fast; lost: may less than three digits be left of it there, and is
-    it more than rounding? still: is all of the motion no more? units: the size of the figure along each coordinate."""
+    it more than rounding? still: is all no more? units: the size of the figure along each coordinate; deviations: those
+    of the first."""
 
-    def __init__(self, one: Trajectory, other: Trajectory, units: np.ndarray):
-        self.one, self.other = one, other
+    def __init__(self, one: Trajectory, other: Trajectory, units: np.ndarray, deviations: "Deviations | None" = None):
+        self.one, self.other, self.deviations = one, other, deviations
         end = min(one.end, other.end)
         c = rule(POINTS).c      # not the ends of windows: there forces may jump, in the other solution a little later
         times = np.concatenate([window.start + c * window.end for window in one.windows])
@@ -62,9 +67,12 @@ class Shared:
         return error if self.one.fast is None else max(error, self.one.fast.part)
 
     def of_signal(self, values: Callable, t: float) -> float:
-        """How far the two differ in a signal about an instant; values(trajectory, times)."""
-        k = int(np.searchsorted(self.times, t))
-        times = np.minimum(np.append(self.times[max(k - NEAR, 0):k + NEAR], t), min(self.one.end, self.other.end))
+        """How far the two differ in a signal about an instant, values(trajectory, times); not at the ends of windows,
+        where it may jump, of the other one a little later."""
+        k, window = int(np.searchsorted(self.times, t)), self.one.windows[self.one.number(t)]
+        inside = window.start + window.end * np.clip((t - window.start) / window.end, EDGE, 1 - EDGE)
+        about = np.append(self.times[max(k - NEAR, 0):k + NEAR], inside)
+        times = np.minimum(about, min(self.one.end, self.other.end))
         return float(np.abs(values(self.one, times) - values(self.other, times)).max())
 
 

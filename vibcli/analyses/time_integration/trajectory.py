@@ -12,10 +12,11 @@ from vibcli.numerics.collocation_rule import rule
 from vibcli.symbolic.numeric_code import Compiled
 
 if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.forcing_breaks import Breaks
     from vibcli.analyses.time_integration.time_stepping import March
 
 POINTS = 40             # at most in a window
-LATE = 1e-12
+LATE, CLOSE = 1e-12, 1e-9       # after its end; of a window: from its start
 
 
 class Event(NamedTuple):
@@ -50,12 +51,16 @@ class Trajectory:
     """names: the coordinates; windows: their polynomials; until: the end asked for, and `end` that which was reached,
     earlier where a rope goes slack; events; balance; drift: the largest gaps of the constraints
     (positions, velocities) relative to the motion, None without closed loops; shared: with a second solution; sizes:
-    those of the motion; fast: the oscillation that was stepped over, None where all is followed; rests: the instant up
-    to which it stays in the equilibrium in which it starts."""
+    those of the motion; breaks: of what drives it; struck: (t, q, q̇ before, q̇ after) of each blow; fast: the
+    oscillation that was stepped over, None where all is followed; rests: the instant up to which it stays in the
+    equilibrium in which it starts."""
 
-    def __init__(self, march: "March", until: float, events: Sequence[Event], rests: float,
+    shared: Any
+
+    def __init__(self, march: "March", until: float, events: Sequence[Event], rests: float, breaks: "Breaks",
                  balance: Balance | None = None, drift: Any = None):
         self.system, self.switching, self.windows = march.system, march.switching, march.windows
+        self.breaks, self.struck = breaks, tuple(march.struck)
         self.names, self.sizes, self.fast = list(march.system.scene.coordinates), march.sizes, march.fast
         self.until, self.end, self.events, self.rests = until, until, tuple(events), rests
         self.balance, self.drift, self.reason, self.advice, self.shared = balance, drift, None, None, None
@@ -79,6 +84,15 @@ class Trajectory:
                 found[:, :, group] = window.summed(times[group] - window.start,
                                                          P[:window.rule.points + 2, group])
         return found[0], found[1], found[2]
+
+    def number(self, t: float) -> int:
+        """Of the window in which an instant lies."""
+        return int(self._numbers(np.array([t]))[0])
+
+    def about(self, t: float) -> list[int]:
+        """Of the windows in which an instant lies, two where one ends and the next begins."""
+        k = self.number(t)
+        return [k - 1, k] if k and t - self.starts[k] <= CLOSE * self.lengths[k] else [k]
 
     def _numbers(self, times):
         """Of the windows in which the times lie."""
