@@ -23,22 +23,23 @@ def _measured(number):
 
 
 def _doubt(problem, tree, args, value):
-    """The relative error of a number of a motion that was integrated: of a value in time and of an extreme its own, of
-    others that of the motion up to the instant that is found, or up to its end; of a period by quadrature its own."""
+    """The relative error of a number of a motion that was integrated: of a value in time, of an extreme, of an instant
+    and of a period its own, of others that of the motion up to its end."""
     if problem.response.KIND != "full":
         return 0.0
-    if tree.head == "period" and problem.response.by_quadrature(tree.args[0]) is not None:
-        return problem.response.by_quadrature(tree.args[0])[1]
+    if tree.head == "period":
+        return problem.response.period(tree.args[0])[1]
     if not problem.response.integrated:
         return 0.0
     if tree.head == "value":
-        instant = args[1]
+        error = _signal(problem, tree).error(args[1])
     elif tree.head in ("max", "min"):
-        instant = _extreme(1 if tree.head == "max" else -1, 0)(problem, tree, args)
+        error = _signal(problem, tree).error(_extreme(1 if tree.head == "max" else -1, 0)(problem, tree, args))
+    elif tree.head in ("argmax", "argmin", "zero"):
+        error = _signal(problem, tree).error_of_time(value)
     else:
-        until = value if tree.head in ("argmax", "argmin", "zero") else problem.response.known
-        return problem.response.reaching(until).shared.of_state(until)
-    return min(1.0, _signal(problem, tree).error(instant) / (abs(value) or 1e-300))
+        return problem.response.reaching(problem.response.known).shared.of_state(problem.response.known)
+    return min(1.0, error / (abs(value) or 1e-300))
 
 
 def _found(problem, tree):

@@ -83,7 +83,7 @@ def _free(find):
 def period(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> float:
     """That of a full motion as it is found."""
     if problem.response.KIND != "small":
-        return problem.response.period(tree.args[0])
+        return problem.response.period(tree.args[0])[0]
     signal = _linear(problem, tree)
     if signal_features.kept_up(signal):
         return tau / steady_features.fundamental(signal)

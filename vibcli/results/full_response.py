@@ -94,6 +94,7 @@ class FullResponse(StatesInTime):
     def __init__(self, problem: "Problem"):
         super().__init__(problem)
         self._trajectory: Any = None
+        self._periods: dict[str, tuple[float, float]] = {}
 
     @property
     def integrated(self):
@@ -194,17 +195,24 @@ class FullResponse(StatesInTime):
         return q.values(), v.values()
 
     def period(self, tree: NameRef | Power | Sum):
-        """Of one conservative degree of freedom by quadrature; else the time after which a signal repeats itself."""
-        from vibcli.analyses.time_integration.periodicity import searched_period
-
+        """(period, relative error): of one conservative degree of freedom by quadrature; else the time after which a
+        signal repeats itself."""
         self._require_start()
         if self.by_quadrature(tree) is not None:
-            return self._exact_period[0]
+            return self._exact_period
+        if str(tree) not in self._periods:
+            self._periods[str(tree)] = self._searched_period(tree)
+        return self._periods[str(tree)]
+
+    def _searched_period(self, tree):
+        from vibcli.analyses.time_integration.periodicity import searched_period
+
         try:
             first = self.until
         except PhysicsError:
             first = None
-        return searched_period(self.signal(tree), first)
+        found, error = searched_period(self.signal(tree), first)
+        return found, error / found
 
     def states(self, known: float, trajectory: "Trajectory"):
         if trajectory.system.switches:

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 ROUNDED = CLOSE / 2   # last digits of a place: what rounding may leave of an iteration that comes no nearer
 LOST = 1e-3         # of the motion: where two solutions differ by more, neither is known
 NEAR = POINTS       # places before and after an instant, at which two signals are compared
+FEW, FOLDS, PLACES = 3, 8, 100   # windows and e-foldings at least, of which a rate is told; places that it is fitted to
+POWER = 6           # of the time: with which nothing grows that is no exponential
 EDGE = 1e-6         # of a window
 STILL = 1e-3        # of the size of a coordinate: its error is not compared with less, however little it moves
 
@@ -57,9 +59,37 @@ class Shared:
 
     @property
     def horizon(self) -> float | None:
-        """The last place before the two share less than three digits; None where they share all of the motion."""
+        """The last place before the two share less than three digits, or the deviations leave less; None where all of
+        the motion is known."""
         first = int(np.argmax(self.lost))
-        return float(self.times[max(first - 1, 0)]) if self.lost[first] else None
+        found = [float(self.times[max(first - 1, 0)])] if self.lost[first] else []
+        if self.deviations is not None and (self.deviations.sizes > LOST).any():
+            found.append(self._too_large(self.deviations.sizes, self.one.starts))
+        return min(found, default=None)
+
+    def _too_large(self, sizes, starts):
+        """When the deviations come to LOST, as they grow from one window to the next."""
+        k = int(np.argmax(sizes > LOST))
+        if not k or not 0 < sizes[k - 1] < sizes[k] < np.inf:
+            return float(starts[max(k - 1, 0)])
+        return float(np.interp(np.log(LOST), np.log(sizes[k - 1:k + 1]), starts[k - 1:k + 1]))
+
+    @property
+    def folding(self) -> float | None:
+        """In which time neighbouring motions part e-fold up to the horizon [s]; None where they part no faster than a
+        power of the time."""
+        if self.deviations is None:
+            return None
+        sizes, times = self.deviations.sizes, self.one.starts
+        seen = (sizes > 0) & (np.maximum.accumulate(sizes) < LOST) & (times > 0)
+        if seen.sum() < FEW:
+            return None
+        even = np.linspace(times[seen][0], times[seen][-1], PLACES)
+        logs = np.log(np.interp(even, times[seen], sizes[seen]))
+        (rate, _), of_time, *_ = np.polyfit(even, logs, 1, full=True)
+        (power, _), of_power, *_ = np.polyfit(np.log(even), logs, 1, full=True)
+        truly = rate * (even[-1] - even[0]) > FOLDS and (power > POWER or of_time.sum() < of_power.sum())
+        return 1.0 / float(rate) if truly else None
 
     def of_state(self, t: Any) -> float:
         """The error of the states up to an instant, relative to the motion."""

@@ -21,9 +21,11 @@ from vibcli.analyses.time_integration.variation_at_events import jump
 if TYPE_CHECKING:
     from vibcli.analyses.time_integration.trajectory import Trajectory
 
+SPREAD = 6.0            # by which the root of the sum of squares is multiplied: of all that is said of an error
 HALF = EPSILON / 2      # of a number: what its rounding may be
 AT_REST = 16            # last digits by which the place where forces balance may be off
 STILL = 1e-3            # of the size of a coordinate: what it moves at least, to see slopes
+TINY = 1e-6             # of the figure: motions that are smaller
 MOST = 24               # coordinates
 LARGEST = 1e30          # of the motion: where nothing of it is known any more
 
@@ -157,6 +159,17 @@ class Deviations:
         state = np.concatenate([EPSILON * np.abs(q) + H * H * noise, EPSILON * np.abs(v) + H * noise])
         late = HALF * (window.start + H) * np.concatenate([v, a])
         return np.diag(state**2) + np.outer(late, late)
+
+    @property
+    def sizes(self) -> np.ndarray:
+        """How far the motion may be off at the start of each window, relative to its size, that of a motion which is
+        nothing but rounding lifted; inf where nothing is known."""
+        squares = [(columns**2).sum(axis=1) + np.diag(P)
+                   for columns, P in zip(self.starts, self.covariance, strict=True)]
+        radian = min(self.trajectory.sizes.radian, 1.0)
+        least = TINY * np.concatenate([self.units, self.units / radian])
+        found = SPREAD * np.sqrt(np.maximum(squares, 0.0)) / np.maximum(self.size, least)
+        return np.where(np.isfinite(found), found, np.inf).max(axis=1)
 
     def columns(self, k: int) -> np.ndarray:
         """All at the start of a window: by the data, by the start, and by what is rounded, of shape (2n, columns)."""

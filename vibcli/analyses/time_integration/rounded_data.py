@@ -20,7 +20,7 @@ DIRECTIONS = 8
 SHORT = 2.0**32         # constants of so few binary digits are exact: 2, 0.5, 9e5
 
 
-class Direction:
+class ChangeOfData:
     """A change of all constants: called with one it gives it changed."""
 
     def __init__(self, seed: int):
@@ -47,7 +47,7 @@ class Varied:
         scene, floats = trajectory.system.scene, trajectory.system.floats
         owners, bounds = scene.law_switches()
         self.systems, self.switchings = [trajectory.system], [trajectory.switching]
-        self.directions = [Direction(seed) for seed in range(DIRECTIONS)]
+        self.directions = [ChangeOfData(seed) for seed in range(DIRECTIONS)]
         for direction in self.directions:
             system = NumericEquations(scene, changed(floats, direction), trajectory.system.redundant, direction)
             self.systems.append(system)
@@ -60,6 +60,6 @@ class Varied:
         return self.systems[which].accelerations(t, q, v, g)
 
 
-def changed(floats: Mapping[str, float], direction: Direction) -> dict[str, float]:
+def changed(floats: Mapping[str, float], direction: ChangeOfData) -> dict[str, float]:
     """The values of parameters, changed."""
     return {name: direction(value) if isinstance(value, float) else value for name, value in floats.items()}

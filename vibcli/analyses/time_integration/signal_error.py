@@ -15,12 +15,13 @@ from typing import Any
 import numpy as np
 from numpy.polynomial import legendre
 
+from vibcli.analyses.time_integration.deviations import SPREAD
 from vibcli.analyses.time_integration.error_scales import EPSILON
 from vibcli.analyses.time_integration.trajectory import Trajectory
 from vibcli.analyses.time_integration.variation import NEAR
 from vibcli.numerics.collocation_rule import rule
 
-SPREAD, GAP, ROUNDED = 6.0, 4.0, 8 * EPSILON
+GAP, ROUNDED = 4.0, 8 * EPSILON
 POINTS, FINE, FINER = 12, 40, 50    # of a window: where neighbours are looked at, the motion, its error
 ROUGH = 12.0                    # of the rate of a polynomial through values that are rounded at random
 STILL = 1e-5                    # of a window: an extreme that is as near is that one

@@ -141,9 +141,10 @@ class Trajectory:
         """Know what is `shared` with a second solution, and end where that is too little."""
         self.shared, horizon = shared, shared.horizon
         if horizon is not None:
-            self.stop(horizon, f"from t = {horizon:.4g} s on two solutions of this motion, of another order and with "
-                      "another last digit of its start, share less than three digits", "ask for earlier instants: the "
-                      "motion is chaotic, or leaves an unstable place")
+            why = ("the last digits of its data leave less than three of them" if shared.folding is None else
+                   f"neighbouring motions part e-fold every {shared.folding:.1g} s")
+            self.stop(horizon, f"digits run out at t ≈ {horizon:.4g} s: {why}", "ask for earlier instants: the motion "
+                      "is chaotic, or leaves an unstable place")
 
     def stop(self, instant: Any, reason: Any, advice: Any) -> None:
         """End at an instant, for a reason that is told where more is asked for."""
@@ -152,7 +153,9 @@ class Trajectory:
     def unknown(self, t: float) -> Unknown:
         """The refusal of an instant after the end."""
         reason = self.reason or f"this motion was followed up to t = {self.end:.6g} s"
-        return Unknown(f"{reason}: its motion is not known at t = {t:.6g} s", self.advice or "follow it for longer")
+        joint = ";" if ": " in reason else ":"
+        return Unknown(f"{reason}{joint} its motion is not known at t = {t:.6g} s",
+                       self.advice or "follow it for longer")
 
     def values(self, nodes: Sequence[complex], times: np.ndarray):
         """Expressions of the coordinates, velocities and the time at the times: an array for each."""

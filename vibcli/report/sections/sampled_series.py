@@ -79,7 +79,8 @@ def response_figure(problem: "Problem", series: Sequence[SampledSignal]) -> "Fig
             lines.append((f"{symbol(one.name)}, transient", one.unit, one.parts["transient"]))
             steady.append(None)
             bounds.append(None)
-    return of_response(series[0].times, lines, steady, bounds, title=problem.response.title)
+    return of_response(series[0].times, lines, steady, bounds, problem.response.title,
+                       problem.response.until)
 
 
 def columns(series: Sequence[SampledSignal]) -> "list[tuple[str, str, np.ndarray]]":
