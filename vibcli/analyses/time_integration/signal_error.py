@@ -25,6 +25,7 @@ GAP, ROUNDED = 4.0, 8 * EPSILON
 POINTS, FINE, FINER = 12, 40, 50    # of a window: where neighbours are looked at, the motion, its error
 ROUGH = 12.0                    # of the rate of a polynomial through values that are rounded at random
 STILL = 1e-5                    # of a window: an extreme that is as near is that one
+NOTHING = 1e-200                # of the motion: deviations that are none
 HOPELESS = 1e3                  # of the signal: where nothing is known
 
 
@@ -65,12 +66,21 @@ class SignalError:
             columns = tuple(np.zeros((len(states[0]), len(tau), 0)) for _ in range(3))
         count = columns[0].shape[2]
         both = [np.concatenate(pair, axis=2) for pair in zip(columns, rounded, strict=True)]
-        far = _far(both, states)
+        far = _far(both, self._sizes(states))
         found = np.zeros((both[0].shape[2], len(tau)))
         used = np.flatnonzero(np.isfinite(far))
         if len(used):
             found[used] = self._seen(states, both, far, used, tau, here)
         return found[:count], found[count:]
+
+    def _sizes(self, states):
+        """How large places, velocities and accelerations are, of all the motion where that is known."""
+        deviations, n = self.shared.deviations, len(states[0])
+        here = [np.abs(rows).max(axis=1) for rows in states]
+        if deviations is not None:
+            here[:2] = deviations.size[:n], deviations.size[n:]
+        here[2] = np.maximum(here[2], self.trajectory.sizes.largest)
+        return [np.where(size > 0, size, size.max(initial=0.0) or 1.0) for size in here]
 
     def _seen(self, states, both, far, used, tau, here):
         moved = tuple((row[:, :, None] + columns[:, :, used] * far[used]).transpose(0, 2, 1).reshape(len(row), -1)
@@ -154,13 +164,11 @@ def _digits(states, t, noise):
     return found
 
 
-def _far(columns, states):
+def _far(columns, sizes):
     """By what each column is multiplied to see its effect: then it is NEAR of the motion; NaN of those that vanish."""
-    parts = [np.abs(column).max(axis=1) / (np.abs(row).max(axis=1) + 1e-300)[:, None]
-             for column, row in zip(columns, states, strict=True)]
+    parts = [np.abs(column).max(axis=1) / size[:, None] for column, size in zip(columns, sizes, strict=True)]
     largest = np.max(np.concatenate(parts), axis=0)
-    moved = np.array([np.abs(column).max(axis=(0, 1)) for column in columns]).max(axis=0) > 0
-    return np.where(moved, NEAR / np.where(moved, largest, 1.0), np.nan)
+    return np.where(largest > NOTHING, NEAR / np.where(largest > NOTHING, largest, 1.0), np.nan)
 
 
 def _root(error: float, slope: float, bend: float) -> float:
