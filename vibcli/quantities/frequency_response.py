@@ -6,7 +6,7 @@ from math import isfinite, pi, tau
 from vibcli.base import units
 from vibcli.base.errors import PhysicsError
 from vibcli.quantities.dimensions import checker
-from vibcli.quantities.precise_numbers import settled_response
+from vibcli.quantities.precise_numbers import settled_on_curve, settled_response
 from vibcli.quantities.quantity import COMPLEX, ERROR, Declaration, one
 from vibcli.quantities.signal_dimensions import input_dimension, output_dimension
 
@@ -50,7 +50,7 @@ def _transmissibility(problem, tree, args):
 def _of_curve(find):
     def value(problem, tree, args):
         curve = problem.frequency_response(*tree.args[0].indices)
-        return find(curve, int(tree.indices[0]), tree.component), ERROR
+        return settled_on_curve(problem, tree, find(curve, int(tree.indices[0]), tree.component), ERROR)
     return value
 
 

@@ -9,7 +9,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.quantities.cycle_count import counts_cycles
 from vibcli.results import precise_features, signal_features, steady_features
 from vibcli.results.escalation import largest
-from vibcli.results.precise_frequency_response import precise_response
+from vibcli.results.precise_frequency_response import LEVEL, POLE, TURN, ZERO, precise_place, precise_response
 from vibcli.results.precise_instants import extreme_to, required, value_when
 from vibcli.results.precise_signals import agreed, precise_signal
 from vibcli.results.signals import LinearSignal
@@ -162,6 +162,32 @@ def _period(signal, fine, tree):
     if signal_features.kept_up(signal):
         return 2 * mp.pi / _one(signal, fine)[0]
     return 2 * mp.pi / precise_features.eigenvalue(fine, signal_features.vibration(signal)).imag
+
+
+def place(problem: "Problem", tree: QuantityRef, digits: int, most: float) -> "mpmath.mpf":
+    """A place of a frequency response, or what is read off it there."""
+    signal, driver = tree.args[0].indices
+    curve, number = problem.frequency_response(signal, driver), int(tree.indices[0]) - 1
+
+    def top(fine, number):
+        peak = curve.marked[number]
+        return fine.place(peak.Omega, POLE if peak.value is None else TURN)
+
+    def half(fine, number):
+        peak = number // 2
+        level = abs(fine.at(top(fine, peak))[0]) ** 2 / 2
+        return fine.place(curve.half_power_of(peak + 1)[number % 2], LEVEL, level)
+
+    def read(fine):
+        if tree.head == "antiresonance":
+            return fine.place(curve.antiresonances[number], ZERO if curve.transfer.undamped else TURN)
+        if tree.head == "half_power":
+            return half(fine, number)
+        if tree.head == "quality":
+            return top(fine, number) / (half(fine, 2 * number + 1) - half(fine, 2 * number))
+        return top(fine, number) if tree.component == "Omega" else abs(fine.at(top(fine, number))[0])
+
+    return precise_place(problem, signal, driver, read, digits, most)
 
 
 NUMBERS: dict[str, Callable[["Problem", QuantityRef, int, float], "mpmath.mpf"]] = {

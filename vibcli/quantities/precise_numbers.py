@@ -41,16 +41,28 @@ def settled(problem: "Problem", tree: "QuantityRef", args: Sequence[Any], found:
 def settled_response(problem: "Problem", tree: "QuantityRef", found: complex, error: float) -> tuple[Any, float]:
     """The same of a frequency response at a frequency, its error relative to its size; a number of mpmath where more
     digits are asked for."""
+    value, error = _on_curve("response", problem, tree, error)
+    return (found, error) if value is None else (complex(value) if problem.digits is None else value, error)
+
+
+def settled_on_curve(problem: "Problem", tree: "QuantityRef", found: float, error: float) -> tuple[Any, float]:
+    """The same of what is read off the curve of a frequency response."""
+    value, error = _on_curve("place", problem, tree, error)
+    return (found, error) if value is None else (float(value) if problem.digits is None else value, error)
+
+
+def _on_curve(word, problem, tree, error):
+    """(the number in more digits, its relative error); None and the error in floats where that is enough or refused."""
     if problem.digits is None and error <= ASKED:
-        return found, error
-    from vibcli.quantities.precise_forms import response
+        return None, error
+    from vibcli.quantities import precise_forms
 
     digits = max(problem.digits or 0, DIGITS)
     try:
-        value = response(problem, tree, digits, MOST if problem.digits is None else 30 * MOST)
+        value = getattr(precise_forms, word)(problem, tree, digits, MOST if problem.digits is None else 30 * MOST)
     except (PhysicsError, Spent):
-        return found, error
-    return (complex(value), 2 * ROUNDED) if problem.digits is None else (value, 10.0 ** (1 - digits))
+        return None, error
+    return value, 2 * ROUNDED if problem.digits is None else 10.0 ** (1 - digits)
 
 
 def _exceeds(problem, tree, args, error):

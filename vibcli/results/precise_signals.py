@@ -29,7 +29,11 @@ def agreed(compute: "Callable[[], list[mpmath.mpf]]", digits: int, size: float =
     precision, tries = digits + GUARD, []
     for _ in range(TRIES):
         with mpmath.workdps(precision):
-            found = compute()
+            try:
+                found = compute()
+            except ArithmeticError:
+                raise PhysicsError("more digits of this are not found: a system of equations is singular",
+                                   "leave --digits out") from None
             tries.append((precision, found))
             rests = [_vanishes([(places, numbers[i]) for places, numbers in tries if places > died_out + digits])
                      for i in range(len(found))]

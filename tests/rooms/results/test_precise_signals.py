@@ -115,6 +115,34 @@ def test_frequency_responses():
             assert near(two, H, 28) and error <= 1e-28
 
 
+@pytest.mark.parametrize("c", ["0", "2"])
+def test_places_of_a_frequency_response(c):
+    """Of 1/(k − mΩ² + icΩ) of one mass with an absorber: roots of polynomials in Ω² and of |H|² by mpmath."""
+    found = problem(f"""
+        bodies: {{a: {{mass: 1 kg, slide: x}}, b: {{mass: 0.5 kg, slide: y}}}}
+        springs: {{s: {{k: 400 N/m, between: [ground, a]}}, r: {{k: 100 N/m, between: [a, b]}}}}
+        {"dampers: {d: {c: 2 N*s/m, between: [ground, a]}}" if c != "0" else ""}
+        forces: {{f: {{at: a, force: 1 N*sin(3 rad/s*t)}}}}
+    """)
+
+    def H(W):
+        return (100 - W**2 / 2) / ((500 - W**2 + 1j * mpmath.mpf(c) * W) * (100 - W**2 / 2) - 10**4)
+
+    with mpmath.workdps(50):
+        if c == "0":
+            roots = mpmath.polyroots([mpmath.mpf("0.5"), -350, 40000])
+            exact = {"peak[1]({}).Omega": mpmath.sqrt(min(roots)), "antiresonance[1]({})": mpmath.sqrt(200)}
+        else:
+            at = mpmath.findroot(lambda W: mpmath.diff(lambda w: abs(H(w)), W), mpmath.mpf("11.992"))
+            low, high = (mpmath.findroot(lambda W: abs(H(W)) - abs(H(at)) / mpmath.sqrt(2), mpmath.mpf(near))
+                         for near in ("11.8475", "12.1211"))
+            exact = {"peak[1]({}).Omega": at, "peak[1]({}).value": abs(H(at)), "half_power[2]({})": high,
+                     "quality[1]({})": at / (high - low)}
+        for text, value in exact.items():
+            two, error = measure(found.with_digits(25), expression(text.format("frf[x, f]"), "").tree)
+            assert near(two, value, 22) and error <= 1e-23, text
+
+
 def test_about_an_equilibrium_that_is_searched_for():
     """A rod on a spring with a free length: equilibrium, stiffness and reaction at the pin from V by derivatives."""
     found = problem(ROD + "initial: {phi': 0.2 rad/s}")
