@@ -1,5 +1,8 @@
 """Matrices and generalised forces at an instant of a motion (mechanics/state_functions.py)."""
 
+from math import isfinite
+
+from vibcli.base.errors import PhysicsError
 from vibcli.language.signals import coordinate_name
 from vibcli.quantities.matrices import coordinate_number
 from vibcli.quantities.matrices import dimension as entry_dimension
@@ -26,7 +29,10 @@ def _at(problem, node, time):
     from vibcli.symbolic.expression_graph import reachable
 
     if not time and not any(part.name == "sign" for part in reachable([node])):
-        return evaluate([node], Floats, _start(problem))[0], 0.0
+        found, = evaluate([node], Floats, _start(problem))
+        if isinstance(found, complex) or not isfinite(found):
+            raise PhysicsError("this has no finite real value at t = 0", "ask for a later instant, or start elsewhere")
+        return found, 0.0
     signal = problem.response.state_signal(node)
     return at_instant(signal, time), signal.error(time)
 
@@ -57,10 +63,11 @@ def _entry(about):
 
 QUANTITIES = {
     "M()": _entry("entry of the mass matrix at an instant of the motion"),
-    "C()": _entry("entry ∂²Φ/∂q̇∂ṙ of the damping matrix at an instant"),
+    "C()": _entry("entry of the damping matrix at an instant, of dampers and loads"),
     "K()": _entry("tangent stiffness −∂Q/∂r at an instant, Q being Q[q](2 s)"),
     "Q()": Declaration(
-        "generalised force −∂V/∂q + Σ F ∂s/∂q of springs, weights and loads as they act at an instant, without dampers "
-        "and inertia", None, _value, ("coordinate",), ("time",),
-        dimension=lambda spec, tree: generalised_dimension(spec, coordinate_name(spec, tree.indices[0])), size=_size),
+        "generalised force −∂V/∂q + Σ F ∂s/∂q of springs, weights and loads as they act at an instant, dampers left "
+        "out, with what the inertia of driven motions exerts at relative rest", None, _value, ("coordinate",),
+        ("time",), size=_size,
+        dimension=lambda spec, tree: generalised_dimension(spec, coordinate_name(spec, tree.indices[0]))),
 }

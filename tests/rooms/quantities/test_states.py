@@ -1,13 +1,25 @@
 """M, C, K and Q at states of motions against hand-written energies, differentiated by mpmath at their places."""
 
+from pathlib import Path
 from textwrap import dedent
 
 import mpmath
 import pytest
-from support.scenes import problem, value
+from support.scenes import problem, problem_of, value
 
 from vibcli.base.errors import PhysicsError
+from vibcli.check.instances import Instances
+from vibcli.quantities.expression import measure
+from vibcli.quantities.quantity import declared
+from vibcli.symbolic.parser import parse
 
+PROBLEMS = Path(__file__).parents[3] / "problems"
+RESTING = ("3_free_undamped/four_bar_with_springs", "3_free_undamped/paddle_on_turning_hub",
+           "4_free_damped/galloping_sign_arm", "4_free_damped/bell_crank_dashpot",
+           "6_two_degrees/column_under_follower_force", "6_two_degrees/centrifugal_pendulum_absorber",
+           "6_two_degrees/particle_on_turning_disc", "6_two_degrees/two_beads_on_whirling_rod",
+           "6_two_degrees/wing_section_in_wind", "6_two_degrees/two_link_arm_under_load",
+           "6_two_degrees/matrices_outright", "6_more_degrees/bead_in_swinging_tube")
 NUMBERS = {"m": 2.0, "M": 3.0, "L": 0.7, "k": 40.0, "c": 1.5, "g": 9.81, "F": 6.0, "w": 5.0, "h": 0.9}
 CART = dedent("""
     parameters: {m: 2 kg, M: 3 kg, L: 0.7 m, k: 40 N/m, c: 1.5 N*s/m, g: 9.81 m/s^2, F: 6 N, w: 5 rad/s, h: 0.9 m}
@@ -57,6 +69,22 @@ def test_they_are_those_of_the_place_and_instant(kind, time):
         wanted = by_hand(mpmath.mpf(x), mpmath.mpf(phi), mpmath.mpf(time))
     for text, number in wanted.items():
         assert value(scene, f"{text}({time} s)") == pytest.approx(number, rel=1e-9, abs=1e-9), text
+
+
+@pytest.mark.parametrize("name", RESTING)
+def test_where_a_scene_stays_they_are_those_of_its_small_motions(name):
+    """Turning frames, follower forces and loads that follow speeds included; Q vanishes there."""
+    scene = next(iter(Instances(problem_of(PROBLEMS / f"{name}.yaml"))))
+    names = scene.scene.coordinates
+    for i in names:
+        tree = parse(f"Q[{i}](0 s)")
+        assert abs(measure(scene, tree)[0]) <= 1e-9 * declared(tree).size(scene, tree)
+        for which in "MCK":
+            for j in names:
+                tree = parse(f"{which}[{i},{j}](0 s)")
+                size = declared(tree).size(scene, tree)
+                assert value(scene, f"{which}[{i},{j}]") == pytest.approx(measure(scene, tree)[0], rel=1e-9,
+                                                                          abs=1e-9 * size), (which, i, j)
 
 
 def test_no_motion_is_followed_to_its_start():

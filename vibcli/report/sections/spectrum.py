@@ -79,7 +79,9 @@ def modes(problem: "Problem", report: "Report") -> Iterator[Section]:
     if problem.modal.modes:
         yield from _shapes(problem, report, problem.modal.modes, f"Mode shapes ({WORDS[report.normalise]})")
     if problem.modal.damped is not None:
-        yield from _shapes(problem, report, problem.modal.damped, "Shapes of the damped modes", only_complex=True)
+        one_each = {mode.index: mode for mode in reversed(problem.modal.damped)}       # two eigenvalues have one shape
+        yield from _shapes(problem, report, [one_each[i] for i in sorted(one_each)],
+                           f"Shapes of the damped modes ({WORDS[report.normalise]})", only_complex=True)
 
 
 def _shapes(problem, report, modes, title, only_complex=False):
