@@ -127,7 +127,7 @@ def test_small_motions_are_told_beyond_the_end_at_which_they_are_looked_at(ask, 
     path = tmp_path / "scene.yaml"
     path.write_text(text)
     assert run(["response", str(path), "--until", "1", "--at", "30"]) == 0
-    assert "-0.0999023478833" in capsys.readouterr().out.split("Values")[1]
+    assert "-0.09990234788" in capsys.readouterr().out.split("Values")[1]
 
 
 def test_values_at_instants(ask):

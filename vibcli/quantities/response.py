@@ -5,16 +5,21 @@ from typing import Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.quantities.precise_numbers import settled
-from vibcli.quantities.quantity import ERROR, NUMBER, OF_SIGNAL, PERIOD, SIGNAL, Declaration, declared, one
+from vibcli.quantities.quantity import ERROR, NUMBER, OF_SIGNAL, PERIOD, ROUNDING, SIGNAL, Declaration, declared, one
 from vibcli.symbolic.syntax import QuantityRef
+
+ALONG = ("value", "max", "min", "argmax", "argmin", "zero")     # along motions that are integrated
 
 
 def _measured(number):
-    """(value, relative error bound) of a number of a signal; hints speak of that signal."""
+    """(value, relative error bound) of a number of a signal, which comes with a function that gives its absolute error;
+    hints speak of that signal."""
     def value(problem, tree, args):
         try:
-            found = number(problem, tree, args)
-            return settled(problem, tree, args, found, max(ERROR, _doubt(problem, tree, args, found)))
+            found, off = number(problem, tree, args)
+            small = problem.response.KIND == "small"
+            error = relative(found, off()) if small else max(ERROR, _doubt(problem, tree, found, off))
+            return settled(problem, tree, args, found, error)
         except PhysicsError as error:
             if error.hint and "(x)" in error.hint:
                 raise error.told(hint=error.hint.replace("(x)", f"({_found(problem, tree)})")) from None
@@ -22,7 +27,14 @@ def _measured(number):
     return value
 
 
-def _doubt(problem, tree, args, value):
+def relative(value: float, off: float) -> float:
+    """The relative error bound of a value that may be off by so much; of 0, if it may be off at all, 1."""
+    if not value or not isfinite(off):
+        return 1.0 if off else ROUNDING
+    return max(ROUNDING, off / abs(value))
+
+
+def _doubt(problem, tree, value, off):
     """The relative error of a number of a motion that was integrated: of a value in time, of an extreme, of an instant
     and of a period its own, of others that of the motion up to its end."""
     if problem.response.KIND != "full":
@@ -31,15 +43,9 @@ def _doubt(problem, tree, args, value):
         return problem.response.period(tree.args[0])[1]
     if not problem.response.integrated:
         return 0.0
-    if tree.head == "value":
-        error = _signal(problem, tree).error(args[1])
-    elif tree.head in ("max", "min"):
-        error = _signal(problem, tree).error(_extreme(1 if tree.head == "max" else -1, 0)(problem, tree, args))
-    elif tree.head in ("argmax", "argmin", "zero"):
-        error = _signal(problem, tree).error_of_time(value)
-    else:
-        return problem.response.reaching(problem.response.known).shared.of_state(problem.response.known)
-    return min(1.0, error / (abs(value) or 1e-300))
+    if tree.head in ALONG:
+        return min(1.0, off() / (abs(value) or 1e-300))
+    return problem.response.reaching(problem.response.known).shared.of_state(problem.response.known)
 
 
 def _found(problem, tree):
@@ -74,13 +80,31 @@ def at_instant(signal: Any, time: float) -> float:
 
 
 def _value(problem, tree, args):
-    return at_instant(_signal(problem, tree), args[1])
+    signal = _signal(problem, tree)
+    return at_instant(signal, args[1]), lambda: signal.error(args[1])
 
 
-def _extreme(sense, which):
+def _extreme(sense):
+    """The value of an extreme."""
     def value(problem, tree, args):
-        return _signal(problem, tree).extreme(0.0, problem.response.until, sense)[which]
+        signal = _signal(problem, tree)
+        instant, found = signal.extreme(0.0, problem.response.until, sense)
+        return found, lambda: signal.error(instant)
     return value
+
+
+def _instant(sense):
+    """The instant of an extreme."""
+    def value(problem, tree, args):
+        signal = _signal(problem, tree)
+        instant = signal.extreme(0.0, problem.response.until, sense)[0]
+        return instant, lambda: signal.error_of_time(instant)
+    return value
+
+
+def _final(problem, tree, args):
+    signal = _signal(problem, tree)
+    return signal.final(), signal.error_of_final
 
 
 def _small(name):
@@ -100,8 +124,14 @@ def _overshoot(problem, tree, args):
     if final == start:
         raise PhysicsError("the signal ends where it starts: it has no overshoot", "ask for max(x)")
     sense = 1 if final > start else -1
-    top = signal.extreme(0.0, problem.response.until, sense)[1]
-    return max(0.0, float((top - final) / (final - start)))
+    instant, top = signal.extreme(0.0, problem.response.until, sense)
+    found = max(0.0, float((top - final) / (final - start)))
+
+    def off():
+        last = signal.error_of_final()
+        return (signal.error(instant) + last + found * (signal.error(0.0) + last)) / abs(final - start)
+
+    return found, off
 
 
 def _zero(problem, tree, args):
@@ -112,7 +142,8 @@ def _zero(problem, tree, args):
         raise PhysicsError(f"the signal passes through zero {len(found)} times until t = {until:.6g} s",
                            f"later ones, if there are any, are seen with a later end: find: [{{response: {{until: "
                            f"{2 * until:.3g} s}}}}]")
-    return found[number - 1]
+    instant = float(found[number - 1])
+    return instant, lambda: signal.error_of_zero(instant)
 
 
 def _end(problem, tree):
@@ -148,16 +179,15 @@ QUANTITIES = {
     "phase": _of_signal(
         "lag θ of the steady state X sin(Ωt − θ), −π < θ ≤ π; of a free vibration φ of A e^(−δt) cos(ω_d t − φ); of "
         "phase(frf[…](…)): −arg", "rad", _small("phase"), size=one),
-    "max": _of_signal("largest value from t = 0 on, up to `until` of the response", SIGNAL, _extreme(1, 1)),
-    "min": _of_signal("smallest value", SIGNAL, _extreme(-1, 1)),
-    "argmax": _of_signal("instant of the largest value", "s", _extreme(1, 0), size=_end),
-    "argmin": _of_signal("instant of the smallest value", "s", _extreme(-1, 0), size=_end),
+    "max": _of_signal("largest value from t = 0 on, up to `until` of the response", SIGNAL, _extreme(1)),
+    "min": _of_signal("smallest value", SIGNAL, _extreme(-1)),
+    "argmax": _of_signal("instant of the largest value", "s", _instant(1), size=_end),
+    "argmin": _of_signal("instant of the smallest value", "s", _instant(-1), size=_end),
     "mean": _of_signal("mean over a period of the steady state, or of free vibrations that do not die out; of powers "
                        "and products of signals too, as in mean(x^2), over all times where they have no common period",
                        SIGNAL, _small("mean")),
     "rms": _of_signal("root mean square of the same", SIGNAL, _small("rms")),
-    "final": _of_signal("limit for t → ∞", SIGNAL,
-                        lambda problem, tree, args: _signal(problem, tree).final()),
+    "final": _of_signal("limit for t → ∞", SIGNAL, _final),
     "overshoot": _of_signal("(max − final)/(final − start)", "1", _overshoot, size=one),
     "decrement": _of_signal("logarithmic decrement of a free motion, by successive maxima", "1",
                             _small("decrement"), size=one),

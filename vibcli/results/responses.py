@@ -132,6 +132,18 @@ class SmallResponse(Response):
         return (np.array([places[name] - rest[name] for name in names]), np.array([speeds[name] for name in names]))
 
     @cached_property
+    def data_errors(self):
+        """The DataErrors of the matrices and of the start."""
+        import numpy as np
+
+        from vibcli.analyses.transient.data_errors import of_elements
+
+        configuration, names = self.problem.configuration, self.problem.scene.coordinates
+        rest, start = configuration.equilibrium, self.problem.initial.start
+        places, speeds, still = (np.array([part[name] for name in names]) for part in (*start, rest.values))
+        return of_elements(configuration.linear_system, self.matrices, (places, speeds), still, rest.drawn)
+
+    @cached_property
     def matrices(self):
         """M, C + G, K as arrays."""
         from vibcli.analyses.frequency_response.transfer_function import system
@@ -153,7 +165,7 @@ class SmallResponse(Response):
         from vibcli.analyses.transient.linear_response import linear_motion
 
         found = self.problem.modal.solved(linear_motion, *self.matrices, self.forcing(direct), *self.deviations,
-                                          modes=self.modes, work=self.problem.work)
+                                          modes=self.modes, work=self.problem.work, doubt=lambda: self.data_errors)
         check_start(self.problem, found)
         return found
 

@@ -55,7 +55,15 @@ class Signal:
         return 0.0
 
     def error_of_time(self, t: float) -> float:
-        """How far an instant that was searched may be off [s]."""
+        """How far an instant that was searched may be off at which it is largest or smallest [s]."""
+        return 0.0
+
+    def error_of_zero(self, t: float) -> float:
+        """How far an instant may be off at which it passes or touches zero [s]."""
+        return self.error_of_time(t)
+
+    def error_of_final(self) -> float:
+        """How far its limit may be off."""
         return 0.0
 
     @property

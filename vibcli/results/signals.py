@@ -35,6 +35,26 @@ class LinearSignal(Signal):
     def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
         return self.motion.values(self.output, times, order)
 
+    def error(self, t: float) -> float:
+        import numpy as np
+
+        return float(self.motion.errors(self.output, np.array([t]))[0])
+
+    def error_of_time(self, t: float) -> float:
+        from vibcli.analyses.transient.instant_errors import of_top
+
+        return of_top(self.motion, self.output, t)
+
+    def error_of_zero(self, t: float) -> float:
+        from vibcli.analyses.transient.instant_errors import of_passage
+
+        return of_passage(self.motion, self.output, t)
+
+    def error_of_final(self) -> float:
+        from vibcli.results.feature_errors import final
+
+        return final(self)
+
     def along(self, end: float) -> "Leaf":
         from vibcli.analyses.transient.composition import Leaf
 
@@ -115,18 +135,52 @@ class ComposedSignal(Signal):
         self.work, self.source = work or Work(), source
 
     def values(self, times: Any, order: int = 0) -> "np.ndarray":
-        from vibcli.symbolic.array_arithmetic import Arrays
-
         if order:
             raise PhysicsError("rates of products of signals are not found", "ask for the signal itself")
+        found = self.composed(times, {name: signal.values(times) for name, signal in self.signals.items()})
+        return require_finite(found, times)
+
+    def composed(self, times: Any, known: Mapping[str, Any]) -> "np.ndarray":
+        """Its values, given those of its signals, and others for its numbers perhaps."""
         import numpy as np
 
-        values = {name: signal.values(times) for name, signal in self.signals.items()}
+        from vibcli.symbolic.array_arithmetic import Arrays
+
         with np.errstate(all="ignore"):
-            values |= {**self.floats, self.time.name: np.asarray(times)}
+            values = {**self.floats, self.time.name: np.asarray(times), **known}
             values |= {} if self.closing is None else self.closing.values(times, values)
             found = evaluate([self.node], Arrays, values)[0]
-        return require_finite(np.broadcast_to(found, np.shape(times)), times)
+        return np.broadcast_to(found, np.shape(times))
+
+    @property
+    def names(self) -> set[str]:
+        """The names of the symbols that it holds."""
+        from vibcli.symbolic.expression_graph import reachable
+
+        return {symbol.name for symbol in reachable([self.node]) if symbol.op == "symbol"}
+
+    def error(self, t: float) -> float:
+        from vibcli.results.composed_errors import of_value
+
+        return of_value(self, t)
+
+    def error_of_time(self, t: float) -> float:
+        from vibcli.results.composed_errors import of_instant
+
+        return of_instant(self, t, 1)
+
+    def error_of_zero(self, t: float) -> float:
+        from vibcli.results.composed_errors import of_instant
+
+        return of_instant(self, t, 0)
+
+    def error_of_final(self) -> float:
+        from vibcli.results.composed_errors import propagated
+        from vibcli.symbolic.evaluation import Floats
+
+        return propagated(lambda known: evaluate([self.node], Floats, {**self.floats, **known})[0],
+                          {name: signal.final() for name, signal in self.signals.items()},
+                          {name: signal.error_of_final() for name, signal in self.signals.items()})
 
     def along(self, end: float) -> "Composition":
         """The Composition of the outputs up to an instant; KeyError where it holds what has no known bounds."""
@@ -257,3 +311,16 @@ class Envelope(Signal):
 
     def final(self) -> float:
         return self.found.final()
+
+    def error(self, t: float) -> float:
+        from vibcli.results.feature_errors import envelope
+
+        return envelope(self.signal, self.found, t)[0]
+
+    def error_of_time(self, t: float) -> float:
+        from vibcli.results.feature_errors import envelope
+
+        return envelope(self.signal, self.found, t)[1]
+
+    def error_of_final(self) -> float:
+        return self.error(0.0)

@@ -85,7 +85,7 @@ class ModalAnalysis:
         return normalised(mode.shape, how, weights(self.configuration.linear_system))
 
     def solved(self, solve: Callable, *args: Any,
-               **options: "Sequence[Mode] | int | Work") -> "list[DampedMode | Mode] | LinearMotion | None":
+               **options: "Sequence[Mode] | int | Work | Callable") -> "list[DampedMode | Mode] | LinearMotion | None":
         """What solves for modes, as a task; its refusals have the names of coordinates."""
         from vibcli.analyses.modal.scaling import UnheldCoordinate
 

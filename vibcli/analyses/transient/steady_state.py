@@ -126,7 +126,7 @@ def repeating(motion: "LinearMotion", forcing: Forcing) -> tuple[np.ndarray, np.
     rest = motion.like(once, np.zeros(n), np.zeros(n)).pieces(math.inf)
     q, v = np.zeros(n), np.zeros(n)
     for block, states in zip(motion.blocks, rest.states, strict=True):
-        kept = -_growth(block.B, period)
+        kept = -growth(block.B, period)
         c = np.linalg.lstsq(kept, states[-1], rcond=RESONANT)[0] if len(kept) > 1 or abs(kept[0, 0]) < RESONANT else (
             states[-1] / kept[0])
         if np.abs(kept @ c - states[-1]).max() > UNFORCED * np.abs(states).max():
@@ -136,7 +136,7 @@ def repeating(motion: "LinearMotion", forcing: Forcing) -> tuple[np.ndarray, np.
     return q, v
 
 
-def _growth(B, t):
+def growth(B: np.ndarray, t: float) -> np.ndarray:
     """e^{Bt} − 1, its diagonal without loss."""
     out = np.zeros(B.shape, complex)
     for i, j, product, nodes in paths(B):
