@@ -2,10 +2,12 @@
 what a number may be off by."""
 
 from collections.abc import Sequence
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Spent
+from vibcli.quantities.quantity import SIGNAL, declared
 from vibcli.results.escalation import ASKED, DIGITS, MOST, ROUNDED, largest
 
 if TYPE_CHECKING:
@@ -19,7 +21,7 @@ def settled(problem: "Problem", tree: "QuantityRef", args: Sequence[Any], found:
             error: float) -> tuple[float, float]:
     """(value, relative error bound) of a number found in floats, or to more digits where these are asked for or its
     bound exceeds what is asked."""
-    if problem.response.KIND != "small" or (problem.digits is None and not _exceeds(problem, tree, args, error)):
+    if problem.response.KIND != "small" or (problem.digits is None and not _exceeds(problem, tree, args, found, error)):
         return found, error
     import mpmath
 
@@ -65,11 +67,15 @@ def _on_curve(word, problem, tree, error):
     return value, 2 * ROUNDED if problem.digits is None else 10.0 ** (1 - digits)
 
 
-def _exceeds(problem, tree, args, error):
-    """Does a relative bound exceed what is asked? Values and extremes are measured by the largest of their signal."""
+def _exceeds(problem, tree, args, found, error):
+    """Does a relative bound exceed what is asked? What has the unit of its signal is measured by the largest of that."""
     if error <= ASKED:
         return False
     signal, instants = problem.response.signal(tree.args[0]), args[1:]
     if tree.head in ("max", "min"):
         instants = [signal.extreme(0.0, problem.response.until, 1 if tree.head == "max" else -1)[0]]
-    return not all(signal.error(t) <= ASKED * largest(signal, t) for t in instants) if instants else True
+    if instants:
+        return not all(signal.error(t) <= ASKED * largest(signal, t) for t in instants)
+    with suppress(PhysicsError):
+        return declared(tree).unit != SIGNAL or error * abs(found) > ASKED * largest(signal, problem.response.until)
+    return True

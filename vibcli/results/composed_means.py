@@ -11,7 +11,7 @@ from vibcli.results.steady_features import common
 from vibcli.symbolic.evaluation import evaluate
 
 if TYPE_CHECKING:
-    from vibcli.results.signals import Envelope
+    from vibcli.results.envelope import Envelope
 
 PANELS = 4          # of the first division for each of the fastest wave's periods
 MOST_PANELS = 10_000
