@@ -68,7 +68,8 @@ def _on_curve(word, problem, tree, error):
 
 
 def _exceeds(problem, tree, args, found, error):
-    """Does a relative bound exceed what is asked? What has the unit of its signal is measured by the largest of that."""
+    """Does a relative bound exceed what is asked? What has the unit of its signal is measured by the signal's largest.
+    """
     if error <= ASKED:
         return False
     signal, instants = problem.response.signal(tree.args[0]), args[1:]
