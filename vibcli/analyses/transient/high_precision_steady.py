@@ -22,8 +22,12 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
 
-def steady_motion(motion: PreciseMotion) -> "PreciseMotion | SteadyWaves":
+def steady_motion(motion: "PreciseMotion | SteadyWaves | TransientMotion") -> "PreciseMotion | SteadyWaves":
     """What is reached, continued back to t = 0. It is asked for of motions that have a steady state alone."""
+    if isinstance(motion, SteadyWaves):
+        return motion
+    if isinstance(motion, TransientMotion):
+        raise PhysicsError("more digits of what lasts of a transient are not found", "it dies out: leave --digits out")
     return SteadyWaves(motion) if motion.forcing.period is None else _repeating(motion)
 
 
@@ -112,7 +116,7 @@ class WavesAt:
 class TransientMotion:
     """A motion less its steady state."""
 
-    def __init__(self, motion: PreciseMotion):
+    def __init__(self, motion: PreciseMotion | SteadyWaves):
         self.whole, self.steady = motion, steady_motion(motion)
 
     def breaks(self, until: float) -> "list[mpmath.mpf]":
