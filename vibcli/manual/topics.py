@@ -16,7 +16,8 @@ EXIT_CODES = [
     ("1", "an answer differs (`vibcli check`)"),
     ("2", "the command line is wrong"),
     ("3", "a file is invalid: the diagnostics name line and column"),
-    ("4", "a scene cannot be solved, for a physical cause that is named; or what was found cannot be written"),
+    ("4", "a scene cannot be solved, for a physical cause that is named; whether an answer agrees is uncertain "
+          "(`vibcli check`); or what was found cannot be written"),
     ("5", "nothing was found to check"),
     ("101", "an error of vibcli itself"),
     ("130", "interrupted"),

@@ -11,6 +11,8 @@ from vibcli.mechanics.numeric_system import NumericSystem
 from vibcli.symbolic.evaluation import Floats, Rationals, evaluate
 
 if TYPE_CHECKING:
+    import mpmath
+
     from vibcli.mechanics.equilibrium.equilibrium import Equilibrium
     from vibcli.mechanics.inputs_outputs.dynamic_reactions import MovingReactions
     from vibcli.mechanics.inputs_outputs.reactions import Reaction
@@ -132,6 +134,26 @@ class Configuration:
         from vibcli.mechanics.high_precision import system_to
 
         return system_to(self, digits)
+
+    @cached_property
+    def bounded_rest(self):
+        """An arithmetic of bounded numbers, and {symbol: number with the bound of its error} of everything at rest."""
+        from vibcli.mechanics.bounded_rest import bounded_rest
+
+        return bounded_rest(self)
+
+    @cached_property
+    def bounded_matrices(self):
+        """M, C, G, K, each {(i, j): number with the bound of its error}."""
+        from vibcli.mechanics.bounded_rest import bounded_matrices
+
+        return bounded_matrices(self)
+
+    def precise_rest(self, digits: int) -> "tuple[Any, dict[str, mpmath.mpf]]":
+        """mpmath's arithmetic, and {symbol: number} of everything at rest, at t = 0, to so many digits."""
+        from vibcli.mechanics.high_precision import rest_to
+
+        return rest_to(self, digits)
 
     def exact_system(self):
         """The FactoredSystem in Fractions, None where it is irrational or the equilibrium had to be searched for."""

@@ -48,6 +48,21 @@ def in_its_place(drawn: "Mapping[Node, Node]", values: "Mapping[str, mpmath.mpf]
     return dict(zip((q.name for q in drawn), evaluate(list(drawn.values()), arithmetic, values), strict=True))
 
 
+def rest_to(configuration: "Configuration", digits: int) -> "tuple[Any, dict[str, mpmath.mpf]]":
+    """(arithmetic, {symbol: number}) of everything at rest in the equilibrium, at t = 0, good to `digits` digits."""
+    import mpmath
+
+    with mpmath.workdps(digits + GUARD):
+        arithmetic = multiprecision()
+        values, zero = configuration.numeric.values(arithmetic), mpmath.mpf(0)
+        if not configuration.equilibrium.drawn and configuration.system.is_linear:
+            place = equilibrium_to(configuration.numeric, configuration.equilibrium, values, arithmetic)
+        else:
+            place = place_to(configuration, values, arithmetic)
+        still = {v.name: zero for v in configuration.scene.v}
+        return arithmetic, {**values, configuration.scene.time.name: zero, **place, **still}
+
+
 class Degenerate(PhysicsError):
     """K is singular in the equilibrium: Newton's method finds no more digits of it. position: {coordinate: number}, the
     best that is known, where it is a multiple zero."""

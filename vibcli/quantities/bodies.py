@@ -1,6 +1,6 @@
 """Masses, moments of inertia and mass centres of bodies."""
 
-from vibcli.quantities.quantity import ROUNDING, Declaration
+from vibcli.quantities.quantity import Declaration, measured, unit
 
 
 def _inertia(problem, tree):
@@ -31,9 +31,12 @@ def _centre(problem, tree):
 
 def _value(symbolic):
     def value(problem, tree, args):
-        from vibcli.symbolic.evaluation import Floats, evaluate
+        from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
+        from vibcli.symbolic.running_errors import RunningErrors
 
-        return evaluate([symbolic(problem, tree)], Floats, problem.numeric.floats)[0], ROUNDING
+        arithmetic = RunningErrors(Floats if problem.digits is None else multiprecision(), unit(problem))
+        found, = evaluate([symbolic(problem, tree)], arithmetic, problem.numeric.values(arithmetic))
+        return measured(found)
     return value
 
 

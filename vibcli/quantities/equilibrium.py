@@ -6,7 +6,7 @@ from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.base.units import LENGTH
 from vibcli.language.signals import CONTACT, coordinate_name, is_reaction, signal_dimension
 from vibcli.quantities.matrices import coordinate_number
-from vibcli.quantities.quantity import COUNT, FUNCTION, ROUNDING, TRUTH, Declaration
+from vibcli.quantities.quantity import COUNT, FUNCTION, ROUNDING, TRUTH, Declaration, measured, unit
 from vibcli.quantities.signal_dimensions import generalised_dimension, name_dimension
 
 if TYPE_CHECKING:
@@ -37,15 +37,22 @@ def count(problem: "Problem") -> int:
 
 def _equilibrium(problem, tree, args):
     from vibcli.mechanics.inputs_outputs.displacements import displacement
-    from vibcli.symbolic.evaluation import Floats, evaluate
+    from vibcli.symbolic.evaluation import evaluate
+    from vibcli.symbolic.running_errors import RunningErrors
 
     signal = coordinate_name(problem.spec, tree.indices[0]) or tree.indices[0]
-    node = displacement(problem.scene.resting, signal)
+    scene, (name, _, part) = problem.scene.resting, signal.partition(".")
+    node = displacement(scene, signal)
+    if node is None and part == "force" and name in (problem.spec.get("springs") or {}):
+        node = scene.force_of(name)
     if node is None:
         from vibcli.mechanics.signals import force
 
         return force(problem.configuration, signal), ROUNDING
-    return evaluate([node], Floats, problem.configuration.at_rest)[0], ROUNDING
+    if problem.digits is None:
+        return measured(evaluate([node], *problem.configuration.bounded_rest)[0])
+    inner, values = problem.configuration.precise_rest(problem.digits)
+    return measured(evaluate([node], RunningErrors(inner, unit(problem)), values)[0], 10.0**-problem.digits)
 
 
 def _in_letters(problem, tree):

@@ -7,6 +7,7 @@ from vibcli.base import units
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.language.signals import coordinate_name
 from vibcli.quantities.quantity import ROUNDING, Declaration
+from vibcli.symbolic.running_errors import error_in
 
 if TYPE_CHECKING:
     from vibcli.language.spec import Spec
@@ -30,8 +31,13 @@ def _matrix(problem, which):
 
 
 def _entry(problem, tree, args):
-    i, j = (coordinate_number(problem, index) for index in tree.indices)
-    return float(_matrix(problem, tree.head).get((i, j), 0.0)), ROUNDING
+    pair = tuple(coordinate_number(problem, index) for index in tree.indices)
+    if problem.digits is not None:
+        precise = problem.configuration.precise_system(problem.digits).matrices()["MCGK".index(tree.head)]
+        return precise.get(pair, 0.0), 10.0**-problem.digits
+    value = float(_matrix(problem, tree.head).get(pair, 0.0))
+    bound = problem.configuration.bounded_matrices["MCGK".index(tree.head)].get(pair, 0.0)
+    return value, error_in(bound) / abs(value) if value else ROUNDING
 
 
 def largest(problem: "Problem", tree: "QuantityRef") -> float:

@@ -5,9 +5,11 @@ Reading a scene loads declarations alone: what values are found by is imported w
 
 from collections.abc import Callable
 from importlib import import_module
+from math import tau
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.quantities import FAMILIES, FORMS
+from vibcli.symbolic.running_errors import UNIT, error_in, number_in
 from vibcli.symbolic.syntax import NameRef, QuantityRef, Sum
 
 if TYPE_CHECKING:
@@ -23,6 +25,31 @@ OF_SIGNAL, FUNCTION, EQUATION = "signal", "function", "equation"        # a sign
 LEAPING, OF_STATE = (COUNT, TRUTH), (FUNCTION, EQUATION)
 _ARGUMENTS = {"signal": "{x}", "time": "2 s", "Omega": "5 Hz", "response": "frf[{x}, {F}]",
               "complex": "frf[{x}, {F}](5 Hz)"}
+
+
+def as_asked(problem: "Problem", x: Any) -> Any:
+    """A real number as it is handed on: a float, one of mpmath's where the problem is asked for digits."""
+    return float(x) if problem.digits is None else x
+
+
+def full_turn(problem: "Problem") -> Any:
+    """2π, likewise."""
+    if problem.digits is None:
+        return tau
+    import mpmath
+
+    return 2 * mpmath.pi
+
+
+def unit(problem: "Problem") -> float:
+    """The rounding of the numbers in which a problem is asked."""
+    return UNIT if problem.digits is None else 10.0**-problem.digits
+
+
+def measured(found: Any, least: float = 0.0) -> tuple[Any, float]:
+    """(value, relative error bound) of a number with its bound; at least so much."""
+    value, error = number_in(found), error_in(found)
+    return value, max(least, float(error / abs(value))) if value else ROUNDING
 
 
 class Declaration(NamedTuple):

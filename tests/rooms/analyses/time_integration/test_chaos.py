@@ -92,7 +92,7 @@ def test_what_is_not_known_is_refused_by_name(scene, capsys):
                                ("rms(p): 2.5", 4, "")):
         assert run(["check", scene(FAR_UP + f"answers:\n  {answer}\n")]) == code, answer
         assert said in capsys.readouterr().err
-    within = FAR_UP.replace("50 s", "16 s") + "answers: {'max(r)': 20.9472, 'argmax(r)': 14.37 s}\n"
+    within = FAR_UP.replace("50 s", "16 s") + "answers: {'max(r)': 20.947, 'argmax(r)': 14.37 s}\n"
     assert run(["check", scene(within)]) == 0
 
 

@@ -1,0 +1,78 @@
+"""Numbers compared as intervals: what is found with its bound, against what is expected with its tolerance.
+
+    |found − expected| + bound ≤ tolerance      agrees, whatever the error is
+    |found − expected| − bound > tolerance      differs, whatever it is
+    else                                        open: found anew to more digits, and uncertain where that leaves it open
+
+A bound that grows can turn either into uncertain, never one into the other.
+"""
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from vibcli.base.errors import PhysicsError
+from vibcli.check.tolerance import digits_written, tolerance
+from vibcli.quantities.expression import bounded
+
+if TYPE_CHECKING:
+    from vibcli.reader.sections.answer import Answer
+    from vibcli.results.problem import Problem
+
+DIGITS, MORE = 25, 8        # found anew at least; beyond those written
+MOST = 100                  # steps of a million products
+ROUNDING = 1e-11            # relative: a bound that is the rounding of floats leaves nothing open
+
+
+class Comparison(NamedTuple):
+    """agrees: True, False, or None where `error`, an absolute bound of what is found, leaves it open."""
+
+    agrees: bool | None
+    expected: float
+    found: float
+    error: float
+
+
+def compared(problem: "Problem", answer: "Answer") -> Comparison:
+    """The Comparison of an answer that is a number."""
+    comparison = _compared(problem, answer)
+    for digits in _more_digits(problem, answer):
+        if comparison.agrees is not None:
+            return comparison
+        try:
+            sharper = _compared(problem.with_digits(digits), answer)
+        except PhysicsError:        # no more digits are to be had
+            break
+        if not sharper.error < comparison.error / 2:
+            break
+        comparison = sharper
+    if comparison.agrees is None and comparison.error <= ROUNDING * abs(comparison.expected):
+        return comparison._replace(agrees=_inside(comparison, float(tolerance(problem, answer, comparison.expected))))
+    return comparison
+
+
+def _compared(problem, answer):
+    """The Comparison in floats, or to the digits that the problem is asked for."""
+    found, error = bounded(problem, answer.asked)
+    expected, doubt = bounded(problem, answer.expected)
+    return verdict(expected, found, error + doubt, tolerance(problem, answer, expected))
+
+
+def verdict(expected: float, found: float, error: float, tolerance: float) -> Comparison:
+    """What numbers (of any kind) say: agrees, differs, or open."""
+    apart = abs(found - expected)
+    agrees = True if apart + error <= tolerance else False if apart - error > tolerance else None
+    return Comparison(agrees, float(expected), float(found), float(error))
+
+
+def _inside(comparison, tolerance):
+    return bool(abs(comparison.found - comparison.expected) <= tolerance)
+
+
+def _more_digits(problem, answer):
+    """To how many digits to find anew what floats leave open; none where the scene holds a number that was searched
+    for, or where they take long."""
+    if problem.choice is not None and not problem.choice.exact:
+        return
+    first = max(DIGITS, digits_written(answer.expected.text) + MORE)
+    for digits in (first, 2 * first):
+        if problem.modal.steps_to_digits(digits) <= MOST * problem.work.patience:
+            yield digits
