@@ -7,34 +7,38 @@
 A bound that grows can turn either into uncertain, never one into the other.
 """
 
+from math import log10
 from typing import TYPE_CHECKING, NamedTuple
 
 from vibcli.base.errors import PhysicsError
-from vibcli.check.tolerance import digits_written, tolerance
+from vibcli.check.tolerance import EPSILON, tolerance
 from vibcli.quantities.expression import bounded
 
 if TYPE_CHECKING:
     from vibcli.reader.sections.answer import Answer
     from vibcli.results.problem import Problem
 
-DIGITS, MORE = 25, 8        # found anew at least; beyond those written
+DIGITS, MORE = 25, 8        # found anew at least; beyond those of the tolerance
+LEAST = 1e-100              # relative: the smallest tolerance for which digits are sought
 MOST = 100                  # steps of a million products
 ROUNDING = 1e-11            # relative: a bound that is the rounding of floats leaves nothing open
 
 
 class Comparison(NamedTuple):
-    """agrees: True, False, or None where `error`, an absolute bound of what is found, leaves it open."""
+    """agrees: True, False, or None where `error`, an absolute bound of what is found, leaves it open; `tolerance`:
+    absolute too."""
 
     agrees: bool | None
     expected: float
     found: float
     error: float
+    tolerance: float
 
 
 def compared(problem: "Problem", answer: "Answer") -> Comparison:
     """The Comparison of an answer that is a number."""
-    comparison = _compared(problem, answer)
-    for digits in _more_digits(problem, answer):
+    comparison = floats = _compared(problem, answer)
+    for digits in _more_digits(problem, comparison):
         if comparison.agrees is not None:
             return comparison
         try:
@@ -44,8 +48,8 @@ def compared(problem: "Problem", answer: "Answer") -> Comparison:
         if not sharper.error < comparison.error / 2:
             break
         comparison = sharper
-    if comparison.agrees is None and comparison.error <= ROUNDING * abs(comparison.expected):
-        return comparison._replace(agrees=_inside(comparison, float(tolerance(problem, answer, comparison.expected))))
+    if comparison is floats and _is_rounding(comparison):
+        return comparison._replace(agrees=bool(abs(floats.found - floats.expected) <= floats.tolerance))
     return comparison
 
 
@@ -60,19 +64,22 @@ def verdict(expected: float, found: float, error: float, tolerance: float) -> Co
     """What numbers (of any kind) say: agrees, differs, or open."""
     apart = abs(found - expected)
     agrees = True if apart + error <= tolerance else False if apart - error > tolerance else None
-    return Comparison(agrees, float(expected), float(found), float(error))
+    return Comparison(agrees, float(expected), float(found), float(error), float(tolerance))
 
 
-def _inside(comparison, tolerance):
-    return bool(abs(comparison.found - comparison.expected) <= tolerance)
+def _is_rounding(comparison):
+    """Is it no more than the rounding of floats that leaves it open, and no more digits are asked for?"""
+    size = abs(comparison.expected)
+    return comparison.agrees is None and comparison.error <= ROUNDING * size and comparison.tolerance >= EPSILON * size
 
 
-def _more_digits(problem, answer):
-    """To how many digits to find anew what floats leave open; none where the scene holds a number that was searched
-    for, or where they take long."""
+def _more_digits(problem, comparison):
+    """To how many digits to find anew what floats leave open, so that its bound is far below the tolerance; none where
+    the scene holds a number that was searched for, or where they take long."""
     if problem.choice is not None and not problem.choice.exact:
         return
-    first = max(DIGITS, digits_written(answer.expected.text) + MORE)
+    share = comparison.tolerance / abs(comparison.expected) if comparison.expected else 1.0
+    first = max(DIGITS, MORE + round(-log10(max(share, LEAST))))
     for digits in (first, 2 * first):
         if problem.modal.steps_to_digits(digits) <= MOST * problem.work.patience:
             yield digits

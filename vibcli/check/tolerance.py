@@ -22,7 +22,7 @@ def tolerance(problem: "Problem", answer: "Answer", expected: float) -> float:
     """The absolute tolerance of an answer."""
     if answer.rtol is not None:
         share = _share(problem, answer.rtol)
-        return (share + 4 * EPSILON) * abs(expected) if expected else _small(problem, answer)
+        return (share * (1 + EXACT) or 4 * EPSILON) * abs(expected) if expected else _small(problem, answer)
     number = answer.expected.parts.whole
     text = "" if number is None else answer.expected.text
     if not expected or digits_written(text) < SHORT:

@@ -1,24 +1,22 @@
 """Quantities of damped modes: eigenvalues and what is read off them, and complex shapes."""
 
-from math import sqrt, tau
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.language.signals import coordinate_name
-from vibcli.quantities.modal import along, counted, in_letters, largest, of_shape, one_degree, ten
-from vibcli.quantities.quantity import COMPLEX, PERIOD, Declaration
+from vibcli.quantities.modal import along, amplitude_as_asked, counted, in_letters, largest, of_shape, one_degree, ten
+from vibcli.quantities.quantity import COMPLEX, PERIOD, Declaration, as_asked, full_turn, rounded
 
 if TYPE_CHECKING:
     from vibcli.analyses.modal.damped_modes import DampedMode
     from vibcli.results.problem import Problem
     from vibcli.symbolic.syntax import QuantityRef
 
-SHAPE = 1e-11       # relative, of an amplitude in a shape
-
-
 def _pair(problem: "Problem", tree: "QuantityRef") -> "list[DampedMode]":
     """The damped modes of an index, two where it is over-damped; a scene without dampers has none."""
     modes, number = problem.modal.damped, int(tree.indices[0])
+    if modes is not None and problem.digits is not None:
+        modes = problem.modal.damped_to(problem.digits)
     if modes is None:
         raise PhysicsError("nothing damps this scene: it has no damped modes", "add a damper")
     found = [mode for mode in modes if mode.index == number]
@@ -30,14 +28,13 @@ def _pair(problem: "Problem", tree: "QuantityRef") -> "list[DampedMode]":
 
 def _of_damped(attribute, words):
     def value(problem, tree, args):
-
-        mode = _pair(problem, tree)[0]
-        number = getattr(mode, attribute)
+        pair = _pair(problem, tree)
+        number = getattr(pair[0], attribute)
         if number is None:
             raise PhysicsError(f"damped mode {tree.indices[0]} has no {words}",
                                "see `vibcli frequencies` for what it has")
-        of_decay, of_omega_d = mode.bounds
-        return float(number), of_omega_d if attribute == "omega_d" else of_decay
+        error = max(one.bounds[attribute == "omega_d"] for one in pair)
+        return as_asked(problem, number), rounded(problem, float(error))
     return value
 
 
@@ -49,7 +46,8 @@ def _decrement(problem, tree, args):
     if not zeta < 1:
         raise PhysicsError(f"damped mode {tree.indices[0]} does not oscillate: it has no logarithmic decrement",
                            f"ask for decay[{tree.indices[0]}]")
-    return tau * zeta / sqrt((1 - zeta) * (1 + zeta)), 4 * error
+    left = (1 - zeta) * (1 + zeta)
+    return full_turn(problem) * zeta / left**0.5, 2 * error / float(left)
 
 
 def _period(problem, tree, args):
@@ -57,7 +55,7 @@ def _period(problem, tree, args):
     if not mode.omega_d:
         raise PhysicsError(f"damped mode {number} does not oscillate: it has no period", f"ask for decay[{number}]")
     omega_d, error = _of_damped("omega_d", "period")(problem, tree, args)
-    return tau / omega_d, error
+    return full_turn(problem) / omega_d, rounded(problem, error)
 
 
 def _eigenvalue(problem, tree, args):
@@ -69,13 +67,14 @@ def _eigenvalue(problem, tree, args):
                       if modes[0].omega_d else ("has one real eigenvalue", f"ask for eigenvalue[{i}]"))
         raise PhysicsError(f"damped mode {i} {what}", hint)
     mode = modes[which - 1]
+    if problem.digits is not None:
+        return mode.eigenvalue if mode.omega_d else mode.eigenvalue.real, mode.error
     return complex(mode.eigenvalue) if mode.omega_d else float(mode.eigenvalue.real), mode.error
 
 
 def _shape(problem, tree, args):
     signal = coordinate_name(problem.spec, tree.indices[1]) or tree.indices[1]
-    amplitude = complex(along(problem, problem.modal.shape(_pair(problem, tree)[0]), signal))
-    return amplitude if amplitude.imag else amplitude.real, SHAPE
+    return amplitude_as_asked(problem, along(problem, problem.modal.shape(_pair(problem, tree)[0]), signal))
 
 
 def _omega_d(m, c, k, omega, table):

@@ -37,9 +37,16 @@ def _angle(sign):
     """The angle of a complex number times 1 or −1, which is off by as much as the number is of its size."""
     def value(problem, tree, args):
         found, error = args[0]
-        angle = wrapped(sign * cmath.phase(found))
+        angle = wrapped(sign * cmath.phase(found)) if problem.digits is None else _precise_angle(sign, found)
         return angle, error / (abs(angle) or 1.0)
     return value
+
+
+def _precise_angle(sign, found):
+    import mpmath
+
+    angle = sign * mpmath.arg(found)
+    return angle if angle > -mpmath.pi else +mpmath.pi
 
 
 def _transmissibility(problem, tree, args):

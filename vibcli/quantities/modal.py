@@ -1,14 +1,13 @@
 """Quantities of modes: frequencies, shapes, damping, sensitivities and estimates."""
 
 from collections.abc import Callable, Sequence
-from math import tau
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.language.signals import coordinate_name
 from vibcli.quantities.matrices import entry_dimension
-from vibcli.quantities.quantity import COMPLEX, PERIOD, ROUNDING, Declaration
+from vibcli.quantities.quantity import COMPLEX, PERIOD, ROUNDING, Declaration, as_asked, full_turn, rounded
 from vibcli.quantities.signal_dimensions import name_dimension
 
 if TYPE_CHECKING:
@@ -20,8 +19,12 @@ if TYPE_CHECKING:
     from vibcli.symbolic.syntax import QuantityRef
 
 
+SHAPE, LOST = 1e-11, 6      # the relative error of a shape; digits that one loses where eigenvalues are close
+
+
 def _mode(problem, tree):
-    modes, number = problem.modal.modes, int(tree.indices[0])
+    modes = problem.modal.modes if problem.digits is None else problem.modal.modes_to(problem.digits)
+    number = int(tree.indices[0])
     if not modes:
         raise PhysicsError(f"there is no mode {number}: without its dampers nothing would hold what has no "
                            "inertia in this scene",
@@ -47,26 +50,26 @@ def _oscillating(problem, tree, what):
 
 def _omega(problem, tree, args):
     mode = _oscillating(problem, tree, "frequency")
-    return float(mode.omega), mode.error
+    return as_asked(problem, mode.omega), mode.error
 
 
 def _frequency(problem, tree, args):
     omega, error = _omega(problem, tree, args)
-    return omega / tau, error
+    return omega / full_turn(problem), rounded(problem, error)
 
 
 def _period(problem, tree, args):
     mode, number = _oscillating(problem, tree, "period"), tree.indices[0]
     if not mode.omega:
         raise PhysicsError(f"mode {number} is a rigid-body mode: it has no period", f"ask for omega[{number}]: 0 rad/s")
-    return tau / float(mode.omega), mode.error
+    return full_turn(problem) / as_asked(problem, mode.omega), rounded(problem, mode.error)
 
 
 def _growth_rate(problem, tree, args):
     mode, number = _mode(problem, tree), tree.indices[0]
     if mode.growth_rate is None:
         raise PhysicsError(f"mode {number} does not grow: it is not unstable", f"ask for omega[{number}]")
-    return float(mode.growth_rate), mode.error
+    return as_asked(problem, mode.growth_rate), mode.error
 
 
 def largest(problem: "Problem", tree: "QuantityRef") -> float:
@@ -82,17 +85,27 @@ def ten(problem: "Problem", tree: "QuantityRef") -> float:
 def _shape(problem, tree, args):
     signal = coordinate_name(problem.spec, tree.indices[1]) or tree.indices[1]
     amplitude = along(problem, problem.modal.shape(_mode(problem, tree)), signal)
-    return complex(amplitude) if isinstance(amplitude, complex) and amplitude.imag else float(amplitude.real), 1e-11
+    return amplitude_as_asked(problem, amplitude)
+
+
+def amplitude_as_asked(problem: "Problem", amplitude: "complex | mpmath.mpc") -> "tuple[Any, float]":
+    """(amplitude in a shape, relative error bound): a real number where it has no imaginary part."""
+    if problem.digits is not None:
+        return amplitude, 10.0 ** (LOST - problem.digits)
+    return complex(amplitude) if amplitude.imag else float(amplitude.real), SHAPE
 
 
 def _modal_mass(problem, tree, args):
     from vibcli.mechanics.inner_products import inner
 
-    shape, elements = problem.modal.shape(_mode(problem, tree)), problem.configuration.linear_system
-    if any(isinstance(amplitude, complex) and amplitude.imag for amplitude in shape):
+    configuration, digits = problem.configuration, problem.digits
+    elements = configuration.linear_system if digits is None else configuration.precise_system(digits)
+    shape = problem.modal.shape(_mode(problem, tree))
+    if any(amplitude.imag for amplitude in shape):
         raise PhysicsError(f"the coordinates do not move in phase in mode {tree.indices[0]}: it has no modal mass",
                            f"ask for mode[{tree.indices[0]}] of a coordinate")
-    return float(inner(elements.inertias, elements.M, shape, shape).real), 2e-11
+    found = inner(elements.inertias, elements.M, shape, shape).real
+    return as_asked(problem, found), 2 * (SHAPE if digits is None else 10.0 ** (LOST - digits))
 
 
 def _of_coordinates(spec, tree):
@@ -122,8 +135,11 @@ def along(problem: "Problem", shape: "Sequence[complex | mpmath.mpf]", signal: s
     node = displacement(scene, signal)
     if node is None:
         raise PhysicsError(f"'{signal}' is a force: it has no amplitude in a mode", "ask for a place, turn or stretch")
-    slopes = gradient(node)
-    values = evaluate([slopes.get(q, scene.table.zero) for q in scene.q], Floats, problem.configuration.at_rest)
+    slopes, configuration = gradient(node), problem.configuration
+    arithmetic, values = Floats, configuration.at_rest
+    if problem.digits is not None:
+        arithmetic, values = configuration.precise_rest(problem.digits)
+    values = evaluate([slopes.get(q, scene.table.zero) for q in scene.q], arithmetic, values)
     return sum(slope * x for slope, x in zip(values, shape, strict=True))
 
 

@@ -41,6 +41,11 @@ def full_turn(problem: "Problem") -> Any:
     return 2 * mpmath.pi
 
 
+def rounded(problem: "Problem", error: float) -> float:
+    """A relative bound and the rounding of one more quotient."""
+    return error + 2.0**-52 if problem.digits is None else error
+
+
 def unit(problem: "Problem") -> float:
     """The rounding of the numbers in which a problem is asked."""
     return UNIT if problem.digits is None else 10.0**-problem.digits
