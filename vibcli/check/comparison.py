@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 DIGITS, MORE = 25, 8        # found anew at least; beyond those of the tolerance
 LEAST = 1e-100              # relative: the smallest tolerance for which digits are sought
 MOST = 100                  # steps of a million products
-ROUNDING = 1e-11            # relative: a bound that is the rounding of floats leaves nothing open
+ROUNDING = 5e-12            # relative: a bound that is the rounding of floats leaves nothing open
 
 
 class Comparison(NamedTuple):

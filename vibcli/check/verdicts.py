@@ -25,7 +25,7 @@ ROUNDING = 1e-13
 
 class Verdict(NamedTuple):
     """One answer compared: expected and found (numbers or None), whether they agree (None where that is uncertain), and
-    a remark; the refusal of a scene that has no such answer, or does not know it so well; error: an absolute bound of
+    a remark (then what is known); the refusal of a scene that has no such answer, or does not know it so well; error: an absolute bound of
     what is found, None where nothing is measured."""
 
     answer: "Answer"
@@ -92,19 +92,20 @@ def _compare(problem, answer):
 def _number(problem, answer, head):
     found = compared(problem, answer)
     remark = likely_mistake(head, found.expected, found.found) if found.agrees is False else None
-    refusal = _uncertain(answer, found) if found.agrees is None else None
-    return Verdict(answer, found.agrees, found.expected, found.found, remark, refusal=refusal, error=found.error)
+    verdict = Verdict(answer, found.agrees, found.expected, found.found, remark, error=found.error)
+    return _uncertain(verdict) if found.agrees is None else verdict
 
 
-def _uncertain(answer, comparison):
-    """The refusal of an answer that the bound of what is found leaves open."""
+def _uncertain(verdict):
+    """The Verdict with the refusal of an answer that the bound of what is found leaves open."""
     from vibcli.notation.numbers import figure, supported
 
-    known = supported(comparison.found, comparison.error, 12)
-    known += "" if "±" in known else f", to {figure(comparison.error, digits=1)}"
+    known, answer = supported(verdict.found, verdict.error, 15), verdict.answer
+    known += "" if "±" in known else f" ± {figure(verdict.error, digits=1)}"
     cause = "the answer has more digits" if digits_written(answer.expected.text) else "the answer is exact"
-    return PhysicsError(f"{answer.asked.text} is known to be {known}: {cause}, and whether it agrees is uncertain",
-                        "write fewer digits, or give a tolerance: {value: …, rtol: 1 %}", answer.expected.where)
+    refusal = PhysicsError(f"{answer.asked.text} is known to be {known}: {cause}, and whether it agrees is uncertain",
+                           "write fewer digits, or give a tolerance: {value: …, rtol: 1 %}", answer.expected.where)
+    return verdict._replace(remark=f"found {known}", refusal=refusal)
 
 
 def _expected_node(problem, expression):

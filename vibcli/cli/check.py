@@ -114,25 +114,21 @@ def _print(file, verdicts, quiet, failed):
             click.echo("  " + click.style("✓", fg="green") + f" {_name(verdict)}")
             continue
         where = verdict.answer.expected.where
-        remark = f" ({verdict.remark})" if verdict.remark else ""
-        click.echo(f"  {_mark(verdict)} {_name(verdict)}:{_compared(verdict)}{remark}  [line {where.line}]")
+        click.echo(f"  {_mark(verdict)} {_name(verdict)}:{_said(verdict)}  [line {where.line}]")
 
 
 def _mark(verdict):
     return click.style("?", fg="yellow") if verdict.agrees is None else click.style("✗", fg="red")
 
 
-def _compared(verdict):
-    """What was expected and what was found; of what is uncertain with the digits that are known."""
-    if verdict.expected is None:
-        return ""
+def _said(verdict):
+    """What was expected and what was found, and what there is to say of it."""
     if verdict.agrees is None:
-        from vibcli.notation.numbers import figure, supported
-
-        known = supported(verdict.found, verdict.error, 15)
-        known += "" if "±" in known else f" ± {figure(verdict.error, digits=1)}"
-        return f" uncertain: expected {verdict.answer.expected.text}, found {known}"
-    return " expected {}, found {}".format(*_values(verdict.expected, verdict.found))
+        return f" uncertain: expected {verdict.answer.expected.text}, {verdict.remark}"
+    values = ""
+    if verdict.expected is not None:
+        values = " expected {}, found {}".format(*_values(verdict.expected, verdict.found))
+    return values + (f" ({verdict.remark})" if verdict.remark else "")
 
 
 def _values(*values):

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.syntax import QuantityRef
 
+NEARLY = 2          # digits that a number may lose beside the largest of its kind
 LIKE = 1e-4         # relative to the bound in floats and to this: how near the two values are
 
 
@@ -37,7 +38,10 @@ def settled(problem: "Problem", tree: "QuantityRef", args: Sequence[Any], found:
     near = float(value)
     if abs(near - found) > (10 * error + LIKE) * max(abs(found), abs(near)) and abs(found) > 1e-300:
         return found, error         # the floats see another extreme or zero
-    return near, 2 * ROUNDED
+    if problem.digits is None:
+        return near, 2 * ROUNDED
+    size = declared(tree).size(problem, tree)
+    return value, 10.0 ** (NEARLY - digits) * max(1.0, float(size / abs(value)) if value else 1.0)
 
 
 def settled_response(problem: "Problem", tree: "QuantityRef", found: complex, error: float) -> tuple[Any, float]:

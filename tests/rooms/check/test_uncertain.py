@@ -157,7 +157,7 @@ def test_what_is_printed(files, tmp_path, capsys):
     assert "✓" not in out
     assert "✗" not in out
     assert out.splitlines()[-1] == "1 answer agrees, 1 is uncertain in 2 files"
-    assert "u.yaml:5:23: error: omega[1] is known to be 20, to 0.01: the answer has more digits" in err
+    assert "u.yaml:5:23: error: omega[1] is known to be 20 ± 0.01: the answer has more digits" in err
     assert "write fewer digits, or give a tolerance" in err
 
 
