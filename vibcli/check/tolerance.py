@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.errors import Diagnostic, SpecError
 from vibcli.quantities.expression import bounded, measure, value_of
-from vibcli.quantities.quantity import quantity_of
+from vibcli.quantities.quantity import parts_that_cancel, quantity_of
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression
@@ -61,9 +61,14 @@ def half_a_unit(text: str) -> float:
 
 def _small(problem, answer):
     """What counts as zero: rounding beside the largest number of its kind."""
-    tree = answer.asked.tree
+    tree, quantities = answer.asked.tree, answer.asked.parts.quantities
     quantity = quantity_of(problem.spec, tree)
     if quantity is not None and quantity.size is not None:
-        return (EXACT if tree.args else SMALL) * quantity.size(problem, tree)
-    parts = [float(abs(measure(problem, part)[0])) for part in answer.asked.parts.quantities]
-    return SMALL * max(parts) if parts else 4 * float(bounded(problem, answer.asked)[1])
+        return _share_of(tree) * max(quantity.size(problem, part) for part in parts_that_cancel(tree))
+    parts = [_share_of(part) * float(abs(measure(problem, part)[0])) for part in quantities]
+    return max(parts) if parts else 4 * float(bounded(problem, answer.asked)[1])
+
+
+def _share_of(tree):
+    """What is rounding beside a quantity; in motions the roots of equations and sums of many terms are rounded, too."""
+    return EXACT if tree.args else SMALL

@@ -25,8 +25,8 @@ ROUNDING = 1e-13
 
 class Verdict(NamedTuple):
     """One answer compared: expected and found (numbers or None), whether they agree (None where that is uncertain), and
-    a remark (then what is known); the refusal of a scene that has no such answer, or does not know it so well; error: an absolute bound of
-    what is found, None where nothing is measured."""
+    a remark (then what is known); the refusal of a scene that has no such answer, or does not know it so well; error:
+    an absolute bound of what is found, None where nothing is measured."""
 
     answer: "Answer"
     agrees: bool | None

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.quantities import FAMILIES, FORMS
 from vibcli.symbolic.running_errors import UNIT, error_in, number_in
-from vibcli.symbolic.syntax import NameRef, QuantityRef, Sum
+from vibcli.symbolic.syntax import NameRef, QuantityRef, Sum, parts_of
 
 if TYPE_CHECKING:
     from vibcli.language.spec import Spec
@@ -133,6 +133,14 @@ def kind_of(spec: "Spec", tree: NameRef | QuantityRef | Sum) -> str | None:
     """The kind of the quantity that a tree asks for; None as above."""
     quantity = quantity_of(spec, tree)
     return None if quantity is None else quantity.kind
+
+
+def parts_that_cancel(tree: QuantityRef) -> list[QuantityRef]:
+    """The quantity, and of a sum of signals that of each: where they cancel the sum is small beside them."""
+    if not tree.args or not isinstance(tree.args[0], Sum):
+        return [tree]
+    terms = [term for _, term in tree.args[0].parts if parts_of(term).names]
+    return [tree, *(tree._replace(args=(term, *tree.args[1:])) for term in terms)]
 
 
 def is_bare(name: str) -> bool:
