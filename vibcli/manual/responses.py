@@ -37,7 +37,8 @@ RESPONSE = [
          "zero counts as a passage does."),
         ("steady", "What is left when the free vibration has died out; `transient` is the rest. Without damping the "
          "steady state is the motion with the frequencies of the loads alone, and the rest does not die out. At a "
-         "resonance without damping there is none."),
+         "resonance without damping there is none. Of a ramp or another power of the time it is what follows it, "
+         "v t − c v/k."),
         ("formula", "Printed where it is short: decaying vibrations and waves, for each piece of the loads."),
     ],
     "What `answers` and `choose` may ask of a signal, such as `x`, `x'`, `P.y`, `s.force` or `s.force + d.force`:",
@@ -46,7 +47,8 @@ RESPONSE = [
          "`(s.force + d.force)(0.4 s)`; at a jump the value after it. `--at 0.4` prints "
          "it, `--digits 30` to 30 digits"),
         ("max(x)", "likewise `min`, `argmax`, `argmin`, `zero[1]`"),
-        ("final(x)", "its limit; `overshoot(x)` is (max − final)/(final − start)"),
+        ("final(x)", "its limit; of a difference that has one too, as of the lag behind a ramp `final(base.x - x)`; "
+         "`overshoot(x)` is (max − final)/(final − start)"),
         ("amplitude(x)", "with `phase(x)`, `period(x)`: of the steady state, or where no load oscillates without end "
          "of the free vibration"),
         ("mean(x)", "with `rms(x)`: of the steady state, or of free vibrations that do not die out. Of powers and "

@@ -61,6 +61,8 @@ class SteadyWaves:
         self.since, forces = real(last.start), {}
         for wave in last.waves:
             if not wave.exponent.real:
+                if wave.power:
+                    raise PhysicsError("more digits of a steady state that grows are not found", "leave --digits out")
                 s, c = mp.mpc(0, wave.exponent.imag), mp.mpc(wave.coefficient)
                 s, c = (s.conjugate(), c.conjugate()) if s.imag < 0 else (s, c)
                 row = forces.setdefault(s.imag, np.zeros(motion.forcing.channels, object))

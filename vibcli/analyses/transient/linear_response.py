@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.transient.modal_block import ModalBlock
     from vibcli.analyses.transient.motion_errors import MotionErrors
 
+ROUNDING = 1e-12        # of the terms of a sum that is 0
 MOST, STRETCHES = 20_000, 1000      # steps, each so many stretches of time of one exponential
 
 
@@ -155,10 +156,12 @@ class SteadyMotion(LinearMotion):
         from vibcli.analyses.transient import steady_state
 
         self.lasting, self.period, self.waves = steady_state.undying(motion.blocks), forcing.period, None
+        self.powers: list = []
         if self.period is None:
             self.waves = steady_state.amplitudes(motion, forcing)
+            self.powers = steady_state.following(motion, forcing)
             q0, v0 = (sum((np.real(s**order * Q) for s, Q, _ in self.waves), np.zeros(len(motion.M)))
-                      for order in range(2))
+                      + sum(Q for Q, _ in self.powers[order:order + 1]) for order in range(2))
         else:
             q0, v0 = steady_state.repeating(motion, forcing)
         super().__init__(motion.matrices, motion.blocks, forcing, q0, v0, motion.work, doubt=self._doubt(motion))
@@ -169,7 +172,7 @@ class SteadyMotion(LinearMotion):
             from vibcli.analyses.transient import steady_errors
 
             if self.period is None:
-                start = steady_errors.of_waves(motion, self.waves)
+                start = steady_errors.of_waves(motion, self.waves, self.powers)
             else:
                 start = steady_errors.of_repeating(motion, self)
             return motion.data_errors.started(*start)
@@ -177,11 +180,30 @@ class SteadyMotion(LinearMotion):
         return doubt
 
     def phasors(self, output: "LinearOutput") -> list[tuple[float, complex]]:
-        """[(Ω, X)] with Re Σ X e^{iΩt} the output, Ω ascending; a constant has Ω = 0. Not of periodic forcing."""
-        found = {0.0: complex(output.constant)} if output.constant else {}
-        for s, Q, F in self.waves:
-            found[s.imag] = found.get(s.imag, 0j) + read(output, s, Q, F)
-        return sorted((rate, complex(X)) for rate, X in found.items())
+        """[(Ω, X)] with Re Σ X e^{iΩt} the output, Ω ascending; a constant has Ω = 0. Not of periodic forcing;
+        PhysicsError of an output that grows."""
+        still, *growing = self.polynomial(output)
+        if any(growing):
+            raise PhysicsError("this steady state grows without end", "ask for its value at a time")
+        return [*([(0.0, complex(still))] if still else []), *self.oscillating(output)]
+
+    def oscillating(self, output: "LinearOutput") -> list[tuple[float, complex]]:
+        """Those of them that oscillate, beside whatever grows."""
+        return [(s.imag, complex(read(output, s, Q, F))) for s, Q, F in self.waves]
+
+    def polynomial(self, output: "LinearOutput") -> list[float]:
+        """[cₖ] of the part Σ cₖ tᵏ of the output, 0 of what is only the rounding of its terms. Not of periodic
+        forcing."""
+        nothing, found = (np.zeros(len(self.M)), np.zeros(self.forcing.channels)), []
+        powers = [*self.powers, nothing, nothing]
+        for k in range(max(1, len(self.powers))):
+            (q, F), (v, _), (a, _) = powers[k:k + 3] if self.powers else [nothing] * 3
+            parts = ((output.q, q), (output.v, (k + 1) * v), (output.a, (k + 2) * (k + 1) * a), (output.channels, F))
+            terms = [x * values[i] for coefficients, values in parts for i, x in coefficients.items()]
+            terms += [output.constant] if not k else []
+            total = math.fsum(terms)
+            found.append(total if not k or abs(total) > ROUNDING * sum(map(abs, terms)) else 0.0)
+        return found
 
     def harmonic(self, output: "LinearOutput", n: int) -> complex:
         """X of the n-th harmonic Re(X e^{inωt}) of the output under periodic forcing, ω = 2π/period; X of n = 0 is the

@@ -33,13 +33,31 @@ def of_phasor(matrices: Sequence[np.ndarray], data: "DataErrors", s: complex, Q:
     return np.abs(np.linalg.pinv(s * s * M + s * C + K)) @ missed
 
 
-def of_waves(motion: "LinearMotion", waves: list) -> tuple[np.ndarray, np.ndarray]:
-    """(δq, δq̇) at t = 0 of the waves [(s, Q, F)]."""
+def of_waves(motion: "LinearMotion", waves: list, powers: list) -> tuple[np.ndarray, np.ndarray]:
+    """(δq, δq̇) at t = 0 of the waves [(s, Q, F)] and of Σ Qₖ tᵏ, powers [(Qₖ, Fₖ)]."""
     found = np.zeros((2, len(motion.M)))
     for s, Q, F in waves:
         error = of_phasor(motion.matrices[:3], motion.data_errors, s, Q, F[:len(Q)])
         found += error, abs(s) * (error + 2 * DATA * np.abs(Q))
+    for row, error in zip(found, of_powers(motion.matrices[:3], motion.data_errors, powers), strict=False):
+        row += error
     return found[0], found[1]
+
+
+def of_powers(matrices: Sequence[np.ndarray], data: "DataErrors", powers: list) -> list[np.ndarray]:
+    """|δQₖ| of K Qₖ = Fₖ − (k+1) C Qₖ₊₁ − (k+2)(k+1) M Qₖ₊₂."""
+    M, C, _ = matrices
+    known = [(np.zeros(len(M)), np.zeros(len(M)))] * 2        # (|Q|, |δQ|) of the next two
+    for k in reversed(range(len(powers))):
+        Q, F = powers[k]
+        off = np.zeros(len(M))
+        for order, (matrix, (above, error)) in enumerate(zip((C, M), known[:2], strict=True), 1):
+            weights, rows = data.weights[order]
+            times = (k + 1) * (k + 2 if order == 2 else 1)
+            off += times * (np.abs(matrix) @ (error + (len(M) + 4) * EPSILON * above) + data.entries[order] @ above
+                            + np.abs(rows).T @ (weights * (np.abs(rows) @ above)))
+        known.insert(0, (np.abs(Q), of_phasor(matrices, data, 0j, Q, F[:len(Q)], off)))
+    return [error for _, error in known[:len(powers)]]
 
 
 def of_output(motion: "SteadyMotion", output: "LinearOutput", wave: tuple[complex, np.ndarray, np.ndarray],
@@ -61,7 +79,20 @@ def of_waves_in(motion: "SteadyMotion", output: "LinearOutput") -> dict[float, f
     for wave in motion.waves:
         rate = wave[0].imag
         found[rate] = found.get(rate, 0.0) + of_output(motion, output, wave)
+    if motion.powers:
+        found[0.0] = _of_constant(motion, output)
     return found
+
+
+def _of_constant(motion, output):
+    """|δ| of what stands still of an output, of q, q̇ and q̈ of Σ Qₖ tᵏ at t = 0."""
+    errors = of_powers(motion.matrices[:3], motion.data_errors, motion.powers)
+    total = 4 * DATA * abs(output.constant)
+    total += sum(abs(x * motion.powers[0][1][channel]) * 4 * DATA for channel, x in output.channels.items())
+    for (Q, _), error, factor, coefficients in zip(motion.powers, errors, (1, 1, 2), (output.q, output.v, output.a),
+                                                   strict=False):
+        total += sum(abs(x) * factor * (error[i] + 8 * DATA * abs(Q[i])) for i, x in coefficients.items())
+    return float(total)
 
 
 def of_harmonic(motion: "SteadyMotion", output: "LinearOutput", n: int) -> float:

@@ -1,5 +1,6 @@
 """The steady state: harmonics, amplitude and phase."""
 
+import cmath
 import math
 from collections.abc import Iterator, Sequence
 from math import degrees
@@ -8,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import PhysicsError
 from vibcli.notation.numbers import figure
 from vibcli.report.blocks import Section, TableBlock, paragraph, section
+from vibcli.report.sections.formulas import sum_of
 
 if TYPE_CHECKING:
     from vibcli.report.sections.requested_signals import RequestedSignal
@@ -20,16 +22,33 @@ NOTHING = 1e-12
 
 
 def steady_state(asked: "Sequence[RequestedSignal]", convention: Any) -> Iterator[Section]:
-    """Amplitude and phase of each harmonic of the steady state, or why there is none."""
+    """Amplitude and phase of each harmonic of the steady state and what follows growing loads, or why there is none."""
     try:
+        growing = [f"{one.label} = {text}" for one in asked for text in _following(one.signal)]
+        asked = [one for one in asked if not any(_following(one.signal))]
         rows = tuple(steady_rows(asked, convention))
     except PhysicsError as error:
         yield from section("Steady state", paragraph(f"{error.message}: {error.hint}" if error.hint else error.message))
         return
+    if growing:
+        yield from section("Steady state behind loads that grow, in SI units", *map(paragraph, growing))
     angle = "α" if convention == "lead" else "θ"
     yield from section(f"Steady state {PHASES[convention][0]}", TableBlock(
         ("signal", "Ω [rad/s]", "f [Hz]", "T [s]", "X", f"{angle} [rad]", f"{angle} [°]"), rows) if rows else None,
         *(paragraph(f"{one.label}: {words}") for one in asked for words in _left_out(one.signal)), _still(asked, rows))
+
+
+def _following(signal):
+    """Σ cₖ tᵏ of a signal that grows with its loads, and the waves beside it, as text."""
+    from vibcli.analyses.transient.textbook_form import Part
+
+    if not hasattr(signal, "output") or signal.motion.steady.period is not None:
+        return
+    powers = signal.motion.steady.polynomial(signal.output)
+    if any(powers[1:]):
+        parts = [Part(c, k, 0.0, 0.0, 0.0, True) for k, c in enumerate(powers) if c][::-1]
+        waves = [(Omega, X) for Omega, X in signal.motion.steady.oscillating(signal.output) if X]
+        yield sum_of(parts + [Part(abs(X), 0, 0.0, Omega, -cmath.phase(X), True) for Omega, X in waves], "t")
 
 
 def _still(asked, rows):
@@ -52,8 +71,6 @@ def _left_out(signal):
 
 def phase_in(convention: str, X: complex) -> float:
     """The phase of Re X e^{iΩt} as the convention counts it, in (−π, π]."""
-    import cmath
-
     from vibcli.quantities.frequency_response import wrapped
 
     _, sign, turn = PHASES[convention]

@@ -188,7 +188,7 @@ def test_steady_state_of_periodic_loads(damped, since):
 REFUSED = {
     "resonance": (0.0, 9.0, (Segment(0.0, (Wave(0, 1.0, 0, 3j),)),), "Ω = 3 rad/s is a natural frequency"),
     "drift": (0.5, 0.0, STEP, "nothing holds"), "unstable": (-0.5, 4.0, COSINE, "the free motion grows"),
-    "ramp": (0.5, 4.0, (Segment(0.0, (Wave(0, 1.0, 1, 0j),)),), "the load grows"),
+    "growing wave": (0.5, 4.0, (Segment(0.0, (Wave(0, 1.0, 1, 3j),)),), "the load grows"),
 }
 
 
@@ -198,6 +198,32 @@ def test_no_steady_state(name):
     with pytest.raises(PhysicsError, match=message) as refusal:
         one(1.0, c, k, pieces).steady                       # noqa: B018
     assert refusal.value.hint
+
+
+@pytest.mark.parametrize("damped", [True, False])
+@pytest.mark.parametrize("since", [0.0, 1.5])
+def test_what_follows_powers_of_the_time(damped, since):
+    """Σ Qₖ tᵏ + Re Q e^{iΩt} obeys the equations of motion; the transient is the rest, and free of loads."""
+    _, M, C, K = systems(np.random.default_rng(8))[0]
+    n, C = len(M), C * damped
+    waves = (Wave(0, 0.7, 3, 0j), Wave(1, -0.4, 1, 0j), Wave(0, 0.3, 0, 0j), Wave(1, 0.5 - 0.2j, 0, 1.3j))
+    motion = linear_motion(M, C, K, Forcing(n, [Segment(0.0), Segment(since, waves)] if since else [
+        Segment(0.0, waves)]), np.ones(n), np.zeros(n))
+    steady, t = motion.steady, np.linspace(0, 4, 9)
+    x, v1, v2 = (np.array([steady.values(q(i), t, order) for i in range(n)]) for order in range(3))
+    tau, load = t - since, np.zeros((n, len(t)))
+    load[0] = 0.7 * tau**3 + 0.3
+    load[1] = -0.4 * tau + np.real((0.5 - 0.2j) * np.exp(1.3j * tau))
+    size = np.abs(K).max() * (1 + np.abs(x).max())
+    assert np.abs(M @ v2 + C @ v1 + K @ x - load).max() < 1e-12 * size
+    found = np.array([steady.polynomial(q(i)) for i in range(n)])
+    held = np.array([[X for _, X in steady.oscillating(q(i))] for i in range(n)])
+    assert np.abs(found @ t ** np.arange(4)[:, None] + np.real(held @ np.exp(1.3j * t)[None]) - x).max() < 1e-12 * size
+    total = motion.transient.values(q(0), t) + steady.values(q(0), t)
+    assert np.abs(total - motion.values(q(0), t)).max() < 1e-12 * size
+    if damped:
+        far = 40 / -rates(M, C, K).real.max()
+        assert abs(motion.transient.values(q(0), [far])[0]) < 1e-12 * size
 
 
 def test_steady_part_without_damping():
