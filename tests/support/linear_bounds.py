@@ -8,6 +8,7 @@ e^{At} and squarings, from the decimal numbers of the scene.
 
 import random
 import sys
+from contextlib import suppress
 from fractions import Fraction
 from itertools import pairwise
 from statistics import median
@@ -18,6 +19,7 @@ from mpmath import mp, mpf
 from support.scenes import problem
 
 from vibcli.base.errors import PhysicsError
+from vibcli.quantities.expression import measure
 from vibcli.symbolic.parser import parse
 
 DPS = 60
@@ -300,12 +302,94 @@ def _tops(scene, exact, signals):
     return found
 
 
-def survey(count, seed):
-    """(failures, [bound/error]) of scenes; errors below a unit in the last place count as one."""
+def dynamic(exact, Omega):
+    """K + iΩC − Ω²M of a scene in mpmath, times M⁻¹: from the matrix of its motion."""
+    n, A = exact.n, exact.matrix(mpf(0), mpf(0))
+    D = mp.matrix(n, n)
+    for i in range(n):
+        for j in range(n):
+            D[i, j] = exact.number(exact.scene.masses[i]) * (
+                -A[n + i, j] - mp.mpc(0, Omega) * A[n + i, n + j] - (Omega**2 if i == j else 0))
+    return D
+
+
+def harmonics(dice):
+    """[(what, true error, bound, size)] of the frequency responses of one scene, at frequencies and at peaks, and of
+    the steady state under a harmonic load where it is damped."""
+    scene = LinearScene(dice)
+    found, i, j = [], dice.randrange(scene.n), dice.randrange(scene.n)
+    rate = decimal(dice, 0.2 * scene.speed, 1.5 * scene.speed, 6)
+    scene.loads = [(j, "cos", ("3.7", rate, ["1"], ["1"]))]
+    with mpmath.workdps(DPS):
+        exact, solved = Exact(scene), problem(scene.text())
+
+        def H(Omega):
+            return mp.lu_solve(dynamic(exact, Omega), mp.matrix([int(k == j) for k in range(scene.n)]))[i]
+
+        try:
+            curve = solved.frequency_response(f"x{i}", f"x{j}")
+            for text in (rate, decimal(dice, 0.01, 10)):
+                value, error = curve.at(float(text))
+                true = H(exact.number(text))
+                found.append((f"frf({text})", abs(value - true), error * abs(value), abs(true)))
+            peaks = curve.peaks
+        except (PhysicsError, ZeroDivisionError):
+            return scene, found
+        for number, (Omega, value) in enumerate(peaks, 1):
+            off, relative = curve.error_of_peak(number)
+            if np.isfinite(value) and off < 0.01 * Omega:
+                found += _peak(H, Omega, value, off, relative)
+        with suppress(PhysicsError):
+            found += _steady(solved, f"x{i}", mpf("3.7") * H(exact.number(rate)))
+    return scene, found
+
+
+def _peak(H, Omega, value, off, relative):
+    try:
+        at = mp.findroot(lambda at: mp.diff(lambda x: abs(H(x))**2, at, h=mpf(10)**-20), (mpf(Omega), mpf(Omega) + off))
+    except (ValueError, ZeroDivisionError):
+        return []
+    if abs(at - Omega) > 1e-3 * Omega:
+        return []
+    return [("peak.Omega", abs(at - Omega), off, at), ("peak.value", abs(abs(H(at)) - value), relative * value, value)]
+
+
+def _steady(solved, signal, X):
+    rows = []
+    for text, true in ((f"amplitude({signal})", abs(X)), (f"phase({signal})", -mp.arg(X * mp.mpc(0, 1))),
+                       (f"rms({signal})", abs(X) / mp.sqrt(2))):
+        value, error = measure(solved, parse(text))
+        rows.append((text, abs(mp.re(mp.mpf(value) - true)), error * abs(value), abs(true)))
+    return rows
+
+
+def free(dice):
+    """The same of the free vibration of one degree of freedom: decrement, times, period, amplitude and phase."""
+    m, k, x, v = (decimal(dice, 0.1, 10), decimal(dice, 10, 1e6), decimal(dice, 0.001, 1), decimal(dice, 0.01, 10))
+    c = f"{2 * float(decimal(dice, 1e-7, 0.5)) * (float(m) * float(k)) ** 0.5:.5g}"
+    text = (f"bodies: {{b: {{mass: {m} kg, slide: x}}}}\nsprings: {{s: {{k: {k} N/m, between: [ground, b]}}}}\n"
+            f"dampers: {{d: {{c: {c} N*s/m, between: [ground, b]}}}}\ninitial: {{x: {x} m, x': {v} m/s}}\n")
+    solved = problem(text)
+    with mpmath.workdps(DPS):
+        m, k, x, v, c = (mpf(Fraction(text).numerator) / Fraction(text).denominator for text in (m, k, x, v, c))
+        decay = c / (2 * m)
+        w = mp.sqrt(k / m - decay**2)
+        A, rows = mp.hypot(x, (v + decay * x) / w), []
+        phi, late = mp.atan2((v + decay * x) / w, x), mpf("1.7")
+        for text, true in (("decrement(x)", 2 * mp.pi * decay / w), ("time_to[0.1](x)", mp.log(10) / decay),
+                           ("cycles_to[0.1](x)", mp.log(10) / decay * w / (2 * mp.pi)), ("period(x)", 2 * mp.pi / w),
+                           ("amplitude(x)", A), ("phase(x)", phi), ("envelope(x)(1.7 s)", A * mp.exp(-late * decay))):
+            value, error = measure(solved, parse(text))
+            rows.append((text, abs(value - true), error * abs(value), abs(true)))
+    return text, rows
+
+
+def survey(count, seed, drawn=compared):
+    """(failures, [bound/error]) of scenes."""
     dice, failures, ratios = random.Random(seed), [], []
     for number in range(count):
         state = dice.getrandbits(64)
-        _, rows = compared(random.Random(state))
+        _, rows = drawn(random.Random(state))
         for what, error, bound, size in rows:
             if error > max(bound, 1e-300):
                 failures.append((number, state, what, float(error), bound, float(size)))
@@ -316,7 +400,12 @@ def survey(count, seed):
 
 def main():
     count, seed = int(sys.argv[1]), int(sys.argv[2])
-    failures, ratios = survey(count, seed)
+    for drawn in (compared, harmonics, free):
+        print(drawn.__name__)
+        _told(count, *survey(count, seed, drawn))
+
+
+def _told(count, failures, ratios):
     sizes = sorted(ratio for ratio, *_ in ratios)
     for one in failures[:20]:
         print("exceeded", one)

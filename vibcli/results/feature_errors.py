@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from vibcli.results.signals import LinearSignal
 
 ROUNDING = 2.0**-49
-FADED = 40.0        # decay times after which a transient is nothing
+FADED, LEFT = 4.0, 1.25     # decay times after which little is left of a transient, and a factor for what is
 SAMPLES = 8         # instants of a period at which the errors of a root mean square are looked at
 
 
@@ -167,14 +167,14 @@ def relative_of_period(signal: "LinearSignal") -> float:
 
 
 def final(signal: "LinearSignal") -> float:
-    """Of the limit: that of the value when what fades has faded."""
+    """Of the limit: that of the value when what fades has all but faded, before what cancels in it has grown."""
     import numpy as np
 
     motion = signal.motion
     last = motion.forcing.segments(inf)[-1]
     rates = [node.real for block in motion.blocks for node in block.nodes] + [wave.exponent.real for wave in last.waves]
     slowest = min((abs(rate) for rate in rates if rate), default=inf)
-    return float(motion.errors(signal.output, np.array([last.start + FADED / slowest]))[0])
+    return LEFT * float(motion.errors(signal.output, np.array([last.start + FADED / slowest]))[0])
 
 
 def envelope(signal: "LinearSignal", found: "Decay | Beats", t: float) -> tuple[float, float]:
