@@ -22,7 +22,7 @@ RESPONSE = [
          "or a drive in time acts. A period is looked for beyond the end, up to eight times as long."),
         ("full --digits", "With `--digits N` the full equations are followed by power series, twice, with as many "
          "digits more as neighbouring motions lose, until both agree to N digits: chaos has no horizon then. Steps and "
-         "pulses of the time are ends of pieces. What bends or jumps with the motion (friction, stops, slack, "
+         "bends of the time are ends of pieces. What bends or jumps with the motion (friction, stops, ropes, "
          "abs(x')), impulses and records are refused."),
         ("end", "`find: {response: {until: 2 s}}`, or `--until`. Unless given: until what decays slowest has fallen to "
          "1/1000, between 2 and 60 of the longest periods; where something grows, until it is 1000 times as large, at "

@@ -2,21 +2,29 @@
 
 from collections.abc import Mapping
 from fractions import Fraction
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from vibcli.base.errors import PhysicsError
+from vibcli.numerics.fixed_point import to_float
 from vibcli.results.full_response import FullResponse, StatesInTime
 from vibcli.results.full_signals import FullSignal
 
 if TYPE_CHECKING:
+    import mpmath
+
     from vibcli.analyses.time_integration.series_trajectory import SeriesTrajectory
+    from vibcli.analyses.time_integration.signal_series import SignalAlong, SignalSeries
+    from vibcli.analyses.time_integration.taylor_march import TaylorMarch
     from vibcli.results.shared_friction import SharedFriction
     from vibcli.symbolic.node import Node
 
 ALONE = 8               # instants that are looked at one by one
 ROUNDING = 2.0**-50
-SEARCHED = 1e-12        # of a step: how far an instant that is searched in floats may be off
+SEARCHED = 1e-12        # of the motion: how far an instant that is searched in floats may be off
+FLOAT_DIGITS = 17
 
 
 class SeriesResponse(FullResponse):
@@ -54,12 +62,84 @@ class SeriesSignal(FullSignal):
 
     KIND = "a motion that is followed by series"
 
+    def __init__(self, motion: Any, node: "Node", forces: Mapping[Any, Any] | None = None,
+                 shared: "SharedFriction | None" = None):
+        super().__init__(motion, node, forces, shared)
+        self._seen: dict[TaylorMarch, SignalAlong] = {}
+
+    @property
+    def _digits(self):
+        return max(self.motion.problem.digits, FLOAT_DIGITS)
+
     def values(self, times: np.ndarray, order: int = 0) -> np.ndarray:
         times = np.asarray(times, dtype=float)
         if order or self.forces or times.size > ALONE:
             return super().values(times, order)
-        digits = self.motion.problem.digits
-        return np.array([float(self.precise(Fraction(t), digits)) for t in times.ravel().tolist()]).reshape(times.shape)
+        found = [float(self.precise(Fraction(t), self._digits)) for t in times.ravel().tolist()]
+        return np.array(found).reshape(times.shape)
+
+    @cached_property
+    def series(self) -> "SignalSeries | None":
+        """Its SignalSeries; None where it bends or jumps."""
+        from vibcli.analyses.time_integration.signal_series import SignalSeries
+
+        try:
+            return None if self.forces else SignalSeries(self.motion.precise.scene, self.node)
+        except KeyError:
+            return None
+
+    def extreme(self, start: Any, end: float, sense: int) -> tuple[float, float]:
+        if self.series is None:
+            return super().extreme(start, end, sense)
+        t, value = self.precise_extreme(start, end, sense, self._digits)
+        return float(t), float(value)
+
+    def precise_extreme(self, start: float, end: float, sense: int, digits: int) -> "tuple[mpmath.mpf, mpmath.mpf]":
+        def look(along, bits):
+            place = along.extreme(_fixed(start, bits), _fixed(end, bits), sense, digits)
+            return along.time(place), along.value(place)
+
+        t, value = self._found(look, digits, Fraction(end))
+        return t, value
+
+    def zeros(self, start: float, end: float, level: float = 0.0) -> list[float]:
+        if self.series is None:
+            return super().zeros(start, end, level)
+        march = self.motion.precise.until(Fraction(end)).followed(self._digits, Fraction(end))
+        along = self._along_march(march)
+        found = along.passages(*(_fixed(x, march.bits) for x in (start, end, level)))
+        return [to_float(along.time(place), march.bits) for place in found]
+
+    def precise_zero(self, near: float, digits: int) -> "mpmath.mpf":
+        def look(along, bits):
+            return (along.time(along.zero_near(Fraction(near))),)
+
+        return self._found(look, digits, Fraction(near))[0]
+
+    def _found(self, look, digits, until):
+        """What is looked for along a march, each number correct to so many digits."""
+        import mpmath
+
+        if self.series is None:
+            raise PhysicsError("more digits of what bends or jumps are not found", "ask for values at instants")
+        seen = {}
+
+        def number(i):
+            def question(march):
+                if march not in seen:
+                    seen[march] = look(self._along_march(march), march.bits)
+                with mpmath.workprec(2 * march.bits):
+                    return mpmath.ldexp(seen[march][i], -march.bits)
+            return question
+
+        motion = self.motion.precise.until(until)
+        first = motion.found(number(0), digits, until)
+        return [first, *(motion.found(number(i), digits, until) for i in range(1, len(next(iter(seen.values())))))]
+
+    def _along_march(self, march):
+        if march not in self._seen:
+            self._seen[march] = self.series.along(march, self.motion.precise.values(march.bits))
+        return self._seen[march]
 
     def error(self, t: float) -> float:
         if self.forces:
@@ -67,8 +147,12 @@ class SeriesSignal(FullSignal):
         return ROUNDING * abs(float(self.values(np.array([t]))[0]))
 
     def error_of_time(self, t: float) -> float:
-        trajectory = self.motion.reaching(t)
-        return ROUNDING * t + SEARCHED * max(window.end for window in trajectory.windows)
+        return ROUNDING * t if self.series is not None else SEARCHED * self.motion.until
 
     def _with_senses(self, node, trajectory, times, values):
         return node
+
+
+def _fixed(x, bits):
+    """A float in fixed point, exactly but for its last bits."""
+    return (Fraction(x).numerator << bits) // Fraction(x).denominator

@@ -139,7 +139,21 @@ def test_no_horizon_from_an_unstable_place():
         half = 2 * mpmath.ellipk(k**2) / w
     found = found.with_digits(14).until(36.0)
     assert value(found, "phi(20 s)") == pytest.approx(float(exact), rel=1e-14)
-    assert value(found, "zero[1](phi)") == pytest.approx(float(half / 2), rel=1e-12)
+    assert value(found, "argmin(phi)") == pytest.approx(float(half), rel=1e-15)
+    assert value(found, "zero[1](phi)") == pytest.approx(float(half / 2), rel=1e-15)
+
+
+def test_extremes_and_zeros_to_many_digits():
+    """Of a pendulum: φ̇ is largest at the bottom, where φ vanishes, after a quarter of the period 4 K(k)/ω."""
+    found = problem(PENDULUM + "initial: {phi: -2.5 rad}\nmotion: full\n").with_digits(30)
+    signal = found.response.signal
+    with mpmath.workdps(60):
+        k, w = sin(mpf(5) / 4), mpmath.sqrt(mpf(981) / 80)
+        quarter, speed = mpmath.ellipk(k**2) / w, 2 * w * k
+        t, top = signal(NameRef(0, 0, "phi", 1)).precise_extreme(0.0, 5.0, 1, 30)
+        assert agrees(t, quarter, 30) and agrees(top, speed, 30)
+        assert agrees(signal(NameRef(0, 0, "phi", 0)).precise_zero(3 * float(quarter), 30), 3 * quarter, 30)
+    assert value(found.until(5.0), "zero[2](phi)") == pytest.approx(float(3 * quarter), rel=1e-15)
 
 
 def test_extremes_and_values_go_together():
