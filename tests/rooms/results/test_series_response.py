@@ -184,6 +184,21 @@ initial: {x: 1 cm}
         assert agrees(precise(text, "x", "4.1", 30), exact, 30)
 
 
+@pytest.mark.parametrize("width", ["0.1", "0.01"])
+def test_a_pulse_that_is_nothing_before_is_not_stepped_over(width):
+    """Of m ẍ + k x = F e^{−((t − t₁)/τ)²} at rest, long after: x = F √π τ/(m ω) e^{−(ωτ/2)²} sin ω(t − t₁)."""
+    text = f"""
+bodies: {{block: {{mass: 2 kg, slide: x}}}}
+springs: {{s: {{k: 50 N/m, between: [ground, block]}}}}
+forces: {{load: {{at: block, force: (3 N)*exp(-((t - 5 s)/({width} s))^2)}}}}
+initial: {{x: 0}}
+"""
+    with mpmath.workdps(40):
+        tau = mpf(width)
+        exact = 3 * mpmath.sqrt(mpmath.pi) * tau / 10 * mpmath.exp(-((5 * tau / 2) ** 2)) * sin(mpf(25))
+        assert agrees(precise(text, "x", 10, 20), exact, 20)
+
+
 @pytest.mark.parametrize(("extra", "told"), [
     ("dampers: {d: {friction: 2 N, between: [ground, block]}}", "'d' bends or jumps with the motion"),
     ("springs: {s: {k: 50 N/m, gap: 1 cm, acts: compression, between: [block, ground]}}", "'s' bends or jumps"),

@@ -64,7 +64,7 @@ class SignalSeries:
         return SignalAlong(march, row)
 
 
-class Place(NamedTuple):
+class SeriesPlace(NamedTuple):
     """s in a step, in fixed point, and the series of the signal there."""
 
     step: "Step"
@@ -78,17 +78,17 @@ class SignalAlong:
     def __init__(self, march: "TaylorMarch", row: "Callable[[Step], list[int]]"):
         self.march, self._row = march, row
 
-    def time(self, place: Place) -> int:
+    def time(self, place: SeriesPlace) -> int:
         return place.step.start + (place.s * place.step.scale >> self.march.bits)
 
-    def value(self, place: Place) -> int:
+    def value(self, place: SeriesPlace) -> int:
         return summed(place.row, place.s, self.march.bits)
 
-    def at(self, step: "Step", instant: int) -> Place:
+    def at(self, step: "Step", instant: int) -> SeriesPlace:
         """The place of an instant in a step."""
-        return Place(step, ((instant - step.start) << self.march.bits) // step.scale, self._row(step))
+        return SeriesPlace(step, ((instant - step.start) << self.march.bits) // step.scale, self._row(step))
 
-    def pieces(self, start: int, end: int) -> "Iterator[tuple[Place, Place]]":
+    def pieces(self, start: int, end: int) -> "Iterator[tuple[SeriesPlace, SeriesPlace]]":
         """(first, last) of each step that [start, end] meets."""
         self.march.reach(end)
         for step in self.march.steps:
@@ -96,7 +96,7 @@ class SignalAlong:
                 first = self.at(step, max(start, step.start))
                 yield first, self.at(step, min(end, step.end))._replace(row=first.row)
 
-    def extreme(self, start: int, end: int, sense: int, digits: int) -> Place:
+    def extreme(self, start: int, end: int, sense: int, digits: int) -> SeriesPlace:
         """The first place at which the signal is largest (sense 1) or smallest (−1), to so many digits of its range."""
         places = self._turns(start, end)
         values = [sense * self.value(place) for place in places]
@@ -114,9 +114,9 @@ class SignalAlong:
             before, place = summed(slope, last.s, self.march.bits), last
         return [*found, place]
 
-    def passages(self, start: int, end: int, level: int = 0) -> list[Place]:
+    def passages(self, start: int, end: int, level: int = 0) -> list[SeriesPlace]:
         """The places at which the signal passes or touches a level, ascending; one from which it starts counts."""
-        found: list[Place] = []
+        found: list[SeriesPlace] = []
         for first, last in self.pieces(start, end):
             row = [first.row[0] - level, *first.row[1:]]
             places = [first, *self._roots(first, last, derivative(row)), last]
@@ -128,10 +128,10 @@ class SignalAlong:
                     found.append(place)
         return found
 
-    def zero_near(self, time: "Fraction") -> Place:
+    def zero_near(self, time: "Fraction") -> SeriesPlace:
         """The zero or touch of zero near an instant."""
         step, s = self.march.step_at(time)
-        place, near = Place(step, s, self._row(step)), to_float(s, self.march.bits)
+        place, near = SeriesPlace(step, s, self._row(step)), to_float(s, self.march.bits)
         size = max(abs(self.value(self.at(step, instant))) for instant in (step.start, step.end))
         for row in (place.row, derivative(place.row)):
             found = self._polished(place, near, row)
@@ -155,7 +155,7 @@ class SignalAlong:
         return [place for s in found if (place := self._polished(first, s, row)) is not None
                 and first.s <= place.s <= last.s]
 
-    def _polished(self, place: Place, s: float, row: Sequence[int]) -> Place | None:
+    def _polished(self, place: SeriesPlace, s: float, row: Sequence[int]) -> SeriesPlace | None:
         """The zero near s of a polynomial, by Newton's method; None where there is none."""
         bits, slope = self.march.bits, derivative(row)
         here = begin = shifted(int(s * 2**53), bits - 53)

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
+PARTS = 512             # of a motion: the longest step where a pulse of the time may hide
 NEAR = 1e-8             # of an instant: how far Newton's method may move it
 WITHOUT = "leave --digits out: in floats it is followed"
 PERIODIC = ("square", "sawtooth")
@@ -47,6 +48,16 @@ def require_smooth_motion(scene: "Scene", nodes: "Sequence[Node]") -> None:
             raise PhysicsError(f"{what} drives this motion: more digits of it are not found", WITHOUT)
 
 
+def _may_hide(scene, nodes):
+    """Is there a function of the time in expressions that may be nothing but for a pulse?"""
+    time = scene.time
+    return any(part.mask == time.mask and (
+        (part.op == "call" and part.name not in BENT and
+         (part.name not in ("sin", "cos") or gradient(part.args[0])[time].mask)) or
+        (part.op == "product" and any(base.mask and (e < 0 or e.denominator != 1) for base, e in part.args)))
+        for part in reachable(nodes))
+
+
 class SmoothPieces:
     """The equations `parts` of a scene up to an instant; values(bits): of its parameters."""
 
@@ -54,22 +65,22 @@ class SmoothPieces:
                  floats: Mapping[str, float], until: float, work: "Work"):
         require_smooth_motion(scene, parts.nodes())
         self.scene, self.parts, self.values, self.floats, self.until = scene, parts, values, floats, until
-        self._bent = bent(parts.nodes())
+        self._bent, self._hidden = bent(parts.nodes()), _may_hide(scene, parts.nodes())
         self.times = list(breaks(scene, parts.nodes(), floats, until, work).times) if self._bent else []
         self._pieces, self._compiled, self._instants = {}, {}, {}
 
     @property
     def endless(self) -> bool:
         """Do they hold at all times?"""
-        return not self._bent
+        return not self._bent and not self._hidden
 
     @cached_property
     def products(self) -> int:
         """Of series, in each round."""
         return self._piece(0).products
 
-    def series(self, t: int, bits: int) -> tuple[Callable, int | None]:
-        """(the series of the motion about an instant, the instant up to which they hold)."""
+    def series(self, t: int, bits: int) -> tuple[Callable, int | None, int | None]:
+        """(the series of the motion about an instant, the instant up to which they hold, the longest step)."""
         if bits not in self._instants:
             self._instants[bits] = [self._refined(time, bits) for time in self.times]
         instants = self._instants[bits]
@@ -77,7 +88,8 @@ class SmoothPieces:
         key = self._piece(number), bits
         if key not in self._compiled:
             self._compiled[key] = key[0].with_bits(self.values(bits), bits)
-        return self._compiled[key], instants[number] if number < len(instants) else None
+        longest = fixed_point(self.until / PARTS, bits) if self._hidden else None
+        return self._compiled[key], instants[number] if number < len(instants) else None, longest
 
     def _piece(self, number):
         """The MotionSeries between two breaks."""

@@ -23,6 +23,8 @@ ORDER = 1.4             # terms of a series for each digit
 LAST = 4                # coefficients by which it is seen how far a series reaches
 SMALLEST = 400          # bits: smaller starts are taken for rounding
 GROWTH_BITS = 12        # by which a longer step than was planned may enlarge rounding
+CHECKS, SLACK = 16, 24   # places in a step at which the equations are checked; bits by which they may be off there
+NOISE = 8               # bits of a coefficient that are rounding
 SAFETY = 0.1            # of a binary order
 FIRST_ORDER, ROUNDS = 12, 60
 LOG_2 = log10(2)
@@ -40,7 +42,7 @@ class Step(NamedTuple):
 
 class TaylorMarch:
     """The motion from [q, q̇] at t = 0, mpmath numbers; series(t, bits): (its series from an instant on, the instant at
-    which others begin), as `MotionSeries.with_bits` gives them; spent(): told of each step."""
+    which others begin, the longest step), as `SmoothPieces` gives them; spent(): told of each step."""
 
     def __init__(self, series: Callable, start: "Callable[[int], Sequence[int]]", digits: int, extra: int = 0,
                  spent: Callable | None = None):
@@ -86,10 +88,10 @@ class TaylorMarch:
         return step, ((instant - step.start) << self.bits) // step.scale
 
     def _advance(self):
-        compute, limit = self._series(self._t, self.bits)
+        compute, limit, longest = self._series(self._t, self.bits)
         try:
             if self._scale is None:
-                self._scale = self._first_scale(compute)
+                self._scale = min(self._first_scale(compute), longest or inf)
             series = compute(self._t, self._scale, self._state, self.order)
         except ArithmeticError:
             raise self._undefined() from None
@@ -97,13 +99,36 @@ class TaylorMarch:
         length = shifted(int(2.0 ** (reach % 1) * 2**30), int(reach // 1) - 30 + self.bits) * self._scale >> self.bits
         if log2(length or 1) - self.bits < SHORTEST:
             raise self._undefined()
+        if longest is not None:
+            length = self._checked(compute, series, min(length, longest))
         end = self._t + length if limit is None else min(self._t + length, limit)
-        step = Step(self._t, end, self._scale, series)
-        s = ((end - self._t) << self.bits) // self._scale
-        self.steps.append(step)
-        self._state = [summed(row, s, self.bits) for row in (*series.q, *series.v)]
+        self.steps.append(Step(self._t, end, self._scale, series))
+        self._state = self._within(series, ((end - self._t) << self.bits) // self._scale)
         self._t, self._scale = end, None if end == limit else length
         self._spent(self)
+
+    def _within(self, series, s):
+        """[q, q̇] in a step."""
+        return [summed(row, s, self.bits) for row in (*series.q, *series.v)]
+
+    def _checked(self, compute, series, length):
+        """A length within which the series obeys the equations, so that no pulse of the time is stepped over."""
+        scale, bits = self._scale, self.bits
+        sizes = self._scales([0] * len(self._sizes))[:len(series.q)]
+        while log2(length or 1) - bits >= SHORTEST:
+            for k in range(1, CHECKS + 1):
+                t = length * k // CHECKS
+                s = (t << bits) // scale
+                found = compute(self._t + t, scale, self._within(series, s), 0).a
+                gaps = (abs(row[0] - summed(mine, s, bits)) * length >> bits for row, mine in
+                        zip(found, series.a, strict=True))
+                if any((gap * length >> bits) >> SLACK > size >> self.accuracy
+                       for gap, size in zip(gaps, sizes, strict=True)):
+                    break
+            else:
+                break
+            length //= 2
+        return length
 
     def _first_scale(self, compute):
         """A time in which the motion changes, to begin with."""
@@ -121,7 +146,7 @@ class TaylorMarch:
         self._sizes = [max(size, abs(row[0])) for size, row in zip(self._sizes, rows, strict=True)]
         found = inf
         for size, row in zip(self._scales([max(map(abs, row[:LAST])) for row in rows]), rows, strict=True):
-            spare = size.bit_length() - accuracy
+            spare = max(size.bit_length() - accuracy, NOISE)
             found = min([found, *((spare - row[k].bit_length()) / k for k in range(len(row) - LAST, len(row))
                                   if row[k])])
         return min(found - SAFETY, 16.0)
