@@ -19,6 +19,7 @@ from fuzz.full import kinked, smooth
 from fuzz.full.scene import Draw
 from support.motions import problem
 
+from vibcli.api.values import given_expression
 from vibcli.base.errors import PhysicsError
 
 DIGITS, INSTANTS = 40, 12
@@ -34,12 +35,14 @@ def drawn(seed):
 
 def signals(moving, motion, one):
     """[(name, signal, piecewise name)] of the coordinates with their rates."""
-    names = motion.pieces[0].series
+    names = motion.pieces[-1].series
     scene = one.scene
     for name in names:
         base, primes = name.rstrip("'"), name.count("'")
         if base in scene.coordinates or base in scene.dependent:
             yield name, one.response.state_signal(scene.symbol(base, primes))
+        elif not base.isidentifier():
+            yield name, one.response.signal(given_expression(name, "the signal").tree)
 
 
 def compared(seed, longest=1e9):
@@ -56,7 +59,7 @@ def compared(seed, longest=1e9):
             value = float(signal.values(np.array([t]))[0])
             error = abs(motion.value(name, mpmath.mpf(t)) - value)
             found.append((f"{name}({t:.6g})", float(error), signal.error(t)))
-        if name + "'" in motion.pieces[0].series:
+        if name + "'" in motion.pieces[-1].series:
             found += _extremes(name, signal, motion, trajectory.end)
             found += _zeros(name, signal, motion, trajectory.end)
     return moving, found

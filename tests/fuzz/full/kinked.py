@@ -69,6 +69,40 @@ dampers: {floor: {friction: R, stretch: x}}
     return text, ["x", "x'"], start, build, -1, turn
 
 
+def carried_friction(draw):
+    """Two blocks on springs in a row, one of them on a rough floor, the other one smooth."""
+    a, b, R = draw("a", 0.5, 3, "kg"), draw("b", 0.5, 3, "kg"), draw("R", 0.5, 6, "N")
+    k, K = draw("k", 50, 400, "N/m"), draw("K", 50, 400, "N/m")
+    start = ["0.2", draw.number(-0.5, 0.5), draw.number(0.2, 1), draw.number(-2, 2)]
+    text = """bodies:
+  one: {mass: a, slide: x}
+  two: {mass: b, slide: y}
+springs:
+  s: {k: k, stretch: x}
+  r: {k: K, stretch: y - x}
+dampers: {floor: {friction: R, stretch: x}}
+"""
+
+    def build(tape, t, y, mode):
+        x, h, u, w = y
+        pull, back = (h - x) * K - x * k, (x - h) * (K / b)
+        if not mode:
+            return [tape.constant(0), w, tape.constant(0), back], {"up": pull - R, "down": pull + R}, {}
+        return [u, w, (pull - R * mode) * (1 / a), back], {"rest": u}, {}
+
+    def turn(mode, name, y):
+        from support.taylor import fixed
+
+        if name in ("up", "down"):
+            return (1 if name == "up" else -1), y
+        pull = (y[1] - y[0]) * K - y[0] * k
+        if abs(pull) <= fixed(R):
+            return 0, [y[0], y[1], 0, y[3]]
+        return (1 if pull > 0 else -1), y
+
+    return text, ["x", "y", "x'", "y'"], start, build, 1, turn
+
+
 def driven_friction(draw):
     """The same on a belt: slip alone, driven by a spring whose end moves, friction smaller than the drive: m x'' =
     −k (x − A sin W t) − R sign(x'); it never sticks for long, but it may."""
@@ -150,7 +184,7 @@ forces: {f: {at: b, force: [P*impulse(t - t1), 0]}}
     return text, ["q", "q'"], start, build, 0, turn, (t1,)
 
 
-KINDS = (quadratic_damper, one_sided, dry_friction, driven_friction, steps, blows)
+KINDS = (carried_friction, quadratic_damper, one_sided, dry_friction, driven_friction, steps, blows)
 
 
 def moving(kind, draw):

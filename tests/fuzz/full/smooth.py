@@ -84,6 +84,45 @@ bodies:
     return text, ["p", "r", "p'", "r'"], start, build, draw.until(1, 8)
 
 
+def far_pendulum(draw):
+    """A double pendulum let go from far up: chaotic, and followed for long."""
+    L = draw("L", 0.5, 1.5, "m")
+    start = [draw.number(2, 2.9), draw.number(2, 2.9), "0", "0"]
+    text = f"""{GRAVITY}points: {{P: {{body: upper, at: [0, -L]}}}}
+bodies:
+  upper: {{mass: 1 kg, at: [0, -L], pin: {{at: [0, 0], by: p}}}}
+  lower: {{mass: 1 kg, at: [0, -2*L], pin: {{at: P, by: r}}}}
+"""
+
+    def build(tape, t, y, mode):
+        p, r, u, w = y
+        s, c = (p - r).sin_cos()
+        M = [[tape.constant(2), c], [c, tape.constant(1)]]
+        x = solved(M, [-(s * w * w) - p.sin_cos()[0] * (2 * G / L), s * u * u - r.sin_cos()[0] * (G / L)])
+        return [u, w, *x], {}, {"T + V": (u * u * 2 + w * w + c * u * w * 2) * (L * L / 2)
+                                - p.sin_cos()[1] * (2 * G * L) - r.sin_cos()[1] * (G * L) + 3 * G * L}
+
+    return text, ["p", "r", "p'", "r'"], start, build, draw.until(8, 30)
+
+
+def relaxed(draw):
+    """A light mass in thick oil on a hardening spring: stiff."""
+    m, c, k, k3 = draw("m", 0.02, 0.1, "kg"), draw("c", 20, 200, "N*s/m"), draw("k", 50, 500, "N/m"), draw(
+        "k3", 50, 5000, "N/m^3")
+    start = [draw.number(0.1, 1), draw.number(-3, 3)]
+    text = """bodies: {b: {mass: m, slide: x}}
+springs: {s: {law: k*d + k3*d^3, between: [ground, b]}}
+dampers: {d: {c: c, between: [ground, b]}}
+"""
+
+    def build(tape, t, y, mode):
+        x, v = y
+        pull = x * k + x * x * x * k3
+        return [v, (-pull - v * c) * (1 / m)], {}, {"s.force": pull, "x^2 + x*x'/(1 rad/s)": x * x + x * v}
+
+    return text, ["x", "x'"], start, build, draw.until(0.2, 1)
+
+
 def triple_pendulum(draw):
     """Equal links, angles from the vertical."""
     L = draw("L", 0.3, 1.5, "m")
@@ -127,7 +166,9 @@ def spring_pendulum(draw):
         x, h, u, w = y
         down = h - L
         pull = (1 - L / (x * x + down * down).sqrt()) * (-k / m)
-        return [u, w, pull * x, pull * down - G], {}, {}
+        return [u, w, pull * x, pull * down - G], {}, {
+            "s.force": ((x * x + down * down).sqrt() - L) * k, "b.y": h, "s.energy": (
+                (x * x + down * down).sqrt() - L) ** 2 * (k / 2)}
 
     return text, ["x", "y", "x'", "y'"], start, build
 
@@ -255,7 +296,7 @@ dampers: {{d: {{torsion: c, between: [ground, b]}}}}
     return text, ["q", "q'"], start, build
 
 
-KINDS = (pendulum, free_pendulum, duffing, double_pendulum, triple_pendulum, spring_pendulum, cart_with_pendulum,
+KINDS = (far_pendulum, relaxed, pendulum, free_pendulum, duffing, double_pendulum, triple_pendulum, spring_pendulum, cart_with_pendulum,
          two_wells, tied_blocks, rolling_disc, heavy_start, driven_pivot)
 
 

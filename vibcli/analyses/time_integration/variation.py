@@ -17,8 +17,9 @@ from vibcli.numerics.collocation_rule import rule
 if TYPE_CHECKING:
     from vibcli.analyses.time_integration.rounded_data import Varied
 
-POINTS, STIFF = 16, 8   # of Gauss, of Radau where the motion itself was found by these
+POINTS, STIFF = 12, 8   # of Gauss, of Radau where the motion itself was found by these
 CHUNK = 40_000          # instants at which forces are evaluated at once
+ENTRIES = 500_000       # of the matrices of windows that are solved at once
 NEAR = 1e-6             # of the motion: how far neighbours are from it
 
 
@@ -59,7 +60,8 @@ def linearised(varied: "Varied", windows: Sequence[Window], steps: np.ndarray) -
         groups.setdefault((tuple(window.slides), window.rule.c[-1] == 1), []).append(k)
     for (slides, stiff), members in groups.items():
         chosen = rule(STIFF, radau=True) if stiff else rule(POINTS)
-        size = max(CHUNK // (chosen.points * (len(steps) + DIRECTIONS)), 1)
+        unknowns = chosen.points * len(steps) // 2
+        size = max(min(CHUNK // (chosen.points * (len(steps) + DIRECTIONS)), ENTRIES // unknowns**2), 1)
         for first in range(0, len(members), size):
             part = members[first:first + size]
             for k, one in zip(part, _chunk(varied, [windows[k] for k in part], chosen, slides, steps), strict=True):
