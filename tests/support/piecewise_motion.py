@@ -24,9 +24,8 @@ class Motion:
         self.build, self.names, self.turn, self.tapes = build, names, turn, {}
         self.until, self.pieces = fixed(until), []
         t, y, h = 0, [fixed(x) for x in start], fixed(step)
-        for stop, time in [*sorted({fixed(time): time for time in times}.items()), (self.until, None)]:
-            if stop > self.until:
-                break
+        stops = sorted((fixed(time), time) for time in times if fixed(time) < self.until)
+        for stop, time in [*stops, (self.until, None)]:
             while t < stop:
                 t, y, h, mode = self._step(t, y, h, mode, stop)
             if time is not None:

@@ -296,8 +296,8 @@ dampers: {{d: {{torsion: c, between: [ground, b]}}}}
     return text, ["q", "q'"], start, build
 
 
-KINDS = (far_pendulum, relaxed, pendulum, free_pendulum, duffing, double_pendulum, triple_pendulum, spring_pendulum, cart_with_pendulum,
-         two_wells, tied_blocks, rolling_disc, heavy_start, driven_pivot)
+KINDS = (far_pendulum, relaxed, pendulum, free_pendulum, duffing, double_pendulum, triple_pendulum, spring_pendulum,
+         cart_with_pendulum, two_wells, tied_blocks, rolling_disc, heavy_start, driven_pivot)
 
 
 def moving(kind, draw):

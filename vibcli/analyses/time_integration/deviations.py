@@ -31,8 +31,14 @@ LARGEST = 1e30          # of the motion: where nothing of it is known any more
 
 
 def deviations(trajectory: "Trajectory", given: Mapping[str, float] | None, units: np.ndarray) -> "Deviations | None":
-    """The Deviations; None of many coordinates, of which they would be long work."""
-    return Deviations(trajectory, given, units) if len(trajectory.names) <= MOST else None
+    """The Deviations; None of many coordinates, of which they would be long work, and where the linear equations are
+    singular."""
+    if len(trajectory.names) > MOST:
+        return None
+    try:
+        return Deviations(trajectory, given, units)
+    except np.linalg.LinAlgError:
+        return None
 
 
 class Deviations:

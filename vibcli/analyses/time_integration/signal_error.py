@@ -23,6 +23,7 @@ from vibcli.numerics.collocation_rule import rule
 
 GAP, ROUNDED = 4.0, 8 * EPSILON
 POINTS, FINE, FINER = 12, 40, 50    # of a window: where neighbours are looked at, the motion, its error
+ALONE = 10.0                    # by which the rest is multiplied where there are no deviations of first order
 ROUGH = 12.0                    # of the rate of a polynomial through values that are rounded at random
 STILL = 1e-5                    # of a window: an extreme that is as near is that one
 NOTHING = 1e-200                # of the motion: deviations that are none
@@ -48,7 +49,7 @@ class SignalError:
         window, self.shared = trajectory.windows[k], trajectory.shared
         self.trajectory, self.values, self.window = trajectory, values, window
         self.length = min(window.end, trajectory.end - window.start) or window.end
-        self.size = 0.0
+        self.size, self.alone = 0.0, ALONE if self.shared.deviations is None else 1.0
         gauss = rule(POINTS)
         self.columns, self.floors = (rows @ gauss.to_series for rows in self._neighbours(k, gauss.c * self.length))
 
@@ -96,7 +97,7 @@ class SignalError:
         P = self._basis(t)[0]
         deviation = sqrt(float(((self.columns @ P) ** 2).sum()))
         rounding = float(np.abs(self.floors @ P).sum()) + ROUNDED * self.size
-        return SPREAD * deviation + GAP * self.shared.of_signal(self.values, t) + rounding
+        return SPREAD * deviation + self.alone * (GAP * self.shared.of_signal(self.values, t) + rounding)
 
     def _basis(self, t):
         """(Legendre polynomials, their rates) at an instant."""
@@ -108,7 +109,7 @@ class SignalError:
         P, slopes = self._basis(t)
         deviation = sqrt(float(((self.columns @ slopes) ** 2).sum()))
         rounding = self._roughness(t) * (float(np.abs(self.floors @ P).sum()) + ROUNDED * self.size)
-        return SPREAD * deviation + GAP * self._gap + rounding
+        return SPREAD * deviation + self.alone * (GAP * self._gap + rounding)
 
     def _roughness(self, t):
         """Of the rate of a polynomial through FINE values: what it adds for each unit by which these are rounded."""
