@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from fractions import Fraction
 
     from vibcli.results.signal import Signal
+    from vibcli.results.signals import LinearSignal
 
 ASKED = 1e-9            # of the largest value up to an instant: what a bound may be
 DIGITS, MOST = 25, 40   # in which more are computed; steps of a million products that this may take by itself
@@ -62,6 +63,32 @@ def extreme_of_signal(signal: "Signal", start: float, end: float, sense: int) ->
             time, value = map(float, found)
             return BoundedExtreme(time, value, ROUNDED * time, ROUNDED * abs(value))
     return BoundedExtreme(time, value, signal.error_of_time(time), error)
+
+
+def phasors_of_signal(signal: "LinearSignal") -> list[tuple[float, complex, float]]:
+    """[(Ω, X, |δX|)] of the steady state Re Σ X e^{iΩt} of finitely many harmonics, by ascending Ω."""
+    from vibcli.results.feature_errors import phasors
+
+    errors = phasors(signal)
+    found = [(Omega, X, errors.get(Omega, 0.0)) for Omega, X in signal.phasors]
+    size = max((abs(X) for _, X, _ in found), default=0.0)
+    if signal.source and any(error > ASKED * size for _, _, error in found):
+        finer = _found(lambda: _finer_phasors(signal, found, size))
+        return found if finer is None else finer
+    return found
+
+
+def _finer_phasors(signal, found, size):
+    from vibcli.results.precise_features import phasors
+    from vibcli.results.precise_signals import agreed, precise_signal
+
+    def parts():
+        return [part for _, X in phasors(precise_signal(signal.source)) for part in (X.real, X.imag)]
+
+    numbers = iter(map(float, agreed(parts, DIGITS, size)))
+    speeds = sorted({0.0, *(Omega for Omega, *_ in found)})
+    finer = {Omega: complex(re, im) for Omega, re, im in zip(speeds, numbers, numbers, strict=True)}
+    return [(Omega, finer[Omega], 2 * ROUNDED * abs(finer[Omega])) for Omega, *_ in found]
 
 
 def _exceeded(signal, t, value, error):

@@ -63,14 +63,14 @@ def amplitude(signal: "LinearSignal") -> float:
         return of_part(signal, signal_features.vibration(signal)).amplitude
     steady = signal.motion.steady
     if steady.period is None and len(steady_features.harmonics(signal)) < 2:
-        return sum(_phasors(signal).values())
+        return sum(phasors(signal).values())
     from math import tau
 
     period = tau / steady_features.fundamental(signal)
     return 0.5 * sum(signal.steady.error(signal.steady.extreme(0.0, period, sense)[0]) for sense in (1, -1))
 
 
-def _phasors(signal):
+def phasors(signal: "LinearSignal") -> dict[float, float]:
     """{Ω: |δX|} of the waves of the steady state."""
     return {rate: error for rate, error in steady_errors.of_waves_in(signal.motion.steady, signal.output).items()
             if rate}
@@ -80,14 +80,14 @@ def phase(signal: "LinearSignal") -> float:
     if not signal_features.kept_up(signal):
         return of_part(signal, signal_features.vibration(signal)).phase
     (Omega, X), = steady_features.harmonics(signal)
-    return min(pi, _phasors(signal)[Omega] / abs(X)) + ROUNDING
+    return min(pi, phasors(signal)[Omega] / abs(X)) + ROUNDING
 
 
 def harmonic(signal: "LinearSignal", number: int) -> float:
     steady, Omega = signal.motion.steady, steady_features.fundamental(signal)
     if steady.period is not None:
         return steady_errors.of_harmonic(steady, signal.output, number)
-    return sum(error for rate, error in _phasors(signal).items()
+    return sum(error for rate, error in phasors(signal).items()
                if abs(rate - number * Omega) <= steady_features.COMMENSURATE * rate)
 
 

@@ -11,9 +11,10 @@ from support.scenes import problem, value
 from support.signals import signal_of
 
 from vibcli.quantities.expression import measure
-from vibcli.report.sections.requested_signals import symbol
+from vibcli.report.sections.requested_signals import RequestedSignal, symbol
+from vibcli.report.sections.steady_state import steady_rows
 from vibcli.results import precise_work
-from vibcli.results.escalation import extreme_of_signal, value_of_signal
+from vibcli.results.escalation import extreme_of_signal, phasors_of_signal, value_of_signal
 from vibcli.results.signals import ComposedSignal, LinearSignal
 
 SCENE = """
@@ -82,15 +83,27 @@ def test_quantities_to_digits():
 
 def test_twelve_right_digits_are_printed_and_mpmath_stays_out_without_need(tmp_path):
     path = tmp_path / "scene.yaml"
-    path.write_text(SCENE)
     program = ("import sys\nfrom vibcli.cli import main\ntry:\n    main(sys.argv[1:])\nexcept SystemExit:\n    pass\n"
                "print('mpmath' in sys.modules, file=sys.stderr)\n")
 
-    def run(*args):
+    def run(scene, *args):
+        path.write_text(scene)
         done = subprocess.run([sys.executable, "-c", program, "response", path, *args], capture_output=True, text=True,
                               cwd=Path(__file__).parents[3], timeout=60, check=False)
         return done.stdout, done.stderr.strip()
 
-    assert run("--at", "1.5")[1] == "False"
-    printed, _ = run("--at", "1e6", "--digits", "12")
-    assert "-35901.7653471" in printed
+    assert run(SCENE.replace("20.0000002", "21"), "--at", "1.5")[1] == "False"
+    printed, imported = run(SCENE, "--at", "1e6")
+    assert "-35901.7653471\n" in printed and imported == "True"
+
+
+def test_the_table_of_the_steady_state_near_a_resonance():
+    """X = F/(m (ω² − Ω²)), of which floats have five digits; all that are printed are right."""
+    found = problem(SCENE.replace("20.0000002", "20.0000000007"))
+    with mpmath.workdps(40):
+        X = 2 / (400 - mpmath.mpf("20.0000000007") ** 2)
+        (_, phasor, error), = phasors_of_signal(signal_of(found, "x"))
+        assert abs(abs(phasor) - abs(X)) <= error <= 1e-15 * abs(X)
+        assert abs(abs(signal_of(found, "x").phasors[0][1]) - abs(X)) > 1e-8 * abs(X)
+    (_, _, _, _, amplitude, _, _), = steady_rows([RequestedSignal("x", None, {}, signal_of(found, "x"))], "sine")
+    assert amplitude == "7.14286e7"

@@ -219,7 +219,7 @@ def _steady(motion, signal, convention):
     if not motion.drive or not hasattr(signal, "output"):
         return None
     try:
-        return [(Omega, X, phase_in(convention, X)) for Omega, X in harmonics_of(signal)]
+        return [(Omega, X, phase_in(convention, X)) for Omega, X, _ in harmonics_of(signal)]
     except PhysicsError:
         return None
 

@@ -7,7 +7,7 @@ from math import degrees
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
-from vibcli.notation.numbers import figure
+from vibcli.notation.numbers import figure, supported
 from vibcli.report.blocks import Section, TableBlock, paragraph, section
 from vibcli.report.sections.formulas import sum_of
 
@@ -62,7 +62,7 @@ def _left_out(signal):
     if not hasattr(signal, "output") or signal.motion.steady.period is None:
         return
     steady = signal.motion.steady
-    told = sum(abs(X) ** 2 / 2 for _, X in harmonics_of(signal)) + steady.mean(signal.output) ** 2
+    told = sum(abs(X) ** 2 / 2 for _, X, _ in harmonics_of(signal)) + steady.mean(signal.output) ** 2
     mean, rms = steady.mean(signal.output), steady.rms(signal.output)
     rest = math.sqrt(max(0.0, rms**2 - told))
     yield (f"mean {figure(mean if abs(mean) > NOTHING * rms else 0.0)}, root mean square {figure(rms)}; the "
@@ -77,25 +77,29 @@ def phase_in(convention: str, X: complex) -> float:
     return wrapped(sign * (-cmath.phase(X) + turn * math.tau))
 
 
-def harmonics_of(signal: "LinearSignal") -> list[tuple[float, complex]]:
-    """[(Ω, X)] of the steady state: all of finitely many, the first of a periodic one; none of products of signals."""
+def harmonics_of(signal: "LinearSignal") -> list[tuple[float, complex, float]]:
+    """[(Ω, X, |δX|)] of the steady state: all of finitely many, the first of a periodic one; none of products of
+    signals."""
+    from vibcli.results import feature_errors
+    from vibcli.results.escalation import phasors_of_signal
     from vibcli.results.steady_features import fundamental, harmonic
 
     if not hasattr(signal, "output"):
         return []
     if signal.motion.steady.period is None:
-        return signal.phasors
+        return phasors_of_signal(signal)
     Omega = fundamental(signal)
-    found = [(n * Omega, harmonic(signal, n)) for n in range(1, FIRST + 1)]
-    largest = max(abs(X) for _, X in found)
-    return [(speed, X) for speed, X in found if abs(X) > SMALL * largest]
+    found = [(n * Omega, harmonic(signal, n), feature_errors.harmonic(signal, n)) for n in range(1, FIRST + 1)]
+    largest = max(abs(X) for _, X, _ in found)
+    return [one for one in found if abs(one[1]) > SMALL * largest]
 
 
 def steady_rows(asked: "Sequence[RequestedSignal]", convention: str) -> Iterator[tuple[str, ...]]:
     """Rows of signal, Ω, f, T, amplitude and phase of each harmonic of the steady state."""
     for one in asked:
-        for Omega, X in harmonics_of(one.signal):
+        for Omega, X, error in harmonics_of(one.signal):
             if Omega:
-                theta = phase_in(convention, X)
+                theta, turned = phase_in(convention, X), error / abs(X) if X else 0.0
                 yield (f"{one.label} [{one.unit}]", figure(Omega), figure(Omega / math.tau), figure(math.tau / Omega),
-                       figure(abs(X)), figure(theta), figure(degrees(theta), digits=4))
+                       supported(abs(X), error), supported(theta, turned),
+                       supported(degrees(theta), degrees(turned), 4))
