@@ -60,8 +60,9 @@ def can_be_asked(spec: "Spec", reader: "Reader", expression: "Expression", tree:
         reader.report(place, f"'{lumped[0]}' has no place", "say where it is drawn with `at: [x, y]`")
         return False
     if head == "mass" and not {"mass", "density", "parts"} & set(bodies[indices[0]].places):
-        reader.report(place, f"'{indices[0]}' has no mass", f"give it `mass: m`, or ask for J[{indices[0]}], its "
-                      "moment of inertia")
+        turns = "inertia" in bodies[indices[0]].places
+        reader.report(place, f"'{indices[0]}' has no mass", "give it `mass: m`"
+                      + f", or ask for J[{indices[0]}], its moment of inertia" * turns)
         return False
     return True
 

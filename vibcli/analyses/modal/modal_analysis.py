@@ -78,6 +78,13 @@ class ModalAnalysis:
 
         return stability(self)
 
+    @cached_property
+    def margins_without_inertia(self) -> tuple[list[float], float]:
+        """What passes through zero at the limit of stability where coordinates have no inertia."""
+        from vibcli.analyses.modal.stability_of_stiffness import margins
+
+        return margins(self)
+
     def shape(self, mode: "DampedMode | Mode", how: str = "first") -> "list[complex | mpmath.mpf]":
         """The shape of a mode in the normalisation asked for, as a list of numbers."""
         from vibcli.analyses.modal.normalisation import normalised, weights

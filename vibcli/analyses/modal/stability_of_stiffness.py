@@ -14,8 +14,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from vibcli.analyses.modal.method import dragged
+from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
+    from vibcli.analyses.modal.modal_analysis import ModalAnalysis
     from vibcli.mechanics.configuration import Configuration
 
 FOLLOWS, FALLS, UNKNOWN = "follows", "falls", "unknown"
@@ -60,8 +62,30 @@ def _units(K):
     return 1 / np.sqrt(np.where(sizes == 0, 1.0, sizes))
 
 
-def _rounding(elements, unit, values):
-    """How far the eigenvalues may be off that floats give."""
+def margins(modal: "ModalAnalysis") -> tuple[list[float], float]:
+    """(numbers of which one passes through zero at the limit of stability, their size): the eigenvalues of K, taken
+    relative to the sizes of its terms, or −Re λ of all modes."""
+    elements = modal.configuration.linear_system
+    if takes_energy(elements):
+        return _relative(elements), 1.0
+    held, damped = of_what_follows(elements), modal.damped
+    if held == FALLS:
+        return [-1.0], 1.0
+    if held != FOLLOWS or damped is None:
+        raise PhysicsError("loads without a potential act where something has no inertia: masses or dampers would "
+                           "decide where the limit of stability is", "give it a mass or a damper")
+    return [-float(mode.eigenvalue.real) for mode in damped], max(float(abs(mode.eigenvalue)) for mode in damped) or 1.0
+
+
+def _relative(elements):
+    """The eigenvalues of K, each coordinate in units in which the terms of its own stiffness add up to 1."""
+    unit = 1 / np.sqrt(np.maximum(_sizes(elements).diagonal(), np.finfo(float).tiny))
+    K = elements.stiffness_array()
+    return np.linalg.eigvalsh(unit[:, None] * (K + K.T) / 2 * unit).tolist()
+
+
+def _sizes(elements):
+    """The sums of the magnitudes of the terms of K."""
     size = np.zeros((elements.n, elements.n))
     for weight, row in elements.springs:
         for i, x in row.items():
@@ -69,6 +93,12 @@ def _rounding(elements, unit, values):
                 size[i, j] += abs(weight * x * y)
     for pair, x in (elements.K_size or elements.K).items():
         size[pair] += abs(x)
+    return size
+
+
+def _rounding(elements, unit, values):
+    """How far the eigenvalues may be off that floats give."""
+    size = _sizes(elements)
     off = np.abs(unit[:, None] * size * unit).sum(axis=1).max(initial=0.0)
     return ROUNDING * off + elements.n * ROUNDING * np.abs(values).max(initial=0.0)
 
