@@ -4,7 +4,8 @@ from vibcli.language import signals
 
 RESPONSE = [
     "`vibcli response FILE` finds the motion in time, and so do `find: [response]` and every quantity of a signal in "
-    "`answers`. It needs numbers for all parameters.",
+    "`answers`. It needs numbers for all parameters; in letters it tells steady states of one harmonic or behind "
+    "powers of the time, and of one degree of freedom the motion from the start.",
     [
         ("start", "At t = 0, as `initial` says: `{x: 2 cm, x': 0.5 m/s}`, counted as in the drawn position. A "
          "coordinate left out starts where the equilibrium has it, a velocity left out is 0. `{released: pull}` starts "

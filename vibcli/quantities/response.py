@@ -164,8 +164,16 @@ def _size(problem, tree):
     return max(abs(signal.extreme(0.0, end, sense)[1]) for sense in (1, -1))
 
 
-def _of_signal(about, unit, number, indices=(), size=_size, kind=NUMBER):
-    return Declaration(about, unit, _measured(number), indices, ("signal",), size=size, kind=kind)
+def _in_letters(name):
+    def symbolic(problem, tree):
+        from vibcli.quantities import responses_in_letters
+
+        return getattr(responses_in_letters, name)(problem, tree)
+    return symbolic
+
+
+def _of_signal(about, unit, number, indices=(), size=_size, kind=NUMBER, symbolic=None):
+    return Declaration(about, unit, _measured(number), indices, ("signal",), size=size, kind=kind, symbolic=symbolic)
 
 
 def _part(about):
@@ -185,9 +193,9 @@ QUANTITIES = {
     "argmin": _of_signal("instant of the smallest value", "s", _instant(-1), size=_end),
     "mean": _of_signal("mean over a period of the steady state, or of free vibrations that do not die out; of powers "
                        "and products of signals too, as in mean(x^2), over all times where they have no common period",
-                       SIGNAL, _small("mean")),
-    "rms": _of_signal("root mean square of the same", SIGNAL, _small("rms")),
-    "final": _of_signal("limit for t → ∞", SIGNAL, _final),
+                       SIGNAL, _small("mean"), symbolic=_in_letters("mean")),
+    "rms": _of_signal("root mean square of the same", SIGNAL, _small("rms"), symbolic=_in_letters("rms")),
+    "final": _of_signal("limit for t → ∞", SIGNAL, _final, symbolic=_in_letters("final")),
     "overshoot": _of_signal("(max − final)/(final − start)", "1", _overshoot, size=one),
     "decrement": _of_signal("logarithmic decrement of a free motion, by successive maxima", "1",
                             _small("decrement"), size=one),

@@ -180,6 +180,15 @@ class Problem:
 
         return steady_state(self.symbolic, signal)
 
+    def symbolic_following(self, signal: str, alone: bool = False) -> "Node":
+        """What of a signal follows loads that are powers of the time, in letters, counted from equilibrium; `alone`:
+        where that is all in the end, NotInLetters where the free motion does not die out."""
+        from vibcli.analyses.closed_form.powers_of_time import following, require_damped
+
+        if alone:
+            require_damped(self.symbolic)
+        return following(self.symbolic, signal)
+
     def frequency_response(self, signal: str, driver: str) -> "FrequencyResponse":
         """The FrequencyResponse of a signal to an input."""
         from vibcli.results.frequency_response import FrequencyResponse

@@ -7,10 +7,11 @@ from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.report.blocks import Name, Paragraph, Section, SumOfTerms, Words, equations, line, maths, paragraph, section
 from vibcli.report.sections.requested_signals import symbol
 from vibcli.report.sections.symbolic_modes import equilibrium_parts
-from vibcli.symbolic.derivatives import substitute
+from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression import Table
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
@@ -25,16 +26,21 @@ CONDITIONS = {"under-damped": " < ", "critically damped": " = ", "over-damped": 
 
 def response_in_letters(problem: "Problem", names: Iterable) -> Iterator[Section]:
     """Sections of the steady state of signals, {text}, and of the motion of one coordinate from its start."""
+    from vibcli.analyses.closed_form.powers_of_time import are_powers
+
     if problem.spec.get("motion") == "full":
         raise NotInLetters("motions of the full equations are found in numbers",
                            "give the parameters values with --set")
     driven, names = bool(problem.scene.timed and problem.symbolic.excitation), list(names)
-    steady = {name: problem.symbolic_steady_state(name) for name in names} if driven else {}
+    growing = driven and are_powers(problem.symbolic)
+    find = problem.symbolic_following if growing else problem.symbolic_steady_state
+    steady = {name: find(name) for name in names} if driven else {}
     values = {name: node for name, node in problem.symbolic.equilibrium_position.items() if not node.is_zero}
     if values:
         yield from section("Equilibrium, from which motions are counted", paragraph(*equilibrium_parts(values)))
     for number, (name, found) in enumerate(steady.items(), 1):
-        yield from _steady_section(problem, name, found, str(number) * (len(steady) > 1))
+        yield from section(f"Steady state of {symbol(name)}", equations([line(Name(name), " = ", found)])) if (
+            growing) else _steady_section(problem, name, found, str(number) * (len(steady) > 1))
     if len(problem.scene.q) == 1:
         name, = problem.scene.coordinates
         if not driven and name not in names:
@@ -114,6 +120,8 @@ def _about_steady(problem, table, start, steady, massless):
     """(start of the free part, parts of the steady part before it, what its letters mean)."""
     if steady is None:
         return start, (), None
+    if not hasattr(steady, "formula"):
+        return _about_powers(problem, table, start, steady)
     formula, (x, v) = steady.formula, start
     X, theta = (table.parameter(letter(problem, name)) for name in ("X", "theta"))
     at_start, = substitute([steady.argument], {problem.scene.time: problem.scene.table.zero})
@@ -130,6 +138,15 @@ def _about_steady(problem, table, start, steady, massless):
     A, B = (table.parameter(letter(problem, name)) for name in "AB")
     lines = [line(A, " = ", start[0]), line(B, " = ", start[1])]
     return (A, B), prefix, equations(lines[:1] if massless else lines)
+
+
+def _about_powers(problem, table, start, steady):
+    """The same of a steady part that is a polynomial of the time."""
+    scene = problem.scene
+    slope = gradient(steady).get(scene.time, scene.table.zero)
+    at_start = copied(substitute([steady, slope], {scene.time: scene.table.zero}), table)
+    return tuple(textbook(one - other) for one, other in zip(start, at_start, strict=True)), (
+        copied([steady], table)[0],), None
 
 
 def _known_regime(problem, m, c, k):
