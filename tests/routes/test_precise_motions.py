@@ -9,6 +9,8 @@ import pytest
 from support.scenes import problem
 from support.signals import signal_of
 
+from vibcli.results.escalation import value_of_signal
+
 DIGITS = 30
 
 
@@ -41,6 +43,12 @@ class Chain:
                 + (f"dampers:\n{dampers}" if dampers else "")
                 + f"forces:\n  f: {{at: b0, force: {self.load[0]} N*cos({self.load[1]} rad/s*t)}}\n"
                 f"  g: {{at: b{self.n - 1}, force: 2 N/s*(t - {later} s)*step(t - {later} s)}}\ninitial:\n{start}")
+
+    def late(self, t):
+        """x₀, v₀ and the force of the first spring long after, the load that rises taken away."""
+        z = mpmath.matrix([*map(mpmath.mpf, self.start), 0, 1, 1, 0, 1, 0])
+        z = mpmath.expm(self.generator(False) * t, method="taylor") * z
+        return z[0], z[self.n], mpmath.mpf(self.springs[0]) * (z[0] - mpmath.mpf(self.wall[0]) * z[2 * self.n])
 
     def generator(self, on):
         """G of z = (x, v, sin, cos of the wall, cos, sin of the load, 1, time since `later` where that is on)."""
@@ -90,6 +98,20 @@ def test_values_of_random_chains(seed):
             for text, value in exact.items():
                 got = signal_of(found, text).precise(Fraction(t), DIGITS)
                 assert abs(got - value) <= abs(value) * mpmath.mpf(10) ** -DIGITS, (text, t)
+
+
+@pytest.mark.parametrize("seed", range(20, 25))
+def test_bounds_of_random_chains_after_long_times(seed):
+    """What is printed after up to ten million seconds is within its bound, whether it was found in floats or anew."""
+    chain, dice = Chain(seed), random.Random(seed)
+    chain.dampers = ["0"] * chain.n if seed % 2 else chain.dampers
+    t = Fraction(round(10 ** dice.uniform(3, 7)))
+    found = problem("".join(line for line in chain.text.splitlines(keepends=True) if not line.startswith("  g:")))
+    with mpmath.workdps(70):
+        x, speed, force = chain.late(mpmath.mpf(t.numerator))
+        for text, exact in {"x0": x, "x0'": speed, "s0.force": force, "x0^2": x * x}.items():
+            value, bound = value_of_signal(signal_of(found, text), t)
+            assert abs(mpmath.mpf(value) - exact) <= bound <= 1e-8 * max(abs(force), abs(exact)), text
 
 
 @pytest.mark.parametrize("seed", range(8, 11))

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
     from vibcli.analyses.transient.linear_response import LinearMotion, SteadyMotion
 
-RESONANT = 1e-12
+RESONANT, DIGITS = 1e-12, 12      # relative: a frequency that counts as a natural one
 POINTS = 20         # of Gauss's rule
 UNFORCED = 1e-13
 
@@ -105,8 +105,8 @@ def resonance(s: complex) -> PhysicsError:
     if not s:
         return PhysicsError("there is no steady state: a constant force drives a motion that nothing holds",
                             hint="tie it with a spring, or ask at a time")
-    return PhysicsError(f"there is no steady state: Ω = {abs(s.imag):.6g} rad/s is a natural frequency without "
-                        "damping, the amplitude grows without end", hint="add a damper, move Ω, or ask at a time")
+    return PhysicsError(f"no steady state is found: Ω = {abs(s.imag):.6g} rad/s is, to {DIGITS} digits, a natural "
+                        "frequency without damping", hint="add a damper, move Ω, or ask at a time")
 
 
 def amplitudes(motion: "LinearMotion", forcing: Forcing) -> list[tuple[complex, np.ndarray, np.ndarray]]:
