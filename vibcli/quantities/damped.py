@@ -12,6 +12,11 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.syntax import QuantityRef
 
+CLOSE, COINCIDING = 1e-4, 4e-16     # eigenvalues, relative
+MORE = 30                           # digits where they are close
+TINY = 1e-5                         # of the largest amplitude
+
+
 def _pair(problem: "Problem", tree: "QuantityRef") -> "list[DampedMode]":
     """The damped modes of an index, two where it is over-damped; a scene without dampers has none."""
     modes, number = problem.modal.damped, int(tree.indices[0])
@@ -73,8 +78,33 @@ def _eigenvalue(problem, tree, args):
 
 
 def _shape(problem, tree, args):
+    """In more digits, if there are any, where another eigenvalue is close: the error grows with 1/gap. An amplitude
+    that is tiny beside the largest has a larger part of that one's error."""
     signal = coordinate_name(problem.spec, tree.indices[1]) or tree.indices[1]
-    return amplitude_as_asked(problem, along(problem, problem.modal.shape(_pair(problem, tree)[0]), signal))
+    mode, lost = _pair(problem, tree)[0], 1.0
+    gap = _gap(problem.modal.damped, int(tree.indices[0]))
+    if gap < CLOSE:
+        lost = CLOSE / gap
+        if problem.digits is None and problem.configuration.sources[0] is not None:
+            sharp, lost = problem.modal.damped_to(MORE), 1.0
+            mode = min(sharp, key=lambda other: abs(complex(other.eigenvalue) - complex(mode.eigenvalue)))
+    shape = problem.modal.shape(mode)
+    amplitude, error = amplitude_as_asked(problem, along(problem, shape, signal))
+    most = max(float(abs(x)) for x in shape)
+    return amplitude, min(1.0, error * max(lost, TINY * most / (float(abs(amplitude)) or most)))
+
+
+def _gap(modes, number):
+    """How far the eigenvalue of a mode is from that of any other, conjugates included, in parts of it; PhysicsError
+    where two coincide."""
+    mode = next(mode for mode in modes if mode.index == number)
+    found, size = complex(mode.eigenvalue), abs(complex(mode.eigenvalue))
+    others = [complex(other.eigenvalue) for other in modes if other.index != number]
+    away = min((abs(found - value) for other in others for value in (other, other.conjugate())), default=size)
+    if size and away <= (2 * mode.error + COINCIDING) * size:
+        raise PhysicsError(f"damped mode {number} coincides with another one: any mix of their shapes is one",
+                           "see `vibcli frequencies` for the eigenvalues")
+    return away / size if size else 1.0
 
 
 def _omega_d(m, c, k, omega, table):

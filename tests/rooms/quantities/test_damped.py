@@ -31,7 +31,7 @@ def by_mpmath(M, C, K):
     """[(λ, shape with the first amplitude 1)] with Im λ ≥ 0, by ascending |λ|."""
     n = len(M)
     with mpmath.workdps(40):
-        M, C, K = (mpmath.matrix(A.tolist()) for A in (M, C, K))
+        M, C, K = (mpmath.matrix([[mpmath.mpf(repr(float(x))) for x in row] for row in A]) for A in (M, C, K))
         A = mpmath.zeros(2 * n)
         for i in range(n):
             A[i, n + i] = 1
@@ -67,6 +67,25 @@ def test_they_are_those_of_random_matrices(seed):
         else:
             with pytest.raises(PhysicsError, match="does not oscillate"):
                 value(scene, f"period_d[{i}]")
+
+
+@pytest.mark.parametrize("gap", [2**-10, 2**-20, 2**-30, 2**-40])
+def test_shapes_of_close_eigenvalues(gap):
+    """Two equal oscillators, but for a part `gap` of stiffness and damping, and as weakly coupled with each other."""
+    K = np.diag([128.0, 128.0 * (1 + gap), 320.0]) + gap * np.array([[8, -8, 0], [-8, 8, -1], [0, -1, 1]])
+    C = np.diag([1.0, 1.0 + gap, 2.0]) + gap * np.array([[2, -2, 0], [-2, 2, 0], [0, 0, 0]])
+    scene = scene_of(np.eye(3), C, K)
+    for i, (_, shape) in enumerate(by_mpmath(np.eye(3), C, K), 1):
+        found = [measure(scene, parse(f"mode_d[{i},{name}]")) for name in NAMES]
+        pivot = next(k for k, (amplitude, _) in enumerate(found) if abs(amplitude - 1) < 1e-14)
+        for (amplitude, error), wanted in zip(found, shape, strict=True):
+            assert abs(amplitude - wanted / shape[pivot]) <= error * abs(amplitude), (i, gap)
+
+
+def test_shapes_of_equal_eigenvalues_are_refused():
+    scene = scene_of(np.eye(2), np.eye(2), 9 * np.eye(2))
+    with pytest.raises(PhysicsError, match="coincides with another one"):
+        value(scene, "mode_d[1,x]")
 
 
 def test_two_real_eigenvalues_of_one_mode():
