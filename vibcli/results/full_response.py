@@ -1,6 +1,6 @@
 """The motion of the full equations, integrated, and what it shares with motions that are prescribed."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -69,10 +69,15 @@ class StatesInTime(Response):
     def forces(self, wanted: Mapping[str, str], places: "Mapping[str, float | np.ndarray]",
                trajectory: "Trajectory | None") -> "dict[str, np.ndarray]":
         """{symbol: array} of the forces {symbol: name} of constraints, supports and drives, from the `places`."""
-        found = self._forces.values(list(dict.fromkeys(wanted.values())), self.states(places, trajectory))
+        states = self.states(places, trajectory)
+        found = self._forces.values(list(dict.fromkeys(wanted.values())), states, self.senses(states, trajectory))
         return {symbol: found[name] for symbol, name in wanted.items()}
 
-    def states(self, known: Any, trajectory: "Trajectory"):
+    def senses(self, states: Any, trajectory: "Trajectory | None") -> Callable | None:
+        """Gives the σ of arguments of a scene at the `states`; None where their signs are those of the arguments."""
+        return None
+
+    def states(self, known: Any, trajectory: "Trajectory | None"):
         """{name: array} of the time and of all coordinates with their rates, from what is `known` of them."""
         import numpy as np
 
@@ -214,17 +219,34 @@ class FullResponse(StatesInTime):
         found, error = searched_period(self.signal(tree), first)
         return found, error / found
 
-    def states(self, known: float, trajectory: "Trajectory"):
-        if trajectory.system.switches:
-            raise PhysicsError("reactions are not found along a motion in which a force bends or jumps",
-                               "ask for forces of springs and dampers, as in s.force + d.force")
-        return super().states(known, trajectory)
+    def senses(self, states: Any, trajectory: "Trajectory | None") -> Callable | None:
+        """By the windows of the motion; PhysicsError where friction that sticks is shared in any proportion."""
+        if trajectory is None or not trajectory.switching.count:
+            return None
+        from vibcli.analyses.time_integration.switch_senses import senses
+        from vibcli.results.shared_friction import require_unshared
+        from vibcli.symbolic.array_arithmetic import Arrays
+
+        times, names = states[self.problem.scene.time.name], trajectory.names
+        require_unshared(trajectory, times, states)
+
+        def of(scene, arguments):
+            def of_states(t, q, v):
+                return evaluate(arguments, Arrays, self.states(self.named(names, t, q, v, 0.0 * v), trajectory))
+
+            return senses(trajectory, scene, arguments, evaluate(arguments, Arrays, states), times, of_states)
+
+        return of
 
     def places(self, times: "np.ndarray", trajectory: "Trajectory"):
         """{name: array} of the time and of the coordinates that were integrated, with their rates."""
+        return self.named(trajectory.names, times, *trajectory.at(times))
+
+    def named(self, names: Sequence[str], times: "np.ndarray", *rows: "np.ndarray") -> "dict[str, Any]":
+        """{name: array} of the time, of coordinates and as many of their rates as there are `rows`."""
         values = {**self.problem.numeric.floats, self.problem.scene.time.name: times}
-        for primes, rows in zip(("", "'", "''"), trajectory.at(times), strict=True):
-            values |= {name + primes: row for name, row in zip(trajectory.names, rows, strict=True)}
+        for primes, each in zip(("", "'", "''"), rows, strict=False):
+            values |= {name + primes: row for name, row in zip(names, each, strict=True)}
         return values
 
     def signal_of(self, node: "Node", forces: Mapping[Any, Any], shared: "SharedFriction | None" = None):

@@ -120,7 +120,11 @@ class FullSignal(Signal):
         from vibcli.analyses.time_integration.switch_senses import senses
 
         scene, arguments = self.motion.problem.scene, [part.args[0] for part in signs]
-        found = senses(trajectory, scene, arguments, evaluate(arguments, Arrays, values), times)
+
+        def of_states(t, q, v):
+            return evaluate(arguments, Arrays, self.motion.named(trajectory.names, t, q, v))
+
+        found = senses(trajectory, scene, arguments, evaluate(arguments, Arrays, values), times, of_states)
         symbols = {part: scene.table.variable(f"sense {i}") for i, part in enumerate(signs)}
         values |= {symbol.name: sense for symbol, sense in zip(symbols.values(), found, strict=True)}
         return substitute([node], symbols)[0]
