@@ -5,6 +5,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+from vibcli.base.errors import NoEquilibrium, PhysicsError
 from vibcli.base.stage import Costs, Stage
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.mechanics.numeric_system import NumericSystem
@@ -66,6 +67,17 @@ class Configuration:
 
             require_autonomous(self, self.numeric.at_rest_in(found.values))
         return found
+
+    @cached_property
+    def falls(self) -> bool:
+        """Is no equilibrium reached, as nothing holds the scene, so that its motion starts as drawn?"""
+        try:
+            self.equilibrium  # noqa: B018
+        except NoEquilibrium:
+            return True
+        except PhysicsError:
+            return False
+        return False
 
     def _reached(self):
         from vibcli.mechanics.equilibrium import equilibrium

@@ -4,7 +4,7 @@ from contextlib import suppress
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import NotInLetters
+from vibcli.base.errors import NotInLetters, defined_as_drawn
 from vibcli.base.stage import Stage
 from vibcli.symbolic.rationals import fraction_of
 
@@ -167,6 +167,21 @@ class SymbolicSystem:
                                "draw it in equilibrium, or give numbers with --set")
         with self.work.task("the reactions in letters"):
             return symbolic_forces(self.numeric)
+
+    @cached_property
+    def accelerations(self) -> Any:
+        """The Accelerations from rest in the drawn position."""
+        from vibcli.mechanics.accelerations import accelerations
+
+        with self.work.task("the accelerations in letters"):
+            return defined_as_drawn(accelerations, self.scene)
+
+    @cached_property
+    def forces_from_rest(self) -> "SymbolicForces":
+        """The SymbolicForces with these accelerations."""
+        from vibcli.mechanics.inputs_outputs.symbolic_reactions import symbolic_forces
+
+        return symbolic_forces(self.numeric, self.accelerations.values)
 
     @Stage
     def energies(self) -> "dict[str, Node]":

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 LOOK = 1.0          # seconds, to tell what rests for ever
+SOON = 1e-3         # seconds, as far as a motion is followed of which the start alone is asked
 
 
 class StatesInTime(Response):
@@ -144,7 +145,7 @@ class FullResponse(StatesInTime):
             try:
                 return self.trajectory(max(t, self.until))
             except PhysicsError:
-                return self.trajectory(t)
+                return self.trajectory(t or SOON)
         return self._trajectory
 
     def lasting(self):

@@ -162,7 +162,7 @@ class Problem:
             from vibcli.results.series_response import SeriesResponse
 
             return SeriesResponse(self)
-        if kind == "full":
+        if kind == "full" or (kind is None and not self.numeric.has_free_symbols and self.configuration.falls):
             from vibcli.results.full_response import FullResponse
 
             return FullResponse(self)

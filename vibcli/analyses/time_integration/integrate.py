@@ -71,7 +71,7 @@ def simulate(configuration: "Configuration", until: float, rtol: float = ACCURAC
         march = March(system, Switching(system, bounds, owners), q, v, rtol, until, task, SECOND if second else FIRST)
         events = []
         if not v.any():
-            stay(march, stops, starts_at_rest(initial))
+            stay(march, stops, starts_at_rest(initial) and not configuration.falls)
         rests = march.t
         try:
             _marched(march, stops, events)

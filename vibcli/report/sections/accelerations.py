@@ -1,0 +1,128 @@
+"""Accelerations from rest as drawn, and the forces of constraints and supports then, where no equilibrium is needed."""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from vibcli.base.errors import NoEquilibrium, NotInLetters, PhysicsError
+from vibcli.base.units import FORCE, TIME, times
+from vibcli.notation.abbreviations import abbreviated
+from vibcli.notation.numbers import figure, with_unit
+from vibcli.report import blocks
+from vibcli.report.blocks import Name, Section, Words, line, paragraph, section
+from vibcli.report.keys import Key
+from vibcli.report.sections.equations_of_motion import with_lengths
+from vibcli.report.sections.too_long import brief
+from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    from vibcli.report.document import Report
+    from vibcli.results.problem import Problem
+
+SOON = 1e-3             # seconds: as far as a motion is followed of which the start alone is asked
+CONSTANT = "they stay so as long as all ropes pull and all contacts hold"
+
+
+def accelerations(problem: "Problem", report: "Report") -> Iterator[Section]:
+    """The accelerations and forces, where they are asked for or there is no equilibrium."""
+    asked = "accelerations" in problem.spec.get("find", ())
+    if not asked and not falls(problem):
+        return
+    try:
+        found, forces = problem.symbolic.accelerations, problem.symbolic.forces_from_rest.values
+    except NotInLetters:
+        if not _from_drawn(problem):
+            raise
+        yield from section("Accelerations from rest as drawn", blocks.equations(_measured(problem)))
+        return
+    names = {name + "''": node for name, node in found.values.items()}
+    lines, lengths = _lines(problem, report, names, {name: Name(name) for name in names})
+    yield from section("Accelerations from rest as drawn", blocks.equations(lines), *with_lengths(lengths),
+                       paragraph(CONSTANT) if found.constant else None)
+    forces = {signal: node for signal, node in forces.items() if node is None or not node.is_zero}
+    lines, lengths = _lines(problem, report, forces, {signal: Words(signal) for signal in forces})
+    yield from section("Forces then (tension positive; what supports exert on the body, fixed axes)",
+                       blocks.equations(lines), *with_lengths(lengths))
+
+
+def falls(problem: "Problem") -> bool:
+    """Is no equilibrium reached, as nothing holds the scene?"""
+    if problem.scene.held or not problem.scene.q:
+        return False
+    if not problem.numeric.has_free_symbols:
+        return problem.configuration.falls
+    try:
+        problem.symbolic.equilibrium_position  # noqa: B018
+    except NoEquilibrium:
+        return True
+    except PhysicsError:
+        return False
+    return False
+
+
+def _from_drawn(problem):
+    """Does the motion of a scene in numbers start at rest as drawn?"""
+    return not problem.numeric.has_free_symbols and problem.spec.get("initial") is None and falls(problem)
+
+
+def _lines(problem, report, nodes, labels):
+    """Lines `label = expression = number`, and the symbols for lengths in them."""
+    known = {key: node for key, node in nodes.items() if node is not None}
+    shown, lengths = abbreviated(list(known.values()), report.roots)
+    shown = dict(zip(known, shown, strict=True))
+    numbers = {}
+    if not problem.numeric.has_free_symbols:
+        numbers = dict(zip(known, evaluate(list(known.values()), Floats, problem.numeric.floats), strict=True))
+    lines = []
+    for key in nodes:
+        if key not in known:
+            lines.append(line(labels[key], "   ", Words("not fixed by statics")))
+            continue
+        value = (" = ", Words(_with_unit(problem, key, numbers[key]))) if key in numbers else ()
+        lines.append(line(labels[key], " = ", brief(shown[key]), *value))
+    return lines, lengths
+
+
+def _with_unit(problem, key, value):
+    """An acceleration x'' or a force with its unit."""
+    from vibcli.language.signals import signal_dimension
+
+    if not key.endswith("''"):
+        return with_unit(value, signal_dimension(problem.spec, key) or FORCE)
+    dimension = problem.system.dimension(key[:-2])
+    return with_unit(value, times(dimension, TIME, -2)) if dimension else f"{figure(value)} rad/s²"
+
+
+def _measured(problem):
+    """Lines of the accelerations in numbers."""
+    return [line(Name(name + "''"), " = ", Words(_with_unit(problem, name + "''", value)))
+            for name, value in _from_motion(problem).items()]
+
+
+def _from_motion(problem):
+    """{coordinate: acceleration} in numbers at the start of the motion that begins as drawn."""
+    import numpy as np
+
+    from vibcli.results.full_response import FullResponse
+
+    motion = FullResponse(problem.until(SOON))
+    return {name: float(motion.state_signal(problem.scene.symbol(name, 2)).values(np.zeros(1))[0])
+            for name in problem.spec.coordinates}
+
+
+def _values(problem):
+    try:
+        problem.symbolic.accelerations  # noqa: B018
+    except NotInLetters:
+        if not _from_drawn(problem):
+            raise
+        return ACCELERATIONS.row(_from_motion(problem), None, None)
+    return ACCELERATIONS.row(problem.symbolic.accelerations.values, problem.symbolic.accelerations.constant,
+                             problem.symbolic.forces_from_rest.values)
+
+
+ACCELERATIONS = Key("accelerations", "from rest as drawn, with `find: [accelerations]` and where no equilibrium is "
+                    "reached: expressions, where friction decides numbers", _values, of=(
+    Key("values", "{coordinate: acceleration}"),
+    Key("constant", "do they stay so as long as ropes and contacts hold? null where friction decides"),
+    Key("forces", "{signal: force of a constraint or support then}; null where rigid bodies alone leave it open, and "
+        "all of it where friction decides")))
