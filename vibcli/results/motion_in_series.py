@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.analyses.time_integration.integrate import equations_of
 from vibcli.analyses.time_integration.motion_series import fixed_point
+from vibcli.analyses.time_integration.motionless import starts_at_rest
 from vibcli.analyses.time_integration.proven_digits import ProvenMotion
 from vibcli.analyses.time_integration.smooth_pieces import WITHOUT, SmoothPieces
 from vibcli.base.errors import PhysicsError
@@ -72,9 +73,16 @@ class MotionInSeries:
         if self._motion is None or (self._until < time and not self._motion.pieces.endless):
             problem, self._until = self.problem, max(2 * self._until, float(time) * (1 + 1e-12), 1e-9)
             pieces = SmoothPieces(self.scene, self.parts, self.values, problem.numeric.floats, self._until,
-                                  problem.work)
-            self._motion = ProvenMotion(pieces, self.start, problem.work)
+                                  problem.work, self._rests)
+            sizes = [problem.numeric.size_along(name) for name in self.scene.coordinates]
+            self._motion = ProvenMotion(pieces, self.start, sizes, problem.work)
         return self._motion
+
+    @property
+    def _rests(self):
+        """Does it start at rest in the equilibrium, where nothing acts on it in time?"""
+        timed = any(node.mask & self.scene.time.mask for node in self.parts.nodes())
+        return starts_at_rest(self.problem.initial.given) and not timed and self.problem.configuration.preloaded is None
 
     def values(self, bits: int) -> "Mapping[str, mpmath.mpf]":
         """{parameter: number} to so many bits."""

@@ -98,6 +98,13 @@ class MotionSeries:
         return series
 
 
+def resting(t0: int, T: int, start: Sequence[int], order: int) -> Coefficients:
+    """The series of what stays where it is."""
+    nothing, n = [0] * order, len(start) // 2
+    return Coefficients([[x, *nothing] for x in start[:n]], [[0, *nothing] for _ in range(n)],
+                        [[0, *nothing] for _ in range(n)])
+
+
 def fixed_point(x: "mpmath.mpf", bits: int) -> int:
     """A real number; ArithmeticError of any other."""
     import mpmath

@@ -4,7 +4,8 @@ Neighbouring motions part, in chaos exponentially. How many digits that takes is
 parts from one of more, and later from how many digits two of them share: so many more are carried along.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from fractions import Fraction
 from math import ceil, inf
 from typing import TYPE_CHECKING
 
@@ -14,8 +15,6 @@ from vibcli.base.work import counted
 from vibcli.numerics.precision import price
 
 if TYPE_CHECKING:
-    from fractions import Fraction
-
     import mpmath
 
     from vibcli.analyses.time_integration.smooth_pieces import SmoothPieces
@@ -26,15 +25,17 @@ FEW, FEWEST = 15, 3     # digits of the first march, and those that it shares at
 LOOKS = 32              # instants at which that is looked at
 GUARD, MORE, OTHER_ORDER = 10, 3, 7     # digits carried along; more of the second march, and terms of its series
 ROUNDS = 4
-FIRST_STEPS = 5         # after which the work is estimated
+FIRST_STEPS, PROBED = 5, 200            # after which the work is estimated, and by which a loss is seen
+MOST_PATIENCE = 1_000_000
 FASTER = 1.5            # than is seen: how fast digits may be lost where none is shared
 
 
 class ProvenMotion:
-    """A motion whose equations are SmoothPieces, from start(bits) = [q, q̇] in fixed point."""
+    """A motion whose equations are SmoothPieces, from start(bits) = [q, q̇] in fixed point; sizes: of the figure along
+    the coordinates, beside which what is smaller by all digits is nothing."""
 
-    def __init__(self, pieces: "SmoothPieces", start: Callable, work: "Work"):
-        self.pieces, self.start, self.work = pieces, start, work
+    def __init__(self, pieces: "SmoothPieces", start: Callable, sizes: "Sequence[float]", work: "Work"):
+        self.pieces, self.start, self.sizes, self.work = pieces, start, sizes, work
         self._marches: list[TaylorMarch] = []
         self._loss = -1.0               # digits that are lost in a second; negative: not known yet
 
@@ -61,7 +62,7 @@ class ProvenMotion:
             if until and self._loss < 0:
                 self._look_ahead(digits, until, task)
             for _ in range(ROUNDS):
-                carried = digits + max(GUARD, ceil(self._loss * until) + MORE)
+                carried = digits + max(GUARD, ceil(max(self._loss, 0.0) * until) + MORE)
                 if not self._marches or self._marches[0].digits < carried:
                     self._marches = [self._march(carried)]
                 first = self._marches[0]
@@ -84,18 +85,17 @@ class ProvenMotion:
     def _look_ahead(self, digits, until, task):
         """How fast digits are lost: where a march of few of them parts from one of more."""
         few, more = self._march(FEW), self._march(max(digits, FEW) + GUARD)
-        self._loss, self._marches = 0.0, [more]
         for number in range(1, LOOKS + 1):
             time = until * number / LOOKS
             self._follow(few, time, task, more.digits, until)
             self._follow(more, time, task)
             shared = few.shared_digits(more, time)
             if shared < FEWEST or number == LOOKS:
-                self._loss = max(FEW - shared, 0.0) / float(time)
+                self._loss, self._marches = max(FEW - shared, 0.0) / float(time), [more]
                 break
 
     def _march(self, digits, extra=0):
-        return TaylorMarch(self.pieces.series, self.start, digits, extra,
+        return TaylorMarch(self.pieces.series, self.start, self.sizes, digits, extra,
                            lambda march: counted(self._cost(march.order, march.bits)))
 
     def _cost(self, order, bits):
@@ -109,17 +109,29 @@ class ProvenMotion:
             march.reach(march.end + 1)
         if march.end < end:
             last = (until.numerator << march.bits) // until.denominator
-            planned = self._march(digits or march.digits)
-            needed = 2 * len(march.steps) * (last / march.end) * self._cost(planned.order, planned.bits)
-            if needed > task.limit:
-                raise self._too_long(planned.digits, until, needed, task)
+            steps, planned = 2 * len(march.steps) * (last / march.end), self._march(digits or march.digits)
+            if steps * self._cost(planned.order, planned.bits) > task.limit:
+                raise self._too_long(steps, planned.digits, until, task)
         march.reach(end)
 
-    def _too_long(self, digits, until, needed, task):
+    def _too_long(self, steps, digits, until, task):
+        """The refusal, with the digits that will be lost as far as that is seen."""
+        planned = self._march(digits + ceil(self._seen_loss() * until) * (self._loss < 0))
+        needed = steps * self._cost(planned.order, planned.bits)
         patience = ceil(2 * needed * self.work.patience / task.limit)
-        return PhysicsError(f"to follow this motion with {digits} digits up to t = {float(until):.6g} s would take "
-                            f"about {needed:.0f} steps of a million products each; the limit is {task.limit:.0f}",
-                            f"ask for fewer digits or an earlier instant, or allow more with --patience {patience}")
+        more = f", or allow more with --patience {patience}" if patience <= MOST_PATIENCE else ""
+        return PhysicsError(f"to follow this motion with {planned.digits} digits up to t = {float(until):.6g} s would "
+                            f"take about {needed:.0f} steps of a million products each; the limit is "
+                            f"{task.limit:.0f}", "ask for fewer digits or an earlier instant" + more)
+
+    def _seen_loss(self):
+        """How fast digits are lost, from a few steps."""
+        few, more = self._march(FEW), self._march(2 * FEW)
+        for _ in range(PROBED):
+            few.reach(few.end + 1)
+        end = Fraction(few.end, 1 << few.bits)
+        half, whole = (max(few.shared_digits(more, time), 0.0) for time in (end / 2, end))
+        return max(half - whole, 0.0) / float(end / 2)
 
 
 def _shared_digits(one, other):

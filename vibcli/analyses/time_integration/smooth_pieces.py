@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from vibcli.analyses.time_integration.forcing_breaks import BENT, breaks
-from vibcli.analyses.time_integration.motion_series import MotionSeries, fixed_point
+from vibcli.analyses.time_integration.motion_series import MotionSeries, fixed_point, resting
 from vibcli.base.errors import PhysicsError
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
@@ -59,11 +59,13 @@ def _may_hide(scene, nodes):
 
 
 class SmoothPieces:
-    """The equations `parts` of a scene up to an instant; values(bits): of its parameters."""
+    """The equations `parts` of a scene up to an instant; values(bits): of its parameters; rests: does it stay
+    where it is?"""
 
     def __init__(self, scene: "Scene", parts: "Dynamics", values: "Callable[[int], Mapping[str, mpmath.mpf]]",
-                 floats: Mapping[str, float], until: float, work: "Work"):
+                 floats: Mapping[str, float], until: float, work: "Work", rests: bool = False):
         require_smooth_motion(scene, parts.nodes())
+        self.rests = rests
         self.scene, self.parts, self.values, self.floats, self.until = scene, parts, values, floats, until
         self._bent, self._hidden = bent(parts.nodes()), _may_hide(scene, parts.nodes())
         self.times = list(breaks(scene, parts.nodes(), floats, until, work).times) if self._bent else []
@@ -81,6 +83,8 @@ class SmoothPieces:
 
     def series(self, t: int, bits: int) -> tuple[Callable, int | None, int | None]:
         """(the series of the motion about an instant, the instant up to which they hold, the longest step)."""
+        if self.rests:
+            return resting, None, None
         if bits not in self._instants:
             self._instants[bits] = [self._refined(time, bits) for time in self.times]
         instants = self._instants[bits]

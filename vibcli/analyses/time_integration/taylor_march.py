@@ -11,7 +11,7 @@ from math import ceil, inf, log2, log10
 from typing import TYPE_CHECKING, NamedTuple
 
 from vibcli.base.errors import PhysicsError
-from vibcli.numerics.fixed_point import shifted
+from vibcli.numerics.fixed_point import fixed, shifted
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -21,7 +21,6 @@ if TYPE_CHECKING:
 GUARD_BITS = 48         # for the rounding of the coefficients
 ORDER = 1.4             # terms of a series for each digit
 LAST = 4                # coefficients by which it is seen how far a series reaches
-SMALLEST = 400          # bits: smaller starts are taken for rounding
 GROWTH_BITS = 12        # by which a longer step than was planned may enlarge rounding
 CHECKS, SLACK = 16, 24   # places in a step at which the equations are checked; bits by which they may be off there
 NOISE = 8               # bits of a coefficient that are rounding
@@ -42,20 +41,19 @@ class Step(NamedTuple):
 
 class TaylorMarch:
     """The motion from [q, q̇] at t = 0, mpmath numbers; series(t, bits): (its series from an instant on, the instant at
-    which others begin, the longest step), as `SmoothPieces` gives them; spent(): told of each step."""
+    which others begin, the longest step), as `SmoothPieces` gives them; sizes: of the figure along each
+    coordinate; spent(): told of each step."""
 
-    def __init__(self, series: Callable, start: "Callable[[int], Sequence[int]]", digits: int, extra: int = 0,
-                 spent: Callable | None = None):
+    def __init__(self, series: Callable, start: "Callable[[int], Sequence[int]]", sizes: Sequence[float], digits: int,
+                 extra: int = 0, spent: Callable | None = None):
         self.digits, self.order = digits, ceil(ORDER * digits) + extra
         self.accuracy = ceil(digits * log2(10))
         self.bits = self.accuracy + GUARD_BITS
-        small = self.bits + SMALLEST
-        self.bits += max([0, *(small - x.bit_length() for x in start(small) if x)])
         self.steps: list[Step] = []
         self._series, self._spent = series, spent or (lambda march: None)
         self._state, self._t = list(start(self.bits)), 0
         self._scale: int | None = None
-        self._sizes = [0] * len(self._state)
+        self._sizes = [*(int(fixed(size, self.bits)) for size in sizes), *(0 for _ in sizes)]
 
     @property
     def end(self) -> int:
