@@ -183,9 +183,3 @@ def require_quick(problem: "Problem", digits: int | None) -> None:
         raise click.UsageError(f"--digits {digits} for {len(problem.scene.coordinates)} coordinates would take about "
                                f"{steps:.0f} steps of a million products each; the limit is {limit}: ask for fewer "
                                f"digits, or allow more with --patience {ceil(steps / MOST)}")
-
-
-def with_digits(problems: "Sequence[tuple[Any, Problem]]", digits: int | None) -> "list[tuple[Any, Problem]]":
-    """The same, their motions of the full equations followed to so many digits."""
-    return [(case, problem.with_digits(digits) if digits and problem.spec.get("motion") == "full" else problem)
-            for case, problem in problems]

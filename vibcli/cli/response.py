@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from vibcli.cli.common import chosen, load, scene_options, with_digits
+from vibcli.cli.common import chosen, load, scene_options
 from vibcli.cli.output import print_scenes
 from vibcli.cli.reports import output_of, report_options
 from vibcli.cli.sampled import asked, cases_to_show, curve_options, refuse_targets, require_curves, show_curves, size
@@ -52,7 +52,6 @@ def command(file: str, settings: Sequence[Any], case: Any, as_json: bool, patien
                     at=tuple((text, size(text, "--at", "s", INSTANT, exact=True)) for text in instants), digits=digits)
     if until is not None:
         problems = ending(problems, until)
-    problems = with_digits(problems, digits)
     for _, problem in problems:
         refuse_parts(problem, parts)
     return print_scenes(problems, lambda problem: ("chosen", "response"), output, timings, data=("response",),

@@ -5,7 +5,7 @@ from typing import Any
 
 import click
 
-from vibcli.cli.common import chosen, load, number_options, scene_options, with_digits
+from vibcli.cli.common import chosen, load, number_options, scene_options
 from vibcli.cli.output import print_scenes
 from vibcli.cli.reports import output_of, report_options
 
@@ -23,6 +23,6 @@ def command(file: str, settings: Sequence[str], case: str | None, as_json: bool,
     from vibcli.api.reports import solution
 
     output = output_of(file, as_json, **report)
-    problems = with_digits(chosen(load(file, settings, patience), case), digits)
+    problems = chosen(load(file, settings, patience), case)
     return print_scenes(problems, lambda problem: solution(problem, insight), output, timings, digits, normalise,
                         ("equations", "frequencies", "equilibria"), question=True)

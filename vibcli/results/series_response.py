@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 ALONE = 8               # instants that are looked at one by one
 ROUNDING = 2.0**-50
 SEARCHED = 1e-12        # of the motion: how far an instant that is searched in floats may be off
-FLOAT_DIGITS = 17
+FLOAT_DIGITS, SAMPLES = 17, 65
 
 
 class SeriesResponse(FullResponse):
@@ -35,6 +35,10 @@ class SeriesResponse(FullResponse):
     @property
     def known(self):
         return self.until
+
+    def require_series(self) -> None:
+        """PhysicsError where the motion has no more digits, for what its equations are made of."""
+        self.precise.until(Fraction(0))
 
     def trajectory(self, until: float | None = None) -> "SeriesTrajectory":
         """The motion up to an instant at least, in floats that are correct to rounding."""
@@ -90,9 +94,16 @@ class SeriesSignal(FullSignal):
 
     def extreme(self, start: Any, end: float, sense: int) -> tuple[float, float]:
         if self.series is None:
-            return super().extreme(start, end, sense)
+            return self._sampled(start, end).extreme(sense)
         t, value = self.precise_extreme(start, end, sense, self._digits)
         return float(t), float(value)
+
+    def _sampled(self, start, end, level=0.0):
+        """The SampledSearch of a signal that bends or jumps, in floats."""
+        from vibcli.analyses.transient.sampled_extremes import SampledSearch
+
+        measure = super().values
+        return SampledSearch(lambda times: measure(times) - level, start, end, self.motion.problem.work)
 
     def precise_extreme(self, start: float, end: float, sense: int, digits: int) -> "tuple[mpmath.mpf, mpmath.mpf]":
         def look(along, bits):
@@ -104,7 +115,7 @@ class SeriesSignal(FullSignal):
 
     def zeros(self, start: float, end: float, level: float = 0.0) -> list[float]:
         if self.series is None:
-            return super().zeros(start, end, level)
+            return [t for t in self._sampled(start, end, level).zeros() if start <= t <= end]
         march = self.motion.precise.until(Fraction(end)).followed(self._digits, Fraction(end))
         along = self._along_march(march)
         found = along.passages(*(_fixed(x, march.bits) for x in (start, end, level)))
@@ -144,6 +155,8 @@ class SeriesSignal(FullSignal):
     def error(self, t: float) -> float:
         if self.forces:
             self.precise(Fraction(t), self.motion.problem.digits)       # refuses them
+        if self.series is None:         # the instant, which was searched in floats, may be off too
+            return SEARCHED * float(np.abs(super().values(np.linspace(0.0, max(t, self.motion.until), SAMPLES))).max())
         return ROUNDING * abs(float(self.values(np.array([t]))[0]))
 
     def error_of_time(self, t: float) -> float:

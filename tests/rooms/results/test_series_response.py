@@ -1,5 +1,6 @@
 """Full motions to any number of digits, against equations written by hand and against elliptic functions."""
 
+import json
 from fractions import Fraction
 
 import mpmath
@@ -10,6 +11,7 @@ from support.motions import DOUBLE, FOUR_BAR, PENDULUM
 from support.scenes import problem, value
 
 from vibcli.base.errors import PhysicsError
+from vibcli.cli import run
 from vibcli.symbolic.syntax import NameRef
 
 DIGITS = 25
@@ -213,3 +215,34 @@ def test_what_would_take_minutes_is_refused_with_the_estimate():
     with pytest.raises(PhysicsError, match=r"would take about .* steps of a million products") as refusal:
         precise(DOUBLE + "initial: {p: 3 rad, r: 3 rad}\n", "p", 1000, 100)
     assert "--patience" in refusal.value.hint
+
+
+def run_on(tmp_path, text, *args):
+    """(exit code, of `vibcli` on a scene written out)"""
+    path = tmp_path / "scene.yaml"
+    path.write_text(text + "motion: full\n", encoding="utf-8")
+    return run([args[0], str(path), *args[1:]])
+
+
+def test_the_commands_print_them(tmp_path, capsys):
+    swing = PENDULUM + "initial: {phi: -2.5 rad}\nfind: [{response: {until: 2 s}}]\n"
+    with mpmath.workdps(60):
+        k, w = sin(mpf(5) / 4), mpmath.sqrt(mpf(981) / 80)
+        at = mpmath.nstr(-2 * mpmath.asin(k * mpmath.ellipfun("cd", w * 3, k=k)), 30)
+        top = mpmath.nstr(2 * w * k, 30)
+    assert run_on(tmp_path, swing, "response", "--at", "3", "--digits", "30", "--of", "phi", "--of", "phi'") == 0
+    out = capsys.readouterr().out
+    assert at in out and top in out
+    assert run_on(tmp_path, swing, "response", "--at", "3", "--digits", "30", "--json") == 0
+    data = json.loads(capsys.readouterr().out)["response"]
+    assert data["signals"][0]["at"][0]["value"] == at and data["unknown"] is None
+
+
+def test_what_has_no_series_is_refused_where_digits_of_it_are_asked(tmp_path, capsys):
+    stop = ("bodies: {block: {mass: 2 kg, slide: x}}\nsprings:\n  s: {k: 50 N/m, between: [ground, block]}\n"
+            "  stop: {k: 500 N/m, gap: 1 cm, acts: compression, between: [block, ground]}\ninitial: {x: 2 cm}\n"
+            "find: [frequencies, {response: {until: 1 s}}]\n")
+    assert run_on(tmp_path, stop, "response", "--at", "1", "--digits", "30") == 4
+    assert "'stop' bends or jumps with the motion" in capsys.readouterr().err
+    assert run_on(tmp_path, stop, "solve", "--digits", "30") == 0
+    assert "ω = 5.00000000000000000000000000000 rad/s" in capsys.readouterr().out

@@ -11,7 +11,7 @@ from math import ceil, inf, log2, log10
 from typing import TYPE_CHECKING, NamedTuple
 
 from vibcli.base.errors import PhysicsError
-from vibcli.numerics.fixed_point import fixed, shifted
+from vibcli.numerics.fixed_point import shifted
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -53,7 +53,7 @@ class TaylorMarch:
         self._series, self._spent = series, spent or (lambda march: None)
         self._state, self._t = list(start(self.bits)), 0
         self._scale: int | None = None
-        self._sizes = [*(int(fixed(size, self.bits)) for size in sizes), *(0 for _ in sizes)]
+        self._sizes = [*(int(size * 2**53) << self.bits - 53 for size in sizes), *(0 for _ in sizes)]
 
     @property
     def end(self) -> int:
