@@ -2,13 +2,15 @@
 
 from math import isfinite
 
-from vibcli.base.errors import PhysicsError
+from vibcli.base.errors import NotInLetters, PhysicsError
+from vibcli.language.sections.initial import RELEASED
 from vibcli.language.signals import coordinate_name
 from vibcli.quantities.matrices import coordinate_number
 from vibcli.quantities.matrices import dimension as entry_dimension
 from vibcli.quantities.quantity import ERROR, ROUNDING, Declaration
 from vibcli.quantities.response import at_instant
 from vibcli.quantities.signal_dimensions import generalised_dimension
+from vibcli.symbolic.syntax import Number
 
 
 def _node(problem, tree):
@@ -46,6 +48,33 @@ def _start(problem):
     return {**numeric.floats, problem.scene.time.name: 0.0, **closed, **rates}
 
 
+def _in_letters(problem, tree):
+    """At t = 0, where the motion starts in letters: as `initial` says, else from the equilibrium."""
+    from vibcli.symbolic.derivatives import substitute
+    from vibcli.symbolic.normal_form import textbook
+
+    scene, record = problem.scene, problem.spec.get("initial") or {}
+    instant = tree.args[0]
+    if not isinstance(instant, Number) or instant.value or RELEASED in record or not _all_have_inertia(scene):
+        raise NotInLetters(f"'{tree.text}' is found in numbers", "give the letters values: with_values(…), or --set")
+    rest = {} if all(name in record for name in scene.coordinates) else problem.symbolic.equilibrium_position
+    start = {scene.time: scene.table.zero}
+    for name, q, v in zip(scene.coordinates, scene.q, scene.v, strict=True):
+        start[q] = scene.lower(record[name]) if name in record else rest[name]
+        start[v] = scene.lower(record[name + "'"]) if name + "'" in record else scene.table.zero
+    found, = substitute([_node(problem, tree)], start)
+    return textbook(found)
+
+
+def _all_have_inertia(scene):
+    """Does something of inertia move with each coordinate, and does none follow from loops: may all starts be given?"""
+    from vibcli.mechanics.energies import kinetic
+    from vibcli.symbolic.derivatives import gradient
+
+    slopes = gradient(kinetic(scene))
+    return scene.loops is None and all(v in slopes for v in scene.v)
+
+
 def _size(problem, tree):
     """The sum of the magnitudes of its terms."""
     from vibcli.quantities.expression import number_of
@@ -58,7 +87,7 @@ def _size(problem, tree):
 
 def _entry(about):
     return Declaration(about, None, _value, ("coordinate", "coordinate"), ("time",), dimension=entry_dimension,
-                       size=_size)
+                       size=_size, symbolic=_in_letters)
 
 
 QUANTITIES = {
@@ -68,6 +97,6 @@ QUANTITIES = {
     "Q()": Declaration(
         "generalised force −∂V/∂q + Σ F ∂s/∂q of springs, weights and loads as they act at an instant, dampers left "
         "out, with what the inertia of driven motions exerts at relative rest", None, _value, ("coordinate",),
-        ("time",), size=_size,
+        ("time",), size=_size, symbolic=_in_letters,
         dimension=lambda spec, tree: generalised_dimension(spec, coordinate_name(spec, tree.indices[0]))),
 }

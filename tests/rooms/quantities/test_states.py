@@ -1,5 +1,6 @@
 """M, C, K and Q at states of motions against hand-written energies, differentiated by mpmath at their places."""
 
+import math
 from pathlib import Path
 from textwrap import dedent
 
@@ -7,6 +8,7 @@ import mpmath
 import pytest
 from support.scenes import problem, problem_of, value
 
+from vibcli import loads
 from vibcli.base.errors import PhysicsError
 from vibcli.check.instances import Instances
 from vibcli.quantities.expression import measure
@@ -112,3 +114,26 @@ def test_about_each_equilibrium():
         assert value(scene, f"M[1,1][{i}]") == pytest.approx(0.5)
     with pytest.raises(PhysicsError, match="there is no equilibrium"):
         value(scene, f"K[phi,phi][{count + 1}]")
+
+
+def test_at_the_start_in_letters():
+    """A bob on a sprung cart let go aside, by the expressions of Lagrange's equations written by hand."""
+    model = loads(dedent("""
+        parameters: {m: {unit: kg}, M: {unit: kg}, L: {unit: m}, k: {unit: N/m}, g: {unit: m/s^2}, a: {unit: rad}}
+        gravity: g
+        bodies:
+          cart: {mass: M, at: [0, 0], slide: x}
+          bob: {mass: m, at: [0, -L], pin: {at: [0, 0], carrier: cart, by: phi}}
+        springs: {s: {k: k, between: [[-1 m, 0], cart]}}
+        motion: full
+        initial: {phi: a, x: L, "phi'": 2 rad/s}
+    """))
+    for text, wanted in {"K[phi,phi](0 s)": "m*L*g*cos(a)", "Q[phi](0 s)": "-m*L*g*sin(a)", "Q[x](0 s)": "-k*L",
+                         "M[x,phi](0 s)": "m*L*cos(a)", "C[x,phi](0 s)": "0", "M[x,x](0 s)": "m + M"}.items():
+        found = {name: number for name, number in NUMBERS.items() if name in "mMLkg"} | {"a": 0.8}
+        functions = {"cos": math.cos, "sin": math.sin}
+        one, other = (eval(part.replace("^", "**"), functions, found)       # of this file's own texts
+                      for part in (str(model[text].expression), wanted))
+        assert one == pytest.approx(other, rel=1e-12), text
+    with pytest.raises(PhysicsError, match="found in numbers"):
+        model["K[phi,phi](1 s)"]
