@@ -174,6 +174,22 @@ MOTIONS = [
     "`turn: -x/R`.",
 ]
 
+STATICS = [
+    "Where supports and constraints leave no freedom, as in beams, three-hinged frames and brackets with ropes, "
+    "`vibcli solve` prints the conditions of equilibrium and the forces of all supports, joints, links and ropes, in "
+    "letters or numbers. Beams lie on `pin: {at: A, by: phi}` and `roller: {point: B, surface: floor}`, are joined by "
+    "`join`, held by `link` or `rope`, or stand in a `clamp`; each turn that is held still has its name.",
+    [
+        ("equilibrium[A.reaction.y]", "force of the support at a point A, `A.reaction.moment` of a clamp"),
+        ("equilibrium[roller.force]", "force of a constraint; `knee.force.x` of a joint on its second point"),
+    ],
+    "What more supports hold than are needed shares its load in a proportion that rigid bodies do not fix: such "
+    "forces are told by name and have no value.",
+    "Where nothing holds a scene no equilibrium is needed: `find: [accelerations]` finds the accelerations from rest "
+    "in the drawn position and the forces then, `x''(0 s)` and `rope.force(0 s)` ask for them in `answers`, and the "
+    "motion in time is that of the full equations, from rest as drawn unless `initial` says otherwise.",
+]
+
 SHAPES = [
     "Uniform plane bodies. C is the mass centre; O, of a sector or arch, the centre of its circle, where `at` "
     "stands, and OC points along `angle`. m is the mass: `mass`, or `density` times area or length. "
@@ -187,7 +203,8 @@ REMARKS: dict[str, Any] = {
     "constraint": [
         "Each holds as drawn, and each of its conditions makes one coordinate depend on the others: a later one, as "
         "far as there is a choice, in the order of `coordinates`, or else of the file. A constraint that follows from "
-        "the others is allowed and told; one that contradicts them, or leaves nothing that moves, is an error.",
+        "the others is allowed and told; one that contradicts them is an error. Where they leave nothing that moves "
+        "the scene is one of statics: `vibcli explain statics`.",
         [
             ("x2 = 2*x1", "an equation between coordinates, which may hold the time"),
             ("{rope: [A, {over: wheel}, B]}", "a rope of constant length: see `vibcli explain pulley`"),
@@ -243,6 +260,7 @@ TOPICS: dict[str, Any] = {
     "functions": ("the functions that are known", None),
     "conventions": ("signs, coordinates, numbering of modes, damping, amplitudes and phases", CONVENTIONS),
     "motions": ("how bodies may move", MOTIONS),
+    "statics": ("scenes without freedom, and scenes that nothing holds", STATICS),
     "shapes": ("the shapes of bodies, with their moments of inertia", SHAPES),
     "lumped": ("bodies without a place", LUMPED),
     "time": ("driven motion, loads that depend on time, and what becomes of them", TIME),
