@@ -128,7 +128,8 @@ QUANTITIES = {
         kind=FUNCTION, symbolic=_generalised_force, dimension=lambda spec, tree: generalised_dimension(
             spec, coordinate_name(spec, tree.indices[0]))),
     "stable": Declaration(
-        "`true` where the equilibrium is stable", "1",
+        "`true` where the equilibrium is stable: by the eigenvalues of small motions, by the signs of K where not "
+        "everything has inertia, and by terms beyond the linear ones where these vanish", "1",
         _stable, several=True, kind=TRUTH),
     "equilibria": Declaration(
         "number of equilibria found within the bounds that `find` gives, or default ones; a line of neutral ones "
