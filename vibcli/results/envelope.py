@@ -3,12 +3,13 @@
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from vibcli.results.signal import Signal
+from vibcli.results.signal import Signal, part_of
 
 if TYPE_CHECKING:
     import numpy as np
 
     from vibcli.analyses.transient.envelope import Beats, Decay
+    from vibcli.analyses.transient.textbook_form import Part
     from vibcli.results.signals import LinearSignal
 
 
@@ -27,6 +28,22 @@ class Envelope(Signal):
         from vibcli.results.signal_features import envelope
 
         return envelope(self.signal)
+
+    @property
+    def source(self):
+        """That of its signal, of which it is a part."""
+        return part_of(self.signal.source, "envelope")
+
+    @property
+    def parts(self) -> "list[Part]":
+        """The vibrations."""
+        from vibcli.analyses.transient.free_vibration import vibrations
+        from vibcli.results.signal_features import vibration
+
+        found: Any = self.found
+        if hasattr(found, "two"):
+            return [found.one, found.two]
+        return vibrations(self.signal.motion, self.signal.output) or [vibration(self.signal)]
 
     @property
     def period(self):

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from vibcli.analyses.transient.textbook_form import Part
 
 STEPS, LOST, ALONE = 12, 8, 1e-10
+NUDGE = 1e-2        # of what the last step may lack, away from an eigenvalue that is met exactly
+NEAR = 1e-8         # relative: frequencies of one vibration in floats and in more digits
 
 
 def limit(signal: Any) -> "mpmath.mpf":
@@ -59,15 +61,17 @@ def eigenvalue(signal: PreciseLinear, part: "Part") -> "mpmath.mpc":
 
 
 def residue(signal: PreciseLinear, part: "Part") -> "mpmath.mpc":
-    """a of the vibration Re(a e^{λt}) of a Part in floats, from the start on, loads but steady ones absent."""
+    """a of the free vibration Re(a e^{λt}) of a Part in floats, under loads that do not change their form from the
+    start on: of the start less the steady state then."""
     motion, A = signal.motion, _matrix(signal)
     steady = signal.steady.motion
-    if not isinstance(steady, SteadyWaves) or len(motion.forcing.pieces) > 1 or any(s for s, _, _ in steady.waves):
+    if not isinstance(steady, SteadyWaves) or len(motion.forcing.pieces) > 1 or any(
+            wave.exponent.real for wave in motion.forcing.pieces[0].waves):
         raise _unknown()
     λ, right = _eigenpair(A, mp.mpc(part.rate, part.omega))
     _, left = _eigenpair(A.T, λ)
-    held = steady.waves[0][1] if steady.waves else [mp.mpf(0)] * motion.n
-    rest = [held[i] for i in motion.system.places] + [mp.mpf(0)] * len(motion.system.heavy)
+    rest = [mp.fsum(mp.re(s**order * Q[i]) for s, Q, _ in steady.waves)
+            for order, places in enumerate((motion.system.places, motion.system.heavy)) for i in places]
     start = [y - x for y, x in zip(motion.start, rest, strict=True)]
     share = mp.fdot(left, start) / mp.fdot(left, right)
     return 2 * share * _read(motion, A, signal.output, right)
@@ -95,8 +99,9 @@ def _eigenpair(A, near):
     for step in range(STEPS):
         try:
             fresh = mp.lu_solve(A - λ * mp.eye(size), vector)
-        except ZeroDivisionError:
-            return λ, vector
+        except ZeroDivisionError:           # it is λ itself
+            λ += small * NUDGE
+            continue
         change = mp.fdot(map(mp.conj, fresh), vector) / mp.fdot(map(mp.conj, fresh), fresh)
         vector = fresh / mp.norm(fresh)
         λ += change

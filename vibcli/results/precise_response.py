@@ -14,10 +14,14 @@ from vibcli.analyses.transient.high_precision import precise_motion
 from vibcli.mechanics.precise_configuration import PreciseConfiguration
 from vibcli.mechanics.symbolic_system import SymbolicSystem
 from vibcli.results.high_precision_response import given_start
+from vibcli.results.precise_envelope import PreciseEnvelope
 from vibcli.results.precise_signals import PreciseComposed, PreciseLinear
 from vibcli.results.responses import SmallResponse
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from vibcli.analyses.transient.textbook_form import Part
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
@@ -66,6 +70,10 @@ class PreciseResponse(SmallResponse):
     def moved(self, direct: Any = ()):
         """The PreciseMotion under the excitation."""
         return precise_motion(*self.matrices, self.forcing(direct), *self.deviations)
+
+    def envelope(self, signal: PreciseLinear, parts: "Sequence[Part]") -> PreciseEnvelope:
+        """That of a signal whose vibrations are near Parts in floats."""
+        return PreciseEnvelope(signal, parts)
 
     def _composed(self, node, parts, source=None):
         scene, closing = self.problem.scene, self._closing(node)

@@ -1,7 +1,7 @@
 """Signals of small motions at the working precision of mpmath, and the digits that two precisions agree in."""
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import cached_property
+from functools import cached_property, reduce
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 GUARD, MORE, TRIES, NOISE = 30, 25, 12, 1e12
+ENVELOPE = "envelope"
 RATE = " rate"       # of a signal within another
 
 
@@ -195,6 +196,10 @@ def precise_signal(source: Sequence[Any]) -> Any:
     """The precise signal, at the working precision, of the `source` of a signal in floats."""
     response, tree, *parts = source
     found = response.precise.signal(tree)
-    for part in parts:
-        found = getattr(found, part)
+    for number, part in enumerate(parts):
+        if part == ENVELOPE:
+            floats = reduce(getattr, parts[:number + 1], response.signal(tree))
+            found = response.precise.envelope(found, floats.parts)
+        else:
+            found = getattr(found, part)
     return found

@@ -50,6 +50,11 @@ class Signal:
 
         return zero_to(self, near, digits)
 
+    def rivals(self, start: float, end: float, sense: int, margin: float) -> list[float]:
+        """The instants at which it comes within a margin of its largest or smallest value; KeyError where these are not
+        looked for."""
+        raise KeyError(self.KIND)
+
     def error(self, t: float) -> float:
         """How far its value at an instant may be off; 0 where that is rounding."""
         return 0.0

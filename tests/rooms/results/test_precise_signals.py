@@ -223,9 +223,42 @@ def test_a_start_under_a_force_that_lets_go():
         assert near(signal_of(found, "x").precise(Fraction("2.5"), 30), exact, 30)
 
 
-def test_what_has_no_more_digits_is_refused():
-    with pytest.raises(PhysicsError, match="more digits of an envelope are not found"):
-        signal_of(problem(FREE), "envelope(s.stretch)").precise(Fraction(1), 20)
+def test_envelopes():
+    """|a₁ e^{iω₁t} + a₂ e^{iω₂t}| of two equal masses that a soft spring ties, ω₁ = 20 rad/s being met exactly."""
+    found = problem("""
+        bodies: {a: {mass: 1 kg, slide: x}, b: {mass: 1 kg, slide: y}}
+        springs:
+          s: {k: 400 N/m, between: [ground, a]}
+          r: {k: 400 N/m, between: [ground, b]}
+          q: {k: 8 N/m, between: [a, b]}
+        initial: {x: 0.02 m, y': 0.1 m/s}
+    """)
+    with mpmath.workdps(50):
+        t, fast, tenth = mpmath.mpf(10) ** 6, mpmath.sqrt(416), mpmath.mpf("0.1")
+        one, two = (mpmath.mpc("0.02", -tenth / 20) / 2, mpmath.mpc("0.02", tenth / fast) / 2)
+        exact = abs(one * mpmath.expj(20 * t) + two * mpmath.expj(fast * t))
+        assert near(signal_of(found, "envelope(x)").precise(Fraction(10**6), 30), exact, 30)
+    with pytest.raises(PhysicsError, match="more digits of what holds an envelope are not found"):
+        signal_of(found, "2*envelope(x)").precise(Fraction(1), 20)
+
+
+def test_numbers_of_a_free_vibration():
+    """Of x₀ e^{−δt} cos …: A, φ, ln of successive maxima, times to a fraction."""
+    found = problem("""
+        bodies: {a: {mass: 1 kg, slide: x}}
+        springs: {s: {k: 400 N/m, between: [ground, a]}}
+        dampers: {d: {c: 4 N*s/m, between: [ground, a]}}
+        initial: {x: 20 mm, x': 0.1 m/s}
+    """)
+    with mpmath.workdps(40):
+        fast, start, rate = mpmath.sqrt(396), mpmath.mpf("0.02"), mpmath.mpf("0.14")
+        log = mpmath.log(10)
+        exact = {"amplitude(x)": mpmath.hypot(start, rate / fast), "phase(x)": mpmath.atan2(rate / fast, start),
+                 "decrement(x)": 4 * mpmath.pi / fast, "time_to[0.1](x)": log / 2, "period(x)": 2 * mpmath.pi / fast,
+                 "cycles_to[0.1](x)": log * fast / (4 * mpmath.pi)}
+        for text, value in exact.items():
+            two, error = measure(found.with_digits(25), expression(text, "").tree)
+            assert near(two, value, 22) and error <= 1e-20, text
 
 
 def test_digits_that_would_take_long_are_refused_with_the_estimate(tmp_path, capsys):
