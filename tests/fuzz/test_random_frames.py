@@ -1,5 +1,9 @@
-"""Random frames that statics alone decides: each body's three conditions of equilibrium, ΣFx = ΣFy = ΣM = 0, written by
-hand for all forces of supports, joints, links and rollers, are solved by NumPy and compared, in numbers and letters."""
+"""Random frames of bodies on pins, clamps, links and rollers, against NumPy.
+
+Held: each body's three conditions of equilibrium, ΣFx = ΣFy = ΣM = 0, are solved for all forces, in numbers and
+letters. With links taken out they fall from rest: M a = F λ + loads, with Fᵀ a = 0, since what forces do no work on
+does not move.
+"""
 
 import random
 
@@ -8,6 +12,7 @@ import pytest
 
 from tests.support.scenes import problem
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.parser import parse
 
 SEEDS, WORST = range(30), 1e5      # of the conditions' matrix
 GRAVITY = 9.81
@@ -17,12 +22,12 @@ class Frame:
     """A scene as YAML, and by hand: `columns`, {signal: [(body, place, force, moment) of its unit]}; `loads`, the
     same of what is given."""
 
-    def __init__(self, seed):
-        self.draw, self.bodies, self.columns, self.loads = random.Random(seed), {}, {}, []
+    def __init__(self, seed, loose=False):
+        self.draw, self.bodies, self.columns, self.loads, self.masses = random.Random(seed), {}, {}, [], []
         self.lines = {"coordinates": [], "points": [], "surfaces": [], "bodies": [], "constraints": [], "forces": []}
         for number in range(self.draw.randint(1, 4)):
             self.body(f"b{number}")
-        for number in range(self.free):
+        for number in range(self.draw.randrange(self.free) if loose and self.free else self.free):
             self.tie(f"t{number}")
         for number in range(self.draw.randint(1, 4)):
             self.load(f"f{number}")
@@ -40,7 +45,9 @@ class Frame:
         self.bodies[name] = centre
         motion = {"pin": f"pin: {{at: {_text(at)}, by: {name}_phi{to}}}", "clamp": f"clamp: {{at: {_text(at)}{to}}}",
                   "move": f"move: [{name}_x, {name}_y, {name}_phi]"}[kind]
-        self.lines["bodies"].append(f"{name}: {{mass: {mass}, at: {_text(centre)}, {motion}}}")
+        inertia = round(self.draw.uniform(0.1, 2), 2)
+        self.lines["bodies"].append(f"{name}: {{mass: {mass}, inertia: {inertia}, at: {_text(centre)}, {motion}}}")
+        self.masses.append((mass, inertia, *centre))
         self.lines["coordinates"] += {"pin": [f"{name}_phi:"], "clamp": [],
                                       "move": [f"{name}_x:", f"{name}_y:", f"{name}_phi:"]}[kind]
         self.free += {"pin": 1, "clamp": 0, "move": 3}[kind]
@@ -108,6 +115,27 @@ class Frame:
         return np.array([self.share(parts) for parts in self.columns.values()]).T
 
     @property
+    def inertia(self):
+        """M of (ax, ay of the point at the origin, alpha) of each body, so that M a are ΣFx, ΣFy, ΣM there."""
+        found = np.zeros((3 * len(self.masses), 3 * len(self.masses)))
+        for i, (m, J, x, y) in enumerate(self.masses):
+            found[3 * i:3 * i + 3, 3 * i:3 * i + 3] = [[m, 0, -m * y], [0, m, m * x],
+                                                       [-m * y, m * x, J + m * (x * x + y * y)]]
+        return found
+
+    @property
+    def fall(self):
+        """({signal: force}, {body: (acceleration of its mass centre, angular acceleration)}) from rest."""
+        M, F = self.inertia, self.matrix
+        full = np.block([[M, -F], [F.T, np.zeros((F.shape[1], F.shape[1]))]])
+        a, forces = np.split(np.linalg.solve(full, np.concatenate([self.share(self.loads), np.zeros(F.shape[1])])),
+                             [len(M)])
+        moved = {}
+        for (name, (x, y)), (ax, ay, alpha) in zip(self.bodies.items(), a.reshape(-1, 3), strict=True):
+            moved[name] = ax - alpha * y, ay + alpha * x, alpha
+        return dict(zip(self.columns, forces, strict=True)), moved
+
+    @property
     def solution(self):
         """{signal: value} by hand."""
         return dict(zip(self.columns, np.linalg.solve(self.matrix, -self.share(self.loads)), strict=True))
@@ -117,18 +145,20 @@ def _text(place):
     return f"[{place[0]:.12g}, {place[1]:.12g}]"
 
 
-def _frames():
-    """The first frames that are held and not nearly movable."""
+def _frames(loose=False):
+    """The first frames that are held, or fall, whose forces are clearly independent of one another."""
     found, seed = [], 0
     while len(found) < len(SEEDS):
-        frame = Frame(seed)
+        frame = Frame(seed, loose)
+        seed += 1
+        if not frame.columns or (loose and len(frame.columns) == 3 * len(frame.bodies)):
+            continue
         if np.linalg.cond(frame.matrix) < WORST:
             found.append(frame)
-        seed += 1
     return found
 
 
-FRAMES = _frames()
+FRAMES, FALLING = _frames(), _frames(loose=True)
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -145,3 +175,27 @@ def test_forces_are_those_of_three_conditions_for_each_body(seed):
         assert other == pytest.approx(value, abs=1e-9 * size), signal
     for signal in found.keys() - wanted.keys():
         assert abs(found[signal]) <= 1e-9 * size
+
+
+@pytest.mark.parametrize("seed", SEEDS[:16])
+def test_what_falls_from_rest_obeys_newton_and_euler(seed):
+    """In letters, and of some as values at t = 0 of the motion."""
+    frame = FALLING[seed]
+    scene, (wanted, moved) = problem(frame.text), frame.fall
+    found = scene.symbolic.forces_from_rest
+    size = max(map(abs, wanted.values()))
+    for signal, value in wanted.items():
+        other, = evaluate([found.values[signal]], Floats, scene.numeric.floats)
+        assert other == pytest.approx(value, abs=1e-8 * size), signal
+    values, reach = scene.symbolic.accelerations.values, max(abs(x) for parts in moved.values() for x in parts)
+    for name, (ax, ay, alpha) in moved.items():
+        for coordinate, value in ((f"{name}_phi", alpha), (f"{name}_x", ax), (f"{name}_y", ay)):
+            if coordinate in values:
+                other, = evaluate([values[coordinate]], Floats, scene.numeric.floats)
+                assert other == pytest.approx(value, rel=1e-8, abs=1e-8 * reach), coordinate
+    if seed % 5 == 0:
+        free = scene.scene.coordinates
+        starts = "\nmotion: full\ninitial: {" + ", ".join(f"{name}: 0" for name in free) + "}\n"
+        motion = problem(frame.text + starts).response
+        for signal, value in wanted.items():
+            assert motion.signal(parse(signal)).values(np.zeros(1))[0] == pytest.approx(value, abs=1e-7 * size), signal
