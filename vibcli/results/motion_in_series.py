@@ -10,8 +10,9 @@ from vibcli.analyses.time_integration.proven_digits import ProvenMotion
 from vibcli.analyses.time_integration.smooth_pieces import WITHOUT, SmoothPieces
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.equations_of_motion import dynamics
-from vibcli.mechanics.high_precision import equilibrium_to
+from vibcli.mechanics.high_precision import in_its_place
 from vibcli.mechanics.numeric_equations import massless
+from vibcli.mechanics.precise_configuration import PreciseConfiguration
 from vibcli.symbolic.evaluation import evaluate, multiprecision
 
 if TYPE_CHECKING:
@@ -82,7 +83,9 @@ class MotionInSeries:
     def _rests(self):
         """Does it start at rest in the equilibrium, where nothing acts on it in time?"""
         timed = any(node.mask & self.scene.time.mask for node in self.parts.nodes())
-        return starts_at_rest(self.problem.initial.given) and not timed and self.problem.configuration.preloaded is None
+        configuration = self.problem.configuration
+        pushed = timed or configuration.preloaded is not None or configuration.falls
+        return not pushed and starts_at_rest(self.problem.initial.given)
 
     def values(self, bits: int) -> "Mapping[str, mpmath.mpf]":
         """{parameter: number} to so many bits."""
@@ -97,25 +100,24 @@ class MotionInSeries:
         """[q, q̇] at t = 0 in fixed point."""
         import mpmath
 
-        from vibcli.results.high_precision_response import start
+        from vibcli.results.high_precision_response import given_start
 
         with mpmath.workprec(2 * bits):
             values = self.values(bits)
-            q, v = start(self.problem, values, self._rest(values))
+            q, v = given_start(self.problem, values, self._rest(values))
             q, v = self._closed(values, q, v) if self.parts.gaps else (q, v)
             return [fixed_point(row[name], bits) for row in (q, v) for name in self.scene.coordinates]
 
     def _rest(self, values):
-        """Where the scene rests, of what `initial` leaves open."""
+        """Where the scene rests, of what `initial` leaves open; as drawn, or where `equilibrium:` says, what falls."""
         problem, record = self.problem, self.problem.spec.get("initial")
-        names = problem.scene.coordinates
+        configuration, names = problem.configuration, problem.scene.coordinates
         if record is not None and all(name in record for name in names):
             return dict.fromkeys(names, 0)
-        near = problem.configuration.equilibrium
-        if not near.drawn:
-            return equilibrium_to(problem.numeric, near, values, multiprecision())
-        nodes = problem.scene.drawn
-        return dict(zip((q.name for q in nodes), evaluate(list(nodes.values()), multiprecision(), values), strict=True))
+        if configuration.falls:
+            drawn = {q.name: node for q, node in problem.scene.drawn.items()} | problem.system.named_start
+            return in_its_place({q: drawn[q.name] for q in problem.scene.q}, values, multiprecision())
+        return PreciseConfiguration(configuration.preloaded or configuration).equilibrium.values
 
     def _closed(self, values, q, v):
         """The start with the coordinates that close loops, and their velocities."""

@@ -186,7 +186,33 @@ initial: {x: 1 cm}
         assert agrees(precise(text, "x", "4.1", 30), exact, 30)
 
 
-@pytest.mark.parametrize("width", ["0.1", "0.01"])
+def test_what_falls_and_what_is_thrown():
+    """y = 3 t − g t²/2 and x = 2 t for as long as one likes: one step, whose turns are found all the same."""
+    text = "gravity: 9.81 m/s^2\nbodies: {a: {mass: 1 kg, at: [0, 0], %s}}\nmotion: full\n"
+    falling = problem(text % "slide: {along: [0, 1], by: y}").with_digits(20).response.signal(NameRef(0, 0, "y", 0))
+    thrown = problem(text % "move: [x, y, 0]" + "initial: {x': 2 m/s, y': 3 m/s}\n").with_digits(20).response.signal
+    t, top = thrown(NameRef(0, 0, "y", 0)).precise_extreme(0.0, 1e9, 1, 20)
+    with mpmath.workdps(40):
+        assert agrees(falling.precise(Fraction(2), 20), -2 * G, 20)
+        assert agrees(t, 3 / G, 20) and agrees(top, 9 / (2 * G), 20)
+
+
+def test_a_force_lets_go_and_what_rests_stays():
+    text = """
+gravity: 9.81 m/s^2
+parameters: {m: 2 kg, k: 300 N/m, k3: 7 kN/m^3, F: 5 N}
+bodies: {block: {mass: m, at: [0, 0], slide: {along: [0, 1], by: y}}}
+springs: {s: {law: k*d + k3*d^3, between: [[0, 1 m], block]}}
+forces: {pull: {at: block, force: [0, -F]}}
+"""
+    with mpmath.workdps(60):
+        rest = mpmath.findroot(lambda d: 300 * d + 7000 * d**3 - 2 * G - 5, 0.06)
+        assert agrees(precise(text + "initial: {released: pull}\n", "y", 0, 40), -rest, 40)
+        assert agrees(precise(text, "y", 1, 40), -rest, 40)
+        assert precise(text, "y", 1, 40, 1) == 0
+
+
+@pytest.mark.parametrize("width", ["0.01"])
 def test_a_pulse_that_is_nothing_before_is_not_stepped_over(width):
     """Of m ẍ + k x = F e^{−((t − t₁)/τ)²} at rest, long after: x = F √π τ/(m ω) e^{−(ωτ/2)²} sin ω(t − t₁)."""
     text = f"""

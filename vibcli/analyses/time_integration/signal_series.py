@@ -27,7 +27,8 @@ LOOKS = 24              # places in a step at which a sign is looked at
 HALVINGS, POLISHED = 60, 40
 TOUCH = 1e-13           # of the largest value in a step: what touches zero
 APART, FAR = 20, 5      # binary orders of a step: how far places lie apart at least, and what is not near
-SETTLED = 1 << 10       # roundings
+SETTLED, ROUNDINGS = 1 << 10, 1 << 16
+FEW = 9
 
 
 class SignalSeries:
@@ -97,11 +98,12 @@ class SignalAlong:
                 yield first, self.at(step, min(end, step.end))._replace(row=first.row)
 
     def extreme(self, start: int, end: int, sense: int, digits: int) -> SeriesPlace:
-        """The first place at which the signal is largest (sense 1) or smallest (−1), to so many digits of its range."""
+        """The first place at which the signal is largest (sense 1) or smallest (−1), to so many digits."""
         places = self._turns(start, end)
         values = [sense * self.value(place) for place in places]
-        alike = (max(values) - min(values)) // 10**digits
-        return places[next(k for k, value in enumerate(values) if value >= max(values) - alike)]
+        best = max(values)
+        alike = max(abs(best) // 10**digits, ROUNDINGS)
+        return places[next(k for k, value in enumerate(values) if value >= best - alike)]
 
     def _turns(self, start, end):
         """The ends, and where the signal turns: within steps, or where one goes over into the next."""
@@ -143,11 +145,11 @@ class SignalAlong:
         """The places at which a polynomial changes its sign, from the first one on, where it may vanish."""
         bits = self.march.bits
         numbers = np.array([to_float(x, bits) for x in row])
-        places = np.linspace(to_float(first.s, bits), to_float(last.s, bits), LOOKS + 1)
+        places = _looked_at(numbers, to_float(first.s, bits), to_float(last.s, bits))
         signs = np.sign(_values(numbers, places))
         signs[0] = np.sign(summed(row, first.s, bits))
         found = []
-        for k in range(LOOKS):
+        for k in range(len(places) - 1):
             if not signs[k]:
                 found.append(places[k])
             elif signs[k] * signs[k + 1] < 0:
@@ -173,6 +175,17 @@ class SignalAlong:
 def derivative(row: Sequence[int]) -> list[int]:
     """The coefficients of the derivative of a polynomial by s."""
     return [k * x for k, x in enumerate(row)][1:]
+
+
+def _looked_at(numbers, low, high):
+    """Places between which a polynomial changes its sign once: those of one of few terms, which may reach far, lie
+    between its roots."""
+    few = np.trim_zeros(numbers, "b")
+    if not 1 < len(few) <= FEW:
+        return np.linspace(low, high, LOOKS + 1)
+    roots = np.sort(np.roots(few[::-1]).real)
+    between = 0.5 * (roots[1:] + roots[:-1])
+    return np.array([low, *between[(between > low) & (between < high)], high])
 
 
 def _values(numbers, places):

@@ -27,7 +27,7 @@ NOISE = 8               # bits of a coefficient that are rounding
 SAFETY = 0.1            # of a binary order
 FIRST_ORDER, ROUNDS = 12, 60
 LOG_2 = log10(2)
-SHORTEST = -200.0       # log2 of a step [s]
+SHORTEST, LONG = -200.0, 40     # log2 of a step [s]; to begin with
 
 
 class Step(NamedTuple):
@@ -133,7 +133,7 @@ class TaylorMarch:
         scale = 1 << self.bits
         for _ in range(ROUNDS):
             reach = self._reach(compute(self._t, scale, self._state, FIRST_ORDER), FIRST_ORDER)
-            if abs(reach) < 1:
+            if abs(reach) < 1 or scale.bit_length() > self.bits + LONG:
                 break
             scale = max(shifted(scale, int(max(-16.0, min(16.0, reach)))), 1)
         return scale
