@@ -6,6 +6,7 @@ inertia: stability_of_stiffness.py.
 """
 
 from collections.abc import Sequence
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
@@ -78,9 +79,17 @@ def _of_potential(modal):
 
     signs = signs_of_stiffness(modal.configuration)
     if signs.negative:
-        rates = [] if inertless(modal.configuration.linear_system) else growing(modal.damped or modal.modes)
-        return Stability(UNSTABLE, float(max(rates)) if rates else None)
+        return Stability(UNSTABLE, _rate(modal))
     return _by_zeros(_beyond(modal, signs.null) if signs.null else ())
+
+
+def _rate(modal):
+    """The largest growth rate; None where what falls at once follows the rest, or has no equation of its own."""
+    if inertless(modal.configuration.linear_system):
+        return None
+    with suppress(PhysicsError):
+        return max(map(float, growing(modal.damped or modal.modes)), default=None)
+    return None
 
 
 def _beyond(modal, null):

@@ -46,7 +46,7 @@ def scene_of(**matrices):
     """The Problem of matrices given outright; what is not symmetric in K as loads."""
     matrices["K"] = np.array(matrices["K"])
     n, pushed = len(matrices["K"]), np.triu(matrices["K"] - matrices["K"].T, 1)
-    matrices["K"] = matrices["K"] - pushed
+    matrices["K"] = np.tril(matrices["K"]) + np.tril(matrices["K"], -1).T
     loads = ", ".join(f"f{i}{j}: {{coordinate: q{i}, value: {-float(pushed[i, j])!r}*q{j}}}"
                       for i, j in np.argwhere(pushed).tolist())
 
