@@ -22,7 +22,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.quantities.expression import measure
 from vibcli.symbolic.parser import parse
 
-DPS = 60
+DPS, LEAST = 60, 1e-40      # digits, and what is nothing in them
 KINDS = ("cos", "sin", "near", "step", "pulse", "ramp", "record", "square", "decay", "periodic")
 
 
@@ -283,6 +283,44 @@ def compared(dice):
     return scene, found
 
 
+def outputs(dice):
+    """The same of forces of springs and dampers, of accelerations, energies, products and functions of signals."""
+    scene = LinearScene(dice)
+    scene.times = scene.times[:2]
+    scene.loads = [load for load in scene.loads if load[1] != "square"]
+    found = []
+    with mpmath.workdps(DPS):
+        exact, solved = Exact(scene), problem(scene.text())
+        for text in scene.times:
+            t = exact.number(text)
+            q = [exact.derivatives(i, t, (0, 1, 2)) for i in range(scene.n)]
+            for asked, true in _read(scene, exact, q).items():
+                try:
+                    signal = solved.response.signal(parse(asked))
+                    value = float(signal.values(np.array([float(text)]))[0])
+                except PhysicsError:
+                    continue
+                found.append((f"({asked})({text})", abs(value - true), signal.error(float(text)), abs(true)))
+    return scene, found
+
+
+def _read(scene, exact, q):
+    """{signal: its value} of the places, velocities and accelerations of all masses."""
+    def across(i, j, order):
+        return q[j][order] - (q[i][order] if i >= 0 else 0)
+
+    last = scene.n - 1
+    found = {"x0*x0'": q[0][0] * q[0][1], f"sin(x0/(1 m)) + x{last}'^2/(1 m^2/s^2)": mp.sin(q[0][0]) + q[last][1]**2,
+             f"x{last}'' - x0''": q[last][2] - q[0][2],
+             "T": sum(exact.number(m) * one[1]**2 / 2 for m, one in zip(scene.masses, q, strict=True))}
+    for number, (i, j, k) in enumerate(scene.springs[:2]):
+        found[f"k{number}.force"] = exact.number(k) * across(i, j, 0)
+        found[f"k{number}.energy"] = exact.number(k) * across(i, j, 0)**2 / 2
+    for number, (i, j, c) in enumerate(scene.dampers[:1]):
+        found[f"c{number}.power"] = exact.number(c) * across(i, j, 1)**2
+    return found
+
+
 def _tops(scene, exact, signals):
     """The largest values within some periods, and where."""
     found, end = [], 20 / scene.speed
@@ -391,16 +429,16 @@ def survey(count, seed, drawn=compared):
         state = dice.getrandbits(64)
         _, rows = drawn(random.Random(state))
         for what, error, bound, size in rows:
-            if error > max(bound, 1e-300):
+            if error > max(bound, LEAST):
                 failures.append((number, state, what, float(error), bound, float(size)))
-            if error > 1e-300:
+            if error > LEAST:
                 ratios.append((float(bound / error), what, state, float(bound / size) if size else 0.0))
     return failures, ratios
 
 
 def main():
     count, seed = int(sys.argv[1]), int(sys.argv[2])
-    for drawn in (compared, harmonics, free):
+    for drawn in (compared, outputs, harmonics, free):
         print(drawn.__name__)
         _told(count, *survey(count, seed, drawn))
 

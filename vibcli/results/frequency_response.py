@@ -117,7 +117,7 @@ class FrequencyResponse:
         peak = self._peak(number)
         if peak.value is None:
             return self._error_of_pole(peak.Omega), 0.0
-        return self.errors.of_top(peak.Omega), self.errors.relative(peak.Omega)
+        return self.errors.of_top(peak.Omega)
 
     def _error_of_pole(self, Omega):
         """|δΩ| of an undamped natural frequency."""
@@ -127,11 +127,11 @@ class FrequencyResponse:
 
     def error_of_antiresonance(self, Omega: float) -> float:
         """|δΩ| of an antiresonance."""
-        return self.errors.of_zero(Omega) if self.transfer.undamped else self.errors.of_top(Omega)
+        return self.errors.of_zero(Omega) if self.transfer.undamped else self.errors.of_top(Omega)[0]
 
     def errors_of_half_power(self, number: int) -> tuple[float, float]:
         """(|δΩ₁|, |δΩ₂|) of the half-power points about a peak."""
-        off = self.errors.relative(self._peak(number).Omega)
+        off = self.error_of_peak(number)[1]
         low, high = (self.errors.of_level(Omega, off) for Omega in self.half_power_of(number))
         return low, high
 

@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 
 EPSILON = 2.0**-52
 GIVEN = 4 * DATA        # relative, of the rows of inputs and outputs
-NEAR, FALL, TRIES = 1e-3, 0.05, 30      # first distance, relative, and fall of log|H| by which a top is measured
+NEAR, FALL, MOST = 1e-3, 0.05, 300.0    # first distance, relative, and fall of log|H| by which a top is measured
+TRIES = 30
 
 
 class ResponseErrors:
@@ -54,12 +55,14 @@ class ResponseErrors:
         size = abs(complex(sampled(self.system, Omega)[0]))
         return self.of_value(Omega) / size if size else math.inf
 
-    def of_top(self, Omega: float) -> float:
-        """|δΩ| of a maximum or minimum of |H|."""
+    def of_top(self, Omega: float) -> tuple[float, float]:
+        """(|δΩ|, relative |δH|) of a maximum or minimum of |H|."""
         off = self.relative(Omega)
         if not math.isfinite(off):
-            return self.of_zero(Omega)
-        return 2 * off * self._width(Omega) + GIVEN * Omega
+            return self.of_zero(Omega), 1.0
+        blind = self._blind(Omega)
+        width = self._width(Omega, 2 * blind)
+        return 2 * off * width + blind + GIVEN * Omega, off + (blind / width)**2
 
     def of_zero(self, Omega: float) -> float:
         """|δΩ| of a zero of H."""
@@ -81,13 +84,22 @@ class ResponseErrors:
         apart = abs(here - there)
         return (self.relative(Omega) + other.relative(Omega)) / apart + GIVEN * Omega if apart else Omega
 
-    def _width(self, Omega):
-        """γ: where |H| is e^(−1/2) of a top, by how it falls beside it."""
-        step, height = NEAR * Omega, abs(complex(sampled(self.system, Omega)[0]))
+    def _blind(self, Omega):
+        """How far about a top D is singular but for rounding, so that no slope is seen."""
+        step = 2 * GIVEN * Omega
+        for k in range(TRIES):
+            if (steepness(self.system, np.array([Omega - step, Omega + step])) != 0).all():
+                return step if k else 0.0
+            step *= 4
+        return step
+
+    def _width(self, Omega, least):
+        """γ of |H| = top/√(1 + (Ω − Ω₀)²/γ²), by how it falls beside the top, no nearer than `least`."""
+        step, height = max(NEAR * Omega, least), abs(complex(sampled(self.system, Omega)[0]))
         for _ in range(TRIES):
             beside = np.abs(sampled(self.system, np.array([Omega - step, Omega + step]))[0])
             fall = abs(math.log(height) - float(np.mean(np.log(np.maximum(beside, 1e-300)))))
-            if fall <= FALL:
+            if fall <= FALL or step < 4 * least:
                 break
             step /= 4
-        return step / math.sqrt(2 * fall) if fall else Omega
+        return step / math.sqrt(math.expm1(2 * min(fall, MOST))) if fall else Omega
