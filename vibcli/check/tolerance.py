@@ -23,14 +23,19 @@ def tolerance(problem: "Problem", answer: "Answer", expected: float) -> float:
     if answer.rtol is not None:
         share = _share(problem, answer.rtol)
         return (share * (1 + EXACT) or 4 * EPSILON) * abs(expected) if expected else _small(problem, answer)
-    number = answer.expected.parts.whole
-    text = "" if number is None else answer.expected.text
-    if not expected or digits_written(text) < SHORT:
+    if not expected or is_exact(answer):
         return EXACT * abs(expected) + 1e-300 if expected else _small(problem, answer)
+    text, number = answer.expected.text, answer.expected.parts.whole
     half = min(half_a_unit(text) / abs(float(number.value)), WIDEST) * (1 + EXACT)
     if digits_written(text) > DOUBLE:
         return half * abs(expected)
     return (half + ULPS.get(digits_written(text), 4) * EPSILON) * abs(expected)
+
+
+def is_exact(answer: "Answer") -> bool:
+    """Does an answer claim no digits, as an expression and a number of few digits do?"""
+    is_number = answer.expected.parts.whole is not None
+    return answer.rtol is None and not (is_number and digits_written(answer.expected.text) >= SHORT)
 
 
 def _share(problem, rtol: "Expression"):

@@ -17,8 +17,10 @@ def _measured(number):
     def value(problem, tree, args):
         try:
             found, off = number(problem, tree, args)
-            small = problem.response.KIND == "small"
-            error = relative(found, off()) if small else max(ERROR, _doubt(problem, tree, found, off))
+            if problem.response.KIND == "small" or (problem.response.KIND == "series" and tree.head in ALONG):
+                error = relative(found, off())
+            else:
+                error = max(ERROR, _doubt(problem, tree, found, off))
             return settled(problem, tree, args, found, error)
         except PhysicsError as error:
             if error.hint and "(x)" in error.hint:
@@ -44,7 +46,7 @@ def _doubt(problem, tree, value, off):
     if not problem.response.integrated:
         return 0.0
     if tree.head in ALONG:
-        return min(1.0, off() / (abs(value) or 1e-300))
+        return off() / (abs(value) or 1e-300)
     return problem.response.reaching(problem.response.known).shared.of_state(problem.response.known)
 
 
