@@ -120,6 +120,8 @@ def _wrapped(angle):
 
 
 def _harmonic(signal, fine, tree):
+    if signal.motion.steady.period is not None:
+        return abs(precise_features.repeated(fine, int(tree.indices[0])))
     wanted = int(tree.indices[0]) * steady_features.fundamental(signal)
     near = [abs(X) for speed, X in precise_features.harmonics(fine)
             if abs(speed - wanted) <= steady_features.COMMENSURATE * speed]
@@ -128,6 +130,8 @@ def _harmonic(signal, fine, tree):
 
 def _mean(signal, fine, tree):
     _require_kept_up(signal)
+    if signal.motion.steady.period is not None:
+        return mp.re(precise_features.repeated(fine, 0))
     return mp.re(dict(precise_features.phasors(fine))[0])
 
 

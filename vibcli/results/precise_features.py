@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from mpmath import mp
 
-from vibcli.analyses.transient.high_precision_steady import SteadyWaves
+from vibcli.analyses.transient.high_precision_steady import SteadyWaves, harmonic
 from vibcli.base.errors import PhysicsError
 from vibcli.results.precise_signals import PreciseLinear
 
@@ -48,6 +48,11 @@ def harmonics(signal: PreciseLinear) -> "list[tuple[mpmath.mpf, mpmath.mpc]]":
     found = [(speed, X) for speed, X in phasors(signal) if speed]
     largest = max((abs(X) for _, X in found), default=0)
     return [(speed, X) for speed, X in found if abs(X) > ALONE * largest]
+
+
+def repeated(signal: PreciseLinear, number: int) -> "mpmath.mpc":
+    """X of a harmonic of the steady state under periodic forcing, of number 0 the mean."""
+    return harmonic(signal.steady.motion, signal.output, number)
 
 
 def mean_square(signal: PreciseLinear) -> "mpmath.mpf":

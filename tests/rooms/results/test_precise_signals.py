@@ -223,6 +223,22 @@ def test_a_start_under_a_force_that_lets_go():
         assert near(signal_of(found, "x").precise(Fraction("2.5"), 30), exact, 30)
 
 
+def test_harmonics_of_a_square_wave():
+    """4F/(nπ) of the force, n odd, over the dynamic stiffness; the mean of a force that is there half of the time."""
+    found = problem("""
+        bodies: {a: {mass: 2 kg, slide: x}}
+        springs: {s: {k: 30 N/m, between: [ground, a]}}
+        dampers: {d: {c: 0.7 N*s/m, between: [ground, a]}}
+        forces: {f: {at: a, force: 5 N*square(3 rad/s*t) + 1 N}}
+    """)
+    with mpmath.workdps(45):
+        exact = {f"harmonic[{n}](x)": 20 / (n * mpmath.pi) / abs(30 - 18 * n * n + mpmath.mpc(0, "2.1") * n)
+                 for n in (1, 3)} | {"mean(x)": mpmath.mpf(1) / 30}
+        for text, value in exact.items():
+            two, error = measure(found.with_digits(25), expression(text, "").tree)
+            assert near(two, value, 22) and error <= 1e-20, text
+
+
 def test_envelopes():
     """|a₁ e^{iω₁t} + a₂ e^{iω₂t}| of two equal masses that a soft spring ties, ω₁ = 20 rad/s being met exactly."""
     found = problem("""

@@ -92,6 +92,35 @@ def kept_up(motion: PreciseMotion, s: "mpmath.mpc", forces: Any) -> "list[mpmath
     return list(_solved(dynamic, [mp.mpmathify(x) for x in forces[:n]]))
 
 
+def harmonic(motion: PreciseMotion, output: "LinearOutput", n: int) -> "mpmath.mpc":
+    """X of the n-th harmonic Re(X e^{inωt}) of an output of the motion that periodic forcing repeats, of its force
+    F = (2/T) ∫ f e^{−st} dt over a period, s = inω; for n = 0 the mean."""
+    pieces, period = motion.forcing.pieces, real(motion.forcing.period)
+    s = mp.mpc(0, 2 * mp.pi * n / period)
+    F = np.zeros(motion.forcing.channels, object)
+    for piece, end in zip(pieces, [*(real(after.start) for after in pieces[1:]), period], strict=True):
+        start = real(piece.start)
+        for channel, size in piece.impulses:
+            F[channel] += 2 * real(size) * mp.exp(-s * start)
+        for wave in piece.waves:
+            c, rate = mp.mpc(wave.coefficient), mp.mpc(wave.exponent)
+            both = (c * _integral(rate - s, wave.power, end - start)
+                    + mp.conj(c) * _integral(mp.conj(rate) - s, wave.power, end - start))
+            F[wave.channel] += both * mp.exp(-s * start)
+    F = F / (period * (1 if n else 2))
+    return amplitude(output, s, kept_up(motion, s, F), F) + (real(output.constant) if not n else 0)
+
+
+def _integral(rate, power, length):
+    """∫ τᵏ e^{rate τ} dτ from 0 to a length."""
+    if not rate:
+        return length ** (power + 1) / (power + 1)
+    grown, found = mp.exp(rate * length), mp.mpf(0)
+    for k in range(power + 1):
+        found = ((grown - 1) if not k else length**k * grown - k * found) / rate
+    return found
+
+
 def amplitude(output: "LinearOutput", s: "mpmath.mpc", Q: Any, F: Any) -> "mpmath.mpc":
     """The complex amplitude of an output of q = Re(Q e^{st}) under the forces Re(F e^{st}), without its constant."""
     parts = ((output.q, 1), (output.v, s), (output.a, s * s))
