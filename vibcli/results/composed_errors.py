@@ -33,12 +33,17 @@ def of_value(signal: "ComposedSignal", t: float) -> float:
     import numpy as np
 
     at = np.array([t])
-    values = {name: float(one.values(at)[0]) for name, one in signal.signals.items()}
-    errors = {name: one.error(t) for name, one in signal.signals.items()}
+    parts = {**signal.signals, **(signal.closing.free if signal.closing is not None else {})}
+    values = {name: float(one.values(at)[0]) for name, one in parts.items()}
+    errors = {name: one.error(t) for name, one in parts.items()}
     numbers = {name: value for name, value in signal.floats.items() if isinstance(value, float)
                and any(symbol == name for symbol in signal.names)}
     errors |= dict.fromkeys(numbers, 0.0) | ({signal.time.name: 0.0} if signal.node.mask & signal.time.mask else {})
-    return propagated(lambda known: signal.composed(at, known)[0], {**values, **numbers, signal.time.name: t}, errors)
+
+    def function(known):
+        return signal.composed(at, {name: np.array([x]) for name, x in known.items()})[0]
+
+    return propagated(function, {**values, **numbers, signal.time.name: t}, errors)
 
 
 def of_instant(signal: "ComposedSignal", t: float, order: int) -> float:

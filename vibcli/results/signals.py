@@ -118,8 +118,9 @@ class Closing:
         self.loops, self.rest, self.free = loops, rest, free
 
     def values(self, times: Any, known: Any):
-        """{name: array}, `known` being the values of parameters and of the time."""
-        found = self.loops.along(self.rest, {**known, **{name: one.values(times) for name, one in self.free.items()}})
+        """{name: array}, `known` being the values of parameters and of the time, and of free coordinates perhaps."""
+        free = {name: one.values(times) for name, one in self.free.items() if name not in known}
+        found = self.loops.along(self.rest, {**known, **free})
         if found is None:
             raise PhysicsError("the loops of this scene cannot close along its small oscillations",
                                "mind how large they are, or write motion: full")
