@@ -75,7 +75,7 @@ def _warning(problem, found):
 def _table(problem, listed):
     rows = [(str(number), *_places(problem, item), figure(item.equilibrium.residual, digits=2), _kind(found, item),
              _rates(about, found)) for number, (item, about, found) in enumerate(listed, 1)]
-    return TableBlock(("", *_heads(problem), "residual", "", "ω [rad/s]"), tuple(rows))
+    return TableBlock(("", *_heads(problem), "left of the forces", "", "ω [rad/s]"), tuple(rows))
 
 
 def _heads(problem):

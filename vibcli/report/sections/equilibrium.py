@@ -47,8 +47,15 @@ def _in_numbers(problem):
     warning = None if stable.startswith("a kink") else bifurcation_warning(stiffness_condition(problem.modal))
     where += "; without friction" if problem.system.sticking is not None else ""
     return [paragraph(*told, f"   ({where})"), _from_start(problem),
-            paragraph(f"{stable}; residual {figure(found.residual, digits=2)} of the forces", hang=None),
+            paragraph(f"{stable}; {_balanced(found.residual)}", hang=None),
             paragraph(warning) if warning else None]
+
+
+def _balanced(residual):
+    """How well the forces balance."""
+    if not residual:
+        return "the forces balance exactly"
+    return f"what is left of the forces is {figure(residual, digits=2)} of their terms"
 
 
 def held(problem: "Problem"):
