@@ -108,10 +108,9 @@ class SeriesSignal(FullSignal):
     def precise_extreme(self, start: float, end: float, sense: int, digits: int) -> "tuple[mpmath.mpf, mpmath.mpf]":
         def look(along, bits):
             place = along.extreme(_fixed(start, bits), _fixed(end, bits), sense, digits)
-            return along.time(place), along.value(place)
+            return along.time(place), along.value(place), along.largest(_fixed(start, bits), _fixed(end, bits))
 
-        t, value = self._found(look, digits, Fraction(end))
-        return t, value
+        return self._found(look, digits, Fraction(end))
 
     def zeros(self, start: float, end: float, level: float = 0.0) -> list[float]:
         if self.series is None:
@@ -123,12 +122,13 @@ class SeriesSignal(FullSignal):
 
     def precise_zero(self, near: float, digits: int) -> "mpmath.mpf":
         def look(along, bits):
-            return (along.time(along.zero_near(Fraction(near))),)
+            return along.time(along.zero_near(Fraction(near))), 0, 0
 
         return self._found(look, digits, Fraction(near))[0]
 
     def _found(self, look, digits, until):
-        """What is looked for along a march, each number correct to so many digits."""
+        """An instant and a value that are looked for along a march, correct to so many digits; look(signal, bits): both
+        and the size of the signal."""
         import mpmath
 
         if self.series is None:
@@ -144,8 +144,7 @@ class SeriesSignal(FullSignal):
             return question
 
         motion = self.motion.precise.until(until)
-        first = motion.found(number(0), digits, until)
-        return [first, *(motion.found(number(i), digits, until) for i in range(1, len(next(iter(seen.values())))))]
+        return motion.found(number(0), digits, until), motion.found(number(1), digits, until, number(2))
 
     def _along_march(self, march):
         if march not in self._seen:

@@ -39,15 +39,20 @@ class ProvenMotion:
         self._marches: list[TaylorMarch] = []
         self._loss = -1.0               # digits that are lost in a second; negative: not known yet
 
-    def found(self, question: "Callable[[TaylorMarch], mpmath.mpf]", digits: int, until: "Fraction") -> "mpmath.mpf":
-        """What is asked of a march up to an instant, to so many correct digits."""
+    def found(self, question: "Callable[[TaylorMarch], mpmath.mpf]", digits: int, until: "Fraction",
+              size: "Callable[[TaylorMarch], mpmath.mpf] | None" = None) -> "mpmath.mpf":
+        """What is asked of a march up to an instant, to so many correct digits; 0 of what is nothing by all of these
+        beside a size that is asked likewise."""
         more = 0
         for _ in range(ROUNDS):
             first, second = self._pair(digits + more, until)
             found = question(second)
-            shared = _shared_digits(question(first), found)
+            other = question(first)
+            shared = _shared_digits(other, found)
             if shared > digits:
                 return found
+            if size is not None and 10**digits * max(abs(found), abs(other)) < size(second):
+                return 0 * found
             more += ceil(digits - shared) + MORE
         raise PhysicsError(f"{digits} digits of this are not found at t = {float(until):.6g} s: it is 0, or nothing "
                            "but rounding", "leave --digits out, or ask for an instant beside")

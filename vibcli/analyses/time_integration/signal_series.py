@@ -78,6 +78,7 @@ class SignalAlong:
 
     def __init__(self, march: "TaylorMarch", row: "Callable[[Step], list[int]]"):
         self.march, self._row = march, row
+        self._known: dict[tuple[int, int], list[SeriesPlace]] = {}
 
     def time(self, place: SeriesPlace) -> int:
         return place.step.start + (place.s * place.step.scale >> self.march.bits)
@@ -105,8 +106,17 @@ class SignalAlong:
         alike = max(abs(best) // 10**digits, ROUNDINGS)
         return places[next(k for k, value in enumerate(values) if value >= best - alike)]
 
+    def largest(self, start: int, end: int) -> int:
+        """The largest size of the signal."""
+        return max(abs(self.value(place)) for place in self._turns(start, end))
+
     def _turns(self, start, end):
         """The ends, and where the signal turns: within steps, or where one goes over into the next."""
+        if (start, end) not in self._known:
+            self._known[start, end] = self._searched_turns(start, end)
+        return self._known[start, end]
+
+    def _searched_turns(self, start, end):
         found, before, place = [], 0, None
         for first, last in self.pieces(start, end):
             slope = derivative(first.row)

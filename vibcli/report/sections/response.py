@@ -245,7 +245,7 @@ KNOWN = (
         "instants alone"),
     Key("initial", "{coordinate, or velocity x': value at t = 0}"), SIGNALS,
     Key("balance", "what the energies of an integrated motion fail to balance by, relative to the largest; null of "
-        "small oscillations"))
+        "small oscillations, and of a motion that --digits follows by series"))
 UNKNOWN = Key("unknown", "null, or why the motion is known up to `until` alone, though more was asked for")
 MOTION = Key("response", "of `vibcli response`, and where `find` asks: the motion in time; null where symbols have no "
              "value", of=(UNKNOWN, *KNOWN))
