@@ -1,6 +1,7 @@
 """Accelerations from rest as drawn, and the forces of constraints and supports then, where no equilibrium is needed."""
 
 from collections.abc import Iterator
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NoEquilibrium, NotInLetters, PhysicsError
@@ -11,6 +12,7 @@ from vibcli.report import blocks
 from vibcli.report.blocks import Name, Section, Words, line, paragraph, section
 from vibcli.report.keys import Key
 from vibcli.report.sections.equations_of_motion import with_lengths
+from vibcli.report.sections.numeric_equations import ROUNDING
 from vibcli.report.sections.too_long import brief
 from vibcli.symbolic.evaluation import Floats, evaluate
 
@@ -19,6 +21,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 SOON = 1e-3             # seconds: as far as a motion is followed of which the start alone is asked
+FORCES = "Forces then (tension positive; what supports exert on the body, fixed axes)"
 CONSTANT = "they stay so as long as all ropes pull and all contacts hold"
 
 
@@ -32,7 +35,12 @@ def accelerations(problem: "Problem", report: "Report") -> Iterator[Section]:
     except NotInLetters:
         if not _from_drawn(problem):
             raise
-        yield from section("Accelerations from rest as drawn", blocks.equations(_measured(problem)))
+        values, forces = _from_motion(problem)
+        yield from section("Accelerations from rest as drawn", blocks.equations(
+            line(Name(name + "''"), " = ", Words(_with_unit(problem, name + "''", value)))
+            for name, value in values.items()))
+        yield from section(FORCES, blocks.equations(
+            line(Words(signal), " = ", Words(_with_unit(problem, signal, value))) for signal, value in forces.items()))
         return
     names = {name + "''": node for name, node in found.values.items()}
     lines, lengths = _lines(problem, report, names, {name: Name(name) for name in names})
@@ -40,8 +48,7 @@ def accelerations(problem: "Problem", report: "Report") -> Iterator[Section]:
                        paragraph(CONSTANT) if found.constant else None)
     forces = {signal: node for signal, node in forces.items() if node is None or not node.is_zero}
     lines, lengths = _lines(problem, report, forces, {signal: Words(signal) for signal in forces})
-    yield from section("Forces then (tension positive; what supports exert on the body, fixed axes)",
-                       blocks.equations(lines), *with_lengths(lengths))
+    yield from section(FORCES, blocks.equations(lines), *with_lengths(lengths))
 
 
 def falls(problem: "Problem") -> bool:
@@ -92,21 +99,26 @@ def _with_unit(problem, key, value):
     return with_unit(value, times(dimension, TIME, -2)) if dimension else f"{figure(value)} rad/s²"
 
 
-def _measured(problem):
-    """Lines of the accelerations in numbers."""
-    return [line(Name(name + "''"), " = ", Words(_with_unit(problem, name + "''", value)))
-            for name, value in _from_motion(problem).items()]
-
-
 def _from_motion(problem):
-    """{coordinate: acceleration} in numbers at the start of the motion that begins as drawn."""
+    """({coordinate: acceleration}, {signal: force but for those that are zero}) in numbers at the start of the motion
+    that begins as drawn."""
     import numpy as np
 
+    from vibcli.mechanics.inputs_outputs.reactions import Released
     from vibcli.results.full_response import FullResponse
 
-    motion = FullResponse(problem.until(SOON))
-    return {name: float(motion.state_signal(problem.scene.symbol(name, 2)).values(np.zeros(1))[0])
-            for name in problem.spec.coordinates}
+    motion, released, scene = FullResponse(problem.until(SOON)), Released(problem.numeric), problem.scene
+
+    def value(node, forces):
+        return float(motion.signal_of(node, forces).values(np.zeros(1))[0])
+
+    accelerations, forces = {name: value(scene.symbol(name, 2), {}) for name in problem.spec.coordinates}, {}
+    for signal in (*(tie.signal for tie in released.scene.constraints), *(q.name for q in released.held)):
+        symbol = scene.table.variable("force " + signal)
+        with suppress(PhysicsError):        # what rigid bodies alone leave open
+            forces[signal] = value(symbol, {symbol.name: signal})
+    size = max(map(abs, forces.values()), default=0.0)
+    return accelerations, {signal: force for signal, force in forces.items() if abs(force) > ROUNDING * size}
 
 
 def _values(problem):
@@ -115,7 +127,8 @@ def _values(problem):
     except NotInLetters:
         if not _from_drawn(problem):
             raise
-        return ACCELERATIONS.row(_from_motion(problem), None, None)
+        values, forces = _from_motion(problem)
+        return ACCELERATIONS.row(values, None, forces)
     return ACCELERATIONS.row(problem.symbolic.accelerations.values, problem.symbolic.accelerations.constant,
                              problem.symbolic.forces_from_rest.values)
 
@@ -124,5 +137,4 @@ ACCELERATIONS = Key("accelerations", "from rest as drawn, with `find: [accelerat
                     "reached: expressions, where friction decides numbers", _values, of=(
     Key("values", "{coordinate: acceleration}"),
     Key("constant", "do they stay so as long as ropes and contacts hold? null where friction decides"),
-    Key("forces", "{signal: force of a constraint or support then}; null where rigid bodies alone leave it open, and "
-        "all of it where friction decides")))
+    Key("forces", "{signal: force of a constraint or support then}; null where rigid bodies alone leave it open")))

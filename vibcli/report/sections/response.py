@@ -144,6 +144,9 @@ def _start(problem, motion, drive):
         parts += [", "] * bool(parts) + [maths(Name(name), "(0) = "), with_unit(value, dimension)]
         if speeds[name]:
             parts += [", ", maths(Name(name + "'"), "(0) = "), with_unit(speeds[name], times(dimension, TIME, -1))]
+    given = problem.initial.given
+    if any(name not in given for name in places) and not problem.system.named_start and problem.configuration.falls:
+        parts += ["   (as drawn: no equilibrium is reached)"]
     force = let_go(problem.spec)
     parts += [f", where {force} lets go"] if force else []
     yield from section(f"Motion in time ({motion.WORDS})", paragraph("from ", *parts), *drive)
