@@ -89,7 +89,7 @@ def _shape(problem, tree, args):
             sharp, lost = problem.modal.damped_to(MORE), 1.0
             mode = min(sharp, key=lambda other: abs(complex(other.eigenvalue) - complex(mode.eigenvalue)))
     shape = problem.modal.shape(mode)
-    amplitude, error = amplitude_as_asked(problem, along(problem, shape, signal))
+    amplitude, error = amplitude_as_asked(problem, along(problem, shape, signal), shape)
     most = max(float(abs(x)) for x in shape)
     return amplitude, min(1.0, error * max(lost, TINY * most / (float(abs(amplitude)) or most)))
 

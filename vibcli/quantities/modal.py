@@ -84,15 +84,19 @@ def ten(problem: "Problem", tree: "QuantityRef") -> float:
 
 def _shape(problem, tree, args):
     signal = coordinate_name(problem.spec, tree.indices[1]) or tree.indices[1]
-    amplitude = along(problem, problem.modal.shape(_mode(problem, tree)), signal)
-    return amplitude_as_asked(problem, amplitude)
+    shape = problem.modal.shape(_mode(problem, tree))
+    amplitude = along(problem, shape, signal)
+    return amplitude_as_asked(problem, amplitude, shape)
 
 
-def amplitude_as_asked(problem: "Problem", amplitude: "complex | mpmath.mpc") -> "tuple[Any, float]":
-    """(amplitude in a shape, relative error bound): a real number where it has no imaginary part."""
+def amplitude_as_asked(problem: "Problem", amplitude: "complex | mpmath.mpc",
+                       shape: "Sequence[complex | mpmath.mpf]") -> "tuple[Any, float]":
+    """(amplitude in a shape, relative error bound): a real number where it has no imaginary part. The error is a part
+    of the largest amplitude, however small this one is."""
+    beside = max(1.0, float(max(map(abs, shape)) / abs(amplitude))) if amplitude else 1.0
     if problem.digits is not None:
-        return amplitude, 10.0 ** (LOST - problem.digits)
-    return complex(amplitude) if amplitude.imag else float(amplitude.real), SHAPE
+        return amplitude, beside * 10.0 ** (LOST - problem.digits)
+    return complex(amplitude) if amplitude.imag else float(amplitude.real), beside * SHAPE
 
 
 def _modal_mass(problem, tree, args):
