@@ -78,7 +78,7 @@ def _in_series(problem, digits, wanted, sections):
         return problem.with_digits(wanted.digits)
     if digits is None:
         return problem
-    finer = problem.with_digits(digits)
+    finer = problem.with_digits(min(digits, FLOAT_DIGITS))      # no more of a motion are printed beside them
     try:
         finer.response.require_series()
     except PhysicsError:
