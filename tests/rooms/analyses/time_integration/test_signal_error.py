@@ -2,10 +2,12 @@
 
 import math
 
+import numpy as np
 import pytest
 from support.motions import AT_THE_TOP, PENDULUM, duffing_period, problem
 
 from vibcli.analyses.time_integration.integrate import known_motion
+from vibcli.analyses.time_integration.level_crossings import extreme
 from vibcli.api.values import given_expression
 from vibcli.plots.response import of_response
 from vibcli.quantities.expression import measure
@@ -57,3 +59,14 @@ def test_a_plot_goes_on_beyond_what_is_known_and_marks_it():
     assert panel.marks[0].at == 2.0 and panel.x_range == (0.0, 2.5) and "known up to 2 s" in panel.marks[0].label
     panel, = of_response([0.0, 1.0, 2.0], [("x", "m", [0.0, 1.0, 0.0])], until=2.0).panels
     assert not panel.marks and panel.x_range is None
+
+
+def test_an_extreme_is_where_the_rate_vanishes_and_not_at_the_end_of_a_window_next_to_it():
+    one = problem(CUBIC)
+    found = one.response.trajectory(7.0)
+    edge = found.windows[3].start
+
+    def parabola(times):
+        return -(np.asarray(times) - edge - 1e-8) ** 2
+
+    assert extreme(found, parabola, 0.0, 7.0, 1)[0] == pytest.approx(edge + 1e-8, abs=1e-12)
