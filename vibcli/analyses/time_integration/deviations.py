@@ -26,6 +26,7 @@ HALF = EPSILON / 2      # of a number: what its rounding may be
 AT_REST = 16            # last digits by which the place where forces balance may be off
 STILL = 1e-3            # of the size of a coordinate: what it moves at least, to see slopes
 TINY = 1e-6             # of the figure: motions that are smaller
+LOOKS = np.array([0.0, 0.3, 0.7, 1.0])  # of a window: where its size is looked at
 MOST = 24               # coordinates
 LARGEST = 1e30          # of the motion: where nothing of it is known any more
 
@@ -55,9 +56,9 @@ class Deviations:
 
     def _sizes(self):
         """How large places and velocities are, those that hardly change lifted."""
-        trajectory, windows = self.trajectory, self.trajectory.windows
-        found = []
-        for rows in ([window.q for window in windows], [window.v for window in windows]):
+        trajectory, found = self.trajectory, []
+        states = [window.states(LOOKS * window.end) for window in trajectory.windows]
+        for rows in (np.concatenate([state[order].T for state in states]) for order in range(2)):
             least = STILL * (np.abs(rows).max(axis=0) + (0.0 if found else STILL * self.units))
             found.append(trajectory.sizes.lifted(np.maximum(np.ptp(rows, axis=0), least)))
         speeds = found[1] if found[1].any() else found[0] / min(trajectory.sizes.radian, 1.0)
