@@ -47,7 +47,7 @@ class FullSignal(Signal):
 
     def error(self, t: float) -> float:
         trajectory = self.motion.reaching(t)
-        found = max(one.at(t) for one in self._about(trajectory, t))
+        found = float(max(one.at(t) for one in self._about(trajectory, t)))
         return found if trajectory.fast is None or t < trajectory.fast.since else found + self._of_fast(trajectory, t)
 
     def _of_fast(self, trajectory, t):
@@ -73,7 +73,7 @@ class FullSignal(Signal):
         if not t:
             return 0.0
         found = [one.of_time(t) for one in self._about(self.motion.reaching(t), t)]
-        return next(filter(isfinite, found), t)     # before it sticks: what rests has an extreme at any instant
+        return float(next(filter(isfinite, found), t))      # before it sticks: what rests has an extreme at any instant
 
     def _about(self, trajectory, t):
         """The SignalError of each window in which an instant lies."""

@@ -19,10 +19,12 @@ from vibcli.analyses.time_integration.deviations import SPREAD
 from vibcli.analyses.time_integration.error_scales import EPSILON
 from vibcli.analyses.time_integration.trajectory import Trajectory
 from vibcli.analyses.time_integration.variation import NEAR
+from vibcli.base.errors import PhysicsError
 from vibcli.numerics.collocation_rule import rule
 
 GAP, ROUNDED = 4.0, 8 * EPSILON
 POINTS, FINE, FINER = 12, 40, 50    # of a window: where neighbours are looked at, the motion, its error
+NEARER = (1.0, 1e-3, 1e-6)      # of NEAR: where neighbours are looked at if the signal has no value there
 ALONE = 10.0                    # by which the rest is multiplied where there are no deviations of first order
 ROUGH = 12.0                    # of the rate of a polynomial through values that are rounded at random
 STILL = 1e-5                    # of a window: an extreme that is as near is that one
@@ -70,8 +72,12 @@ class SignalError:
         far = _far(both, self._sizes(states))
         found = np.zeros((both[0].shape[2], len(tau)))
         used = np.flatnonzero(np.isfinite(far))
-        if len(used):
-            found[used] = self._seen(states, both, far, used, tau, here)
+        for nearer in NEARER if len(used) else ():
+            try:
+                found[used] = self._seen(states, both, nearer * far, used, tau, here)
+                break
+            except PhysicsError:        # a root or a logarithm that has no value beside the motion
+                self.alone = ALONE
         return found[:count], found[count:]
 
     def _sizes(self, states):

@@ -70,3 +70,11 @@ def test_an_extreme_is_where_the_rate_vanishes_and_not_at_the_end_of_a_window_ne
         return -(np.asarray(times) - edge - 1e-8) ** 2
 
     assert extreme(found, parabola, 0.0, 7.0, 1)[0] == pytest.approx(edge + 1e-8, abs=1e-12)
+
+
+def test_a_root_that_touches_zero_has_an_error_though_it_has_no_value_beside_the_motion():
+    one = problem(CUBIC)
+    value, error = measured(one, "acos(x/(0.3 m))(0.01 s)")
+    assert 0 < value < 0.2 and error < 1e-9
+    value, error = measured(one, "sqrt(x'^2)(0.2 s)")
+    assert value > 0 and error < 1e-9
