@@ -70,9 +70,12 @@ class FullSignal(Signal):
     def error_of_time(self, t: float) -> float:
         from math import isfinite
 
-        if not t:
-            return 0.0
-        found = [one.of_time(t) for one in self._about(self.motion.reaching(t), t)]
+        from vibcli.analyses.time_integration.error_scales import EPSILON
+
+        trajectory = self.motion.reaching(t)
+        if t <= trajectory.rests:       # at rest since the start, or where it begins to move
+            return EPSILON * t
+        found = [one.of_time(t) for one in self._about(trajectory, t)]
         return float(next(filter(isfinite, found), t))      # before it sticks: what rests has an extreme at any instant
 
     def _about(self, trajectory, t):

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 ROUNDED = CLOSE / 2   # last digits of a place: what rounding may leave of an iteration that comes no nearer
 LOST = 1e-3         # of the motion: where two solutions differ by more, neither is known
-NEAR = POINTS       # places before and after an instant, at which two signals are compared
+NEAR = 12           # places before and after an instant, at which two signals are compared: a few radians
 FEW, FOLDS, PLACES = 3, 8, 100   # windows and e-foldings at least, of which a rate is told; places that it is fitted to
 POWER = 6           # of the time: with which nothing grows that is no exponential
 EDGE = 1e-6         # of a window

@@ -51,7 +51,7 @@ class SignalError:
         window, self.shared = trajectory.windows[k], trajectory.shared
         self.trajectory, self.values, self.window = trajectory, values, window
         self.length = min(window.end, trajectory.end - window.start) or window.end
-        self.size, self.alone = 0.0, ALONE if self.shared.deviations is None else 1.0
+        self.size, self.series, self.alone = 0.0, np.zeros(POINTS), ALONE if self.shared.deviations is None else 1.0
         gauss = rule(POINTS)
         self.columns, self.floors = (rows @ gauss.to_series for rows in self._neighbours(k, gauss.c * self.length))
 
@@ -61,7 +61,7 @@ class SignalError:
         trajectory, window, deviations = self.trajectory, self.window, self.shared.deviations
         states = [np.asarray(rows) for rows in window.states(tau)]
         here = np.asarray(self.values(trajectory, window.start + tau), dtype=float)
-        self.size = np.abs(here).max()
+        self.size, self.series = np.abs(here).max(), here @ rule(POINTS).to_series
         rounded = _digits(states, window.start + self.length, trajectory.sizes.noise)
         columns = deviations.along(k, tau) if deviations is not None else None
         self.hopeless = deviations is not None and columns is None
@@ -102,7 +102,7 @@ class SignalError:
             return HOPELESS * self.size
         P = self._basis(t)[0]
         deviation = sqrt(float(((self.columns @ P) ** 2).sum()))
-        rounding = float(np.abs(self.floors @ P).sum()) + ROUNDED * self.size
+        rounding = float(np.abs(self.floors @ P).sum()) + ROUNDED * abs(float(self.series @ P))
         return SPREAD * deviation + self.alone * (GAP * self.shared.of_signal(self.values, t) + rounding)
 
     def _basis(self, t):
