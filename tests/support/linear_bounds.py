@@ -23,7 +23,7 @@ from vibcli.quantities.expression import measure
 from vibcli.symbolic.parser import parse
 
 DPS, LEAST = 60, 1e-40      # digits, and what is nothing in them
-KINDS = ("cos", "sin", "near", "step", "pulse", "ramp", "record", "square", "decay", "periodic")
+KINDS = ("cos", "sin", "near", "step", "pulse", "ramp", "record", "square", "decay", "periodic", "constant")
 
 
 def decimal(dice, low, high, digits=4):
@@ -122,6 +122,8 @@ def _written(kind, size, rate, times, values):
     if kind == "record":
         return " + ".join(f"{value} N/s*ramp(t - {time} s)*({sign}1)"
                           for time, value, sign in zip(times, values, _signs(times), strict=True))
+    if kind == "constant":
+        return f"{size} N"
     if kind == "square":
         return f"{size} N*square({rate} rad/s*t)"
     if kind == "decay":
@@ -154,7 +156,7 @@ class Exact:
             elif kind == "square":
                 self.jumps.append((place, "square", c, w))
             else:
-                steps = {"step": [(t[0], c, 0)], "pulse": [(t[0], c, 0), (t[-1], -c, 0)], "ramp": [(t[0], c, 1)],
+                steps = {"constant": [(mpf(0), c, 0)], "step": [(t[0], c, 0)], "pulse": [(t[0], c, 0), (t[-1], -c, 0)], "ramp": [(t[0], c, 1)],
                          "record": [(at, (-1 if sign else 1) * number(v), 1)
                                     for at, v, sign in zip(t, values, _signs(t), strict=True)]}[kind]
                 self.jumps.append((place, "steps", steps, None))
@@ -279,8 +281,23 @@ def compared(dice):
                     values[i] = exact.derivatives(i, t, (0, 1, 2))
                 value, true = float(signal.values(np.array([at]))[0]), values[i][order]
                 found.append((f"x{i}{chr(39) * order}({text})", abs(value - true), signal.error(at), abs(true)))
-        found += _tops(scene, exact, signals)
+        found += _tops(scene, exact, signals) + _passages(scene, exact, signals)
     return scene, found
+
+
+def _passages(scene, exact, signals):
+    """The first instants at which a signal passes zero."""
+    found, (i, _, signal) = [], signals[0]
+    for t in map(float, signal.zeros(0.0, 20 / scene.speed)[:3]):
+        at = mpf(t)
+        if not t or min(abs(at - cut) for cut in [*exact.cuts, *exact._turns(mpf(20) / scene.speed)]) < 1e-6 * t:
+            continue
+        for _ in range(4):
+            value, slope = exact.derivatives(i, at, (0, 1))
+            at -= value / slope if slope else 0
+        if abs(at - t) < 1e-3 / scene.speed:
+            found.append((f"zero(x{i})", abs(t - at), signal.error_of_zero(t), at))
+    return found
 
 
 def outputs(dice):
@@ -357,7 +374,8 @@ def harmonics(dice):
     scene = LinearScene(dice)
     found, i, j = [], dice.randrange(scene.n), dice.randrange(scene.n)
     rate = decimal(dice, 0.2 * scene.speed, 1.5 * scene.speed, 6)
-    scene.loads = [(j, "cos", ("3.7", rate, ["1"], ["1"]))]
+    kind = dice.choice(("cos", "square"))
+    scene.loads = [(j, kind, ("3.7", rate, ["1"], ["1"]))]
     with mpmath.workdps(DPS):
         exact, solved = Exact(scene), problem(scene.text())
 
@@ -378,7 +396,10 @@ def harmonics(dice):
             if np.isfinite(value) and off < 0.01 * Omega:
                 found += _peak(H, Omega, value, off, relative)
         with suppress(PhysicsError):
-            found += _steady(solved, f"x{i}", mpf("3.7") * H(exact.number(rate)))
+            if kind == "cos":
+                found += _steady(solved, f"x{i}", mpf("3.7") * H(exact.number(rate)))
+            else:
+                found += _repeated(solved, f"x{i}", lambda n: H(n * exact.number(rate)) * 4 * mpf("3.7") / (n * mp.pi))
     return scene, found
 
 
@@ -398,6 +419,15 @@ def _steady(solved, signal, X):
                        (f"rms({signal})", abs(X) / mp.sqrt(2))):
         value, error = measure(solved, parse(text))
         rows.append((text, abs(mp.re(mp.mpf(value) - true)), error * abs(value), abs(true)))
+    return rows
+
+
+def _repeated(solved, signal, harmonic):
+    """Of the harmonics under a square wave."""
+    rows = []
+    for n in (1, 3):
+        value, error = measure(solved, parse(f"harmonic[{n}]({signal})"))
+        rows.append((f"harmonic[{n}]({signal})", abs(value - abs(harmonic(n))), error * abs(value), abs(value)))
     return rows
 
 
