@@ -156,7 +156,8 @@ class Exact:
             elif kind == "square":
                 self.jumps.append((place, "square", c, w))
             else:
-                steps = {"constant": [(mpf(0), c, 0)], "step": [(t[0], c, 0)], "pulse": [(t[0], c, 0), (t[-1], -c, 0)], "ramp": [(t[0], c, 1)],
+                steps = {"constant": [(mpf(0), c, 0)], "step": [(t[0], c, 0)],
+                         "pulse": [(t[0], c, 0), (t[-1], -c, 0)], "ramp": [(t[0], c, 1)],
                          "record": [(at, (-1 if sign else 1) * number(v), 1)
                                     for at, v, sign in zip(t, values, _signs(t), strict=True)]}[kind]
                 self.jumps.append((place, "steps", steps, None))

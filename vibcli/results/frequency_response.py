@@ -49,7 +49,7 @@ class FrequencyResponse:
 
         still = np.zeros(len(problem.scene.q))
         configuration = problem.configuration
-        return of_elements(configuration.linear_system, system(configuration), (still, still), still, True)
+        return of_elements(configuration.linear_system, system(configuration), (still, still), still)
 
     @cached_property
     def extremes(self) -> "list[Extreme]":

@@ -137,11 +137,13 @@ class SmallResponse(Response):
         import numpy as np
 
         from vibcli.analyses.transient.data_errors import of_elements
+        from vibcli.symbolic.running_errors import error_in
 
         configuration, names = self.problem.configuration, self.problem.scene.coordinates
-        rest, start = configuration.equilibrium, self.problem.initial.start
-        places, speeds, still = (np.array([part[name] for name in names]) for part in (*start, rest.values))
-        return of_elements(configuration.linear_system, self.matrices, (places, speeds), still, rest.drawn)
+        _, known = configuration.bounded_rest
+        rest = np.array([float(error_in(known[name])) for name in names])
+        places, speeds = (np.array([part[name] for name in names]) for part in self.problem.initial.start)
+        return of_elements(configuration.linear_system, self.matrices, (places, speeds), rest)
 
     @cached_property
     def matrices(self):

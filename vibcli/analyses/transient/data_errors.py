@@ -16,7 +16,6 @@ if TYPE_CHECKING:
 
 DATA = 2.0**-51     # relative, of what an expression of parameters gives
 SLOPES = 3          # roundings of the product of two slopes that are no powers of two
-SEARCHED = 16       # roundings of the forces in an equilibrium that was searched
 
 
 class DataErrors(NamedTuple):
@@ -53,9 +52,9 @@ def of_matrices(M: np.ndarray, C: np.ndarray, K: np.ndarray) -> DataErrors:
 
 
 def of_elements(elements: "FactoredSystem", matrices: Sequence[np.ndarray], start: tuple[np.ndarray, np.ndarray],
-                rest: np.ndarray, drawn: bool) -> DataErrors:
-    """Of elements whose sums are `matrices` (M, C, K); start: places and velocities; rest: the places in equilibrium,
-    `drawn` or searched."""
+                rest: np.ndarray) -> DataErrors:
+    """Of elements whose sums are `matrices` (M, C, K); start: places and velocities; rest: the errors of the places in
+    equilibrium, from which the motion is counted."""
     M, C, K = matrices
     size = elements.K_size or {pair: abs(x) for pair, x in elements.K.items()}
     parts = ((elements.springs, (elements.K,), size, K),
@@ -64,10 +63,7 @@ def of_elements(elements: "FactoredSystem", matrices: Sequence[np.ndarray], star
     weights = tuple(_weights(rows, elements.n) for rows, *_ in parts)
     entries = tuple(_entries(*part) for part in parts)
     places, speeds = start
-    off = DATA * np.abs(rest)
-    if not drawn:
-        off = off + SEARCHED * DATA / 2 * np.linalg.pinv(K).__abs__() @ (np.abs(K) @ np.abs(rest))
-    return DataErrors(weights, entries, DATA * (np.abs(places) + np.abs(rest)) + off, DATA * np.abs(speeds), off)
+    return DataErrors(weights, entries, DATA * np.abs(places) + 2 * rest, DATA * np.abs(speeds), rest)
 
 
 def _weights(rows, n):
