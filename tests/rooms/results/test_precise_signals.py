@@ -239,6 +239,18 @@ def test_harmonics_of_a_square_wave():
             assert near(two, value, 22) and error <= 1e-20, text
 
 
+def test_what_follows_its_loads_at_once():
+    """Nothing that moves has inertia: x = F(t)/k."""
+    found = problem("""
+        bodies: {a: {mass: 0 kg, slide: x}}
+        springs: {s: {k: 30 N/m, between: [ground, a]}}
+        forces: {f: {at: a, force: 5 N*sin(3 rad/s*t)*step(t - 1 s)}}
+    """)
+    assert signal_of(found, "x").precise(Fraction("0.5"), 30) == 0
+    with mpmath.workdps(45):
+        assert near(signal_of(found, "x").precise(Fraction(2), 30), mpmath.sin(6) / 6, 30)
+
+
 def test_envelopes():
     """|a₁ e^{iω₁t} + a₂ e^{iω₂t}| of two equal masses that a soft spring ties, ω₁ = 20 rad/s being met exactly."""
     found = problem("""

@@ -182,7 +182,7 @@ def _exponential(G, tau, bits):
     step = np.array([fx.fixed(x, wide - halvings) for x in (G * tau).flat], object).reshape(G.shape)
     total = term = fx.identity(size, wide)
     k = 0
-    while np.abs(term).max() > 1:               # rounding down leaves −1
+    while np.abs(term).max(initial=0) > 1:               # rounding down leaves −1
         k += 1
         term = fx.product(term, step, wide) // k
         total = total + term
