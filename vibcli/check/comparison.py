@@ -11,7 +11,7 @@ from math import log10
 from typing import TYPE_CHECKING, NamedTuple
 
 from vibcli.base.errors import PhysicsError
-from vibcli.check.tolerance import EPSILON, is_exact, tolerance
+from vibcli.check.tolerance import tolerance
 from vibcli.quantities.expression import bounded
 
 if TYPE_CHECKING:
@@ -21,8 +21,6 @@ if TYPE_CHECKING:
 DIGITS, MORE = 25, 8        # found anew at least; beyond those of the tolerance
 LEAST = 1e-100              # relative: the smallest tolerance for which digits are sought
 MOST = 100                  # steps of a million products
-ROUNDING = 5e-12            # relative: a bound of what is found in floats that is no more than their rounding
-KNOWN = 1e6                 # tolerances of an exact answer, of 1e-9, that the bound may be: three digits are known
 
 
 class Comparison(NamedTuple):
@@ -49,21 +47,12 @@ def compared(problem: "Problem", answer: "Answer") -> Comparison:
         if not sharper.error < comparison.error / 2 or _contradict(comparison, sharper):
             break
         comparison = sharper
-    return _decided(comparison, answer)
+    return comparison
 
 
 def _contradict(rough, sharp):
     """Do two values of one number differ by more than their bounds? Then one of them is of another extreme or zero."""
     return abs(sharp.found - rough.found) > 2 * (rough.error + sharp.error)
-
-
-def _decided(comparison, answer):
-    """What is open although it is found inside the tolerance agrees where the rounding of floats alone leaves it
-    open, or where no digits are claimed and three are known."""
-    if comparison.agrees is not None or abs(comparison.found - comparison.expected) > comparison.tolerance:
-        return comparison
-    is_known = is_exact(answer) and comparison.error <= KNOWN * comparison.tolerance
-    return comparison._replace(agrees=True) if is_known or _is_rounding(comparison) else comparison
 
 
 def _compared(problem, answer):
@@ -78,12 +67,6 @@ def verdict(expected: float, found: float, error: float, tolerance: float) -> Co
     apart = abs(found - expected)
     agrees = True if apart + error <= tolerance else False if apart - error > tolerance else None
     return Comparison(agrees, float(expected), float(found), float(error), float(tolerance))
-
-
-def _is_rounding(comparison):
-    """Is its bound no more than the rounding of floats, and the tolerance no finer than that of one?"""
-    size = abs(comparison.expected)
-    return comparison.error <= ROUNDING * size and comparison.tolerance >= EPSILON * size
 
 
 def _more_digits(problem, comparison):

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from vibcli.base.errors import PhysicsError
 from vibcli.check.comparison import compared
 from vibcli.check.instances import Instances
-from vibcli.check.tolerance import EXACT, digits_written
+from vibcli.check.tolerance import EXACT, is_exact
 from vibcli.quantities.expression import lowered, measure
 from vibcli.quantities.matrices import coordinate_number
 from vibcli.quantities.quantity import EQUATION, OF_STATE, TRUTH, declared, kind_of
@@ -102,9 +102,10 @@ def _uncertain(verdict):
 
     known, answer = supported(verdict.found, verdict.error, 15), verdict.answer
     known += "" if "±" in known else f" ± {figure(verdict.error, digits=1)}"
-    cause = "the answer has more digits" if digits_written(answer.expected.text) else "the answer is exact"
+    cause, advice = ("the answer is exact", "give") if is_exact(answer) else (
+        "the answer has more digits", "write fewer digits, or give")
     refusal = PhysicsError(f"{answer.asked.text} is known to be {known}: {cause}, and whether it agrees is uncertain",
-                           "write fewer digits, or give a tolerance: {value: …, rtol: 1 %}", answer.expected.where)
+                           f"{advice} a tolerance: {{value: …, rtol: 1 %}}", answer.expected.where)
     return verdict._replace(remark=f"found {known}", refusal=refusal)
 
 

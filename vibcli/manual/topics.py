@@ -46,11 +46,11 @@ FUNCTIONS = {
 COMPARED = [
     ("numbers", "A written number allows half a unit of its last digit, never more than 0.5 %; one of fewer "
      "than three digits is exact. `{value: 21.9 rad/s, rtol: 0.5 %}` sets the tolerance."),
-    ("expressions", "To rounding (1e-9), where the result is known to three digits at least: `omega[1]: sqrt(k/m)`. "
-     "Both sides may hold parameters and quantities: `omega[2]/omega[1]: sqrt(3)`."),
+    ("expressions", "To rounding (1e-9): `omega[1]: sqrt(k/m)`. Both sides may hold parameters and quantities: "
+     "`omega[2]/omega[1]: sqrt(3)`."),
     ("uncertain", "Where the error bound of the result reaches across an edge of the tolerance, the result is found "
-     "anew to more digits. Where that does not settle it, the answer is uncertain (exit code 4): write fewer digits, "
-     "or give `rtol`."),
+     "anew to more digits. Where that does not settle it, as in motions with dry friction, the answer is uncertain "
+     "(exit code 4), never right: write fewer digits, or give `rtol`."),
     ("equations", "Up to a non-zero factor, at random states of motion. `equation[q]` is that of small "
      "oscillations, q counted from the equilibrium; `motion[q]` is the full one, q counted as in the scene."),
     ("energies", "`T` and `Phi` at random states, `V` up to a constant; `T` and `V` with or without their terms of the "

@@ -70,9 +70,9 @@ CASES = [
     ({None: WIDE, 25: (30.0, 1e-20)}, EDGE, None, 2), ({None: WIDE, 25: WIDE}, EDGE, None, 2),
     ({None: WIDE}, EDGE, None, 2),
     ({None: (20.04, 0.006)}, "20.0", True, 1), ({None: (20.04, 0.02)}, "20.0", None, 2),
-    ({None: (20.0, 1e-5)}, "20", True, 2), ({None: (20.0, 0.1)}, "20", None, 2),
+    ({None: (20.0, 1e-5)}, "20", None, 2), ({None: (20.0, 0.1)}, "20", None, 2),
     ({None: (20.0 + 1e-7, 1e-5)}, "20", None, 2), ({None: (20.0 + 1e-7, 1e-9)}, "20", False, 1),
-    ({None: (20.0, 8e-14)}, "20.0000000000000", True, 2), ({None: (20 + 1e-13, 8e-14)}, "20.0000000000000", None, 2)]
+    ({None: (20.0, 8e-14)}, "20.0000000000000", None, 2), ({None: (20 + 1e-13, 8e-14)}, "20.0000000000000", None, 2)]
 
 
 @pytest.mark.parametrize(("found", "expected", "agrees", "times"), CASES)
