@@ -21,6 +21,9 @@ def coordinate_number(problem: "Problem", index: str) -> int:
     """The number of an independent coordinate, from 0."""
     name = coordinate_name(problem.spec, index)
     if name not in problem.scene.coordinates:
+        if not problem.scene.coordinates:
+            raise PhysicsError(f"the constraints leave '{name}' no freedom: nothing here has an equation of motion",
+                               "ask for a force that holds it, as `find: [reactions]` prints")
         raise PhysicsError(f"'{name}' follows from the other coordinates by the constraints: it has no equation of its "
                            "own", "ask for " + " or ".join(f"'{other}'" for other in problem.scene.coordinates[:3]))
     return problem.scene.coordinates.index(name)

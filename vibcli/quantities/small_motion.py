@@ -71,8 +71,8 @@ def _over_a_period(which):
         if isinstance(signal, ComposedSignal | Envelope):
             from vibcli.results import composed_means
 
-            return getattr(composed_means, which)(signal), lambda: feature_errors.mean_of_composed(
-                signal, signal.period or problem.response.until)
+            found, error = getattr(composed_means, which)(signal)
+            return found, lambda: error
         signal = _linear(problem, tree)
         free = not signal_features.kept_up(signal)
         found = getattr(signal_features, which)(signal) if free else getattr(signal.motion.steady, which)(

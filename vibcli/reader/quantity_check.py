@@ -47,6 +47,10 @@ def can_be_asked(spec: "Spec", reader: "Reader", expression: "Expression", tree:
     kinds = quantity.indices[:len(own.indices)] + ("equilibrium",) * (number is not None)
     if not arguments_fit(spec, reader, expression, tree, bare):
         return False
+    if quantity.kind == OF_SIGNAL:
+        reader.report(place, f"'{tree.text}' is a function of time",
+                      f"ask for its value as in {tree.text}(2 s), or for max({tree.text})")
+        return False
     if component not in quantity.components:
         reader.report(place, f"'{head}' has no '.{component}'" if component else f"'{tree.text}' needs a component",
                       "write " + " or ".join(tree.text.partition(".")[0] + (word and "." + word)

@@ -1,14 +1,18 @@
 """Means of functions of signals, of what lasts: of the steady state that loads keep up, else of the free vibrations
-that do not die out. Of powers and products they are exact, of other functions by quadrature over the common period."""
+that do not die out. Of powers and products they are exact, of other functions by quadrature over the common period.
+Each comes with an absolute bound of its error: (mean, bound)."""
 
 from math import tau
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
+from vibcli.results import feature_errors
+from vibcli.results.composed_errors import propagated
+from vibcli.results.feature_errors import SAMPLES
 from vibcli.results.signal_features import at_rest, kept_up, lasting
 from vibcli.results.signals import ComposedSignal, LinearSignal, require_finite
 from vibcli.results.steady_features import common
-from vibcli.symbolic.evaluation import evaluate
+from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
     from vibcli.results.envelope import Envelope
@@ -17,17 +21,18 @@ PANELS = 4          # of the first division for each of the fastest wave's perio
 MOST_PANELS = 10_000
 
 
-def mean(signal: "ComposedSignal | Envelope") -> float:
+def mean(signal: "ComposedSignal | Envelope") -> tuple[float, float]:
     if not isinstance(signal, ComposedSignal):
         return _over_the_beats(signal, 1)
     return _mean(signal, signal.node)
 
 
-def rms(signal: "ComposedSignal | Envelope") -> float:
+def rms(signal: "ComposedSignal | Envelope") -> tuple[float, float]:
     """√ of the mean of the square."""
-    if not isinstance(signal, ComposedSignal):
-        return _over_the_beats(signal, 2) ** 0.5
-    return max(0.0, _mean(signal, signal.node * signal.node)) ** 0.5
+    square, error = _mean(signal, signal.node * signal.node) if isinstance(signal, ComposedSignal) else _over_the_beats(
+        signal, 2)
+    found = max(0.0, square) ** 0.5
+    return found, error / max(found, error**0.5) if error else 0.0
 
 
 def _over_the_beats(envelope, power):
@@ -35,8 +40,10 @@ def _over_the_beats(envelope, power):
         limit = envelope.final()
         if not limit:
             raise at_rest()
-        return limit**power
-    return _averaged(lambda t: envelope.values(t) ** power, envelope.period, [tau / envelope.period])
+        return limit**power, power * limit ** (power - 1) * envelope.error_of_final()
+    found = _averaged(lambda t: envelope.values(t) ** power, envelope.period, [tau / envelope.period])
+    largest = envelope.extreme(0.0, envelope.period, 1)[1] if power > 1 else 1.0
+    return found, 2 * power * largest * max(envelope.error(envelope.period * k / SAMPLES) for k in range(SAMPLES))
 
 
 def _mean(signal, node):
@@ -70,9 +77,12 @@ def _wave_sum(part):
     if not isinstance(part, LinearSignal):
         return None
     if not kept_up(part):
-        return WaveSum.of(lasting(part))
+        return WaveSum.of(lasting(part), feature_errors.of_lasting(part))
     steady = part.motion.steady
-    return None if steady.period is not None else WaveSum.of(steady.phasors(part.output))
+    if steady.period is not None:
+        return None
+    waves = steady.phasors(part.output)
+    return WaveSum.of(waves, feature_errors.of_waves(part, waves))
 
 
 def _product(node, floats, parts):
@@ -106,7 +116,21 @@ def _by_quadrature(signal, node, known):
             found = evaluate([node], Arrays, {**signal.floats, **parts})[0]
         return require_finite(np.broadcast_to(found, t.shape), t)
 
-    return _averaged(values, tau / base, speeds)
+    period = tau / base
+    return _averaged(values, period, speeds), _of_values(signal, node, known, others, period)
+
+
+def _of_values(signal, node, known, others, period):
+    """The largest bound of the error of the values of what is averaged, at instants of a period, twice."""
+    import numpy as np
+
+    def at(t):
+        here = {name: float(found.values(np.array([t]))[0]) for name, found in (*known.items(), *others.items())}
+        errors = {name: float(found.errors.sum()) for name, found in known.items()}
+        errors |= {name: found.error(t) for name, found in others.items()}
+        return propagated(lambda values: evaluate([node], Floats, {**signal.floats, **values})[0], here, errors)
+
+    return 2 * max(at(period * (k + 0.5) / SAMPLES) for k in range(SAMPLES))
 
 
 def _averaged(values, period, speeds):

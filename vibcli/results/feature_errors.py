@@ -7,9 +7,10 @@ from vibcli.analyses.transient import steady_errors
 from vibcli.results import signal_features, steady_features
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from vibcli.analyses.transient.envelope import Beats, Decay
     from vibcli.analyses.transient.textbook_form import Part
-    from vibcli.results.signal import Signal
     from vibcli.results.signals import LinearSignal
 
 ROUNDING = 2.0**-49
@@ -117,9 +118,16 @@ def rms(signal: "LinearSignal", value: float) -> float:
         steady, signal.output).items()) / (value or 1.0) + ROUNDING * value + mean(signal)
 
 
-def mean_of_composed(signal: "Signal", end: float) -> float:
-    """Of the mean and root mean square of a function of signals: that of its values up to an instant."""
-    return 2 * max(signal.error(end * k / SAMPLES) for k in range(SAMPLES))
+def of_waves(signal: "LinearSignal", waves: "Sequence[tuple[float, complex]]") -> list[float]:
+    """Of the X of the waves [(Ω, X)] of a steady state, Ω = 0 of the mean."""
+    found = steady_errors.of_waves_in(signal.motion.steady, signal.output)
+    return [sum(error for rate, error in found.items() if abs(rate - speed) <= steady_features.COMMENSURATE * speed)
+            if speed else mean(signal) for speed, _ in waves]
+
+
+def of_lasting(signal: "LinearSignal") -> list[float]:
+    """Of the X of signal_features.lasting."""
+    return [_at_last(signal), *(error for _, error in _lasting(signal))]
 
 
 def _lasting(signal):

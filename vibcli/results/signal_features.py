@@ -25,7 +25,7 @@ def kept_up(signal: "LinearSignal") -> bool:
 
 def free_parts(signal: "LinearSignal") -> "list[Part]":
     """The Parts of a signal after the last change of the loads, of which none oscillates without end."""
-    from vibcli.analyses.transient.textbook_form import formula
+    from vibcli.analyses.transient.textbook_form import formula, told_apart
 
     if kept_up(signal):
         if signal.part == "steady":
@@ -33,7 +33,7 @@ def free_parts(signal: "LinearSignal") -> "list[Part]":
         signal.motion.steady  # noqa: B018 - at resonance there is none, and so no part that is free
         raise PhysicsError("loads that oscillate without end keep this signal in motion: it is no free vibration",
                            "the part of it that is free is transient(x)")
-    return formula(signal.motion, signal.output, -1)
+    return formula(signal.motion, signal.output, -1, told_apart(signal.motion))
 
 
 def vibration(signal: "LinearSignal") -> "Part":

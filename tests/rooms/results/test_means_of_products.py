@@ -102,3 +102,35 @@ def test_corners_and_jumps_are_narrowed_down():
     assert integral(lambda t: np.sign(np.sin(t)), edges) == pytest.approx(4 * math.pi - 10, abs=1e-12)
     assert integral(lambda t: 1 / (t - 3.3) ** 2, edges) is None
 
+
+
+NEAR = """
+parameters: {{m: 2 kg, k: 200 N/m, c: {coupling} N/m, l: {other} N/m, W: {speed} rad/s, F: {force} N}}
+bodies: {{a: {{mass: m, slide: x}}, b: {{mass: m, slide: y}}}}
+springs: {{s: {{k: k, between: [ground, a]}}, r: {{k: l, between: [ground, b]}}, q: {{k: c, between: [a, b]}}}}
+forces: {{P: {{at: a, force: F*sin(W*t)}}}}
+initial: {{x: 1 cm}}
+"""
+
+
+@pytest.mark.parametrize(("coupling", "other", "speed", "force"), [
+    ("1e-5", "200.00001", "3", "0"), ("1e-5", "200", "3", "0"), ("1e-7", "200.00001", "3", "0"),
+    ("1e-9", "200", "3", "0"), ("10", "190", "3", "0"), ("1e-9", "170", "10.0000001", "4"),
+    ("1e-9", "170", "10.00001", "4"), ("10", "200", "10.48808848", "4")])
+def test_means_lie_within_their_bounds_where_frequencies_are_close(coupling, other, speed, force):
+    """Of neighbours that hardly couple each frequency counts, however close; near a resonance the bound is wide."""
+    scene = problem(NEAR.format(coupling=coupling, other=other, speed=speed, force=force))
+    with mpmath.workdps(40):
+        c, k, W, F = (mpmath.mpf(text) for text in (coupling, other, speed, force))
+        K = mpmath.matrix([[200 + c, -c], [-c, k + c]])
+        if F:
+            waves = [tuple(mpmath.lu_solve(K - 2 * W * W * mpmath.eye(2), mpmath.matrix([F, 0])))]
+        else:
+            waves = [(V[0] * V[0] / 100, V[0] * V[1] / 100) for V in map(mpmath.eigsy(K)[1].column, range(2))]
+        mean = sum(X * X for X, _ in waves) / 2
+        exact = {"mean(x^2)": mean, "rms(x)": mpmath.sqrt(mean), "mean(x*y)": sum(X * Y for X, Y in waves) / 2,
+                 "mean(x^4)": 3 * mean**2 - 3 * sum(X**4 for X, _ in waves) / 8}
+        for text, value in exact.items():
+            found, relative = measure(scene, parse(text))
+            assert abs(found - value) <= relative * abs(found) + mpmath.mpf(2) ** -50 * abs(value), text
+            assert relative < 1e-3 or not abs(value) > 1e-12 * mean, text

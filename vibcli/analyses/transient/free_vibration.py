@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from vibcli.analyses.transient.textbook_form import SAME, formula
+from vibcli.analyses.transient.textbook_form import formula, told_apart
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
@@ -16,7 +16,6 @@ if TYPE_CHECKING:
 
 EQUAL, CLOSE = 0.2, 0.25
 ALONE = 1e-10       # amplitude of another vibration, relative to the largest, that counts as none
-APART = 1e-12       # relative distance of frequencies that are not one
 
 
 def decrement(rate: float, omega_d: float) -> float:
@@ -35,10 +34,8 @@ def cycles_to(fraction: float, delta: float) -> float:
 
 
 def vibrations(motion: "LinearMotion", output: "LinearOutput", segment: int = -1) -> "list[Part]":
-    """The Parts of an output that vibrate, but for those next to which they are nothing. Frequencies are told apart as
-    far as rounding allows where every mode has an exponent of its own."""
-    same = APART if all(len(block.nodes) == 1 for block in motion.blocks) else SAME
-    parts = [part for part in formula(motion, output, segment, same) if part.omega]
+    """The Parts of an output that vibrate, but for those next to which they are nothing."""
+    parts = [part for part in formula(motion, output, segment, told_apart(motion)) if part.omega]
     largest = max((abs(part.amplitude) for part in parts), default=0.0)
     return [part for part in parts if abs(part.amplitude) > ALONE * largest]
 

@@ -19,6 +19,7 @@ from vibcli.analyses.transient.data_errors import DATA
 from vibcli.analyses.transient.forced import marched
 from vibcli.analyses.transient.largest_differences import largest_differences
 from vibcli.analyses.transient.markov_parameters import direct, markov
+from vibcli.analyses.transient.textbook_form import APART
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
@@ -70,7 +71,7 @@ class MotionErrors:
     def of_free(self, output: "LinearOutput", j: int) -> float:
         """Of the amplitude of the free vibration of a block that stands alone, at the start of the last segment: of c
         less what the loads keep up."""
-        row = np.concatenate([block.rows(output, 0) for block in self.motion.blocks])[j]
+        row = np.concatenate([block.rows(output, 0) for block in self.motion.blocks])
         rounded = sum(abs(x) * self.system.power(k)[1][i, j] for k, part in enumerate((output.q, output.v, output.a))
                       for i, x in part.items())
         last, node, off = len(self.timeline.starts) - 1, self.system.B[j, j], 0.0
@@ -82,7 +83,18 @@ class MotionErrors:
                 off += math.factorial(part.power) * part.size[j, place[0]] / gap ** (part.power + 1) * (
                     2 * ROUNDINGS * EPSILON + (part.power + 1) * moved)
         state = abs(self.pieces.states[next(k for k, at in enumerate(self.system.places) if at.start == j)][last, 0])
-        return float(abs(row) * (self.starts[j, last] + off) + 2 * ROUNDINGS * EPSILON * rounded * state)
+        return float(abs(row[j]) * (self.starts[j, last] + off) + self._turned(row, j)
+                     + 2 * ROUNDINGS * EPSILON * rounded * state)
+
+    def _turned(self, row, j):
+        """Of the same amplitude, what its shape takes of neighbours and these of it: δA over the distance of the
+        eigenvalues; those that are one but for rounding turn within what both span."""
+        diagonal = self.system.B.diagonal()
+        gaps = np.abs(diagonal - diagonal[j])
+        gaps[gaps <= APART * np.abs(diagonal[j])] = np.inf
+        c = np.abs(np.concatenate([states[-1] for states in self.pieces.states]))
+        dA = self.system.dA
+        return (np.abs(row) * dA[:, j] / gaps).sum() * c[j] + abs(row[j]) * (dA[j] * c / gaps).sum()
 
     def _moving(self, output, times, order):
         """What c brings."""

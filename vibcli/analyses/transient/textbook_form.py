@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.transient.linear_response import LinearMotion
 
 SAME = 1e-6
+APART = 1e-12       # relative distance of exponents that are not one
 MERGED = 1e-3       # of a radian or of a fall by e: what two exponents may come apart by, and be written as one
 NOTHING, ROUNDING = 1e-14, 1e-15
 
@@ -58,6 +59,12 @@ def parted_by(motion: "LinearMotion", until: float) -> float:
     for ((λ − μ) t)²/24 of it."""
     fastest = max((abs(node) for block in motion.blocks for node in block.nodes), default=0.0)
     return min(SAME, MERGED / (until * fastest)) if fastest else SAME
+
+
+def told_apart(motion: "LinearMotion") -> float:
+    """The relative distance within which exponents are one at any time: they are told apart as far as rounding allows
+    where every mode has an exponent of its own."""
+    return APART if all(len(block.nodes) == 1 for block in motion.blocks) else SAME
 
 
 def formula(motion: "LinearMotion", output: Any, segment: int = 0, same: float = SAME) -> list[Part]:
