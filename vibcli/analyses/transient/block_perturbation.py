@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.transient.modal_block import ModalBlock
 
 EPSILON = 2.0**-52
+MARGIN = 2          # of what is not certified: blocks from the matrices are rounded once more
 EXPONENT = 1.5      # roundings of an exponent, and of its product with the time
 
 
@@ -82,8 +83,10 @@ class BlockPerturbation:
             self._certify(found, matrices, data)
         elif len(matrices[0]) > LARGEST:
             found += self._unrefined(matrices)
+        if not modal:
+            found *= MARGIN
         for at, block in zip(self.places, self.blocks, strict=True):
-            found[:, at] *= 0.5 if block.half else 1.0      # the other half turns the other way and is never near
+            found[at, at] *= 0.5 if block.half else 1.0     # the other half turns the other way and is never near
         return found + EXPONENT * EPSILON * np.abs(self.B)
 
     def _certify(self, found, matrices, data):

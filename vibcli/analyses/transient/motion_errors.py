@@ -187,6 +187,7 @@ class MotionErrors:
         perturbed = self._summed(self.chains, tail, early, late)
         rate = np.abs(self.system.B) @ plain
         if tail:
+            perturbed *= 2.0        # far from resonance both halves of a pair count
             off = (DATA + 2 * EPSILON) * abs(tail[0]) * len(tail)
             perturbed += off * self._summed(self.plain, (*tail, tail[0]), early, late)
             rate = np.minimum(rate + np.eye(self.count) * (len(tail) == 1),
