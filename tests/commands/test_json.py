@@ -76,8 +76,8 @@ def well_formed(data, command):
     n = len(data["coordinates"])
     assert all(list(entry) == EQUATIONS for entry in data.get("equations", ()))
     assert all(math.isfinite(x) for x in numbers(data))
-    assert ("remark" in data) == ("equilibrium" in data and data["equilibrium"] is None)
-    if "remark" in data:
+    assert ("remark" in data) == ("equilibrium" in data and data["matrices"]["M"] is None)
+    if "equilibrium" in data and data["equilibrium"] is None:
         return
     if "equilibrium" in data:
         assert list(data["equilibrium"]) == EQUILIBRIUM
