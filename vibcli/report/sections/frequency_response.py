@@ -44,7 +44,7 @@ def _in_letters(problem, name, driver):
                                "give the parameters values with --set")
         return
     from vibcli.report.sections.symbolic_modes import turned
-    from vibcli.report.sections.symbolic_response import conditions
+    from vibcli.report.sections.symbolic_response import conditions, lag_line
 
     try:
         found = problem.symbolic_frequency_response(name, driver)
@@ -59,8 +59,7 @@ def _in_letters(problem, name, driver):
     elif found.ahead:
         lines = [line("H = ", *turned(found.amplitude))]
     else:
-        lag = line("θ = ±π/2") if found.tangent is None else line("tan θ = ", found.tangent)
-        lines = [line("|H| = ", found.amplitude), lag]
+        lines = [line("|H| = ", found.amplitude), lag_line(found, "theta")]
     yield blocks.equations(lines)
     yield from conditions(found)
 

@@ -1,10 +1,23 @@
 """The motion in time in letters: the steady state of one harmonic, and of one degree of freedom all of it."""
 
 from collections.abc import Iterable, Iterator
+from itertools import chain, count
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError
-from vibcli.report.blocks import Name, Paragraph, Section, SumOfTerms, Words, equations, line, maths, paragraph, section
+from vibcli.report.blocks import (
+    Line,
+    Name,
+    Paragraph,
+    Section,
+    SumOfTerms,
+    Words,
+    equations,
+    line,
+    maths,
+    paragraph,
+    section,
+)
 from vibcli.report.sections.requested_signals import symbol
 from vibcli.report.sections.symbolic_modes import equilibrium_parts
 from vibcli.symbolic.derivatives import gradient, substitute
@@ -18,7 +31,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.closed_form.frequency_response import Formula
     from vibcli.results.problem import Problem
 
-LETTERS = {"X": ("X", "Z", "A"), "theta": ("theta", "psi", "beta"), "omega": ("omega", "omega_0"),
+LETTERS = {"X": ("X", "Z", "R"), "theta": ("theta", "psi", "epsilon"), "omega": ("omega", "omega_0"),
            "omega_d": ("omega_d", "omega_1"), "beta": ("beta", "nu"), "A": ("A", "P"), "B": ("B", "Q")}
 AHEAD = {"sin": ("", "cos"), "cos": ("−", "sin")}       # a quarter period ahead
 CONDITIONS = {"under-damped": " < ", "critically damped": " = ", "over-damped": " > "}
@@ -54,7 +67,8 @@ def response_in_letters(problem: "Problem", names: Iterable) -> Iterator[Section
 def letter(problem: "Problem", name: str) -> str:
     """A letter that the scene leaves free."""
     taken = {*problem.scene.parameters.nodes, *problem.spec.coordinates}
-    return next((one for one in LETTERS[name] if one not in taken), LETTERS[name][-1])
+    numbered = (f"{name}{k}" for k in count(2))
+    return next(one for one in chain(LETTERS[name], numbered) if one not in taken)
 
 
 def _steady_section(problem, name, steady, number):
@@ -66,21 +80,35 @@ def _steady_section(problem, name, steady, number):
     lines = [line(Name(name), " = ", *mean, sign, Name(X), f"·{wave}(", steady.argument, *lag, ")"),
              line(Name(X), " = ", formula.amplitude)]
     if lag:
-        lines.append(line(Words("tan "), Name(theta), " = ", formula.tangent))
+        lines.append(lag_line(formula, theta))
     told = () if problem.choice is not None else conditions(formula)     # what is chosen holds at this Ω alone
     yield from section(f"Steady state of {symbol(name)}", equations(lines), *told)
+
+
+def lag_line(formula: "Formula", theta: str) -> "Line":
+    """tan θ of a lag, or the right angle that it is."""
+    if formula.tangent is not None:
+        return line(Words("tan "), Name(theta), " = ", formula.tangent)
+    sign = {1: "", -1: "−", None: "±"}[formula.side]
+    return line(Name(theta), f" = {sign}π/2")
 
 
 def conditions(formula: "Formula") -> Iterator[Paragraph]:
     """Where an undamped response has no bound and where it vanishes; where a damped one has its peak."""
     for words, place in (("resonance", formula.poles), ("antiresonance", formula.zeros)):
-        if place is not None:
+        if place is not None and not _shared(formula.Omega, place):
             yield paragraph(f"{words} at ", maths(formula.Omega, " = ", place))
-    if formula.peak is not None:
+    if formula.peak is not None and not _shared(formula.Omega, formula.peak[0]):
         place, less, more = formula.peak
         yield paragraph("peak at ", maths(formula.Omega, " = ", place), " for ", maths(less, " < ", more))
     if formula.undamped and not formula.short and not formula.vanishes and not formula.denominator[0].is_zero:
         yield paragraph("resonances where ", maths(formula.denominator[0], " = 0"), hang=4)
+
+
+def _shared(Omega, place):
+    """Does Ω follow from letters that its place has, too? Then it is nowhere else."""
+    one, other = ({part.name for part in reachable([node]) if part.op == "symbol"} for node in (Omega, place))
+    return Omega.op != "symbol" and bool(one & other)
 
 
 def _from_the_start(problem, steady):
