@@ -42,7 +42,7 @@ def compared(problem: "Problem", answer: "Answer") -> Comparison:
             return comparison
         try:
             sharper = _compared(problem.with_digits(digits), answer)
-        except (PhysicsError, ArithmeticError):         # no more digits are to be had
+        except PhysicsError:        # no more digits are to be had
             break
         if not sharper.error < comparison.error / 2 or _contradict(comparison, sharper):
             break

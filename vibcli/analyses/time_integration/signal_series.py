@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 LOOKS = 24              # places in a step at which a sign is looked at
 HALVINGS, POLISHED = 60, 40
-TOUCH = 1e-13           # of the largest value in a step: what touches zero
+TOUCH = 10**13          # how many of it are less than the largest value in a step: what touches zero
 APART, FAR = 20, 5      # binary orders of a step: how far places lie apart at least, and what is not near
 SETTLED, ROUNDINGS = 1 << 10, 1 << 16
 FEW = 9
@@ -134,7 +134,7 @@ class SignalAlong:
             places = [first, *self._roots(first, last, derivative(row)), last]
             sizes = [abs(self.value(place) - level) for place in places]
             still = [place for place, size in zip(places[:-1], sizes, strict=False)
-                     if size <= TOUCH * max(sizes) and max(sizes)]
+                     if size * TOUCH <= max(sizes) and max(sizes)]
             for place in sorted([*still, *self._roots(first, last, row)], key=lambda place: place.s):
                 if not found or self.time(place) - self.time(found[-1]) > place.step.scale >> APART:
                     found.append(place)
@@ -147,14 +147,17 @@ class SignalAlong:
         size = max(abs(self.value(self.at(step, instant))) for instant in (step.start, step.end))
         for row in (place.row, derivative(place.row)):
             found = self._polished(place, near, row)
-            if found is not None and abs(self.value(found)) <= TOUCH * size:
+            if found is not None and abs(self.value(found)) * TOUCH <= size:
                 return found
         raise PhysicsError(f"no zero of the signal is found near t = {float(time):.12g} s", "ask for its min or max")
 
     def _roots(self, first, last, row):
-        """The places at which a polynomial changes its sign, from the first one on, where it may vanish."""
-        bits = self.march.bits
-        numbers = np.array([to_float(x, bits) for x in row])
+        """The places at which a polynomial changes its sign, from the first one on, where it may vanish; none of what
+        is zero throughout."""
+        bits, largest = self.march.bits, max(map(abs, row), default=0)
+        if not largest:
+            return []
+        numbers = np.array([to_float(x, largest.bit_length()) for x in row])    # of any size
         places = _looked_at(numbers, to_float(first.s, bits), to_float(last.s, bits))
         signs = np.sign(_values(numbers, places))
         signs[0] = np.sign(summed(row, first.s, bits))
