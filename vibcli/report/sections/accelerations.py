@@ -84,8 +84,9 @@ def _lines(problem, report, nodes, labels):
         if key not in known:
             lines.append(line(labels[key], "   ", Words("not fixed by statics")))
             continue
-        value = (" = ", Words(_with_unit(problem, key, numbers[key]))) if key in numbers else ()
-        lines.append(line(labels[key], " = ", brief(shown[key]), *value))
+        value = [Words(_with_unit(problem, key, numbers[key]))] if key in numbers else []
+        letters = [brief(shown[key])] if not value or shown[key].op != "number" else []
+        lines.append(line(labels[key], *(part for said in letters + value for part in (" = ", said))))
     return lines, lengths
 
 
