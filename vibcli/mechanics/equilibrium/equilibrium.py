@@ -86,6 +86,7 @@ class EnergyDescent:
     """The potential energy of a scene as a function to be descended."""
 
     first_drift = 0.1
+    first: Numbers
 
     def __init__(self, numeric: "NumericSystem", start: Mapping[str, float]):
         import numpy as np
