@@ -57,6 +57,9 @@ class SeriesResponse(FullResponse):
     def states(self, known: Any, trajectory: Any):
         return StatesInTime.states(self, known, trajectory)
 
+    def senses(self, states: Any, trajectory: Any) -> None:
+        """None: what switches has no series."""
+
     def signal_of(self, node: "Node", forces: Mapping[Any, Any], shared: "SharedFriction | None" = None):
         return SeriesSignal(self, node, forces, shared)
 

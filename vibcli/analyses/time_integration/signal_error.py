@@ -62,7 +62,8 @@ class SignalError:
         states = [np.asarray(rows) for rows in window.states(tau)]
         here = np.asarray(self.values(trajectory, window.start + tau), dtype=float)
         self.size, self.series = np.abs(here).max(), here @ rule(POINTS).to_series
-        rounded = _digits(states, window.start + self.length, trajectory.sizes.noise)
+        closed = deviations.units if deviations is not None and trajectory.drift is not None else None
+        rounded = _digits(states, window.start + self.length, trajectory.sizes.noise, closed)
         columns = deviations.along(k, tau) if deviations is not None else None
         self.hopeless = deviations is not None and columns is None
         if columns is None:
@@ -158,14 +159,18 @@ def _slopes(x, count):
     return _derived(count) @ legendre.legvander(np.array([x]), count - 2)[0]
 
 
-def _digits(states, t, noise):
+def _digits(states, t, noise, closed):
     """Changes of the state by the last digit of each number of it, of accelerations by their rounding error, and of the
-    instant, of shapes (n, instants, columns)."""
+    instant, of shapes (n, instants, columns). `closed`: the units of coordinates that close loops, which have the
+    rounding of the largest of them, or of the figure; else None."""
     n, count = states[0].shape
     found = [np.zeros((n, count, 3 * n + 1)) for _ in range(3)]
     for order, rows in enumerate(states):
+        least = np.zeros(n) if order < 2 else noise
+        if closed is not None and order < 2:
+            least = ROUNDED * closed * max(1.0 - order, float((np.abs(rows).max(axis=1) / closed).max()))
         for i, row in enumerate(rows):
-            found[order][i, :, order * n + i] = ROUNDED * np.abs(row) + (noise[i] if order == 2 else 0.0)
+            found[order][i, :, order * n + i] = ROUNDED * np.abs(row) + least[i]
     for order in (0, 1):
         found[order][:, :, -1] = EPSILON * t * states[order + 1]
     return found
