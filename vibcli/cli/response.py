@@ -80,4 +80,4 @@ def _shown(problem, wanted, plot, saves, force):
 
     series = sampled(problem, wanted)
     show_curves(plot, saves, force, problem.response.title, lambda: response_figure(problem, series),
-                lambda: columns(series))
+                lambda: columns(problem, series))

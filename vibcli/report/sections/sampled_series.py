@@ -83,13 +83,20 @@ def response_figure(problem: "Problem", series: Sequence[SampledSignal]) -> "Fig
                        problem.response.until)
 
 
-def columns(series: Sequence[SampledSignal]) -> "list[tuple[str, str, np.ndarray]]":
-    """[(name, unit, array)] of a motion in time."""
+def columns(problem: "Problem", series: Sequence[SampledSignal]) -> "list[tuple[str, str, np.ndarray]]":
+    """[(name, unit, array)] of a motion in time; of one that is not known to its end a last row, without values, has
+    that end."""
+    import numpy as np
+
     found = [("t", "s", series[0].times)]
     for one in series:
         found.append((one.name, one.unit, one.values))
         found += [(f"{part} {one.name}", one.unit, values) for part, values in one.parts.items()]
-    return found
+    motion = problem.response
+    if motion.known >= motion.until:
+        return found
+    ends = [motion.until] + [np.nan] * (len(found) - 1)
+    return [(name, unit, np.append(values, end)) for (name, unit, values), end in zip(found, ends, strict=True)]
 
 
 def sampled_curves(problem: "Problem", wanted: "Wanted") -> list[SampledCurve]:

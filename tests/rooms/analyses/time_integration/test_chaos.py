@@ -1,5 +1,6 @@
 """What two solutions of one motion do not share is not said: chaotic motions, and starts at unstable places."""
 
+import json
 import math
 import re
 
@@ -103,7 +104,9 @@ def test_plots_and_files_end_where_the_motion_ends_to_be_known(scene, capsys, tm
     assert run(["response", file, "--plot", *(word for path in saved for word in ("--save", str(path)))]) == 4
     out = capsys.readouterr().out
     assert re.search(r"known up to t = (\d\d\.\d+) s", out)
-    assert 18 < float(saved[0].read_text().splitlines()[-1].split(",")[0]) < 23
+    *_, known, end = (row.split(",") for row in saved[0].read_text().splitlines())
+    assert 18 < float(known[0]) < 23 and all(known) and float(end[0]) > 23 and not any(end[1:])
+    assert all(column["values"][-1] is None for column in json.loads(saved[1].read_text())["columns"][1:])
     assert "known up to t = " in saved[1].read_text()
     assert run(["animate", file, "--response", "-o", str(tmp_path / "motion.html")]) == 0
     assert "0 s to 50 s" not in (tmp_path / "motion.html").read_text()
