@@ -102,11 +102,18 @@ def _uncertain(verdict):
 
     known, answer = supported(verdict.found, verdict.error, 15), verdict.answer
     known += "" if "±" in known else f" ± {figure(verdict.error, digits=1)}"
-    cause, advice = ("the answer is exact", "give") if is_exact(answer) else (
-        "the answer has more digits", "write fewer digits, or give")
+    cause = "the answer is exact" if is_exact(answer) else "the answer has more digits"
     refusal = PhysicsError(f"{answer.asked.text} is known to be {known}: {cause}, and whether it agrees is uncertain",
-                           f"{advice} a tolerance: {{value: …, rtol: 1 %}}", answer.expected.where)
+                           _advice(verdict), answer.expected.where)
     return verdict._replace(remark=f"found {known}", refusal=refusal)
+
+
+def _advice(verdict):
+    """What to write where an answer is uncertain."""
+    if not verdict.expected:
+        return "add to both sides what it is small beside, as in x + 1 mm: 1.00 mm"
+    tolerance = "a tolerance: {value: …, rtol: 1 %}"
+    return "give " + tolerance if is_exact(verdict.answer) else "write fewer digits, or give " + tolerance
 
 
 def _expected_node(problem, expression):

@@ -188,3 +188,27 @@ def test_the_advice_works(files, tmp_path):
     """Fewer digits, or a tolerance."""
     assert run(["check", scene(tmp_path, "fewer.yaml", "20.0 rad/s")]) == 0
     assert run(["check", files["agrees"]]) == 0
+
+
+HINGE = """
+parameters: {m: 3 kg, L: 0.7 m, g: 9.81 m/s^2}
+gravity: g
+bodies: {rod: {shape: rod, mass: m, from: [0, 0], to: [0, -L], pin: {at: [0, 0], by: phi}}}
+initial: {phi: 0.3}
+motion: full
+"""
+
+
+@pytest.mark.parametrize(("asked", "agrees"), [("phi(1 s) - phi(1 s)*(1 + 1e-17): 0", None),
+                                               ("phi(1 s) - phi(1 s)*(1 + 1e-17) + 1: 1.00", True)])
+def test_the_advice_for_what_is_nothing_works(monkeypatch, asked, agrees):
+    """0 ± 0.001 is not known to be 0; beside something it is."""
+    def bounded(problem, expression):
+        found, error = plain(problem, expression)
+        return (found, 1e-3) if "phi" in expression.text else (found, error)
+
+    plain = comparison.bounded
+    monkeypatch.setattr(comparison, "bounded", bounded)
+    one, = check(problem(HINGE + f"answers: {{{asked}}}\n"))
+    assert one.agrees is agrees
+    assert agrees or "as in x + 1 mm: 1.00 mm" in one.refusal.hint
