@@ -25,13 +25,14 @@ MOST = 100                  # steps of a million products
 
 class Comparison(NamedTuple):
     """agrees: True, False, or None where `error`, an absolute bound of what is found, leaves it open; `tolerance`:
-    absolute too."""
+    absolute too; digits: expected and found with the digits that tell them apart, where floats do not."""
 
     agrees: bool | None
     expected: float
     found: float
     error: float
     tolerance: float
+    digits: tuple[str, str] | None = None
 
 
 def compared(problem: "Problem", answer: "Answer") -> Comparison:
@@ -66,7 +67,18 @@ def verdict(expected: float, found: float, error: float, tolerance: float) -> Co
     """What numbers (of any kind) say: agrees, differs, or open."""
     apart = abs(found - expected)
     agrees = True if apart + error <= tolerance else False if apart - error > tolerance else None
-    return Comparison(agrees, float(expected), float(found), float(error), float(tolerance))
+    alike = agrees is False and float(expected) == float(found)
+    digits = _told_apart(expected, found) if alike else None
+    return Comparison(agrees, float(expected), float(found), float(error), float(tolerance), digits)
+
+
+def _told_apart(expected, found):
+    """Two numbers that are the same float, in the digits in which they differ."""
+    import mpmath
+
+    count = 2 - int(mpmath.floor(mpmath.log10(abs(found - expected) / abs(expected))))
+    with mpmath.workdps(count + 5):
+        return mpmath.nstr(mpmath.mpmathify(expected), count), mpmath.nstr(mpmath.mpmathify(found), count)
 
 
 def _more_digits(problem, comparison):

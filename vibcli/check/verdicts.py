@@ -26,7 +26,8 @@ ROUNDING = 1e-13
 class Verdict(NamedTuple):
     """One answer compared: expected and found (numbers or None), whether they agree (None where that is uncertain), and
     a remark (then what is known); the refusal of a scene that has no such answer, or does not know it so well; error:
-    an absolute bound of what is found, None where nothing is measured."""
+    an absolute bound of what is found, None where nothing is measured; digits: expected and found, where floats do not
+    tell them apart."""
 
     answer: "Answer"
     agrees: bool | None
@@ -36,6 +37,7 @@ class Verdict(NamedTuple):
     case: str | None = None
     refusal: PhysicsError | None = None
     error: float | None = None
+    digits: tuple[str, str] | None = None
 
 
 def check(problem: "Problem") -> list[Verdict]:
@@ -91,8 +93,9 @@ def _compare(problem, answer):
 
 def _number(problem, answer, head):
     found = compared(problem, answer)
-    remark = likely_mistake(head, found.expected, found.found) if found.agrees is False else None
-    verdict = Verdict(answer, found.agrees, found.expected, found.found, remark, error=found.error)
+    differs = found.agrees is False and found.digits is None
+    remark = likely_mistake(head, found.expected, found.found) if differs else None
+    verdict = Verdict(answer, found.agrees, found.expected, found.found, remark, error=found.error, digits=found.digits)
     return _uncertain(verdict) if found.agrees is None else verdict
 
 

@@ -127,7 +127,7 @@ def _said(verdict):
         return f" uncertain: expected {verdict.answer.expected.text}, {verdict.remark}"
     values = ""
     if verdict.expected is not None:
-        values = " expected {}, found {}".format(*_values(verdict.expected, verdict.found))
+        values = " expected {}, found {}".format(*(verdict.digits or _values(verdict.expected, verdict.found)))
     return values + (f" ({verdict.remark})" if verdict.remark else "")
 
 

@@ -212,3 +212,13 @@ def test_the_advice_for_what_is_nothing_works(monkeypatch, asked, agrees):
     one, = check(problem(HINGE + f"answers: {{{asked}}}\n"))
     assert one.agrees is agrees
     assert agrees or "as in x + 1 mm: 1.00 mm" in one.refusal.hint
+
+
+def test_numbers_that_are_the_same_float_are_told_apart(tmp_path, capsys):
+    """cos 2 to 24 digits is −0.416146836547142386997568; the answer is 1.3e-20 off."""
+    scene = tmp_path / "scene.yaml"
+    scene.write_text(MASS.replace("800", "8") + "initial: {x: 1 m}\n"
+                     "answers: {x(1 s): {value: -0.41614683654714238699 m, rtol: 1e-20}}\n")
+    assert run(["check", str(scene)]) == 1
+    said = capsys.readouterr().out
+    assert "expected -0.41614683654714238699, found -0.4161468365471423869976" in said and "off by 0" not in said
