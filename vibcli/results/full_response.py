@@ -2,10 +2,12 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
+from fractions import Fraction
 from functools import cached_property
+from math import log
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import PhysicsError
+from vibcli.base.errors import PhysicsError, Unknown
 from vibcli.language.signals import is_reaction
 from vibcli.results.full_signals import FullSignal
 from vibcli.results.responses import Response
@@ -14,8 +16,6 @@ from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef, Power, QuantityRef, Sum
 
 if TYPE_CHECKING:
-    from fractions import Fraction
-
     import mpmath
     import numpy as np
 
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 LOOK = 1.0          # seconds, to tell what rests for ever
+FOLLOWED, LOST = 12, 13         # digits that are offered beyond the horizon; those that are lost there
 SOON = 1e-3         # seconds, as far as a motion is followed of which the start alone is asked
 
 
@@ -126,6 +127,23 @@ class FullResponse(StatesInTime):
     def value_to(self, node: "Node", time: "Fraction", digits: int) -> "mpmath.mpf":
         """An expression of coordinates, their rates and the time at an instant, to so many correct digits."""
         return self.precise.value(node, time, digits)
+
+    def unknown(self, t: float) -> Unknown:
+        """The refusal of an instant after the end; where digits run out before, with more that are known there."""
+        trajectory = self.trajectory()
+        refusal = trajectory.unknown(t)
+        known = trajectory.shared
+        if known is not None and trajectory.end == known.horizon and self._is_affordable(known, t):
+            return Unknown(refusal.message, f"{refusal.hint}; --digits {FOLLOWED} carries as many as it takes")
+        return refusal
+
+    def _is_affordable(self, shared, t):
+        """Can a series follow the motion up to an instant?"""
+        loss = max(LOST / shared.horizon, 0.0 if shared.folding is None else 1 / (shared.folding * log(10)))
+        try:
+            return self.precise.until(Fraction(t)).is_affordable(FOLLOWED, Fraction(t), loss)
+        except PhysicsError:
+            return False
 
     @property
     def known(self):

@@ -61,6 +61,15 @@ class ProvenMotion:
         """A march up to an instant whose states are correct to so many digits of the motion."""
         return self._pair(digits, until)[1]
 
+    def is_affordable(self, digits: int, until: "Fraction", loss: float) -> bool:
+        """Are marches of so many digits up to an instant at most half the work that is allowed, as far as their first
+        steps show it, where `loss` digits are lost in a second?"""
+        march = self._march(digits + GUARD + MORE + ceil(loss * until))
+        while len(march.steps) < FIRST_STEPS:
+            march.reach(march.end + 1)
+        steps = 2 * len(march.steps) * float(until) / float(Fraction(march.end, 1 << march.bits))
+        return 2 * steps * self._cost(march.order, march.bits) <= MOST * self.work.patience
+
     def _pair(self, digits, until):
         """Two marches that agree on so many digits of the motion."""
         with self.work.task("the series of this motion", MOST) as task:

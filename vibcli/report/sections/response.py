@@ -102,7 +102,10 @@ def unknown(problem: "Problem", wanted: "Wanted") -> Unknown | None:
     """The refusal of the part of a motion that is asked for and not known, else None."""
     motion, known = problem.response, known_until(problem.response, wanted)
     late = known < inf and known < _latest(motion, wanted)
-    return motion.trajectory().unknown(_latest(motion, wanted)) if late else None
+    if not late:
+        return None
+    forces = any(getattr(one.signal, "forces", None) for one in signals_asked(problem, wanted.signals))
+    return (motion.trajectory() if forces else motion).unknown(_latest(motion, wanted))
 
 
 def _latest(motion, wanted):

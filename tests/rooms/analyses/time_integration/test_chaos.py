@@ -168,3 +168,13 @@ def test_what_rests_in_equilibrium_rests(change):
     assert found.end == 1.0 and found.balance.error < 1e-8
     q = found.at(np.linspace(0, 1.0, 50))[0]
     assert np.abs(q - q[:, :1]).max() < 1e-11
+
+
+@pytest.mark.parametrize(("text", "until"), [(AT_THE_TOP, 14), (FAR_UP.partition("find")[0], 21)],
+                         ids=["at the top", "far up"])
+def test_digits_that_are_offered_beyond_the_horizon_follow_the_motion(scene, capsys, text, until):
+    file, times = scene(text), ["--until", str(until), "--at", str(until)]
+    assert run(["response", file, *times]) == 4
+    digits = re.search(r"--digits (\d+) carries", capsys.readouterr().err)[1]
+    assert run(["response", file, *times, "--digits", digits]) == 0
+    assert "–" not in capsys.readouterr().out.partition("Values")[2]
