@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 SAME = 1e-6
 APART = 1e-12       # relative distance of exponents that are not one
 MERGED = 1e-3       # of a radian or of a fall by e: what two exponents may come apart by, and be written as one
+LOST = 1e-7         # of what is left: what may be lost where parts of different origin are written as one
 NOTHING, ROUNDING = 1e-14, 1e-15
 
 
@@ -54,43 +55,52 @@ def regime(M: np.ndarray, C: np.ndarray, K: np.ndarray) -> str:
     return "under-damped" if slow.imag else "over-damped"
 
 
-def parted_by(motion: "LinearMotion", until: float) -> float:
-    """The relative distance within which exponents are one up to an instant: (e^{λt} − e^{μt})/(λ − μ) is t e^{λt} but
-    for ((λ − μ) t)²/24 of it."""
-    fastest = max((abs(node) for block in motion.blocks for node in block.nodes), default=0.0)
-    return min(SAME, MERGED / (until * fastest)) if fastest else SAME
-
-
 def told_apart(motion: "LinearMotion") -> float:
     """The relative distance within which exponents are one at any time: they are told apart as far as rounding allows
     where every mode has an exponent of its own."""
     return APART if all(len(block.nodes) == 1 for block in motion.blocks) else SAME
 
 
-def formula(motion: "LinearMotion", output: Any, segment: int = 0, same: float = SAME) -> list[Part]:
+def formula(motion: "LinearMotion", output: Any, segment: int = 0, same: float = SAME,
+            until: float | None = None) -> list[Part]:
     """The Parts that add up to the output on a segment (−1: the last), free ones first, each kind by ascending
-    frequency and decay; `same`: the relative distance within which exponents are one."""
+    frequency and decay; `same`: the relative distance within which exponents are one; `until`: up to which instant
+    nobody may see that they are two: (e^{λt} − e^{μt})/(λ − μ) is t e^{λt} but for ((λ − μ) t)²/24 of it, while e^{λt}
+    itself is e^{μt} but for (λ − μ) t of it."""
     pieces = motion.pieces(0.0 if motion.forcing.period else math.inf)
     terms = pieces.terms(output, 0)
     segment = segment % terms.count
-    found, summed = {}, {}
-    for nodes, factor in terms.on(segment):
-        for (node, power), c in fractions(nodes, same).items():
-            key = _known(found, node, power, same)
-            found[key] = found.get(key, 0j) + factor * c
-            summed[key] = summed.get(key, 0.0) + abs(factor * c)
-    real = {}
-    for (node, power), c in found.items():
-        if abs(c if node.imag else c.real) <= ROUNDING * summed[node, power]:
-            continue
-        if node.imag < 0:
-            node, c = node.conjugate(), c.conjugate()
-        key = _known(real, node, power, same)
-        real[key] = real.get(key, 0j) + c
+    if until is not None:
+        fastest = max((abs(node) for nodes, _ in terms.on(segment) for node in nodes), default=0.0)
+        same = min(same, MERGED / (until * fastest)) if fastest else same
+    found = [_upper(node, power, factor * c) for nodes, factor in terms.on(segment)
+             for (node, power), c in fractions(nodes, same).items()]
+    real, lost = _merged(found, same, until or 0.0)
+    if lost > LOST * max((abs(c) * (until or 1.0)**power for (_, power), c in real.items()), default=0.0):
+        real, _ = _merged(found, APART, until or 0.0)
     size = max(map(abs, real.values()), default=0.0)
     parts = [_part(node, power, c, power >= _multiplicity(motion.blocks, node, same))
              for (node, power), c in real.items() if abs(c) > NOTHING * size]
     return sorted(parts, key=lambda part: (part.forced, part.omega, -part.rate, part.power))
+
+
+def _upper(node, power, c):
+    """The part with the conjugate exponent, of the same real part, where its own lies below the real axis."""
+    return (node.conjugate(), power, c.conjugate()) if node.imag < 0 else (node, power, c)
+
+
+def _merged(parts, same, until):
+    """({(node, power): c} without what cancels, how much may be lost until an instant) of parts (node, power, c), those
+    whose exponents are one added up."""
+    found, summed, lost = {}, {}, 0.0
+    for node, power, c in parts:
+        key = _known(found, node, power, same)
+        found[key] = found.get(key, 0j) + c
+        summed[key] = summed.get(key, 0.0) + abs(c)
+        lost += abs(c) * abs(key[0] - node) * until**(power + 1)
+    kept = {(node, power): c for (node, power), c in found.items()
+            if abs(c if node.imag else c.real) > ROUNDING * summed[node, power]}
+    return kept, lost
 
 
 def _known(found, node, power, same):

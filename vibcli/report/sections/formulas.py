@@ -31,12 +31,12 @@ def formulas(asked: "Sequence[RequestedSignal]", until: float) -> Iterator[Secti
 
 
 def _pieces(one, signal, starts, until):
-    from vibcli.analyses.transient.textbook_form import formula, parted_by
+    from vibcli.analyses.transient.textbook_form import formula
 
     found: list = []
     name = Name(one.text) if isinstance(one.tree, NameRef) and "." not in one.text else one.text
     for number, start in enumerate(starts):
-        parts = formula(signal.motion, signal.output, number, parted_by(signal.motion, until))
+        parts = formula(signal.motion, signal.output, number, until=until)
         if len(parts) > MOST_PARTS:
             return []
         if len(starts) > 1:
