@@ -19,6 +19,10 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 
+BENT = ("abs", "min", "max", "ramp")
+ALIKE = 4e-15           # of the range of a signal
+
+
 class FullSignal(Signal):
     """A function of the coordinates, velocities and accelerations of a motion that was integrated, and of `forces`
     {symbol: name} of constraints, supports and drives; shared: its SharedFriction, None if it has none."""
@@ -142,7 +146,30 @@ class FullSignal(Signal):
         """(instant, value) of the largest (sense 1) or smallest (−1) value."""
         from vibcli.analyses.time_integration.level_crossings import extreme
 
-        return extreme(self.motion.reaching(end), self.values, start, end, sense)
+        trajectory = self.motion.reaching(end)
+        bends = self._bends(trajectory, start, end)
+        if not len(bends):
+            return extreme(trajectory, self.values, start, end, sense)
+        from vibcli.analyses.transient.sampled_extremes import SampledSearch
+
+        search = SampledSearch(self.values, start, min(end, trajectory.end), self.motion.problem.work)
+        found = [search.extreme(sense), *zip(bends.tolist(), self.values(bends).tolist(), strict=True)]
+        top = max(sense * value for _, value in found)
+        return min((t, value) for t, value in found if sense * value >= top - ALIKE * search.range)
+
+    def _bends(self, trajectory, start, end):
+        """The instants at which the signal bends by itself: where the motion switches, windows end anyhow."""
+        import numpy as np
+
+        from vibcli.symbolic.expression_graph import reachable
+
+        found = []
+        for part in reachable([self.node]):
+            if part.op == "call" and part.name in BENT and part.mask:
+                argument = part.args[0] - part.args[1] if len(part.args) > 1 else part.args[0]
+                if argument not in trajectory.system.switches:
+                    found += FullSignal(self.motion, argument, self.forces).zeros(start, end)
+        return np.array(found)
 
     def final(self):
         raise PhysicsError("a motion that is integrated has no known limit", "ask for its value at a late instant")
