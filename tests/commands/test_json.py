@@ -76,7 +76,7 @@ def well_formed(data, command):
     n = len(data["coordinates"])
     assert all(list(entry) == EQUATIONS for entry in data.get("equations", ()))
     assert all(math.isfinite(x) for x in numbers(data))
-    assert ("remark" in data) == ("equilibrium" in data and data["matrices"]["M"] is None)
+    assert ("remark" in data) == ("equilibrium" in data and (data["matrices"] or {"M": None})["M"] is None)
     if "equilibrium" in data and data["equilibrium"] is None:
         return
     if "equilibrium" in data:

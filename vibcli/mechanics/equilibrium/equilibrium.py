@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 EPSILON = 2.0**-52
 KNOWN = 1e-7        # of the figure: places nearer than 1e-9 of this are one
 STEPS, POLISH, FARTHEST, HUGE = 300, 12, 1e60, 1e140
-GROWN, LOWERED = 1e3, 1e-2      # of the terms at the start; of the forces there
+GROWN, LOWERED, CARRIED = 1e3, 1e-2, 100.0      # of the terms at the start; of the forces there; of the figure
 
 
 class Equilibrium(NamedTuple):
@@ -77,7 +77,7 @@ def find_equilibrium(numeric: "NumericSystem", start: Mapping[str, float]) -> Eq
         if not moved:
             break
     q, numbers = search.polished(q, numbers)
-    if not search.balanced(numbers) or search.faded(numbers) or search.drowned(numbers):
+    if not search.balanced(numbers) or search.faded(numbers) or search.drowned(q, numbers):
         raise unbounded(search, q)
     return Equilibrium(search.here, False, search.relative(numbers), steps)
 
@@ -161,15 +161,16 @@ class EnergyDescent:
         return any(met and (not (size or k) or abs(r) > max(1e-9 * size, 1e-3 * k)) for met, size, k, r in
                    zip(self.met, numbers.residual_size, held, numbers.residual, strict=True))
 
-    def drowned(self, numbers: Numbers) -> bool:
+    def drowned(self, q: "np.ndarray", numbers: Numbers) -> bool:
         """Did the terms grow so much on the way that what the forces at the start amount to is lost in their rounding?
         Nothing holds what has been carried so far: the forces that act on it as a whole never vanish."""
         def largest(values):
             return float(self.np.max(self.np.abs(values) * self.scale))
 
+        carried = self.np.abs(q) > CARRIED * self.scale
         left = largest(numbers.residual) + 4 * EPSILON * largest(self.met)
         grown = largest(self.met) > GROWN * largest(self.first.residual_size)
-        return grown and left > LOWERED * largest(self.first.residual)
+        return bool(carried.any()) and grown and left > LOWERED * largest(self.first.residual)
 
     def newton(self, numbers: Numbers) -> "np.ndarray":
         """−K⁻¹ r in scaled coordinates; nothing along what is not held."""
