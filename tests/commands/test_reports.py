@@ -363,7 +363,7 @@ springs:
 dampers:
   d: {c: c, between: [ground, a]}
 """
-REFUSED = "bodies: {a: {mass: 2 kg, slide: x}}\nforces: {f: {at: a, force: 3 N}}\n"
+REFUSED = "bodies: {a: {mass: 2 kg, slide: x}}\nforces: {f: {at: a, force: 3 N}}\nfind: [equilibrium]\n"
 
 
 @pytest.fixture

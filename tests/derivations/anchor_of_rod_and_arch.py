@@ -21,6 +21,7 @@ def answers(p):
     static_x, static_y = along(lambda x, y: x), along(lambda x, y: y)
     stiffness = mp.diff(lambda f: p["g"] * (static_x * mp.sin(f) + static_y * mp.cos(f)), 0, 2)
     return {
+        "mass[anchor]": float(mass),
         "centre[anchor].x": float(cx),
         "centre[anchor].y": float(cy),
         "J[anchor, O]": float(about_pivot),

@@ -10,14 +10,17 @@ def answers(p):
         places = positions(p["m"] * p["g"] * p["L"] / k)
         found[prefix + "equilibria"] = len(places)
         for i, (one, two) in enumerate(places, 1):
-            square = squares(p, k, one, two)
+            square, stiff = squares(p, k, one, two)
+            for pair, value in zip(("phi1,phi1", "phi1,phi2", "phi2,phi2"), stiff, strict=True):
+                found[f"{prefix}K[{pair}][{i}]"] = value
             found[f"{prefix}equilibrium[phi1][{i}]"] = one
             found[f"{prefix}equilibrium[phi2][{i}]"] = two
             found[f"{prefix}stable[{i}]"] = min(square) > 0
             for j, value in enumerate(sorted(square), 1):
                 found[f"{prefix}{'omega' if value > 0 else 'growth_rate'}[{j}][{i}]"] = abs(value) ** 0.5
     wanted = ("equilibria", "equilibrium[phi1][3]", "equilibrium[phi2][3]", "stable[2]", "stable[3]",
-              "growth_rate[1][2]", "omega[2][2]", "omega[1][3]", "omega[2][3]", "weaker: equilibria",
+              "growth_rate[1][2]", "omega[2][2]", "omega[1][3]", "omega[2][3]",
+              *(f"K[{pair}][3]" for pair in ("phi1,phi1", "phi2,phi2", "phi1,phi2")), "weaker: equilibria",
               *(f"weaker: equilibrium[phi{n}][{i}]" for i in (4, 5) for n in (1, 2)),
               *(f"weaker: stable[{i}]" for i in (3, 4, 5)), "weaker: growth_rate[1][3]", "weaker: growth_rate[2][3]",
               "weaker: growth_rate[1][4]", "weaker: omega[2][4]", "weaker: omega[1][5]", "weaker: omega[2][5]")
@@ -45,7 +48,7 @@ def positions(load):
 
 
 def squares(p, k, one, two):
-    """The two ω² of M q̈ + K q = 0, K by central differences of the energy."""
+    """The two ω² of M q̈ + K q = 0, and the entries of K, by central differences of the energy."""
     import mpmath as mp
 
     m, length, g = (mp.mpf(p[name]) for name in ("m", "L", "g"))
@@ -58,4 +61,4 @@ def squares(p, k, one, two):
         cosine = mp.cos(mp.mpf(one) - two)
         inertia = mp.matrix([[2, cosine], [cosine, 1]]) * m * length**2
         values = mp.eig(mp.inverse(inertia) * mp.matrix(stiff), left=False, right=False)
-    return [float(mp.re(value)) for value in values]
+    return [float(mp.re(value)) for value in values], [float(stiff[i][j]) for i, j in ((0, 0), (0, 1), (1, 1))]

@@ -24,5 +24,7 @@ def answers(p):
     return {
         "equation[phi]": lambda q, v, a: J * a["phi"] + C * v["phi"] + K * q["phi"],
         "zeta[1]": (fast + slow) / (2 * sqrt(fast * slow)),
+        "eigenvalue[1,1]": -slow,
+        "eigenvalue[1,2]": -fast,
         "V": lambda q: -m * g * H / 2 * cos(q["phi"]),
     }

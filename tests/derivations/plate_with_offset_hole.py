@@ -23,6 +23,7 @@ def answers(p):
     cx, cy = (ms * xs).sum() / mass, (ms * ys).sum() / mass
     J = (ms * (xs**2 + ys**2)).sum()
     return {
+        "mass[plate]": mass,
         "centre[plate].x": cx,
         "centre[plate].y": cy,
         "J[plate, O]": J,

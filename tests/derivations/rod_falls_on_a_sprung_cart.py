@@ -34,11 +34,29 @@ def answers(p):
     def motion_phi(q, v, a):
         return m * L**2 / 3 * a["phi"] + m * L / 2 * (np.cos(q["phi"]) * a["x"] + g * np.sin(q["phi"]))
 
+    def moment(phi):
+        """Of the weight about the hinge, by its arm."""
+        return -m * g * (L / 2 * np.sin(phi))
+
+    def coupling(phi):
+        """Of the momentum along the rails with the rod's turning: the speed of its centre along them."""
+        return m * (L / 2 * np.cos(phi))
+
+    def steepness(phi, h=1e-5):
+        return -(moment(phi + h) - moment(phi - h)) / (2 * h)
+
     half, late = run.sol(0.5), run.sol(1.5)
     places = [0, *(z[0] for z in run.y_events[0]), run.y[0, -1]]
     return {
         "motion[x]": motion_x,
         "motion[phi]": motion_phi,
+        "M[x,phi](0 s)": coupling(phi0),
+        "Q[phi](0 s)": moment(phi0),
+        "K[phi,phi](0 s)": steepness(phi0),
+        "M[x,phi](0.5 s)": coupling(half[1]),
+        "Q[x](0.5 s)": -k * half[0],
+        "Q[phi](0.5 s)": moment(half[1]),
+        "K[phi,phi](0.5 s)": steepness(half[1]),
         "x(0.5 s)": half[0],
         "phi(0.5 s)": half[1],
         "x(1.5 s)": late[0],

@@ -20,6 +20,8 @@ def answers(p):
     return {
         "equation[x]": lambda q, v, a: inertia * a["x"] + damping * v["x"] + k * q["x"],
         "zeta[1]": sum(rates) / 2 / np.sqrt(rates[0] * rates[1]),
+        "eigenvalue[1,1]": -rates[0],
+        "eigenvalue[1,2]": -rates[1],
         "x(0 s)": F / k,
         "x(0.3 s)": state(0.3)[0],
         "min(x')": found.fun,

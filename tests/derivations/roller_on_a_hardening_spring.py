@@ -20,12 +20,16 @@ def answers(p):
 
     w, modulus = closed(x0)
     energy = k * x0**2 / 2 + k3 * x0**4 / 4
+    place = x0 * mp.ellipfun("cn", w * 0.25, m=modulus)
     return {
+        "Q[x](0 s)": float(-k * x0 - k3 * x0**3),
+        "K[x,x](0 s)": float(mp.diff(lambda x: k * x + k3 * x**3, x0)),
+        "K[x,x](0.25 s)": float(mp.diff(lambda x: k * x + k3 * x**3, place)),
         "motion[x]": lambda q, v, a: M * a["x"] + k * q["x"] + k3 * q["x"] ** 3,
         "omega[1]": (k / M) ** 0.5,
         "period(x)": period(x0),
         "max(x')": (2 * energy / M) ** 0.5,
-        "x(0.25 s)": float(x0 * mp.ellipfun("cn", w * 0.25, m=modulus)),
+        "x(0.25 s)": float(place),
         "x(2 s)": float(x0 * mp.ellipfun("cn", w * 2, m=modulus)),
         "wide:period(x)": period(3 * x0),
     }

@@ -34,6 +34,7 @@ def answers(p):
         "equilibria": len(positions(light)),
         **{f"equilibrium[y][{i}]": float(u - h) for i, u in enumerate((low, middle, high), 1)},
         **{f"stable[{i}]": bool(rate(u, light) > 0) for i, u in enumerate((low, middle, high), 1)},
+        **{f"K[y,y][{i}]": float(light * rate(u, light)) for i, u in enumerate((low, middle, high), 1)},
         "omega[1][1]": omega(low, light),
         "growth_rate[1][2]": float(mp.sqrt(-rate(middle, light))),
         "omega[1][3]": omega(high, light),

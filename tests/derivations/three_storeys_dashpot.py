@@ -2,9 +2,10 @@
 
 The top floor on its storey has the dynamic stiffness k3 m3 s^2/(m3 s^2 + k3); the floors below follow as
 a continued fraction. Cleared of fractions it is a sextic in s, multiplied out by hand-made polynomial
-products; each complex pair gives omega_d = Im s and zeta = -Re s/|s|, in ascending order of |s|.
+products; each complex pair gives omega_d = Im s and zeta = -Re s/|s|, in ascending order of |s|. The amplitudes of its
+floors follow from the top down: x2/x3 = 1 + m3 s^2/k3, and the balance of the second floor gives x1/x3.
 """
-from mpmath import im, mp, mpf, polyroots, re
+from mpmath import im, mp, mpf, pi, polyroots, re
 
 
 def product(a, b):
@@ -34,4 +35,10 @@ def answers(p):
         for i, s in enumerate(pairs, 1):
             out[f"zeta[{i}]"] = float(-re(s) / abs(s))
             out[f"omega_d[{i}]"] = float(im(s))
+            out[f"period_d[{i}]"] = float(2 * pi / im(s))
+        s = pairs[0]
+        second = 1 + m3 * s**2 / k3
+        first = second + (m2 * s**2 * second + m3 * s**2) / k2
+        for name, top in (("x2", second / first), ("x3", 1 / first)):
+            out[f"re(mode_d[1,{name}])"], out[f"im(mode_d[1,{name}])"] = float(re(top)), float(im(top))
         return out

@@ -15,6 +15,8 @@ FIND = {
     "modes": "mode shapes",
     "damping": "eigenvalues, damping ratios and damped frequencies, where something damps",
     "virtual_work": "the generalised forces of weights, springs and steady loads, δA = Σ Q δq",
+    "accelerations": "accelerations from rest in the drawn position and the forces of ropes, links, other constraints "
+                     "and supports then, as expressions; no equilibrium is needed",
     "reactions": "forces in equilibrium: of ropes, links, gears and other constraints, and of supports on bodies",
     "response": "the motion in time: where it starts, its free part, its steady state, its extremes; "
                 "`{response: {of: [x, s.force], until: 2 s}}` says which signals, and until when",

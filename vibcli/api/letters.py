@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
-OF_MODES = ("omega", "frequency", "period", "growth_rate", "mode", "zeta", "omega_d", "decay")
+OF_MODES = ("omega", "frequency", "period", "growth_rate", "mode", "zeta", "omega_d", "period_d", "decay")
 GIVE_VALUES = "give the letters values: with_values(…), or --set"
 
 
@@ -75,11 +75,12 @@ def _of_mode(problem, tree, mode):
             raise PhysicsError(f"mode {mode.index} is {'un' * mode.unstable}stable: it has no such number",
                                f"ask for {'growth_rate' if mode.unstable else 'omega'}[{mode.index}]")
         return mode.omega
-    if head in ("zeta", "omega_d", "decay") and mode.zeta is None:
+    if head in ("zeta", "omega_d", "period_d", "decay") and mode.zeta is None:
         return quantity_in_letters(problem, tree)
     if head == "period" and mode.omega.is_zero:
         raise PhysicsError(f"mode {mode.index} is a rigid-body mode: it has no period", f"ask for omega[{mode.index}]")
     forms = {"omega": lambda: mode.omega, "frequency": lambda: mode.omega / (2 * table.pi),
              "period": lambda: 2 * table.pi / mode.omega, "zeta": lambda: mode.zeta, "omega_d": lambda: mode.omega_d,
+             "period_d": lambda: 2 * table.pi / mode.omega_d,
              "decay": lambda: mode.zeta * mode.omega}
     return forms[head]()

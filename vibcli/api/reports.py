@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from vibcli.base.errors import Inertless, Kinked, NotInLetters, PhysicsError
+from vibcli.base.errors import Inertless, Kinked, NoEquilibrium, NotInLetters, PhysicsError
 from vibcli.reader.sections.find import INSIGHT, OF_MODES, ON_REQUEST, RESPONSES
 from vibcli.report.blocks import paragraph, section
 from vibcli.report.document import EVERYTHING, Report
@@ -12,19 +12,30 @@ from vibcli.report.wanted import Wanted
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
+STATICS = ("given", "chosen", "coordinates", "reactions")       # of a scene without freedom
 SLOPES = ("frequencies", "modes", "damping", *OF_MODES)       # what needs a slope of the forces
 FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",),
             "equilibrium": ("equilibrium", "virtual_work"), "frequencies": ("frequencies",), "modes": ("modes",),
-            "damping": ("damping",), "virtual_work": ("virtual_work",)} | {word: (word,) for word in ON_REQUEST}
+            "damping": ("damping",), "accelerations": ("accelerations",),
+            "virtual_work": ("virtual_work",)} | {word: (word,) for word in ON_REQUEST}
 
 
 def solution(problem: "Problem", insight: bool = False) -> Sequence[str]:
     """The sections of the solution of a scene: all that is cheap, or what its `find` asks for."""
     wanted = problem.spec.get("find")
+    if wanted is None and problem.scene.held:
+        return STATICS
     if wanted is None:
         return EVERYTHING + INSIGHT * insight
     asked = {"given", "chosen", "coordinates", *INSIGHT * insight} | {s for word in wanted for s in FOUND_BY[word]}
+    if problem.scene.held and "equations" in asked:
+        asked = asked - set(FOUND_BY["equations"]) | set(STATICS)
     return [s for s in EVERYTHING + ON_REQUEST if s in asked]
+
+
+def derivation(problem: "Problem") -> Sequence[str]:
+    """The sections of the energies and equations of motion; of the conditions of equilibrium where nothing moves."""
+    return STATICS[1:] if problem.scene.held else ("chosen", "coordinates", *FOUND_BY["equations"], "accelerations")
 
 
 def illustrated(sections: Sequence[str]) -> list[str]:
@@ -45,6 +56,10 @@ def data(problem: "Problem", parts: Sequence[str], normalise: str, digits: int |
         from vibcli.report.sections.design_parameters import CHOSEN
 
         found |= keys.data([CHOSEN], problem)
+    if problem.scene.held and not set(sections).intersection(SLOPES):
+        from vibcli.report.sections.statics import REACTIONS
+
+        return found | keys.data([REACTIONS], problem)
     if "frequencies" in parts:
         found |= _frequencies(problem, parts, normalise, digits, sections)
     if "equilibria" in sections:
@@ -63,6 +78,11 @@ def data(problem: "Problem", parts: Sequence[str], normalise: str, digits: int |
         if "frequencies" not in parts:
             known = not refusal or isinstance(refusal, NotInLetters)
             found |= keys.data([MATRICES], problem) if known else {"matrices": None}
+    if "accelerations" in sections:
+        from vibcli.report.sections.accelerations import ACCELERATIONS, falls
+
+        if "accelerations" in problem.spec.get("find", ()) or falls(problem):
+            found |= keys.data([ACCELERATIONS], problem)
     if asked := [word for word in sections if word in RESPONSES]:
         from vibcli.report.sections import frequency_response, response
 
@@ -112,9 +132,11 @@ def _frequencies(problem, parts, normalise, digits, sections):
 
 def _without_slope(problem, refusal, sections):
     """Is there no slope, for friction or a kink, or no inertia, where nothing that needs them is asked by name?"""
-    if not isinstance(refusal, (Kinked, Inertless)) and problem.system.sticking is None:
+    if not isinstance(refusal, (Kinked, Inertless, NoEquilibrium)) and problem.system.sticking is None:
         return False
     asked = problem.spec.get("find") or ()
+    if isinstance(refusal, NoEquilibrium) and "equilibrium" in asked:
+        return False
     beside = "equations" in sections or "frequencies" not in sections
     return beside and not any(word in sections and word in asked for word in SLOPES)
 
@@ -137,6 +159,8 @@ def report(problem: "Problem", sections: Sequence[str], normalise: str = "first"
     if isinstance(made.refusal, NotInLetters) and "equations" in sections:
         refusal = made.without_refusal()
         made.append(section("Not found in letters", paragraph(f"{refusal.message}: {refusal.hint}", hang=0)))
+    if isinstance(beside, NoEquilibrium):
+        made.append(section("Equilibrium", paragraph(beside.message.replace("no equilibrium", "none", 1), hang=0)))
     if isinstance(beside, Inertless):
         made.append(section("Natural frequencies", paragraph("none: nothing in the scene has inertia", hang=0)))
     if digits is not None:

@@ -1,7 +1,6 @@
 """A quantity asked for by its text: its value with unit and error bound, or its expression in letters."""
 
 from contextlib import suppress
-from math import sqrt
 from typing import TYPE_CHECKING, NamedTuple
 
 from vibcli.api import given
@@ -12,8 +11,7 @@ from vibcli.language.reader import Reader
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.dimensions import asked_dimension, dimension_of
 from vibcli.quantities.expression import evaluated, measure, value_of
-from vibcli.quantities.frequency_response import ERROR
-from vibcli.quantities.quantity import OF_STATE, ROUNDING, SIGNAL, declared, kind_of, quantity_of
+from vibcli.quantities.quantity import ERROR, OF_STATE, ROUNDING, SIGNAL, declared, kind_of, quantity_of
 from vibcli.reader.answer_check import check_question
 from vibcli.symbolic.syntax import QuantityRef, parts_of
 
@@ -105,14 +103,13 @@ def _measured(problem, tree):
     if isinstance(value, bool):
         return value, 0.0
     value = complex(value) if isinstance(value, complex) else float(value)
-    return value, float(max(relative * abs(value), _rounding(problem, tree)))
+    return value, float(relative * abs(value) if value else _rounding(problem, tree))
 
 
 def _rounding(problem, tree):
-    """What a number of a motion that is found in closed form may be off near zero: by the size of its signal; where a
-    signal is largest it is flat, and its instant is known to the root of rounding."""
+    """What a number of a motion that is found in closed form may be off where it is zero: by the size of its signal."""
     if not tree.args or FAMILIES.get(tree.head) == "frequency_response" or problem.response.KIND == "full":
         return 0.0
     with suppress(PhysicsError):
-        return (sqrt(ROUNDING) if tree.head in ("argmax", "argmin") else ERROR) * declared(tree).size(problem, tree)
+        return ERROR * declared(tree).size(problem, tree)
     return 0.0

@@ -85,6 +85,10 @@ class Inertless(PhysicsError):
         super().__init__("nothing in the scene has inertia: nothing can vibrate", "give a mass")
 
 
+class NoEquilibrium(PhysicsError):
+    """No equilibrium is reached, as where nothing holds the scene: a remark beside equations and accelerations."""
+
+
 def defined_as_drawn(function: Callable, *args: Any) -> tuple[Any, dict[str, Any]]:
     """The result of a function; a refusal where an expression divides by zero in the drawn position."""
     try:

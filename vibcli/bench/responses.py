@@ -17,6 +17,7 @@ from vibcli.bench.rows import Timing
 DEGREES, POINTS = 10, 10_000
 PERIODS = ((20, 1 / 3), (1000, 1 / 50))
 GATE, ERROR = 15.0, 1e-12
+BOUNDED, DEARER = 10, 1.3       # values with bounds, and how much longer the response may take with them
 PIECES = 4000
 
 
@@ -24,11 +25,13 @@ def rows(runs: Any):
     """Run times as rows, the integrator's as the baseline, and errors."""
     found = json.loads(answer("from vibcli.bench.responses import main; main()", runs))
     result = []
-    for (periods, budget), (ours, error, theirs, wrong) in zip(PERIODS, found["driven"], strict=True):
+    for (periods, budget), (ours, error, theirs, wrong, bounded) in zip(PERIODS, found["driven"], strict=True):
         case = f"response of {DEGREES} degrees, {POINTS} points over {periods} periods"
         if periods == PERIODS[0][0]:
             result.append(Timing(case, ours, "ms", GATE, absolute=True))
         result.append(Timing(f"{case}, against", ours, "ms", budget, "solve_ivp DOP853, rtol 1e-10", theirs))
+        result.append(Timing(f"  with bounds of {BOUNDED} values, against without", bounded, "ms", DEARER,
+                             "the same without", ours))
         result.append(Timing("  error", error, "", ERROR, "solve_ivp DOP853, rtol 1e-10", wrong, absolute=True))
     result.append(Timing(f"record of {PIECES} pieces, {DEGREES} degrees, {POINTS} points", found["record"], "ms", None))
     return result
@@ -60,7 +63,7 @@ def _row(weights):
 
 
 def _driven(M, C, K, periods, runs):
-    """[ms, error] of ours and of the integrator, over periods of the lowest mode."""
+    """[ms, error] of ours and of the integrator, over periods of the lowest mode, and ms of ours with bounds."""
     import numpy as np
     from scipy.integrate import solve_ivp
 
@@ -85,13 +88,18 @@ def _driven(M, C, K, periods, runs):
     def ours():
         return linear_motion(M, C, K, forcing, q0, v0).values(output, times)
 
+    def bounded():
+        motion = linear_motion(M, C, K, forcing, q0, v0)
+        return motion.values(output, times), motion.errors(output, times[::POINTS // BOUNDED])
+
     spent, x = _timed(ours, runs)
+    longer, _ = _timed(bounded, runs)
     their_time, y = _timed(theirs, 1)
     places = [POINTS // 7, POINTS // 2, POINTS - 1]
     lists = [matrix.tolist() for matrix in (M, C, K)]
     exact = [float(precise_value(*lists, forcing, q0, v0, output, times[i], 25)) for i in places]
     errors = [np.abs(z[places] - exact).max() / np.abs(x).max() for z in (x, y)]
-    return [spent, errors[0], their_time, errors[1]]
+    return [spent, errors[0], their_time, errors[1], longer]
 
 
 def _record(M, C, K, runs):

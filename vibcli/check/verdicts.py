@@ -1,39 +1,43 @@
 """Answers against results: a verdict per line of `answers`.
 
-Numbers are compared within the tolerance of the digits written, expressions to rounding and the result's own error
-bound; equations of motion up to a non-zero factor, V up to a constant, at random states. A scene with symbols is
-checked at several sets of random values of its symbols.
+Numbers are compared within their tolerance (comparison.py); equations of motion up to a non-zero factor, V up to a
+constant, at random states. A scene with symbols is checked at several sets of random values of its symbols.
 """
 
 import math
-import re
 from typing import TYPE_CHECKING, NamedTuple
 
-from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
+from vibcli.base.errors import PhysicsError
+from vibcli.check.comparison import compared
 from vibcli.check.instances import Instances
-from vibcli.quantities.expression import lowered, measure, value_of
+from vibcli.check.tolerance import EXACT, is_exact
+from vibcli.quantities.expression import lowered, measure
 from vibcli.quantities.matrices import coordinate_number
-from vibcli.quantities.quantity import EQUATION, OF_STATE, TRUTH, declared, kind_of, quantity_of
+from vibcli.quantities.quantity import EQUATION, OF_STATE, TRUTH, declared, kind_of
 from vibcli.results.random_states import at_states, states
 
 if TYPE_CHECKING:
     from vibcli.reader.sections.answer import Answer
     from vibcli.results.problem import Problem
 
-EXACT, WIDEST, SMALL, ROUNDING, EPSILON = 1e-9, 0.005, 1e-12, 1e-13, 2.0**-52
+ROUNDING = 1e-13
 
 
 class Verdict(NamedTuple):
-    """One answer compared: expected and found (numbers or None), whether they agree, and a remark; the refusal of a
-    scene that has no such answer."""
+    """One answer compared: expected and found (numbers or None), whether they agree (None where that is uncertain), and
+    a remark (then what is known); the refusal of a scene that has no such answer, or does not know it so well; error:
+    an absolute bound of what is found, None where nothing is measured; digits: expected and found, where floats do not
+    tell them apart."""
 
     answer: "Answer"
-    agrees: bool
+    agrees: bool | None
     expected: float | bool | None = None
     found: float | bool | None = None
     remark: str | None = None
     case: str | None = None
     refusal: PhysicsError | None = None
+    error: float | None = None
+    digits: tuple[str, str] | None = None
 
 
 def check(problem: "Problem") -> list[Verdict]:
@@ -48,8 +52,9 @@ def check(problem: "Problem") -> list[Verdict]:
 
 
 def _verdict(instances, answer, case):
-    """Compare at every instance; of a scene with symbols, those of a regime that has no such answer are passed over."""
-    verdict, compared = None, 0
+    """Compare at every instance, to the first that differs; of a scene with symbols, those of a regime that has no such
+    answer are passed over."""
+    verdict, count = None, 0
     for instance in instances:
         try:
             found = _compare(instance, answer)
@@ -58,8 +63,8 @@ def _verdict(instances, answer, case):
                 verdict = Verdict(answer, False, remark="no such answer: " + error.message,
                                   refusal=error.told(answer.asked.where))
             continue
-        verdict, compared = found, compared + 1
-        if not verdict.agrees or compared == instances.wanted:
+        verdict, count = found if not count or not found.agrees else verdict, count + 1
+        if found.agrees is False or count == instances.wanted:
             break
     return verdict._replace(case=case)
 
@@ -83,56 +88,35 @@ def _compare(problem, answer):
     if kind == TRUTH:
         wanted, found = answer.expected.text == "true", measure(problem, tree)[0]
         return Verdict(answer, found == wanted, wanted, found)
-    found, error = value_of(problem, answer.asked)
-    expected, _ = value_of(problem, answer.expected)
-    doubt = error * abs(found)      # absolute: of a number near zero it may be any part of what is expected
-    written, times = _tolerance(problem, answer, expected)
-    if problem.spec.get("motion") == "full" and times < 4 and doubt > max(written, EXACT * abs(expected)):
-        raise _beyond_known(answer, found, error)
-    tolerance = max(written, times * doubt + 4 * EPSILON * abs(expected))
-    agrees = bool(abs(found - expected) <= tolerance)
-    remark = None if agrees else likely_mistake(head, expected, found)
-    return Verdict(answer, agrees, expected, found, remark)
+    return _number(problem, answer, head)
 
 
-def _beyond_known(answer, found, error):
-    """The refusal of an answer with more digits than two solutions of a full motion share."""
+def _number(problem, answer, head):
+    found = compared(problem, answer)
+    differs = found.agrees is False and found.digits is None
+    remark = likely_mistake(head, found.expected, found.found) if differs else None
+    verdict = Verdict(answer, found.agrees, found.expected, found.found, remark, error=found.error, digits=found.digits)
+    return _uncertain(verdict) if found.agrees is None else verdict
+
+
+def _uncertain(verdict):
+    """The Verdict with the refusal of an answer that the bound of what is found leaves open."""
     from vibcli.notation.numbers import figure, supported
 
-    shared = f"{answer.asked.text} = {supported(found, error * abs(found), 12)}, to {figure(error, digits=1)}"
-    return PhysicsError(f"two solutions of this motion agree on {shared}: the answer has more digits",
-                        "write fewer digits, or give a tolerance: {value: …, rtol: 1 %}", answer.expected.where)
+    known, answer = supported(verdict.found, verdict.error, 15), verdict.answer
+    known += "" if "±" in known else f" ± {figure(verdict.error, digits=1)}"
+    cause = "the answer is exact" if is_exact(answer) else "the answer has more digits"
+    refusal = PhysicsError(f"{answer.asked.text} is known to be {known}: {cause}, and whether it agrees is uncertain",
+                           _advice(verdict), answer.expected.where)
+    return verdict._replace(remark=f"found {known}", refusal=refusal)
 
 
-def _tolerance(problem, answer, expected):
-    """(absolute tolerance, how many times the error of what is found is allowed at least): the tolerance given; that of
-    the digits written, never finer than what is found; or rounding."""
-    rounding = EXACT * abs(expected) + 1e-300 if expected else _small(problem, answer)
-    if answer.rtol is not None:
-        rtol = value_of(problem, answer.rtol)[0]
-        if not 0 <= rtol < 1:
-            raise SpecError([Diagnostic(answer.rtol.where, f"the tolerance is {rtol:.6g}, expected 0 to 1",
-                                        "write for example rtol: 0.5 %")])
-        return (rtol * abs(expected), 0) if expected else (rounding, 0)
-    literal = answer.expected.parts.whole
-    if literal is None:
-        return rounding, 4
-    written = re.match(r"\s*[-+]?\s*(\d*)\.?(\d*)(?:[eE]([-+]?\d+))?", answer.expected.text)
-    whole, fraction, exponent = written.groups()
-    digits = (whole + fraction).lstrip("0")
-    if len(digits) < 3:
-        return rounding, 4
-    half = 0.5 * 10.0 ** (int(exponent or 0) - len(fraction))
-    return min(half / abs(float(literal.value)), WIDEST) * (1 + EXACT) * abs(expected), 1
-
-
-def _small(problem, answer):
-    """What counts as zero: rounding beside the largest number of its kind."""
-    tree = answer.asked.tree
-    quantity = quantity_of(problem.spec, tree)
-    if quantity is not None and quantity.size is not None:
-        return (EXACT if tree.args else SMALL) * quantity.size(problem, tree)
-    return SMALL * max((float(abs(measure(problem, part)[0])) for part in answer.asked.parts.quantities), default=0.0)
+def _advice(verdict):
+    """What to write where an answer is uncertain."""
+    if not verdict.expected:
+        return "add to both sides what it is small beside, as in x + 1 mm: 1.00 mm"
+    tolerance = "a tolerance: {value: …, rtol: 1 %}"
+    return "give " + tolerance if is_exact(verdict.answer) else "write fewer digits, or give " + tolerance
 
 
 def _expected_node(problem, expression):

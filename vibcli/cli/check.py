@@ -18,29 +18,29 @@ GRAVEST = (3, 4, 1, 0)
 @click.option("--set", "settings", multiple=True, metavar="NAME=VALUE",
               help="Give a parameter another value, in every file: k=500 in the file's unit, or 'k=0.5 N/mm'.")
 @click.option("--json", "as_json", is_flag=True, help="Verdicts as JSON.")
-@click.option("--quiet", "-q", is_flag=True, help="Print only what differs.")
+@click.option("--quiet", "-q", is_flag=True, help="Print only what does not agree.")
 @patience_option
 @color_option
 def command(paths: Sequence[str], settings: Sequence[Any], as_json: bool, quiet: bool, patience: int) -> int:
     """Compare the answers in scene files (and in folders of them) with the results.
 
-    Exit code: 0 all agree, 1 an answer differs, 3 a file is invalid, 4 a scene cannot be solved (of several the
-    gravest of 3, 4, 1), 5 no answer was found to check.
+    Exit code: 0 all agree, 1 an answer differs, 3 a file is invalid, 4 a scene cannot be solved or whether an answer
+    agrees is uncertain (of several the gravest of 3, 4, 1), 5 no answer was found to check.
     """
     files = [file for path in paths for file in _files(path)]
-    counts = {"agree": 0, "differ": 0, "files": 0, "failed": 0}
+    counts = {"agree": 0, "differ": 0, "uncertain": 0, "files": 0, "failed": 0}
     codes, data = [0], []
     for file in files:
         code, verdicts = _check_file(file, settings, patience)
         codes.append(code)
         counts["files"] += 1
-        counts["failed"] += code in (3, 4)
-        counts["agree"] += sum(v.agrees for v in verdicts)
-        counts["differ"] += sum(not v.agrees for v in verdicts)
+        counts["failed"] += _failed(code, verdicts)
+        for name, agrees in (("agree", True), ("differ", False), ("uncertain", None)):
+            counts[name] += sum(v.agrees is agrees for v in verdicts)
         if as_json:
             data.append({"file": file, "exit_code": code, "answers": [_data(v) for v in verdicts]})
         else:
-            _print(file, verdicts, quiet, code in (3, 4))
+            _print(file, verdicts, quiet, _failed(code, verdicts))
     if as_json:
         import json
 
@@ -49,6 +49,11 @@ def command(paths: Sequence[str], settings: Sequence[Any], as_json: bool, quiet:
         click.echo(_summary(counts))
     code = next(code for code in GRAVEST if code in codes)
     return 5 if code == 0 and not counts["agree"] else code
+
+
+def _failed(code, verdicts):
+    """Is a file invalid, or could an answer not be found? What is uncertain was."""
+    return code == 3 or (code == 4 and (not verdicts or any(v.refusal and v.agrees is False for v in verdicts)))
 
 
 def _files(path):
@@ -109,11 +114,21 @@ def _print(file, verdicts, quiet, failed):
             click.echo("  " + click.style("✓", fg="green") + f" {_name(verdict)}")
             continue
         where = verdict.answer.expected.where
-        values = ""
-        if verdict.expected is not None:
-            values = " expected {}, found {}".format(*_values(verdict.expected, verdict.found))
-        remark = f" ({verdict.remark})" if verdict.remark else ""
-        click.echo("  " + click.style("✗", fg="red") + f" {_name(verdict)}:{values}{remark}  [line {where.line}]")
+        click.echo(f"  {_mark(verdict)} {_name(verdict)}:{_said(verdict)}  [line {where.line}]")
+
+
+def _mark(verdict):
+    return click.style("?", fg="yellow") if verdict.agrees is None else click.style("✗", fg="red")
+
+
+def _said(verdict):
+    """What was expected and what was found, and what there is to say of it."""
+    if verdict.agrees is None:
+        return f" uncertain: expected {verdict.answer.expected.text}, {verdict.remark}"
+    values = ""
+    if verdict.expected is not None:
+        values = " expected {}, found {}".format(*(verdict.digits or _values(verdict.expected, verdict.found)))
+    return values + (f" ({verdict.remark})" if verdict.remark else "")
 
 
 def _values(*values):
@@ -126,13 +141,16 @@ def _values(*values):
 
 def _data(verdict):
     return {"answer": verdict.answer.asked.text, "case": verdict.case, "line": verdict.answer.expected.where.line,
-            "agrees": verdict.agrees, "expected": verdict.expected, "found": verdict.found, "remark": verdict.remark}
+            "agrees": verdict.agrees, "expected": verdict.expected, "found": verdict.found, "error": verdict.error,
+            "remark": verdict.remark}
 
 
 def _summary(counts):
     parts = [f"{_count(counts['agree'], 'answer')} agree" + "s" * (counts["agree"] == 1)]
     if counts["differ"]:
         parts.append(f"{counts['differ']} differ" + "s" * (counts["differ"] == 1))
+    if counts["uncertain"]:
+        parts.append(f"{counts['uncertain']} {'is' if counts['uncertain'] == 1 else 'are'} uncertain")
     if counts["failed"]:
         parts.append(f"{_count(counts['failed'], 'file')} could not be checked")
     return f"{', '.join(parts)} in {_count(counts['files'], 'file')}"

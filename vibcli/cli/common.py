@@ -183,5 +183,3 @@ def require_quick(problem: "Problem", digits: int | None) -> None:
         raise click.UsageError(f"--digits {digits} for {len(problem.scene.coordinates)} coordinates would take about "
                                f"{steps:.0f} steps of a million products each; the limit is {limit}: ask for fewer "
                                f"digits, or allow more with --patience {ceil(steps / MOST)}")
-
-

@@ -16,7 +16,8 @@ from vibcli.cli.reports import output_of, report_options
 def command(file: str, settings: Sequence[Any], case: Any, as_json: bool, patience: int, timings: bool,
             **report: Any) -> int:
     """Energies and equations of motion, full and for small oscillations."""
+    from vibcli.api.reports import derivation
+
     output = output_of(file, as_json, **report)
     problems = chosen(load(file, settings, patience), case)
-    return print_scenes(problems, lambda problem: ("chosen", "coordinates", "energies", "equations"), output,
-                        timings, data=("equations",))
+    return print_scenes(problems, derivation, output, timings, data=("equations",))

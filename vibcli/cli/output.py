@@ -37,6 +37,7 @@ def print_scenes(problems: "Sequence[tuple[str | None, Problem]]", sections: Cal
         try:
             if problem.spec.choices:
                 problem = _settled(problem, question, digits)
+            problem = _in_series(problem, digits, wanted, sections(problem))
             solved.append((case, problem))
             if output.kind == "json":
                 found[case] = reports.data(problem, data, normalise, digits, sections(problem), wanted)
@@ -66,6 +67,23 @@ def print_scenes(problems: "Sequence[tuple[str | None, Problem]]", sections: Cal
     if timings:
         show_timings(solved)
     return 4 if refused else 0
+
+
+def _in_series(problem, digits, wanted, sections):
+    """The problem with its motion of the full equations followed to the digits that are asked for; those that are asked
+    for of frequencies leave one that has no more in floats."""
+    if problem.spec.get("motion") != "full" or "response" not in sections:
+        return problem
+    if wanted is not None and wanted.digits is not None:
+        return problem.with_digits(wanted.digits)
+    if digits is None:
+        return problem
+    finer = problem.with_digits(min(digits, FLOAT_DIGITS))      # no more of a motion are printed beside them
+    try:
+        finer.response.require_series()
+    except PhysicsError:
+        return problem
+    return finer
 
 
 def _told_unknown(problem, case, data, wanted):

@@ -25,8 +25,8 @@ INSTANT = "a time, as in 2.5 or '40 ms'"
               "`find` of the file, some periods, or until it has died out.")
 @click.option("--at", "instants", multiple=True, metavar="TIME", help="Also the values at this instant, as 2.5 or "
               "'40 ms'; may be given several times.")
-@click.option("--digits", type=click.IntRange(1, 200), metavar="N", help="Those values with N correct digits, in "
-              "arbitrary precision.")
+@click.option("--digits", type=click.IntRange(1, 200), metavar="N", help="Those values, and extremes, with N correct "
+              "digits, in arbitrary precision.")
 @click.option("--points", type=click.IntRange(2, 1_000_000), default=1001, show_default=True, metavar="N",
               help="How many instants are plotted or saved.")
 @click.option("--phase", type=click.Choice(["sine", "cosine", "lead"]), default="sine", show_default=True,
@@ -50,8 +50,6 @@ def command(file: str, settings: Sequence[Any], case: Any, as_json: bool, patien
     parts = tuple(word for word, on in (("steady", steady), ("transient", transient)) if on)
     wanted = Wanted(tuple(asked(text, "--of") for text in signals), None, phase, parts=parts, points=points,
                     at=tuple((text, size(text, "--at", "s", INSTANT, exact=True)) for text in instants), digits=digits)
-    if digits and not instants:
-        raise click.UsageError("--digits belongs to --at")
     if until is not None:
         problems = ending(problems, until)
     for _, problem in problems:
@@ -82,4 +80,4 @@ def _shown(problem, wanted, plot, saves, force):
 
     series = sampled(problem, wanted)
     show_curves(plot, saves, force, problem.response.title, lambda: response_figure(problem, series),
-                lambda: columns(series))
+                lambda: columns(problem, series))

@@ -13,6 +13,7 @@ ELEMENTS = {
     "roll": (None, "rolls without slip on a surface"),
     "move": (None, "general plane motion [x, y, phi]"),
     "weld": (None, "carried rigidly by another body"),
+    "clamp": (None, "held rigidly, with reactions and a clamping moment"),
     "turn": (None, "rotation of a body without a place"),
     "spring": ("springs", "a spring between two ends"),
     "damper": ("dampers", "a damper between two ends"),

@@ -17,6 +17,7 @@ from vibcli.language.named_place import DRAWN
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
+    from vibcli.language.spec import Spec
     from vibcli.symbolic.node import Node
 
 _LENGTH, _ANGLE = Quantity("m"), Quantity("rad")
@@ -112,6 +113,18 @@ def touched(record: "Record"):
     """References to the surfaces that a body of this record rolls or slides on."""
     motion = next((record[key] for key in ("roll", "slide") if key in record), {})
     return [motion["surface"]] if "surface" in motion else list(motion.get("between", ()))
+
+
+def carriers(record: "Record", spec: "Spec") -> list[str]:
+    """Names of the bodies that the motion of a body of this record refers to."""
+    names = [record["weld"].text] if "weld" in record else []
+    motion = next((record[key] for key in MOTIONS if key in record and key != "weld"), {})
+    names += [motion[key].text for key in ("carrier", "at") if hasattr(motion.get(key), "text")]
+    carried = [spec.get("surfaces")[reference.text] for reference in touched(record)]
+    names += [surface["body"].text for surface in carried if "body" in surface]
+    points = spec.get("points") or {}
+    bodies = [points[n]["body"].text if n in points and "body" in points[n] else n for n in names]
+    return [n for n in bodies if n not in points]
 
 
 def build(record: "Record", scene: Any) -> Body:

@@ -43,7 +43,7 @@ def body(record: Record, reader: Reader) -> None:
     elif "slide" in record or "turn" in record:
         _lumped(record, reader)
     else:
-        motion = next((key for key in ("pin", "roll", "move", "weld") if key in record), None)
+        motion = next((key for key in ("pin", "roll", "move", "weld", "clamp") if key in record), None)
         reader.report(record.where, f"'{record.name}' has no place" + (f" but a '{motion}'" if motion else
                                                                        " and no motion"), NO_PLACE)
 

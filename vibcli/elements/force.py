@@ -6,6 +6,7 @@ acts as the pure force m₀ e Ω² (cos Ωt, sin Ωt).
 
 from typing import TYPE_CHECKING, Any
 
+from vibcli.elements.body import carriers
 from vibcli.elements.ends import angle_of
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import BODY, Load, NameOf, OneOf, Quantity, vector
@@ -102,10 +103,19 @@ def _axis(record, scene):
 def _at_point(record, scene, fx, fy):
     """A force of two components, each (steady part, part in time)."""
     x, y = scene.place(record["at"])[1]
-    if not (x.mask or y.mask):
+    if not (x.mask or y.mask or _on_clamped(record["at"].text, scene)):
         _does_no_work(record, scene)
     scene.add_force(*fx, x)
     scene.add_force(*fy, y)
+
+
+def _on_clamped(name, scene):
+    """Does a clamp carry a point or body, directly or through others, so that a load on it has reactions?"""
+    point = (scene.spec.get("points") or {}).get(name)
+    if point is not None:
+        return "body" in point and _on_clamped(point["body"].text, scene)
+    record = scene.bodies[name].record
+    return "clamp" in record or any(_on_clamped(carrier, scene) for carrier in carriers(record, scene.spec))
 
 
 def _does_no_work(record, scene):

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.inverse.admissible_ranges import admissible
-from vibcli.inverse.stability_margin import free_roots, margin
+from vibcli.inverse.stability_margin import ZERO, free_roots, margin
 from vibcli.quantities.expression import value_of
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
@@ -33,6 +33,7 @@ class ConditionSystem:
 
     refusal: Any
     free: int
+    rigid: int | None
 
     def __init__(self, problem: "Problem", limits: dict[Any, Any] | None = None):
         self.problem, self.names = problem, list(problem.spec.choices)
@@ -98,7 +99,16 @@ class ConditionSystem:
 
     def _slowest(self, instance):
         """What restores and what drives away, in the unstable mode that grows fastest or else the slowest one; with
-        loads or damping that may drive a mode, its margin to flutter and divergence."""
+        loads or damping that may drive a mode, its margin to flutter and divergence; where coordinates have no inertia,
+        of the least stiffness, or the margin of the decay."""
+        if instance.configuration.linear_system.massless:
+            values, size = instance.modal.margins_without_inertia
+            zeros = sum(abs(value) <= ZERO * size for value in values)
+            self.rigid = zeros if self.rigid is None else min(zeros, self.rigid)
+            held = sorted(values, key=abs)[self.rigid:]
+            if not held:
+                raise PhysicsError("nothing holds this scene: it has no limit of stability", "add a spring")
+            return 0.5 * (size + min(held)), 0.5 * (size - min(held))
         free = free_roots(instance.configuration.linear_system)
         self.free = free if self.free is None else min(free, self.free)
         found = margin(instance.configuration.linear_system, self.free)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import NotInLetters
 from vibcli.quantities.cycle_count import counts_cycles
 from vibcli.quantities.expression import lowered
-from vibcli.quantities.quantity import OF_STATE, declared
+from vibcli.quantities.quantity import OF_STATE, about_which, declared
 from vibcli.symbolic.equations.univariate import polynomial
 from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import Call, NameRef, QuantityRef, parts_of
@@ -34,7 +34,7 @@ def quantity_in_letters(problem: "Problem", tree: QuantityRef) -> "Node":
         return size_of(problem, response)
     quantity = declared(tree)
     known = quantity is not None and quantity.symbolic is not None and quantity.kind not in OF_STATE
-    if not known or len(tree.indices) > len(quantity.indices):
+    if not known or about_which(tree)[1] is not None:
         raise NotInLetters(f"'{tree.text}' is found in numbers")
     return quantity.symbolic(problem, tree)
 

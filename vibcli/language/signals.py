@@ -8,9 +8,10 @@ from vibcli.language.reader import Record
 if TYPE_CHECKING:
     from vibcli.language.spec import Spec
 
-POINT = {"x": "m", "y": "m", "reaction.x": "N", "reaction.y": "N"}
+POINT = {"x": "m", "y": "m", "reaction.x": "N", "reaction.y": "N", "reaction.moment": "N*m"}
 BODY = {"x": "m", "y": "m", "angle": "rad", "reaction.x": "N", "reaction.y": "N", "reaction.moment": "N*m",
         "normal": "N", "friction": "N"}
+LOAD = {"force": "N", "moment": "N*m"}          # of a load that is one number
 CONTACT = ("normal", "friction")
 GROUND = {"force": "N", "force.x": "N", "force.y": "N", "moment": "N*m"}
 ENERGIES = {"T": "J", "V": "J", "Phi": "W"}      # of the whole scene, where no parameter has the name
@@ -29,13 +30,15 @@ ABOUT = (
     ("d.force, d.power", "force of a damper, positive as it lengthens, and the power that it dissipates"),
     ("i.stretch, i.force", "stretch of an inerter since the drawn position, and its force, positive as its lengthening "
                            "gains speed"),
+    ("P.force, P.moment, P.power", "of a load P its force where that is one number, its moment, and the power that it "
+                                   "brings in, as in `mean(P.power)`"),
     ("ground.force", "force that springs, dampers and inerters exert on the ground (fixed or driven) in one-axis "
                      "scenes; ground.moment of torsion; ground.force.x, .y of scenes in the plane"),
     ("hoist.force", "tension of a rope (hoist.force.1, .2 where it is in several pieces) or link; tangential force of "
                     "gears and belts; force on a point from its surface; knee.force.x of a join, on its second point"),
-    ("B.reaction.x, .y, .moment", "what the support (pin, guide, contact) exerts on a body, its moment about the pin "
-                                  "or mass centre, of what rolls about the centre of its circle; O.reaction.x of the "
-                                  "one body pinned at a point O"),
+    ("B.reaction.x, .y, .moment", "what the support (pin, guide, contact, clamp) exerts on a body, its moment about "
+                                  "the pin, clamp or mass centre, of what rolls about the centre of its circle; "
+                                  "O.reaction.x of the one body pinned or clamped at a point O"),
     ("B.drive", "force or moment of what prescribes the motion of a body, along that motion: `crank.drive(1 s)` of "
                 "`pin: Omega*t`; of `move` B.drive.x, .y, .moment, of a point that `moves` P.drive.x, .y. Times the "
                 "prescribed velocity it is the power of the drive"),
@@ -68,6 +71,10 @@ def _parts(spec, name):
     record = spec.connection(name)
     if record is not None:
         return {part: pair["torsion" in record] for part, pair in record.element.signals.items()}
+    record = (spec.get("forces") or {}).get(name)
+    if record is not None:
+        return {"power": "W"} | {key: unit for key, unit in LOAD.items() if key in record
+                                 and not isinstance(record[key], list)}
     record = (spec.get("constraints") or {}).get(name, ())
     return {part: "N" for kind, parts in FORCES.items() if kind in record for part in parts}
 
@@ -79,6 +86,13 @@ def _signals_of(spec, record, parts):
         parts = {part: unit for part, unit in parts.items() if part not in CONTACT}
         parts |= {f"{part}.{surface.text}": "N" for surface in contacts for part in CONTACT}
     return parts | drives(spec, record)
+
+
+def is_load(spec: "Spec", text: str) -> bool:
+    """Is this the force, moment or power of a load?"""
+    name, _, part = text.partition(".")
+    return name in (spec.get("forces") or {}) and part in _parts(spec, name) and (
+        spec.connection(name) is None and part in (*LOAD, "power"))
 
 
 def is_reaction(spec: "Spec", text: str) -> bool:

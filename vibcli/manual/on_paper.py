@@ -44,6 +44,7 @@ DATA = [
     ],
     "The first column is `t`, or `Omega`. `--points N` says how many instants; frequencies lie densest where a curve "
     "bends. A complex response has the columns `re x` and `im x`. `steady x` and `transient x` are there where "
-    "`--steady` and `--transient` ask for them.",
+    "`--steady` and `--transient` ask for them. A motion whose digits run out ends there: a last row has the end "
+    "that was asked for and no values, empty in .csv, nan in .npz, null in .json.",
     "Numbers read off the curves (extremes, steady states, peaks): `--json`.",
 ]

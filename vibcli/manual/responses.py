@@ -4,15 +4,18 @@ from vibcli.language import signals
 
 RESPONSE = [
     "`vibcli response FILE` finds the motion in time, and so do `find: [response]` and every quantity of a signal in "
-    "`answers`. It needs numbers for all parameters.",
+    "`answers`. It needs numbers for all parameters; in letters it tells steady states of one harmonic or behind "
+    "powers of the time, and of one degree of freedom the motion from the start.",
     [
         ("start", "At t = 0, as `initial` says: `{x: 2 cm, x': 0.5 m/s}`, counted as in the drawn position. A "
-         "coordinate left out starts where the equilibrium has it, a velocity left out is 0. `{released: pull}` starts "
+         "coordinate left out starts where the equilibrium has it, or as drawn where nothing holds the scene; a "
+         "velocity left out is 0. `{released: pull}` starts "
          "at rest in the equilibrium under the force `pull`, which lets go at t = 0. Loads that depend on the time are "
          "not there before t = 0. A coordinate without inertia takes no velocity, and a place only where a damper "
          "holds it back: relaxation, or Zener's model with a joint between a spring and a damper. Other ones follow at "
          "once. `motion: full` needs an inertia for each."),
-        ("small", "`motion: small`, the default: small oscillations about the equilibrium, exact at any time."),
+        ("small", "`motion: small`, the default where there is an equilibrium: small oscillations about it, exact at "
+         "any time."),
         ("full", "`motion: full`: the full equations, integrated, for wide swings, laws, dry friction, stops, slack. "
          "Events and the balance of the energies are printed; a motion whose energies do not balance to 1e-8 is "
          "refused. It is found twice, by rules of another order and with another last digit of its start: what the two "
@@ -20,31 +23,49 @@ RESPONSE = [
          "place) nothing is known; plots and files end there. Values in time, `max`, `min`, `zero` and `period` can be "
          "asked, no steady states. What starts at rest in its equilibrium stays there, to the last digit, until a load "
          "or a drive in time acts. A period is looked for beyond the end, up to eight times as long."),
+        ("full --digits", "With `--digits N` the full equations are followed by power series, twice, with as many "
+         "digits more as neighbouring motions lose, until both agree to N digits: chaos has no horizon then. Steps and "
+         "bends of the time are ends of pieces. What bends or jumps with the motion (friction, stops, ropes, "
+         "abs(x')), impulses and records are refused."),
         ("end", "`find: {response: {until: 2 s}}`, or `--until`. Unless given: until what decays slowest has fallen to "
          "1/1000, between 2 and 60 of the longest periods; where something grows, until it is 1000 times as large, at "
          "most 10 periods; without either 10 periods, or two beats if that is more, at most 60 periods. That is "
          "counted from where the loads last change their form; where nothing vibrates nor decays, as long again."),
+        ("digits", "Every value of a small motion has a bound of its error, and only digits that this supports are "
+         "printed. Where the bound exceeds 1e-9 of the largest value up to there, as after millions of cycles, the "
+         "value, extreme, zero or number of the steady state is found anew from the exact data, to 25 digits, if that "
+         "takes a second or so; curves, plots and files carry floats. `--digits 30` gives values and extremes to 30 "
+         "digits."),
         ("extremes", "`max`, `min`, `argmax`, `argmin` and `zero[i]` look at 0 ≤ t ≤ end. A touch of "
          "zero counts as a passage does."),
         ("steady", "What is left when the free vibration has died out; `transient` is the rest. Without damping the "
          "steady state is the motion with the frequencies of the loads alone, and the rest does not die out. At a "
-         "resonance without damping there is none."),
+         "resonance without damping there is none. Of a ramp or another power of the time it is what follows it, "
+         "v t − c v/k."),
         ("formula", "Printed where it is short: decaying vibrations and waves, for each piece of the loads."),
     ],
     "What `answers` and `choose` may ask of a signal, such as `x`, `x'`, `P.y`, `s.force` or `s.force + d.force`:",
     [
         ("x(0.4 s)", "its value; `x'(0.4 s)` that of its rate; of a sum "
          "`(s.force + d.force)(0.4 s)`; at a jump the value after it. `--at 0.4` prints "
-         "it, `--digits 30` exactly"),
+         "it, `--digits 30` to 30 digits"),
         ("max(x)", "likewise `min`, `argmax`, `argmin`, `zero[1]`"),
-        ("final(x)", "its limit; `overshoot(x)` is (max − final)/(final − start)"),
+        ("final(x)", "its limit; of a difference that has one too, as of the lag behind a ramp `final(base.x - x)`; "
+         "`overshoot(x)` is (max − final)/(final − start)"),
         ("amplitude(x)", "with `phase(x)`, `period(x)`: of the steady state, or where no load oscillates without end "
          "of the free vibration"),
-        ("mean(x)", "with `rms(x)`: of the steady state, or of free vibrations that do not die out; `harmonic[3](x)` "
-         "of a periodic steady state"),
-        ("decrement(x)", "with `time_to[0.1](x)`, `cycles_to[0.1](x)`, `envelope(x)`: of a free vibration of one "
-         "frequency, after the last change of the loads; of what a load keeps up ask for `decrement(transient(x))`"),
+        ("mean(x)", "with `rms(x)`: of the steady state, or of free vibrations that do not die out. Of powers and "
+         "products too: `mean(x^2)`, `mean(P.power)` of a load, `mean(d.power)` of a damper, `mean(s.force*x')`, "
+         "exactly, and over all times where the frequencies have no common period; of other functions, `mean(abs(x))`, "
+         "over the common period by quadrature"),
+        ("harmonic[3](x)", "amplitude of a harmonic of a periodic steady state"),
+        ("decrement(x)", "with `time_to[0.1](x)`, `cycles_to[0.1](x)`: of a free vibration of one frequency, after the "
+         "last change of the loads; of what a load keeps up ask for `decrement(transient(x))`"),
         ("beat_period(x)", "of two neighbouring frequencies"),
+        ("envelope(x)", "a signal, `envelope(x)(2 s)`, `max(envelope(x))`: of exactly one vibration A e^(−δt), of "
+         "exactly two, each free or kept up by a load, √(A₁² + A₂² + 2A₁A₂ cos(Δω t − Δφ)), each A with its own decay: "
+         "beats where the frequencies are near. What does not vibrate is left out. Of more vibrations there is none, "
+         "nor at a resonance without damping, nor of loads that change after t = 0 or have harmonics without end"),
         ("steady(x)", "with `transient(x)`: signals again, as in `max(steady(x))`, `steady(x)(2 s)`"),
     ],
     "Loads in time: `vibcli explain time`. Signals: `vibcli explain signals`. Plots and files: `--plot`, `--save`, see "
@@ -84,7 +105,7 @@ FREQUENCY_RESPONSE = [
 SIGNALS = [
     "Beside coordinates these can be asked for: in equilibrium `equilibrium[hoist.force]`, in modes `mode[1][P.y]` "
     "(no forces), in time `P.y(2 s)` and `max(s.force)`, over the frequency `frf[s.force, drive](5 Hz)`. In time they "
-    "have rates `P.y'` and `P.y''`, and may be added and multiplied: `max(s.force + d.force)`, `max(s.force*x')`. Of "
-    "motions of the full equations forces of supports, constraints and drives are found where no force bends or jumps.",
+    "have rates `P.y'` and `P.y''`, and may be added and multiplied: `max(s.force + d.force)`, `max(s.force*x')`. "
+    "Where a force jumps along a motion of the full equations its value is that just after; extremes count both sides.",
     list(signals.ABOUT),
 ]

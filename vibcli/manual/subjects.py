@@ -101,14 +101,22 @@ def usage(head: str) -> str:
     letters = [INDICES[kind].letters[asked.indices[:i].count(kind)] for i, kind in enumerate(asked.indices)]
     joined = "][" if head == "mode" else ", " if "body" in asked.indices else ","
     text = f"{head}[{joined.join(letters)}]"
-    if head == "J":
-        text = "J[body], " + text
+    if asked.spare:
+        text = f"{head}[{joined.join(letters[:-asked.spare])}], {text}"
     return ", ".join(f"{text}.{a}" for a in asked.components) if asked.components != ("",) else text
 
 
+def _at_an_instant(head):
+    """[(how it is written, what it is)] of the form of a quantity at an instant of a motion, where there is one."""
+    asked = named(head + "()")
+    return [(f"{usage(head)}(2 s)", asked.about)] if asked is not None and asked.args == ("time",) else []
+
+
 def quantities_table(catalogue: "Catalogue") -> list[list[str]]:
-    rows = [(usage(head), named(head).about + _unit(named(head))) for head in FAMILIES]
-    rows.insert(next(i for i, head in enumerate(FAMILIES) if named(head).args), ("x(2 s)", named("value").about))
+    rows = [row for head in FAMILIES for row in ((usage(head), named(head).about + _unit(named(head))),
+                                                 *_at_an_instant(head))]
+    first = usage(next(head for head in FAMILIES if named(head).args))
+    rows.insert([text for text, _ in rows].index(first), ("x(2 s)", named("value").about))
     lines = ["`answers` names a quantity and the value that it is expected to have; `vibcli check` compares them. "
              "i counts modes from 1; q and r are coordinates, by name or by number; p is a parameter. "
              "`equilibrium` and `mode` also take signals such as `P.x` or `hoist.force`: see `vibcli explain signals`. "
@@ -125,7 +133,7 @@ def _unit(asked):
 def quantity_page(catalogue: "Catalogue", head: str) -> str:
     """One quantity: how it is written, and a scene whose answers ask for it."""
     asked = named(head)
-    rows = [("means", asked.about), ("unit", _unit(asked).strip(" []") or None)]
+    rows = [("means", asked.about), *_at_an_instant(head), ("unit", _unit(asked).strip(" []") or None)]
     compared = {quantity.EQUATION: "equations", quantity.FUNCTION: asked.unit and "energies",
                 quantity.TRUTH: "stable"}.get(asked.kind)
     rows.append(("compared", dict(topics.COMPARED)[compared] if compared else topics.IN_SHORT))

@@ -62,8 +62,9 @@ PATIENCE = [
         ("peaks, curves of H", "10000 steps, each a million products."),
         ("modes", "10000 steps, each a million products of whole numbers, which some hundreds of coordinates with "
          "dampers need."),
-        ("--digits, shares", "600 such steps, as estimated from the number of coordinates and digits alone; 200 for "
-         "shares, sensitivities and estimates."),
+        ("--digits, shares", "600 such steps, as estimated from the number of coordinates and digits alone, of a "
+         "motion of small oscillations from its loads and instants too, of one of the full equations from its first "
+         "steps; 200 for shares, sensitivities and estimates."),
     ],
     "Closed forms are given up after some millions of calls of functions within computer algebra, and N times as many "
     "with `--patience N`; that they were is said.",

@@ -16,7 +16,8 @@ EXIT_CODES = [
     ("1", "an answer differs (`vibcli check`)"),
     ("2", "the command line is wrong"),
     ("3", "a file is invalid: the diagnostics name line and column"),
-    ("4", "a scene cannot be solved, for a physical cause that is named; or what was found cannot be written"),
+    ("4", "a scene cannot be solved, for a physical cause that is named; whether an answer agrees is uncertain "
+          "(`vibcli check`); or what was found cannot be written"),
     ("5", "nothing was found to check"),
     ("101", "an error of vibcli itself"),
     ("130", "interrupted"),
@@ -45,8 +46,11 @@ FUNCTIONS = {
 COMPARED = [
     ("numbers", "A written number allows half a unit of its last digit, never more than 0.5 %; one of fewer "
      "than three digits is exact. `{value: 21.9 rad/s, rtol: 0.5 %}` sets the tolerance."),
-    ("expressions", "To rounding (1e-9), and the error bound of the result: `omega[1]: sqrt(k/m)`. Both sides may "
-     "hold parameters and quantities: `omega[2]/omega[1]: sqrt(3)`."),
+    ("expressions", "To rounding (1e-9): `omega[1]: sqrt(k/m)`. Both sides may hold parameters and quantities: "
+     "`omega[2]/omega[1]: sqrt(3)`."),
+    ("uncertain", "Where the error bound of the result reaches across an edge of the tolerance, the result is found "
+     "anew to more digits. Where that does not settle it, as in motions with dry friction, the answer is uncertain "
+     "(exit code 4), never right: write fewer digits, or give `rtol`."),
     ("equations", "Up to a non-zero factor, at random states of motion. `equation[q]` is that of small "
      "oscillations, q counted from the equilibrium; `motion[q]` is the full one, q counted as in the scene."),
     ("energies", "`T` and `Phi` at random states, `V` up to a constant; `T` and `V` with or without their terms of the "
@@ -55,8 +59,8 @@ COMPARED = [
     ("stable", "`true` or `false`."),
 ]
 
-SEVERAL = ("A last index asks about one of all the equilibria that `find: {equilibria: all}` lists, in ascending "
-           "order: `equilibrium[phi][2]`, `stable[2]`, `omega[1][2]`; likewise ")
+SEVERAL = ("A last index of its own asks about one of all the equilibria that `find: {equilibria: all}` lists, in "
+           "ascending order: `equilibrium[phi][2]`, `stable[2]`, `omega[1][2]`, `K[x,y][2]`; likewise ")
 
 IN_SHORT = ("A written number to half a unit of its last digit (or as `rtol` says), an expression to rounding: see "
             "`vibcli explain quantities`.")
@@ -173,6 +177,22 @@ MOTIONS = [
     "`turn: -x/R`.",
 ]
 
+STATICS = [
+    "Where supports and constraints leave no freedom, as in beams, three-hinged frames and brackets with ropes, "
+    "`vibcli solve` prints the conditions of equilibrium and the forces of all supports, joints, links and ropes, in "
+    "letters or numbers. Beams lie on `pin: {at: A, by: phi}` and `roller: {point: B, surface: floor}`, are joined by "
+    "`join`, held by `link` or `rope`, or stand in a `clamp`; each turn that is held still has its name.",
+    [
+        ("equilibrium[A.reaction.y]", "force of the support at a point A, `A.reaction.moment` of a clamp"),
+        ("equilibrium[roller.force]", "force of a constraint; `knee.force.x` of a joint on its second point"),
+    ],
+    "What more supports hold than are needed shares its load in a proportion that rigid bodies do not fix: such "
+    "forces are told by name and have no value.",
+    "Where nothing holds a scene no equilibrium is needed: `find: [accelerations]` finds the accelerations from rest "
+    "in the drawn position and the forces then, `x''(0 s)` and `rope.force(0 s)` ask for them in `answers`, and the "
+    "motion in time is that of the full equations, from rest as drawn unless `initial` says otherwise.",
+]
+
 SHAPES = [
     "Uniform plane bodies. C is the mass centre; O, of a sector or arch, the centre of its circle, where `at` "
     "stands, and OC points along `angle`. m is the mass: `mass`, or `density` times area or length. "
@@ -186,7 +206,8 @@ REMARKS: dict[str, Any] = {
     "constraint": [
         "Each holds as drawn, and each of its conditions makes one coordinate depend on the others: a later one, as "
         "far as there is a choice, in the order of `coordinates`, or else of the file. A constraint that follows from "
-        "the others is allowed and told; one that contradicts them, or leaves nothing that moves, is an error.",
+        "the others is allowed and told; one that contradicts them is an error. Where they leave nothing that moves "
+        "the scene is one of statics: `vibcli explain statics`.",
         [
             ("x2 = 2*x1", "an equation between coordinates, which may hold the time"),
             ("{rope: [A, {over: wheel}, B]}", "a rope of constant length: see `vibcli explain pulley`"),
@@ -242,6 +263,7 @@ TOPICS: dict[str, Any] = {
     "functions": ("the functions that are known", None),
     "conventions": ("signs, coordinates, numbering of modes, damping, amplitudes and phases", CONVENTIONS),
     "motions": ("how bodies may move", MOTIONS),
+    "statics": ("scenes without freedom, and scenes that nothing holds", STATICS),
     "shapes": ("the shapes of bodies, with their moments of inertia", SHAPES),
     "lumped": ("bodies without a place", LUMPED),
     "time": ("driven motion, loads that depend on time, and what becomes of them", TIME),

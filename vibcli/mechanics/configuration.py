@@ -5,12 +5,15 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+from vibcli.base.errors import NoEquilibrium, PhysicsError
 from vibcli.base.stage import Costs, Stage
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.mechanics.numeric_system import NumericSystem
 from vibcli.symbolic.evaluation import Floats, Rationals, evaluate
 
 if TYPE_CHECKING:
+    import mpmath
+
     from vibcli.mechanics.equilibrium.equilibrium import Equilibrium
     from vibcli.mechanics.inputs_outputs.dynamic_reactions import MovingReactions
     from vibcli.mechanics.inputs_outputs.reactions import Reaction
@@ -20,7 +23,9 @@ if TYPE_CHECKING:
 
 class Configuration:
     """A NumericSystem at the equilibrium next to the drawn position, or at one that is given, with its linear system
-    if that is; `final`: no more digits of this are to be had."""
+    if that is; `final`: no more digits of this are to be had. arithmetic: of what is evaluated about it."""
+
+    arithmetic: Any = Floats
 
     def __init__(self, numeric: NumericSystem, equilibrium: Any = None, linear_system: Any = None, final: bool = False):
         self.numeric, self.system, self.spec, self.work = numeric, numeric.system, numeric.spec, numeric.work
@@ -63,10 +68,23 @@ class Configuration:
             require_autonomous(self, self.numeric.at_rest_in(found.values))
         return found
 
+    @cached_property
+    def falls(self) -> bool:
+        """Is no equilibrium reached, as nothing holds the scene, so that its motion starts as drawn?"""
+        try:
+            self.equilibrium  # noqa: B018
+        except NoEquilibrium:
+            return True
+        except PhysicsError:
+            return False
+        return False
+
     def _reached(self):
         from vibcli.mechanics.equilibrium import equilibrium
 
         numeric = self.numeric
+        if self.scene.held:
+            return equilibrium.Equilibrium(numeric.drawn_floats, True, 0.0)
         if self.system.named_start:
             from vibcli.mechanics.equilibrium.nearest import nearest_equilibrium
 
@@ -128,6 +146,26 @@ class Configuration:
         from vibcli.mechanics.high_precision import system_to
 
         return system_to(self, digits)
+
+    @cached_property
+    def bounded_rest(self):
+        """An arithmetic of bounded numbers, and {symbol: number with the bound of its error} of everything at rest."""
+        from vibcli.mechanics.bounded_rest import bounded_rest
+
+        return bounded_rest(self)
+
+    @cached_property
+    def bounded_matrices(self):
+        """M, C, G, K, each {(i, j): number with the bound of its error}."""
+        from vibcli.mechanics.bounded_rest import bounded_matrices
+
+        return bounded_matrices(self)
+
+    def precise_rest(self, digits: int) -> "tuple[Any, dict[str, mpmath.mpf]]":
+        """mpmath's arithmetic, and {symbol: number} of everything at rest, at t = 0, to so many digits."""
+        from vibcli.mechanics.high_precision import rest_to
+
+        return rest_to(self, digits)
 
     def exact_system(self):
         """The FactoredSystem in Fractions, None where it is irrational or the equilibrium had to be searched for."""

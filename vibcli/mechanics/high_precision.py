@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.equilibrium.equilibrium import Equilibrium
     from vibcli.mechanics.numeric_system import NumericSystem
+    from vibcli.symbolic.node import Node
 
 ROUNDED, NOTHING, FALLEN, VANISHED = 40, 1e-20, 1e-10, 1e-6
 GUARD = 30      # digits beyond those asked: near a bifurcation a singular K takes up many of them
@@ -35,11 +36,31 @@ def place_to(configuration: "Configuration", values: "Mapping[str, mpmath.mpf]",
     """{coordinate: number} of the equilibrium at the working precision; of a linear scene in floats, where it is of no
     matter."""
     if configuration.equilibrium.drawn:
-        drawn = configuration.scene.resting.drawn
-        return dict(zip((q.name for q in drawn), evaluate(list(drawn.values()), arithmetic, values), strict=True))
+        return in_its_place(configuration.scene.resting.drawn, values, arithmetic)
     if configuration.system.is_linear:
         return configuration.equilibrium.values
     return equilibrium_to(configuration.numeric, configuration.equilibrium, values, arithmetic)
+
+
+def in_its_place(drawn: "Mapping[Node, Node]", values: "Mapping[str, mpmath.mpf]",
+                 arithmetic: Any) -> "dict[str, mpmath.mpf]":
+    """{coordinate: number} as drawn; `drawn`: {symbol: expression}."""
+    return dict(zip((q.name for q in drawn), evaluate(list(drawn.values()), arithmetic, values), strict=True))
+
+
+def rest_to(configuration: "Configuration", digits: int) -> "tuple[Any, dict[str, mpmath.mpf]]":
+    """(arithmetic, {symbol: number}) of everything at rest in the equilibrium, at t = 0, good to `digits` digits."""
+    import mpmath
+
+    with mpmath.workdps(digits + GUARD):
+        arithmetic = multiprecision()
+        values, zero = configuration.numeric.values(arithmetic), mpmath.mpf(0)
+        if not configuration.equilibrium.drawn and configuration.system.is_linear:
+            place = equilibrium_to(configuration.numeric, configuration.equilibrium, values, arithmetic)
+        else:
+            place = place_to(configuration, values, arithmetic)
+        still = {v.name: zero for v in configuration.scene.v}
+        return arithmetic, {**values, configuration.scene.time.name: zero, **place, **still}
 
 
 class Degenerate(PhysicsError):

@@ -52,9 +52,11 @@ class InitialState:
 
 def at_rest(configuration: "Configuration") -> dict[str, float]:
     """{coordinate: value} where a motion starts at rest: in the equilibrium without friction; where none is reached, as
-    drawn, if friction holds the scene there."""
+    nothing holds the scene, as drawn or where `equilibrium:` says; else as drawn if friction holds it there."""
     from vibcli.mechanics.equilibrium.dry_friction import holds
 
+    if configuration.falls:
+        return configuration.numeric.start()
     try:
         return configuration.equilibrium.values
     except PhysicsError as error:

@@ -29,12 +29,14 @@ class NumericEquations:
     """A scene's equations compiled; `n` coordinates, `m` independent constraints.
 
     switches: the arguments whose signs stay as they are while the motion is smooth, in the order of their senses g.
+    changed: what each constant of the equations is written as instead, None: itself.
     """
 
     _sizes: Callable
 
-    def __init__(self, scene: "Scene", floats: Mapping[str, float], redundant: Sequence[Any] = ()):
-        self.scene, self.floats = scene, floats
+    def __init__(self, scene: "Scene", floats: Mapping[str, float], redundant: Sequence[Any] = (),
+                 changed: Callable[[float], float] | None = None):
+        self.scene, self.floats, self.redundant, self.changed = scene, floats, redundant, changed
         self.parts = parts = dynamics(scene, redundant)
         self.n, self.m = len(scene.q), len(parts.gaps)
         self._slots, self._sizes = {}, None
@@ -55,7 +57,7 @@ class NumericEquations:
 
     def compiled(self, nodes: "Sequence[Node]"):
         """The nodes as a function of arrays; its switches are added to those of the system."""
-        return Compiled(self.scene, self.floats, self._slots, nodes)
+        return Compiled(self.scene, self.floats, self._slots, nodes, self.changed)
 
     @property
     def switches(self):
@@ -98,6 +100,7 @@ class NumericEquations:
     def _factors(self):
         """The inverse of a constant M, as a column where it is diagonal."""
         values = evaluate(list(self.parts.M.values()), Floats, self.floats)
+        values = values if self.changed is None else list(map(self.changed, values))
         M = np.zeros((self.n, self.n))
         for (i, j), value in zip(self.parts.M, values, strict=True):
             M[i, j] = M[j, i] = value

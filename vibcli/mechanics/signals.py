@@ -2,18 +2,23 @@
 
 from typing import TYPE_CHECKING, Any
 
+from vibcli.base.enumeration import listed
 from vibcli.base.errors import NotFixed, PhysicsError
-from vibcli.language.signals import ENERGIES
+from vibcli.language.signals import ENERGIES, is_load
 from vibcli.mechanics.energies import dissipation, kinetic, potential, potential_as_drawn
 from vibcli.mechanics.equilibrium.redundant_friction import require_fixed_at_rest
 from vibcli.mechanics.inputs_outputs.displacements import displacement
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.system import MechanicalSystem
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
+
+MOST_NAMED = 6      # forces that share a load
 
 
 def moving(system: "MechanicalSystem", text: str, primes: int = 0) -> "Node":
@@ -47,7 +52,10 @@ def energy(scene: "Scene", text: str, primes: int = 0) -> "Node":
 
 
 def _along(scene, name, part):
-    """The tension or energy of a spring, the force or power of a damper; None of another force."""
+    """The tension or energy of a spring, the force or power of a damper or a load; None of another force."""
+    if is_load(scene.spec, f"{name}.{part}"):
+        terms = scene.terms_of(name, "forces")
+        return scene.table.total([term.power(scene) if part == "power" else term.force(scene) for term in terms])
     if part == "force":
         return scene.force_of(name)
     nodes = []
@@ -62,7 +70,7 @@ def _along(scene, name, part):
 def force(configuration: "Configuration", text: str) -> float:
     """The value of a force in equilibrium."""
     name, _, part = text.partition(".")
-    if name == "ground" or part == "energy":
+    if name == "ground" or part == "energy" or is_load(configuration.spec, text):
         return _of_outputs(configuration, text)
     if name in (configuration.spec.get("springs") or {}):
         return _tension(configuration, name)
@@ -77,15 +85,24 @@ def force(configuration: "Configuration", text: str) -> float:
         return in_contact(part, normal, [known[f"{name}.reaction.{axis}"] for axis in "xy"])
     text = reaction_of(configuration.system, text, known)
     if known[text] is None:
-        raise NotFixed(text)
+        raise not_fixed(text, known)
     return known[text]
 
 
+def not_fixed(text: str, known: "Mapping[str, Any]") -> NotFixed:
+    """The refusal of a force in equilibrium that is one of those without value among {signal: value}, which share."""
+    others = [signal for signal, value in known.items() if value is None and signal != text]
+    verb = "shares" if len(others) == 1 else "share"
+    shared = f": {listed(others[:MOST_NAMED])} {verb} the load with it" if others else ""
+    return NotFixed(text, "the scene is supported by more than it needs" + shared,
+                    "take one of these supports out, or let one give: a spring in its place")
+
+
 def _of_outputs(configuration, text):
-    from vibcli.mechanics.inputs_outputs.outputs import is_quadratic, linear_row, squares
+    from vibcli.mechanics.inputs_outputs.outputs import is_quadratic, linear_row, products
 
     if is_quadratic(text):
-        return sum(weight * row.constant**2 for weight, row in squares(configuration, text))
+        return sum(weight * one.constant * two.constant for weight, (one, two) in products(configuration, text))
     return linear_row(configuration, text).constant
 
 
@@ -116,12 +133,13 @@ def require_fixed(text: str, value: Any):
 
 
 def _pinned_at(system, point):
-    """The one body pinned at a named point."""
+    """The one body pinned or clamped at a named point."""
     found = [name for name, record in (system.spec.get("bodies") or {}).items()
-             if getattr((record.get("pin") or {}).get("at"), "text", None) == point]
+             if any(getattr((record.get(key) or {}).get("at"), "text", None) == point for key in ("pin", "clamp"))]
     if len(found) != 1:
         what = "no body is" if not found else "several bodies are"
-        raise PhysicsError(f"{what} pinned at '{point}'", "ask for the reaction of a body, as in rod.reaction.x")
+        raise PhysicsError(f"{what} pinned or clamped at '{point}'",
+                           "ask for the reaction of a body, as in rod.reaction.x")
     return found[0]
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction, combined, product, rate
-from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.evaluation import evaluate
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
@@ -88,7 +88,7 @@ def weighted_rates(opened: Any, name: str) -> list[tuple[float, LinearFunction]]
     """[(weight, LinearFunction)] of ṡ of a linear damper, of s̈ of an inerter; none of another element."""
     scene = opened.scene
     terms = scene.terms_of(name, "dampers", "inertias")
-    weights = evaluate([term.weight for term in terms], Floats, opened.values)
+    weights = evaluate([term.weight for term in terms], opened.arithmetic, opened.values)
     rates = [rate(row, scene) for row in opened.rows([term.s for term in terms])]
     if scene.terms_of(name, "inertias"):
         rates = [rate(row, scene) for row in rates]

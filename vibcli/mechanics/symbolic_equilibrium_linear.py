@@ -3,9 +3,10 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from vibcli.base.errors import NotInLetters, PhysicsError
+from vibcli.base.errors import NoEquilibrium, NotInLetters
 from vibcli.language.parameter_samples import sample_values
 from vibcli.mechanics.autonomous import steady
+from vibcli.mechanics.equilibrium.no_equilibrium import ALONE
 from vibcli.mechanics.linearisation import at_position, residual_terms
 from vibcli.mechanics.linearise import linearise
 from vibcli.mechanics.numeric_linearisation import in_numbers
@@ -56,8 +57,8 @@ def equilibrium_in_letters(symbolic: "SymbolicSystem") -> "dict[str, Node]":
     for i in range(n):
         if i not in held and not load[i].is_zero:
             name = scene.coordinates[i]
-            raise PhysicsError(f"no equilibrium: nothing holds '{name}'", "add the spring that carries the load",
-                               scene.spec.coordinates[name].where)
+            hint = "add the spring that carries the load" + ALONE
+            raise NoEquilibrium(f"no equilibrium: nothing holds '{name}'", hint, scene.spec.coordinates[name].where)
     rows = [[K.get((i, j), zero) for j in held] + [-load[i]] for i in held]
     try:
         shift = dict(zip(held, solve_linear(rows, zero), strict=True))

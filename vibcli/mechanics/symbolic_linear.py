@@ -6,6 +6,7 @@ from vibcli.base.errors import NotInLetters
 from vibcli.mechanics.inputs_outputs.displacements import displacement
 from vibcli.mechanics.inputs_outputs.inputs import in_powers, named_input
 from vibcli.mechanics.linearisation import at_position
+from vibcli.mechanics.linearise import without_time
 from vibcli.mechanics.support_forces import PARTS, along_the_axis
 from vibcli.mechanics.symbolic_matrices import matrices_in_letters
 from vibcli.symbolic.derivatives import gradient, substitute
@@ -44,7 +45,8 @@ def outputs(symbolic: "SymbolicSystem", signal: str) -> "tuple[list[dict[int, No
     """(c, direct): [{i: node}] of the powers of s for a signal, and what driven displacements u(t) do to it at once, a
     function of the time in the scene."""
     opened, table = symbolic.configuration.with_inputs, symbolic.scene.table
-    rows, direct = _slopes(symbolic.configuration, signal, place_in_letters(symbolic)), table.zero
+    place = place_in_letters(symbolic)
+    rows, direct = _slopes(symbolic.configuration, signal, place), _in_time(symbolic, signal, place)
     for j, opening in enumerate(opened.scene.inputs.values(), opened.n):
         moved = opening.node
         for part in rows if moved is not None else ():
@@ -52,6 +54,19 @@ def outputs(symbolic: "SymbolicSystem", signal: str) -> "tuple[list[dict[int, No
                 direct = direct + copied([part[j] * moved], table)[0]
             moved = opened.scene.rate(moved)
     return [{i: node for i, node in part.items() if i < opened.n} for part in rows], direct
+
+
+def _in_time(symbolic, signal, place):
+    """What of a signal depends on the time in equilibrium: places that are driven without being small."""
+    opened, bare = symbolic.configuration.with_inputs, signal.rstrip("'")
+    still = {symbol: node for symbol, node in place.items() if symbol is not opened.scene.time}
+    at, = substitute([_node(opened, bare)], still)
+    if not at.mask & opened.scene.time.mask:
+        return symbolic.scene.table.zero
+    at = at - without_time(opened.scene, at)
+    for _ in range(len(signal) - len(bare)):
+        at = opened.scene.rate(at)
+    return copied([at], symbolic.scene.table)[0]
 
 
 def place_in_letters(symbolic: "SymbolicSystem") -> "dict[Node, Node]":

@@ -1,15 +1,16 @@
 """The small oscillations of a scene in letters: equilibrium, matrices, excitation, equations of motion."""
 
 from contextlib import suppress
-from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import NotInLetters
+from vibcli.base.errors import NotInLetters, defined_as_drawn
 from vibcli.base.stage import Stage
+from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.inputs_outputs.symbolic_reactions import SymbolicForces
     from vibcli.mechanics.lagrange import EquationsOfMotion
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
@@ -154,7 +155,33 @@ class SymbolicSystem:
         if self.linearisable or self.numeric.has_free_symbols:
             return scene.drawn_position
         values = self.configuration.equilibrium.values
-        return {q: scene.table.number(Fraction(values[q.name])) for q in scene.drawn}
+        return {q: scene.table.number(fraction_of(values[q.name])) for q in scene.drawn}
+
+    @cached_property
+    def reactions(self) -> "SymbolicForces":
+        """The SymbolicForces in equilibrium, of a scene whose equilibrium is the drawn position; else NotInLetters."""
+        from vibcli.mechanics.inputs_outputs.symbolic_reactions import symbolic_forces
+
+        if not self.scene.held and (self.system.sticking is not None or not self.balanced_as_drawn):
+            raise NotInLetters("reactions in an equilibrium that is not the drawn position are found in numbers",
+                               "draw it in equilibrium, or give numbers with --set")
+        with self.work.task("the reactions in letters"):
+            return symbolic_forces(self.numeric)
+
+    @cached_property
+    def accelerations(self) -> Any:
+        """The Accelerations from rest in the drawn position."""
+        from vibcli.mechanics.accelerations import accelerations
+
+        with self.work.task("the accelerations in letters"):
+            return defined_as_drawn(accelerations, self.scene)
+
+    @cached_property
+    def forces_from_rest(self) -> "SymbolicForces":
+        """The SymbolicForces with these accelerations."""
+        from vibcli.mechanics.inputs_outputs.symbolic_reactions import symbolic_forces
+
+        return symbolic_forces(self.numeric, self.accelerations.values)
 
     @Stage
     def energies(self) -> "dict[str, Node]":

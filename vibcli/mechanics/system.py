@@ -95,6 +95,8 @@ class MechanicalSystem:
             from vibcli.scene.constraints import words_of_locked
 
             hint = "take a constraint out, or let one more body move"
+            if self.scene.held:
+                hint = "ask for its forces alone, find: [reactions], or " + hint
             until = self.spec.example("2 s")
             in_time = f", or ask for its motion in time: find: [{{response: {{until: {until}}}}}]"
             raise PhysicsError(words_of_locked(self.scene), hint + in_time * self.scene.timed)

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
-from vibcli.plots.figure import Curve, Figure, Panel
+from vibcli.plots.figure import Curve, Figure, Mark, Panel
 from vibcli.plots.paper import fewer
 from vibcli.plots.prefixes import labelled, largest, readable, unit_text
 
@@ -14,21 +14,27 @@ if TYPE_CHECKING:
 
 _LONGEST = 30      # columns of a label that names every curve
 _MOST_TURNS = 24   # of signals that share a panel
+_BEYOND = 1.25     # of the time that is known: how far the axis goes on at most
 _MOST_APART = 6    # signals of a unit that get panels of their own
 
 
 def of_response(times: "Sequence[float] | np.ndarray", series: "Sequence[tuple[str, str, list[float] | np.ndarray]]",
-                steady: Sequence[Any] | None = None, envelope: Sequence[Any] | None = None, title: str = "") -> Figure:
+                steady: Sequence[Any] | None = None, envelope: Sequence[Any] | None = None, title: str = "",
+              until: float = 0.0) -> Figure:
     """`series`: [(label, unit or dimension, values)] at the times [s]; `steady` and `envelope`: for each of them the
-    values of its steady part and of its bounds (one array: ±, or a pair: upper and lower), None where it has none."""
+    values of its steady part and of its bounds (one array: ±, or a pair: upper and lower), None where it has none.
+    until: the end that was asked for [s]; where that is later a line marks up to when the motion is known."""
     steady, envelope = steady or [None] * len(series), envelope or [None] * len(series)
     factor, second = readable(largest(times), "s")
     t = _listed(times, factor)
     groups = {}
     for (label, unit, values), stays, bounds in zip(series, steady, envelope, strict=True):
         groups.setdefault(unit_text(unit) or ("rad" if unit == {} else ""), []).append((label, values, stays, bounds))
-    return Figure(title, tuple(panel for unit, group in groups.items()
-                               for panel in _panels(t, labelled("t", second), unit, group)))
+    panels = tuple(panel for unit, group in groups.items() for panel in _panels(t, labelled("t", second), unit, group))
+    if t and until * factor > t[-1]:
+        end, known = min(until * factor, _BEYOND * t[-1]), (Mark(t[-1], f"known up to {times[-1]:.4g} s"),)
+        panels = tuple(panel._replace(x_range=(t[0], end), marks=known) for panel in panels)
+    return Figure(title, panels)
 
 
 def _listed(values, factor):

@@ -1,13 +1,14 @@
 """Quantities that answers and conditions name, in the order of the manual: the file in which each is declared."""
 
 FAMILIES = {
-    **dict.fromkeys(("omega", "frequency", "period", "growth_rate", "mode", "modal_mass", "zeta", "omega_d", "decay",
-                     "eigenvalue", "sensitivity", "rayleigh", "dunkerley", "ritz"), "modal"),
+    **dict.fromkeys(("omega", "frequency", "period", "growth_rate", "mode", "modal_mass"), "modal"),
+    **dict.fromkeys(("zeta", "omega_d", "period_d", "decay", "eigenvalue", "mode_d"), "damped"),
+    **dict.fromkeys(("sensitivity", "rayleigh", "dunkerley", "ritz"), "modal"),
     **dict.fromkeys(("equilibrium", "Q", "stable", "equilibria"), "equilibrium"),
     **dict.fromkeys(("equation", "motion"), "energies"),
     **dict.fromkeys(("M", "C", "G", "K"), "matrices"),
     **dict.fromkeys(("T", "V", "Phi"), "energies"),
-    **dict.fromkeys(("J", "centre"), "bodies"),
+    **dict.fromkeys(("mass", "J", "centre"), "bodies"),
     **dict.fromkeys(("amplitude", "phase", "max", "min", "argmax", "argmin", "mean", "rms", "final", "overshoot",
                      "decrement", "beat_period", "harmonic", "zero", "time_to", "cycles_to", "steady", "transient",
                      "envelope"), "response"),
@@ -16,5 +17,6 @@ FAMILIES = {
 }
 
 # what the same word means otherwise: with indices, with arguments, of a frequency response; "value" is that of x(2 s)
-FORMS = {"decrement[]": "modal", "M()": "response", "period()": "response", "phase(frf)": "frequency_response",
+FORMS = {"decrement[]": "damped", "M()": "states", "C()": "states", "K()": "states", "Q()": "states",
+         "period()": "response", "phase(frf)": "frequency_response",
          "value": "response"}

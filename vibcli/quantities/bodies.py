@@ -1,6 +1,6 @@
-"""Moments of inertia and mass centres."""
+"""Masses, moments of inertia and mass centres of bodies."""
 
-from vibcli.quantities.quantity import ROUNDING, Declaration
+from vibcli.quantities.quantity import Declaration, measured, unit
 
 
 def _inertia(problem, tree):
@@ -15,6 +15,10 @@ def _inertia(problem, tree):
     return scene.at_drawn(node)[0]
 
 
+def _mass(problem, tree):
+    return problem.scene.bodies[tree.indices[0]].mass
+
+
 def _drawn(scene, name):
     if name in scene.bodies:
         return scene.bodies[name].centre
@@ -27,9 +31,12 @@ def _centre(problem, tree):
 
 def _value(symbolic):
     def value(problem, tree, args):
-        from vibcli.symbolic.evaluation import Floats, evaluate
+        from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
+        from vibcli.symbolic.running_errors import RunningErrors
 
-        return evaluate([symbolic(problem, tree)], Floats, problem.numeric.floats)[0], ROUNDING
+        arithmetic = RunningErrors(Floats if problem.digits is None else multiprecision(), unit(problem))
+        found, = evaluate([symbolic(problem, tree)], arithmetic, problem.numeric.values(arithmetic))
+        return measured(found)
     return value
 
 
@@ -39,8 +46,10 @@ def _turned(problem, tree):
 
 
 QUANTITIES = {
+    "mass": Declaration("mass of a body, that of all its parts together less that of its holes", "kg", _value(_mass),
+                        ("body",), symbolic=_mass),
     "J": Declaration("moment of inertia of a body about its mass centre, or about a point", "kg*m^2", _value(_inertia),
-                     ("body", "place"), size=_turned, symbolic=_inertia),
+                     ("body", "place"), size=_turned, symbolic=_inertia, spare=1),
     "centre": Declaration("mass centre of a body as drawn", "m", _value(_centre), ("body",), components=("x", "y"),
                           size=lambda problem, tree: problem.numeric.figure_size, symbolic=_centre),
 }

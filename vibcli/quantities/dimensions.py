@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from vibcli.base import units
-from vibcli.quantities.quantity import SIGNAL, declared, is_choice
+from vibcli.quantities.quantity import SIGNAL, about_which, declared, is_choice
 from vibcli.quantities.signal_dimensions import output_dimension
 from vibcli.symbolic.semantics import DimensionCheck
 from vibcli.symbolic.syntax import ExpressionError, QuantityRef
@@ -19,7 +19,7 @@ def asked_dimension(spec: "Spec", tree: QuantityRef):
     """The dimension of a quantity; None where any fits, or something in it is unknown."""
     if is_choice(spec, tree):
         return spec.dimensions.of(tree.head)
-    quantity = declared(tree)
+    quantity, (tree, _) = declared(tree), about_which(tree)
     if quantity.unit == SIGNAL:
         return checker(spec).dimension(tree.args[0]) if tree.args else None
     if quantity.unit is not None:

@@ -4,9 +4,9 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.base.units import LENGTH
-from vibcli.language.signals import coordinate_name, signal_dimension
+from vibcli.language.signals import CONTACT, coordinate_name, is_reaction, signal_dimension
 from vibcli.quantities.matrices import coordinate_number
-from vibcli.quantities.quantity import COUNT, FUNCTION, ROUNDING, TRUTH, Declaration
+from vibcli.quantities.quantity import COUNT, FUNCTION, ROUNDING, TRUTH, Declaration, measured, unit
 from vibcli.quantities.signal_dimensions import generalised_dimension, name_dimension
 
 if TYPE_CHECKING:
@@ -37,15 +37,22 @@ def count(problem: "Problem") -> int:
 
 def _equilibrium(problem, tree, args):
     from vibcli.mechanics.inputs_outputs.displacements import displacement
-    from vibcli.symbolic.evaluation import Floats, evaluate
+    from vibcli.symbolic.evaluation import evaluate
+    from vibcli.symbolic.running_errors import RunningErrors
 
     signal = coordinate_name(problem.spec, tree.indices[0]) or tree.indices[0]
-    node = displacement(problem.scene.resting, signal)
+    scene, (name, _, part) = problem.scene.resting, signal.partition(".")
+    node = displacement(scene, signal)
+    if node is None and part == "force" and name in (problem.spec.get("springs") or {}):
+        node = scene.force_of(name)
     if node is None:
         from vibcli.mechanics.signals import force
 
         return force(problem.configuration, signal), ROUNDING
-    return evaluate([node], Floats, problem.configuration.at_rest)[0], ROUNDING
+    if problem.digits is None:
+        return measured(evaluate([node], *problem.configuration.bounded_rest)[0])
+    inner, values = problem.configuration.precise_rest(problem.digits)
+    return measured(evaluate([node], RunningErrors(inner, unit(problem)), values)[0], 10.0**-problem.digits)
 
 
 def _in_letters(problem, tree):
@@ -59,6 +66,8 @@ def _in_letters(problem, tree):
     node = displacement(scene, text)
     if node is None and part == "force" and name in (problem.spec.get("springs") or {}):
         node = scene.force_of(name)
+    if node is None and is_reaction(problem.spec, text) and part.partition(".")[0] not in CONTACT:
+        return _force_in_letters(problem, text)
     if node is None:
         raise NotInLetters(f"'{text}' in equilibrium is found in numbers")
     values, zero = problem.symbolic.equilibrium_position, scene.table.zero
@@ -67,6 +76,17 @@ def _in_letters(problem, tree):
     if found.mask:
         raise NotInLetters(f"'{text}' in equilibrium is found in numbers")
     return textbook(found)
+
+
+def _force_in_letters(problem, text):
+    """The force of a constraint or support."""
+    from vibcli.mechanics.signals import not_fixed, reaction_of
+
+    known = problem.symbolic.reactions.values
+    text = reaction_of(problem.system, text, known)
+    if known[text] is None:
+        raise not_fixed(text, known)
+    return known[text]
 
 
 def _size(problem, tree):
@@ -90,6 +110,14 @@ def _generalised_force(problem, tree):
     return generalised_force_at_rest(problem.system, coordinate_number(problem, tree.indices[0]))
 
 
+def _stable(problem, tree, args):
+    found = problem.modal.stability.stable
+    if found is None:
+        raise PhysicsError("loads without a potential act on what has no inertia: masses or dampers would decide "
+                           "whether it is stable", "give it a mass or a damper")
+    return found, 0.0
+
+
 QUANTITIES = {
     "equilibrium": Declaration(
         "a coordinate or signal in equilibrium", None, _equilibrium, ("signal",), several=True, size=_size,
@@ -100,8 +128,9 @@ QUANTITIES = {
         kind=FUNCTION, symbolic=_generalised_force, dimension=lambda spec, tree: generalised_dimension(
             spec, coordinate_name(spec, tree.indices[0]))),
     "stable": Declaration(
-        "`true` where the equilibrium is stable", "1",
-        lambda problem, tree, args: (problem.modal.stability.stable, 0.0), several=True, kind=TRUTH),
+        "`true` where the equilibrium is stable: by the eigenvalues of small motions, by the signs of K where not "
+        "everything has inertia, and by terms beyond the linear ones where these vanish", "1",
+        _stable, several=True, kind=TRUTH),
     "equilibria": Declaration(
         "number of equilibria found within the bounds that `find` gives, or default ones; a line of neutral ones "
         "counts once", "1", lambda problem, tree, args: (count(problem), 0.0), kind=COUNT),

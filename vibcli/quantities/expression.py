@@ -1,13 +1,14 @@
 """Values of quantities and of expressions of them: the arguments of a quantity first, then the quantity itself."""
 
 from collections.abc import Callable, Mapping
-from math import isfinite, tau
+from math import inf, isfinite, tau
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.quantities.cycle_count import counts_cycles
-from vibcli.quantities.quantity import ROUNDING, declared, is_choice
-from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.quantities.quantity import ROUNDING, about_which, declared, is_choice
+from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
+from vibcli.symbolic.running_errors import Rounded, RunningErrors, error_in, number_in
 from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import ExpressionError, QuantityRef, parts_of
 
@@ -18,15 +19,18 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 
+GUARD = 15      # digits beyond those asked, for what cancels in an expression
+
+
 def measure(problem: "Problem", tree: QuantityRef) -> tuple[float, float]:
     """(value, relative error bound) of a quantity tree."""
     if not tree.args and is_choice(problem.spec, tree) and problem.choice is not None:
         return problem.choice.value(tree.head, int(tree.indices[0])), ROUNDING
-    quantity = declared(tree)
-    if quantity.several and len(tree.indices) > len(quantity.indices):
+    quantity, (tree, number) = declared(tree), about_which(tree)
+    if number is not None:
         from vibcli.quantities.equilibrium import about
 
-        problem, tree = about(problem, int(tree.indices[-1])), tree._replace(indices=tree.indices[:-1])
+        problem = about(problem, int(number))
     kinds = zip(quantity.args, tree.args, strict=not quantity.optional)
     return quantity.value(problem, tree, [_argument(problem, kind, arg) for kind, arg in kinds])
 
@@ -39,19 +43,45 @@ def _argument(problem, kind, arg):
 
 
 def value_of(problem: "Problem", expression: "Expression") -> tuple[float, float]:
-    """(value, relative error bound) of an expression of parameters and quantities."""
+    """(value, the largest relative error bound of its quantities) of an expression of parameters and quantities."""
     values, worst = dict(problem.numeric.floats), 0.0
     for quantity in expression.parts.quantities:
         values[quantity.text], error = measure(problem, quantity)
         worst = max(worst, error)
-    value = evaluated(problem, expression, values)
-    if isinstance(value, complex) or not isfinite(value):
-        if isinstance(value, complex) and isfinite(abs(value)):
-            raise PhysicsError("this is complex: it is compared by its parts", "ask for re, im, abs or arg of it",
-                               expression.where)
+    return _real(evaluated(problem, expression, values), expression, isfinite), worst
+
+
+def bounded(problem: "Problem", expression: "Expression") -> tuple[float, float]:
+    """(value, absolute error bound) of an expression, with the rounding of its own sums; in numbers of mpmath where the
+    problem is asked for digits."""
+    if problem.digits is None:
+        return _bounded(problem, expression, RunningErrors(Floats))
+    import mpmath
+
+    with mpmath.workdps(problem.digits + GUARD):
+        return _bounded(problem, expression, RunningErrors(multiprecision(), mpmath.mp.eps))
+
+
+def _bounded(problem, expression, arithmetic):
+    values = problem.numeric.values(arithmetic)
+    for quantity in expression.parts.quantities:
+        value, error = measure(problem, quantity)
+        values[quantity.text] = Rounded(value, error * abs(value) if value else 0.0, arithmetic.unit)
+    found, = evaluate([lowered(expression, problem.scene.table, _symbols(problem.scene))], arithmetic, values)
+    error = error_in(found)
+    return _real(number_in(found), expression, arithmetic.inner.isfinite), error if error >= 0 else inf
+
+
+def _real(value, expression, finite):
+    """The value; refused where it is complex or not finite."""
+    is_complex = not isinstance(value, int | float) and bool(value.imag)
+    if is_complex and finite(abs(value)):
+        raise PhysicsError("this is complex: it is compared by its parts", "ask for re, im, abs or arg of it",
+                           expression.where)
+    if is_complex or not finite(value):
         raise PhysicsError("this is not a finite real number", "mind the signs under roots, and what may vanish",
                            expression.where)
-    return value, worst
+    return value
 
 
 def evaluated(problem: "Problem", expression: "Expression", values: Mapping[str, float]) -> float:

@@ -6,7 +6,8 @@ from math import isfinite, pi, tau
 from vibcli.base import units
 from vibcli.base.errors import PhysicsError
 from vibcli.quantities.dimensions import checker
-from vibcli.quantities.quantity import COMPLEX, ERROR, Declaration, one
+from vibcli.quantities.precise_numbers import settled_on_curve, settled_response
+from vibcli.quantities.quantity import COMPLEX, ROUNDING, Declaration, one
 from vibcli.quantities.signal_dimensions import input_dimension, output_dimension
 
 
@@ -19,14 +20,33 @@ def wrapped(angle: float) -> float:
 def _frf(problem, tree, args):
     if not tree.args:
         raise PhysicsError(f"'{tree.text}' is a function of frequency", f"write {tree.text}(5 Hz)")
-    return problem.frequency_response(*tree.indices).at(args[0])
+    found, error = problem.frequency_response(*tree.indices).at(args[0])
+    return settled_response(problem, tree, found, error)
 
 
 def _complex_part(part):
+    """A part of a complex number, which its error may fall on whole however small it is."""
     def value(problem, tree, args):
         found, error = args[0]
-        return part(found), error
+        number = part(found)
+        return number, error * abs(found) / (abs(number) or abs(found) or 1.0)
     return value
+
+
+def _angle(sign):
+    """The angle of a complex number times 1 or −1, which is off by as much as the number is of its size."""
+    def value(problem, tree, args):
+        found, error = args[0]
+        angle = wrapped(sign * cmath.phase(found)) if problem.digits is None else _precise_angle(sign, found)
+        return angle, error / (abs(angle) or 1.0)
+    return value
+
+
+def _precise_angle(sign, found):
+    import mpmath
+
+    angle = sign * mpmath.arg(found)
+    return angle if angle > -mpmath.pi else +mpmath.pi
 
 
 def _transmissibility(problem, tree, args):
@@ -37,7 +57,8 @@ def _transmissibility(problem, tree, args):
 def _of_curve(find):
     def value(problem, tree, args):
         curve = problem.frequency_response(*tree.args[0].indices)
-        return find(curve, int(tree.indices[0]), tree.component), ERROR
+        found, error = find(curve, int(tree.indices[0]), tree.component)
+        return settled_on_curve(problem, tree, found, min(1.0, max(ROUNDING, error)))
     return value
 
 
@@ -45,13 +66,28 @@ def _peak(curve, number, attribute):
     Omega, value = _numbered(curve.peaks, number, "peak")
     if attribute != "Omega" and not isfinite(value):
         raise PhysicsError("an undamped peak has no bound", f"add damping, or ask for peak[{number}](…).Omega")
-    return Omega if attribute == "Omega" else value
+    off, relative = curve.error_of_peak(number)
+    return (Omega, off / Omega) if attribute == "Omega" else (value, relative)
+
+
+def _antiresonance(curve, number, attribute):
+    Omega = _numbered(curve.antiresonances, number, "antiresonance")
+    return Omega, curve.error_of_antiresonance(Omega) / Omega
+
+
+def _half_power(curve, number, attribute):
+    peak, side = (number + 1) // 2, (number + 1) % 2
+    Omega = curve.half_power_of(peak)[side]
+    return Omega, curve.errors_of_half_power(peak)[side] / Omega
 
 
 def _fixed_point(problem, tree, args):
     number, damper = tree.indices
-    points = problem.frequency_response(*tree.args[0].indices).fixed_points(damper)
-    return getattr(_numbered(points, int(number), "fixed point"), tree.component), ERROR
+    curve = problem.frequency_response(*tree.args[0].indices)
+    point = _numbered(curve.fixed_points(damper), int(number), "fixed point")
+    off, relative = curve.error_of_fixed_point(damper, point.Omega)
+    error = off / point.Omega if tree.component == "Omega" else relative
+    return getattr(point, tree.component), min(1.0, max(ROUNDING, error))
 
 
 def _numbered(items, number, noun):
@@ -86,8 +122,8 @@ def _of_response(about, unit, value, indices=("number",), components=("",), dime
     return Declaration(about, unit, value, indices, ("response",), components, dimension, _size_of_argument)
 
 
-def _of_value(about, part, unit=None, size=_size_of_argument):
-    return Declaration(about, unit, _complex_part(part), args=("complex",), dimension=_of_argument, size=size)
+def _of_value(about, value, unit=None, size=_size_of_argument):
+    return Declaration(about, unit, value, args=("complex",), dimension=_of_argument, size=size)
 
 
 QUANTITIES = {
@@ -103,19 +139,19 @@ QUANTITIES = {
         dimension=_of_argument),
     "antiresonance": _of_response(
         "Ω of the i-th zero of the response, or minimum where it is damped", "rad/s",
-        _of_curve(lambda curve, i, _: _numbered(curve.antiresonances, i, "antiresonance"))),
+        _of_curve(_antiresonance)),
     "half_power": _of_response(
         "Ω at which |frf| is 1/√2 of a peak: 1 and 2 below and above the first peak, 3 and 4 the second", "rad/s",
-        _of_curve(lambda curve, i, _: curve.half_power_of((i + 1) // 2)[(i + 1) % 2])),
+        _of_curve(_half_power)),
     "fixed_point": _of_response(
         "i-th point through which |frf| passes whatever the damper d is, all else being without damping: its place Ω, "
         "or its value", None, _fixed_point, ("number", "damper"), ("Omega", "value"), _of_argument),
     "quality": _of_response(
         "quality of the i-th peak, Ω/(Ω₂ − Ω₁) by its half-power points", "1",
-        _of_curve(lambda curve, i, _: curve.quality(i))),
-    "arg": _of_value("angle of a complex frequency response", cmath.phase, "rad", size=one),
-    "re": _of_value("real part of a frequency response", lambda value: value.real),
-    "im": _of_value("imaginary part of a frequency response", lambda value: value.imag),
-    "phase(frf)": _of_value("lag −arg of a frequency response", lambda value: wrapped(-cmath.phase(value)), "rad",
+        _of_curve(lambda curve, i, _: (curve.quality(i), curve.error_of_quality(i)))),
+    "arg": _of_value("angle of a complex frequency response, eigenvalue or shape", _angle(1), "rad", size=one),
+    "re": _of_value("real part of the same", _complex_part(lambda value: value.real)),
+    "im": _of_value("imaginary part of the same", _complex_part(lambda value: value.imag)),
+    "phase(frf)": _of_value("lag −arg of a frequency response", _angle(-1), "rad",
                             size=one),
 }

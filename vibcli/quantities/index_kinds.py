@@ -67,6 +67,8 @@ INDICES = {
                        "F", (), "input"),
     "number": _free(f"a whole number from 1 to {MOST_COUNTED}",
                     lambda index: _whole(index) and int(index) <= MOST_COUNTED, "1"),
+    "root": _free("1 or 2, of two real eigenvalues by ascending |λ|", lambda index: index in ("1", "2"), "1")._replace(
+        letters=("j",)),
     "fraction": _free("a fraction between 0 and 1", _fraction, "0.1"),
     "parameter": IndexKind(lambda spec, index: spec.independent_parameters,
                            lambda spec, index: index in spec.independent_parameters, "parameter", ("p",), "parameter"),

@@ -7,6 +7,7 @@ from vibcli.base import units
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.language.signals import coordinate_name
 from vibcli.quantities.quantity import ROUNDING, Declaration
+from vibcli.symbolic.running_errors import error_in
 
 if TYPE_CHECKING:
     from vibcli.language.spec import Spec
@@ -20,6 +21,9 @@ def coordinate_number(problem: "Problem", index: str) -> int:
     """The number of an independent coordinate, from 0."""
     name = coordinate_name(problem.spec, index)
     if name not in problem.scene.coordinates:
+        if not problem.scene.coordinates:
+            raise PhysicsError(f"the constraints leave '{name}' no freedom: nothing here has an equation of motion",
+                               "ask for a force that holds it, as `find: [reactions]` prints")
         raise PhysicsError(f"'{name}' follows from the other coordinates by the constraints: it has no equation of its "
                            "own", "ask for " + " or ".join(f"'{other}'" for other in problem.scene.coordinates[:3]))
     return problem.scene.coordinates.index(name)
@@ -30,8 +34,13 @@ def _matrix(problem, which):
 
 
 def _entry(problem, tree, args):
-    i, j = (coordinate_number(problem, index) for index in tree.indices)
-    return float(_matrix(problem, tree.head).get((i, j), 0.0)), ROUNDING
+    pair = tuple(coordinate_number(problem, index) for index in tree.indices)
+    if problem.digits is not None:
+        precise = problem.configuration.precise_system(problem.digits).matrices()["MCGK".index(tree.head)]
+        return precise.get(pair, 0.0), 10.0**-problem.digits
+    value = float(_matrix(problem, tree.head).get(pair, 0.0))
+    bound = problem.configuration.bounded_matrices["MCGK".index(tree.head)].get(pair, 0.0)
+    return value, error_in(bound) / abs(value) if value else ROUNDING
 
 
 def largest(problem: "Problem", tree: "QuantityRef") -> float:
@@ -59,7 +68,7 @@ def dimension(spec: "Spec", tree: "QuantityRef") -> dict[str, int]:
 
 def _of_matrix(word):
     return Declaration(f"entry of the {word} matrix", None, _entry, ("coordinate", "coordinate"), dimension=dimension,
-                       size=largest, symbolic=_symbolic)
+                       size=largest, symbolic=_symbolic, several=True)
 
 
 QUANTITIES = {"M": _of_matrix("mass"), "C": _of_matrix("damping"), "G": _of_matrix("gyroscopic"),

@@ -1,32 +1,42 @@
 """Quantities of modes: frequencies, shapes, damping, sensitivities and estimates."""
 
-from math import sqrt, tau
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.language.signals import coordinate_name
 from vibcli.quantities.matrices import entry_dimension
-from vibcli.quantities.quantity import COMPLEX, PERIOD, ROUNDING, Declaration
+from vibcli.quantities.quantity import COMPLEX, PERIOD, ROUNDING, Declaration, as_asked, full_turn, rounded
+from vibcli.quantities.signal_dimensions import name_dimension
 
 if TYPE_CHECKING:
+    import mpmath
+
+    from vibcli.language.spec import Spec
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import QuantityRef
+
+
+SHAPE, LOST = 1e-11, 6      # the relative error of a shape; digits that one loses where eigenvalues are close
 
 
 def _mode(problem, tree):
-    modes, number = problem.modal.modes, int(tree.indices[0])
+    modes = problem.modal.modes if problem.digits is None else problem.modal.modes_to(problem.digits)
+    number = int(tree.indices[0])
     if not modes:
         raise PhysicsError(f"there is no mode {number}: without its dampers nothing would hold what has no "
                            "inertia in this scene",
                            "ask for decay[1] or eigenvalue[1]")
     if number > len(modes):
-        raise PhysicsError(f"there is no mode {number}: this scene has {_counted(len(modes), 'mode')}",
+        raise PhysicsError(f"there is no mode {number}: this scene has {counted(len(modes), 'mode')}",
                            "ask for one that it has")
     return modes[number - 1]
 
 
-def _counted(count, noun):
+def counted(count: int, noun: str) -> str:
+    """A number of things in words: one mode, 2 modes."""
     return f"one {noun}" if count == 1 else f"{count} {noun}s"
 
 
@@ -40,51 +50,66 @@ def _oscillating(problem, tree, what):
 
 def _omega(problem, tree, args):
     mode = _oscillating(problem, tree, "frequency")
-    return float(mode.omega), mode.error
+    return as_asked(problem, mode.omega), mode.error
 
 
 def _frequency(problem, tree, args):
     omega, error = _omega(problem, tree, args)
-    return omega / tau, error
+    return omega / full_turn(problem), rounded(problem, error)
 
 
 def _period(problem, tree, args):
     mode, number = _oscillating(problem, tree, "period"), tree.indices[0]
     if not mode.omega:
         raise PhysicsError(f"mode {number} is a rigid-body mode: it has no period", f"ask for omega[{number}]: 0 rad/s")
-    return tau / float(mode.omega), mode.error
+    return full_turn(problem) / as_asked(problem, mode.omega), rounded(problem, mode.error)
 
 
 def _growth_rate(problem, tree, args):
     mode, number = _mode(problem, tree), tree.indices[0]
     if mode.growth_rate is None:
         raise PhysicsError(f"mode {number} does not grow: it is not unstable", f"ask for omega[{number}]")
-    return float(mode.growth_rate), mode.error
+    return as_asked(problem, mode.growth_rate), mode.error
 
 
-def _largest(problem, tree):
+def largest(problem: "Problem", tree: "QuantityRef") -> float:
+    """The largest angular frequency or growth rate."""
     return max((float(mode.omega or mode.growth_rate or 0.0) for mode in problem.modal.modes), default=0.0)
 
 
-def _ten(problem, tree):
+def ten(problem: "Problem", tree: "QuantityRef") -> float:
     """Of amplitudes and damping ratios a digit more is lost."""
     return 10.0
 
 
 def _shape(problem, tree, args):
     signal = coordinate_name(problem.spec, tree.indices[1]) or tree.indices[1]
-    amplitude = _along(problem, problem.modal.shape(_mode(problem, tree)), signal)
-    return complex(amplitude) if isinstance(amplitude, complex) and amplitude.imag else float(amplitude.real), 1e-11
+    shape = problem.modal.shape(_mode(problem, tree))
+    amplitude = along(problem, shape, signal)
+    return amplitude_as_asked(problem, amplitude, shape)
+
+
+def amplitude_as_asked(problem: "Problem", amplitude: "complex | mpmath.mpc",
+                       shape: "Sequence[complex | mpmath.mpf]") -> "tuple[Any, float]":
+    """(amplitude in a shape, relative error bound): a real number where it has no imaginary part. The error is a part
+    of the largest amplitude, however small this one is."""
+    beside = max(1.0, float(max(map(abs, shape)) / abs(amplitude))) if amplitude else 1.0
+    if problem.digits is not None:
+        return amplitude, beside * 10.0 ** (LOST - problem.digits)
+    return complex(amplitude) if amplitude.imag else float(amplitude.real), beside * SHAPE
 
 
 def _modal_mass(problem, tree, args):
     from vibcli.mechanics.inner_products import inner
 
-    shape, elements = problem.modal.shape(_mode(problem, tree)), problem.configuration.linear_system
-    if any(isinstance(amplitude, complex) and amplitude.imag for amplitude in shape):
+    configuration, digits = problem.configuration, problem.digits
+    elements = configuration.linear_system if digits is None else configuration.precise_system(digits)
+    shape = problem.modal.shape(_mode(problem, tree))
+    if any(amplitude.imag for amplitude in shape):
         raise PhysicsError(f"the coordinates do not move in phase in mode {tree.indices[0]}: it has no modal mass",
                            f"ask for mode[{tree.indices[0]}] of a coordinate")
-    return float(inner(elements.inertias, elements.M, shape, shape).real), 2e-11
+    found = inner(elements.inertias, elements.M, shape, shape).real
+    return as_asked(problem, found), 2 * (SHAPE if digits is None else 10.0 ** (LOST - digits))
 
 
 def _of_coordinates(spec, tree):
@@ -93,7 +118,16 @@ def _of_coordinates(spec, tree):
     return entry_dimension("M", *measured[:1] * 2) if all(one == measured[0] for one in measured) else None
 
 
-def _along(problem, shape, signal):
+def of_shape(spec: "Spec", tree: "QuantityRef"):
+    """The dimension of an amplitude where all coordinates measure the same, so that any may be 1; else None."""
+    measured = [spec.dimensions.of(name) for name in spec.coordinates]
+    name = coordinate_name(spec, tree.indices[1]) or tree.indices[1]
+    if any(one != measured[0] for one in measured):
+        return None
+    return units.times(name_dimension(spec, name), measured[0], -1)
+
+
+def along(problem: "Problem", shape: "Sequence[complex | mpmath.mpf]", signal: str) -> "complex | mpmath.mpf":
     """How far a signal moves where the coordinates move by `shape`: Σ (∂s/∂qᵢ) φᵢ."""
     from vibcli.mechanics.inputs_outputs.displacements import displacement
     from vibcli.symbolic.derivatives import gradient
@@ -105,48 +139,12 @@ def _along(problem, shape, signal):
     node = displacement(scene, signal)
     if node is None:
         raise PhysicsError(f"'{signal}' is a force: it has no amplitude in a mode", "ask for a place, turn or stretch")
-    slopes = gradient(node)
-    values = evaluate([slopes.get(q, scene.table.zero) for q in scene.q], Floats, problem.configuration.at_rest)
+    slopes, configuration = gradient(node), problem.configuration
+    arithmetic, values = Floats, configuration.at_rest
+    if problem.digits is not None:
+        arithmetic, values = configuration.precise_rest(problem.digits)
+    values = evaluate([slopes.get(q, scene.table.zero) for q in scene.q], arithmetic, values)
     return sum(slope * x for slope, x in zip(values, shape, strict=True))
-
-
-def _damped_mode(problem, tree):
-    """The damped mode of an index; a scene without dampers has none."""
-    modes, number = problem.modal.damped, int(tree.indices[0])
-    if modes is None:
-        raise PhysicsError("nothing damps this scene: it has no damped modes", "add a damper")
-    found = [mode for mode in modes if mode.index == number]
-    if not found:
-        raise PhysicsError(f"there is no damped mode {number}: this scene has "
-                           f"{_counted(modes[-1].index, 'damped mode')}", "ask for one that it has")
-    return found[0]
-
-
-def _of_damped(attribute, words):
-    def value(problem, tree, args):
-        mode = _damped_mode(problem, tree)
-        number = getattr(mode, attribute)
-        if number is None:
-            raise PhysicsError(f"damped mode {tree.indices[0]} has no {words}",
-                               "see `vibcli frequencies` for what it has")
-        return float(number), mode.error
-    return value
-
-
-_zeta = _of_damped("zeta", "damping ratio")
-
-
-def _eigenvalue(problem, tree, args):
-    mode = _damped_mode(problem, tree)
-    return complex(mode.eigenvalue), mode.error
-
-
-def _decrement(problem, tree, args):
-    zeta, error = _zeta(problem, tree, args)
-    if not zeta < 1:
-        raise PhysicsError(f"damped mode {tree.indices[0]} does not oscillate: it has no logarithmic decrement",
-                           f"ask for decay[{tree.indices[0]}]")
-    return tau * zeta / sqrt((1 - zeta) * (1 + zeta)), 4 * error
 
 
 def _sensitivity(problem, tree, args):
@@ -173,7 +171,7 @@ def _estimate(which):
 def _ritz(problem, tree, args):
     modes, number = problem.modal.result("ritz").modes, int(tree.indices[0])
     if number > len(modes):
-        raise PhysicsError(f"there is no Ritz estimate {number}: `find` assumes {_counted(len(modes), 'shape')}",
+        raise PhysicsError(f"there is no Ritz estimate {number}: `find` assumes {counted(len(modes), 'shape')}",
                            "assume more, or ask for one that there is")
     mode = modes[number - 1]
     if mode.omega is None:
@@ -191,7 +189,7 @@ def one_degree(problem: "Problem") -> "list[Node]":
     return [matrix.get((0, 0), zero) for matrix in (M, C, K)]
 
 
-def _of_one_degree(form):
+def in_letters(form: Callable) -> Callable:
     """`form(m, c, k, omega, table)` of a scene with one coordinate."""
     def symbolic(problem, tree):
         from vibcli.symbolic.normal_form import textbook
@@ -204,43 +202,25 @@ def _of_one_degree(form):
     return symbolic
 
 
-def _omega_d(m, c, k, omega, table):
-    from vibcli.symbolic.normal_form import textbook
-
-    return table.sqrt(textbook(k / m - c * c / (4 * m * m)))
-
-
 QUANTITIES = {
     "omega": Declaration(
-        "natural angular frequency of mode i, the dampers left out", "rad/s", _omega, ("mode",), size=_largest,
-        several=True, symbolic=_of_one_degree(lambda m, c, k, omega, table: omega)),
+        "natural angular frequency of mode i, the dampers left out", "rad/s", _omega, ("mode",), size=largest,
+        several=True, symbolic=in_letters(lambda m, c, k, omega, table: omega)),
     "frequency": Declaration(
-        "natural frequency of mode i", "Hz", _frequency, ("mode",), size=_largest, several=True,
-        symbolic=_of_one_degree(lambda m, c, k, omega, table: omega / (2 * table.pi))),
+        "natural frequency of mode i", "Hz", _frequency, ("mode",), size=largest, several=True,
+        symbolic=in_letters(lambda m, c, k, omega, table: omega / (2 * table.pi))),
     "period": Declaration(
         "period of mode i; period(x): of the motion of a signal", "s", _period, ("mode",), several=True,
-        kind=PERIOD, symbolic=_of_one_degree(lambda m, c, k, omega, table: 2 * table.pi / omega)),
+        kind=PERIOD, symbolic=in_letters(lambda m, c, k, omega, table: 2 * table.pi / omega)),
     "growth_rate": Declaration(
-        "growth rate of unstable mode i", "1/s", _growth_rate, ("mode",), size=_largest, several=True),
+        "growth rate of unstable mode i", "1/s", _growth_rate, ("mode",), size=largest, several=True),
     "mode": Declaration(
         "amplitude of a coordinate or signal in mode i, the first coordinate that moves being 1", None, _shape,
-        ("mode", "signal"), size=_ten, kind=COMPLEX),
+        ("mode", "signal"), size=ten, kind=COMPLEX, dimension=of_shape),
     "modal_mass": Declaration(
         "φᵀMφ of mode i, the first coordinate that moves being 1: a mass, or a moment of inertia", None, _modal_mass,
         ("mode",), dimension=_of_coordinates, several=True,
-        symbolic=_of_one_degree(lambda m, c, k, omega, table: m)),
-    "zeta": Declaration(
-        "damping ratio of damped mode i, by ascending |λ|", "1", _zeta, ("mode",), size=_ten,
-        symbolic=_of_one_degree(lambda m, c, k, omega, table: c / (2 * m * omega))),
-    "omega_d": Declaration(
-        "damped angular frequency of damped mode i", "rad/s", _of_damped("omega_d", "damped frequency"), ("mode",),
-        size=_largest, symbolic=_of_one_degree(_omega_d)),
-    "decay": Declaration(
-        "decay ζω of damped mode i: −Re λ, or −(λ₁ + λ₂)/2 where it is over-damped", "1/s",
-        _of_damped("decay", "decay"), ("mode",), size=_largest),
-    "eigenvalue": Declaration(
-        "eigenvalue λ = −δ + i ω_d of damped mode i: use re, im, abs or arg of it", "1/s", _eigenvalue, ("mode",),
-        kind=COMPLEX),
+        symbolic=in_letters(lambda m, c, k, omega, table: m)),
     "sensitivity": Declaration(
         "derivative of the natural angular frequency of mode i by a parameter p that is not defined by others, the "
         "shift of the equilibrium included", None, _sensitivity, ("mode", "parameter"),
@@ -250,5 +230,4 @@ QUANTITIES = {
     "dunkerley": Declaration("Dunkerley's estimate of omega[1], a lower bound", "rad/s", _estimate("dunkerley")),
     "ritz": Declaration(
         "Ritz's estimate of omega[i] by the shapes that `find` assumes, an upper bound", "rad/s", _ritz, ("mode",)),
-    "decrement[]": Declaration("logarithmic decrement of damped mode i, 2πζ/√(1 − ζ²)", "1", _decrement, ("mode",)),
 }

@@ -5,10 +5,12 @@ Reading a scene loads declarations alone: what values are found by is imported w
 
 from collections.abc import Callable
 from importlib import import_module
+from math import tau
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.quantities import FAMILIES, FORMS
-from vibcli.symbolic.syntax import NameRef, QuantityRef, Sum
+from vibcli.symbolic.running_errors import UNIT, error_in, number_in
+from vibcli.symbolic.syntax import NameRef, QuantityRef, Sum, parts_of
 
 if TYPE_CHECKING:
     from vibcli.language.spec import Spec
@@ -25,13 +27,43 @@ _ARGUMENTS = {"signal": "{x}", "time": "2 s", "Omega": "5 Hz", "response": "frf[
               "complex": "frf[{x}, {F}](5 Hz)"}
 
 
+def as_asked(problem: "Problem", x: Any) -> Any:
+    """A real number as it is handed on: a float, one of mpmath's where the problem is asked for digits."""
+    return float(x) if problem.digits is None else x
+
+
+def full_turn(problem: "Problem") -> Any:
+    """2π, likewise."""
+    if problem.digits is None:
+        return tau
+    import mpmath
+
+    return 2 * mpmath.pi
+
+
+def rounded(problem: "Problem", error: float) -> float:
+    """A relative bound and the rounding of one more quotient."""
+    return error + 2.0**-52 if problem.digits is None else error
+
+
+def unit(problem: "Problem") -> float:
+    """The rounding of the numbers in which a problem is asked."""
+    return UNIT if problem.digits is None else 10.0**-problem.digits
+
+
+def measured(found: Any, least: float = 0.0) -> tuple[Any, float]:
+    """(value, relative error bound) of a number with its bound; at least so much."""
+    value, error = number_in(found), error_in(found)
+    return value, max(least, float(error / abs(value))) if value else ROUNDING
+
+
 class Declaration(NamedTuple):
     """`unit`: of the value; None where `dimension(spec, tree)` gives its dimension, or any fits.
     `value(problem, tree, args)`: (value, relative error bound), given the numbers of its arguments (None of a signal or
     a whole response); `symbolic(problem, tree)`: its expression in the letters of a scene, NotInLetters where it is
     found in numbers; `size(problem, tree)`: the largest value of its kind, what its rounding is measured by.
     `indices`, `args`: the kinds of what stands in square and in round brackets, these left out perhaps where
-    `optional`; `several`: a last index says of which equilibrium."""
+    `optional`, and of those `spare` at the end; `several`: a last index of its own says of which equilibrium."""
 
     about: str
     unit: str | None = None
@@ -45,6 +77,7 @@ class Declaration(NamedTuple):
     kind: str = NUMBER
     optional: bool = False
     several: bool = False
+    spare: int = 0
 
     @property
     def own_unit(self) -> str | None:
@@ -67,6 +100,14 @@ class Declaration(NamedTuple):
 def one(problem: "Problem", tree: QuantityRef):
     """The size of an angle or a ratio."""
     return 1.0
+
+
+def about_which(tree: QuantityRef) -> tuple[QuantityRef, str | None]:
+    """(the tree without the index of an equilibrium, that index or None)."""
+    quantity = declared(tree)
+    if quantity.several and tree.alone and len(tree.indices) > len(quantity.indices) - quantity.spare:
+        return tree._replace(indices=tree.indices[:-1], alone=False), tree.indices[-1]
+    return tree, None
 
 
 def named(form: str) -> Declaration:
@@ -92,6 +133,14 @@ def kind_of(spec: "Spec", tree: NameRef | QuantityRef | Sum) -> str | None:
     """The kind of the quantity that a tree asks for; None as above."""
     quantity = quantity_of(spec, tree)
     return None if quantity is None else quantity.kind
+
+
+def parts_that_cancel(tree: QuantityRef) -> list[QuantityRef]:
+    """The quantity, and of a sum of signals that of each: where they cancel the sum is small beside them."""
+    if not tree.args or not isinstance(tree.args[0], Sum):
+        return [tree]
+    terms = [term for _, term in tree.args[0].parts if parts_of(term).names]
+    return [tree, *(tree._replace(args=(term, *tree.args[1:])) for term in terms)]
 
 
 def is_bare(name: str) -> bool:

@@ -1,21 +1,27 @@
 """Numbers of responses: values in time, extremes, steady amplitudes, decrements, and frequency responses."""
 
 from math import isfinite
+from typing import Any
 
 from vibcli.base.errors import PhysicsError
-from vibcli.quantities.matrices import coordinate_number
-from vibcli.quantities.matrices import dimension as entry_dimension
-from vibcli.quantities.matrices import largest as largest_entry
-from vibcli.quantities.quantity import ERROR, NUMBER, OF_SIGNAL, PERIOD, SIGNAL, Declaration, declared, one
+from vibcli.quantities.precise_numbers import settled
+from vibcli.quantities.quantity import ERROR, NUMBER, OF_SIGNAL, PERIOD, ROUNDING, SIGNAL, Declaration, declared, one
 from vibcli.symbolic.syntax import QuantityRef
+
+ALONG = ("value", "max", "min", "argmax", "argmin", "zero")     # along motions that are integrated
 
 
 def _measured(number):
-    """(value, relative error bound) of a number of a signal; hints speak of that signal."""
+    """(value, relative error bound) of a number of a signal, which comes with a function that gives its absolute error;
+    hints speak of that signal."""
     def value(problem, tree, args):
         try:
-            found = number(problem, tree, args)
-            return found, max(ERROR, _doubt(problem, tree, args, found))
+            found, off = number(problem, tree, args)
+            if problem.response.KIND == "small" or (problem.response.KIND == "series" and tree.head in ALONG):
+                error = relative(found, off())
+            else:
+                error = max(ERROR, _doubt(problem, tree, found, off))
+            return settled(problem, tree, args, found, error)
         except PhysicsError as error:
             if error.hint and "(x)" in error.hint:
                 raise error.told(hint=error.hint.replace("(x)", f"({_found(problem, tree)})")) from None
@@ -23,23 +29,25 @@ def _measured(number):
     return value
 
 
-def _doubt(problem, tree, args, value):
-    """The relative error of a number of a motion that was integrated: of a value in time and of an extreme its own, of
-    others that of the motion up to the instant that is found, or up to its end; of a period by quadrature its own."""
+def relative(value: float, off: float) -> float:
+    """The relative error bound of a value that may be off by so much; of 0, if it may be off at all, 1."""
+    if not value or not isfinite(off):
+        return 1.0 if off else ROUNDING
+    return max(ROUNDING, off / abs(value))
+
+
+def _doubt(problem, tree, value, off):
+    """The relative error of a number of a motion that was integrated: of a value in time, of an extreme, of an instant
+    and of a period its own, of others that of the motion up to its end."""
     if problem.response.KIND != "full":
         return 0.0
-    if tree.head == "period" and problem.response.by_quadrature(tree.args[0]) is not None:
-        return problem.response.by_quadrature(tree.args[0])[1]
+    if tree.head == "period":
+        return problem.response.period(tree.args[0])[1]
     if not problem.response.integrated:
         return 0.0
-    if tree.head == "value":
-        instant = args[1]
-    elif tree.head in ("max", "min"):
-        instant = _extreme(1 if tree.head == "max" else -1, 0)(problem, tree, args)
-    else:
-        until = value if tree.head in ("argmax", "argmin", "zero") else problem.response.known
-        return problem.response.reaching(until).shared.of_state(until)
-    return min(1.0, _signal(problem, tree).error(instant) / (abs(value) or 1e-300))
+    if tree.head in ALONG:
+        return off() / (abs(value) or 1e-300)
+    return problem.response.reaching(problem.response.known).shared.of_state(problem.response.known)
 
 
 def _found(problem, tree):
@@ -64,33 +72,41 @@ def _signal(problem, tree):
     return problem.response.signal(tree.args[0])
 
 
-def _value(problem, tree, args):
+def at_instant(signal: Any, time: float) -> float:
+    """The value of a signal at an instant from t = 0 on."""
     import numpy as np
 
-    time = args[1]
     if not time >= 0 or not isfinite(time):
         raise PhysicsError(f"there is no motion at t = {time:.6g} s", "motions start at t = 0")
-    return float(_signal(problem, tree).values(np.array([time]))[0])
+    return float(signal.values(np.array([time]))[0])
 
 
-def _inertia(problem, tree, args):
-    """∂²T/∂q̇ᵢ∂q̇ⱼ at an instant of the motion."""
-    import numpy as np
-
-    from vibcli.mechanics.energies import kinetic
-    from vibcli.symbolic.derivatives import gradient
-
-    scene = problem.scene
-    i, j = (scene.v[coordinate_number(problem, index)] for index in tree.indices)
-    zero = scene.table.zero
-    node = gradient(gradient(kinetic(scene)).get(i, zero)).get(j, zero)
-    return float(problem.response.state_signal(node).values(np.array([args[0]]))[0])
+def _value(problem, tree, args):
+    signal = _signal(problem, tree)
+    return at_instant(signal, args[1]), lambda: signal.error(args[1])
 
 
-def _extreme(sense, which):
+def _extreme(sense):
+    """The value of an extreme."""
     def value(problem, tree, args):
-        return _signal(problem, tree).extreme(0.0, problem.response.until, sense)[which]
+        signal = _signal(problem, tree)
+        instant, found = signal.extreme(0.0, problem.response.until, sense)
+        return found, lambda: signal.error(instant)
     return value
+
+
+def _instant(sense):
+    """The instant of an extreme."""
+    def value(problem, tree, args):
+        signal = _signal(problem, tree)
+        instant = signal.extreme(0.0, problem.response.until, sense)[0]
+        return instant, lambda: signal.error_of_time(instant)
+    return value
+
+
+def _final(problem, tree, args):
+    signal = _signal(problem, tree)
+    return signal.final(), signal.error_of_final
 
 
 def _small(name):
@@ -110,8 +126,14 @@ def _overshoot(problem, tree, args):
     if final == start:
         raise PhysicsError("the signal ends where it starts: it has no overshoot", "ask for max(x)")
     sense = 1 if final > start else -1
-    top = signal.extreme(0.0, problem.response.until, sense)[1]
-    return max(0.0, float((top - final) / (final - start)))
+    instant, top = signal.extreme(0.0, problem.response.until, sense)
+    found = max(0.0, float((top - final) / (final - start)))
+
+    def off():
+        last = signal.error_of_final()
+        return (signal.error(instant) + last + found * (signal.error(0.0) + last)) / abs(final - start)
+
+    return found, off
 
 
 def _zero(problem, tree, args):
@@ -122,7 +144,8 @@ def _zero(problem, tree, args):
         raise PhysicsError(f"the signal passes through zero {len(found)} times until t = {until:.6g} s",
                            f"later ones, if there are any, are seen with a later end: find: [{{response: {{until: "
                            f"{2 * until:.3g} s}}}}]")
-    return found[number - 1]
+    instant = float(found[number - 1])
+    return instant, lambda: signal.error_of_zero(instant)
 
 
 def _end(problem, tree):
@@ -143,8 +166,16 @@ def _size(problem, tree):
     return max(abs(signal.extreme(0.0, end, sense)[1]) for sense in (1, -1))
 
 
-def _of_signal(about, unit, number, indices=(), size=_size, kind=NUMBER):
-    return Declaration(about, unit, _measured(number), indices, ("signal",), size=size, kind=kind)
+def _in_letters(name):
+    def symbolic(problem, tree):
+        from vibcli.quantities import responses_in_letters
+
+        return getattr(responses_in_letters, name)(problem, tree)
+    return symbolic
+
+
+def _of_signal(about, unit, number, indices=(), size=_size, kind=NUMBER, symbolic=None):
+    return Declaration(about, unit, _measured(number), indices, ("signal",), size=size, kind=kind, symbolic=symbolic)
 
 
 def _part(about):
@@ -158,15 +189,15 @@ QUANTITIES = {
     "phase": _of_signal(
         "lag θ of the steady state X sin(Ωt − θ), −π < θ ≤ π; of a free vibration φ of A e^(−δt) cos(ω_d t − φ); of "
         "phase(frf[…](…)): −arg", "rad", _small("phase"), size=one),
-    "max": _of_signal("largest value from t = 0 on, up to `until` of the response", SIGNAL, _extreme(1, 1)),
-    "min": _of_signal("smallest value", SIGNAL, _extreme(-1, 1)),
-    "argmax": _of_signal("instant of the largest value", "s", _extreme(1, 0), size=_end),
-    "argmin": _of_signal("instant of the smallest value", "s", _extreme(-1, 0), size=_end),
-    "mean": _of_signal("mean over a period of the steady state, or of free vibrations that do not die out", SIGNAL,
-                       _small("mean")),
-    "rms": _of_signal("root mean square of the same", SIGNAL, _small("rms")),
-    "final": _of_signal("limit for t → ∞", SIGNAL,
-                        lambda problem, tree, args: _signal(problem, tree).final()),
+    "max": _of_signal("largest value from t = 0 on, up to `until` of the response", SIGNAL, _extreme(1)),
+    "min": _of_signal("smallest value", SIGNAL, _extreme(-1)),
+    "argmax": _of_signal("instant of the largest value", "s", _instant(1), size=_end),
+    "argmin": _of_signal("instant of the smallest value", "s", _instant(-1), size=_end),
+    "mean": _of_signal("mean over a period of the steady state, or of free vibrations that do not die out; of powers "
+                       "and products of signals too, as in mean(x^2), over all times where they have no common period",
+                       SIGNAL, _small("mean"), symbolic=_in_letters("mean")),
+    "rms": _of_signal("root mean square of the same", SIGNAL, _small("rms"), symbolic=_in_letters("rms")),
+    "final": _of_signal("limit for t → ∞", SIGNAL, _final, symbolic=_in_letters("final")),
     "overshoot": _of_signal("(max − final)/(final − start)", "1", _overshoot, size=one),
     "decrement": _of_signal("logarithmic decrement of a free motion, by successive maxima", "1",
                             _small("decrement"), size=one),
@@ -182,9 +213,8 @@ QUANTITIES = {
                             ("fraction",), one),
     "steady": _part("steady state of a signal, itself a signal: steady(x)(2 s), max(steady(x))"),
     "transient": _part("the rest of a signal, which dies out where the scene is damped"),
-    "envelope": _part("envelope of a free motion A e^(−δt), itself a signal"),
-    "M()": Declaration("entry of the mass matrix at an instant", None, _measured(_inertia),
-                       ("coordinate", "coordinate"), ("time",), dimension=entry_dimension, size=largest_entry),
+    "envelope": _part("envelope of one vibration, A e^(−δt), or of two, √(A₁² + A₂² + 2A₁A₂ cos(Δω t − Δφ)), each A "
+                      "with its own decay; itself a signal"),
     "period()": _of_signal("period of the actual motion of a signal", "s", _small("period"), size=_end, kind=PERIOD),
     "value": Declaration("value of a signal at an instant", SIGNAL, _measured(_value), args=("signal", "time"),
                          size=_size),

@@ -1,18 +1,22 @@
-"""Numbers of signals of small motions: of the steady state that loads keep up, else of the free vibration."""
+"""Numbers of signals of small motions: of the steady state that loads keep up, else of the free vibration. Each comes
+with a function that gives its absolute error."""
 
 import cmath
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from math import cos, pi, sin, tau
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.quantities.frequency_response import wrapped
-from vibcli.results import signal_features, steady_features
-from vibcli.results.signals import LinearSignal
+from vibcli.results import feature_errors, signal_features, steady_features
+from vibcli.results.envelope import Envelope
+from vibcli.results.signals import ComposedSignal, LinearSignal
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.syntax import QuantityRef
+
+    Measured = tuple[float, Callable[[], float]]
 
 ANGLE = 0.7     # no phasor of an undamped scene is at right angles to it
 
@@ -25,14 +29,16 @@ def _linear(problem, tree):
     return signal
 
 
-def amplitude(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> float:
+def amplitude(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> "Measured":
     """Of the steady state that loads keep up, else of the free vibration."""
     signal = _linear(problem, tree)
     if not signal_features.kept_up(signal):
-        return signal_features.amplitude(signal)
-    if problem.signed and signal.motion.steady.period is None:
-        return sum(_signed(X) for _, X in steady_features.harmonics(signal))
-    return steady_features.amplitude(signal)
+        found = signal_features.amplitude(signal)
+    elif problem.signed and signal.motion.steady.period is None:
+        found = sum(_signed(X) for _, X in steady_features.harmonics(signal))
+    else:
+        found = steady_features.amplitude(signal)
+    return found, lambda: feature_errors.amplitude(signal)
 
 
 def _signed(X):
@@ -40,51 +46,63 @@ def _signed(X):
     return X.real * cos(ANGLE) + X.imag * sin(ANGLE)
 
 
-def phase(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> float:
+def phase(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> "Measured":
     signal = _linear(problem, tree)
     if not signal_features.kept_up(signal):
-        return wrapped(signal_features.from_the_start(signal).phase)
+        return wrapped(signal_features.from_the_start(signal).phase), lambda: feature_errors.phase(signal)
     found = steady_features.harmonics(signal)
     if len(found) != 1:
         raise PhysicsError(f"this steady state has no one phase: it holds {len(found) or 'no'} harmonics",
                            "ask for max(steady(x)), or its value at a time")
-    return wrapped(-cmath.phase(found[0][1]) - 0.5 * pi)
+    return wrapped(-cmath.phase(found[0][1]) - 0.5 * pi), lambda: feature_errors.phase(signal)
 
 
-def harmonic(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> float:
-    signal = _linear(problem, tree)
+def harmonic(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> "Measured":
+    signal, number = _linear(problem, tree), int(tree.indices[0])
     if not signal_features.kept_up(signal):
         raise PhysicsError("no load that repeats itself drives this signal: it has no harmonics", "ask for max(x)")
-    return abs(steady_features.harmonic(signal, int(tree.indices[0])))
+    return abs(steady_features.harmonic(signal, number)), lambda: feature_errors.harmonic(signal, number)
 
 
 def _over_a_period(which):
-    """Of the steady state that loads keep up, else of the free vibrations that last."""
+    """The mean or the rms of the steady state that loads keep up, else of the free vibrations that last."""
     def value(problem, tree, args):
+        signal = problem.response.signal(tree.args[0])
+        if isinstance(signal, ComposedSignal | Envelope):
+            from vibcli.results import composed_means
+
+            found, error = getattr(composed_means, which)(signal)
+            return found, lambda: error
         signal = _linear(problem, tree)
-        if not signal_features.kept_up(signal):
-            return getattr(signal_features, which)(signal)
-        return getattr(signal.motion.steady, which)(signal.output)
+        free = not signal_features.kept_up(signal)
+        found = getattr(signal_features, which)(signal) if free else getattr(signal.motion.steady, which)(
+            signal.output)
+        return found, lambda: getattr(feature_errors, which)(signal, found)
     return value
 
 
-def _free(find):
-    """Of a free vibration, the fractions in square brackets after the signal."""
+def _free(find, relative):
+    """Of a free vibration, the fractions in square brackets after the signal; `relative`: its error over its size."""
     def value(problem, tree, args):
-        return find(_linear(problem, tree), *map(float, tree.indices))
+        signal, fractions = _linear(problem, tree), list(map(float, tree.indices))
+        found = find(signal, *fractions)
+        return found, lambda: abs(found) * relative(signal, *fractions)
     return value
 
 
-def period(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> float:
+def period(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> "Measured":
     """That of a full motion as it is found."""
     if problem.response.KIND != "small":
-        return problem.response.period(tree.args[0])
+        return problem.response.period(tree.args[0])[0], lambda: 0.0
     signal = _linear(problem, tree)
-    if signal_features.kept_up(signal):
-        return tau / steady_features.fundamental(signal)
-    return signal_features.free_period(signal)
+    kept_up = signal_features.kept_up(signal)
+    found = tau / steady_features.fundamental(signal) if kept_up else signal_features.free_period(signal)
+    return found, lambda: found * feature_errors.relative_of_period(signal)
 
 
 mean, rms = _over_a_period("mean"), _over_a_period("rms")
-decrement, beat_period = _free(signal_features.decrement), _free(signal_features.beat_period)
-time_to, cycles_to = _free(signal_features.time_to), _free(signal_features.cycles_to)
+decrement = _free(signal_features.decrement, feature_errors.relative_of_decrement)
+beat_period = _free(signal_features.beat_period, feature_errors.relative_of_beats)
+time_to = _free(signal_features.time_to, feature_errors.relative_of_decay)
+cycles_to = _free(signal_features.cycles_to, lambda signal, fraction: (
+    feature_errors.relative_of_decrement(signal) + feature_errors.relative_of_decay(signal, fraction)))

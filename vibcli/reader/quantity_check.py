@@ -12,7 +12,7 @@ from vibcli.quantities import FAMILIES
 from vibcli.quantities.cycle_count import cycles
 from vibcli.quantities.dimensions import checker
 from vibcli.quantities.index_kinds import INDICES
-from vibcli.quantities.quantity import ALL, COMPLEX, OF_SIGNAL, declared, is_choice, named, usage, usage_of
+from vibcli.quantities.quantity import ALL, COMPLEX, OF_SIGNAL, about_which, declared, is_choice, named, usage, usage_of
 from vibcli.quantities.signal_dimensions import input_dimension, inputs, output_dimension
 from vibcli.symbolic.cycles import left_over
 from vibcli.symbolic.parser import VALUE
@@ -36,25 +36,37 @@ def can_be_asked(spec: "Spec", reader: "Reader", expression: "Expression", tree:
     if quantity is None:
         reader.report(place, f"unknown quantity '{head}'", nearest(head, FAMILIES) or ALL)
         return False
-    kinds = quantity.indices + ("equilibrium",) * (quantity.several and len(indices) > len(quantity.indices))
-    if len(indices) != len(kinds) and not (head == "J" and len(indices) == 1):
-        takes = {0: "no index", 1: "one index", 2: "two indices"}[len(quantity.indices)]
-        reader.report(place, f"'{head}' takes {takes}, found {len(indices) or 'none'}",
-                      f"write {usage_of(head, quantity, spec)}")
+    own, number = about_which(tree)
+    most = len(quantity.indices)
+    if not most - quantity.spare <= len(own.indices) <= most:
+        takes = " or ".join(("no index", "one index", "two indices")[most - quantity.spare:most + 1])
+        beyond = quantity.several and len(indices) == most + 1
+        reader.report(place, f"'{head}' takes {takes}, found {len(indices) or 'none'}", "write "
+                      + usage_of(head, quantity, spec) + "[2] for the second equilibrium" * beyond)
         return False
+    kinds = quantity.indices[:len(own.indices)] + ("equilibrium",) * (number is not None)
     if not arguments_fit(spec, reader, expression, tree, bare):
+        return False
+    if quantity.kind == OF_SIGNAL:
+        reader.report(place, f"'{tree.text}' is a function of time",
+                      f"ask for its value as in {tree.text}(2 s), or for max({tree.text})")
         return False
     if component not in quantity.components:
         reader.report(place, f"'{head}' has no '.{component}'" if component else f"'{tree.text}' needs a component",
                       "write " + " or ".join(tree.text.partition(".")[0] + (word and "." + word)
                                              for word in quantity.components))
         return False
-    if not all(_index(spec, reader, place, kind, index) for kind, index in zip(kinds, indices, strict=False)):
+    if not all(_index(spec, reader, place, kind, index) for kind, index in zip(kinds, indices, strict=True)):
         return False
     bodies = spec.get("bodies") or {}
     lumped = [name for name in indices if name in bodies and not {"at", "from", "parts"} & set(bodies[name].places)]
     if lumped and (head == "centre" or (head == "J" and len(indices) == 2)):
         reader.report(place, f"'{lumped[0]}' has no place", "say where it is drawn with `at: [x, y]`")
+        return False
+    if head == "mass" and not {"mass", "density", "parts"} & set(bodies[indices[0]].places):
+        turns = "inertia" in bodies[indices[0]].places
+        reader.report(place, f"'{indices[0]}' has no mass", "give it `mass: m`"
+                      + f", or ask for J[{indices[0]}], its moment of inertia" * turns)
         return False
     return True
 

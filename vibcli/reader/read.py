@@ -70,8 +70,9 @@ SECTIONS = {
     **{section: (_kind(name, section), about) for name, (section, about) in ELEMENTS.items() if section is not None},
     "equilibrium": (equilibrium.KIND, GIVEN["equilibrium"]),
     "initial": (initial.KIND, GIVEN["initial"]),
-    "motion": (Choice("small", "full"), "what motions in time are: `small` oscillations in closed form, the default, "
-               "or those of the `full` equations, integrated. Scenes with nonlinear laws must say which"),
+    "motion": (Choice("small", "full"), "what motions in time are: `small` oscillations in closed form, the default "
+               "about an equilibrium, or those of the `full` equations, integrated. Scenes with nonlinear "
+               "laws must say which"),
     "find": (find.QUESTIONS, ASKED["find"]),
     "choose": (Named(Lazy("choose", "reader.sections"), "a mapping from parameters to conditions", ("pi", "t")),
                ASKED["choose"]),

@@ -19,7 +19,8 @@ if TYPE_CHECKING:
     from vibcli.language.spec import Spec
     from vibcli.results.problem import Problem
 
-EVERYTHING = ("given", "chosen", "coordinates", "equilibrium", "virtual_work", "energies", "equations", "frequencies",
+EVERYTHING = ("given", "chosen", "coordinates", "equilibrium", "virtual_work", "energies", "equations", "accelerations",
+              "frequencies",
               "damping", "modes")
 
 

@@ -2,6 +2,7 @@
 
 from vibcli.analyses import OF_MODES
 from vibcli.report.keys import Key, documented
+from vibcli.report.sections.accelerations import ACCELERATIONS
 from vibcli.report.sections.design_parameters import CHOSEN
 from vibcli.report.sections.equations_of_motion import ENERGY, EQUATIONS, MATRICES
 from vibcli.report.sections.equilibria import EQUILIBRIA, SEARCH
@@ -18,9 +19,9 @@ ABOUT = ("What `vibcli solve`, `frequencies`, `equations`, `response` and `frf` 
 KEYS = dict(documented((
     Key("title", "the title of the scene, or null"),
     Key("coordinates", "names of the generalised coordinates, in the order of all rows and columns"),
-    CHOSEN, EQUILIBRIUM, EQUILIBRIA, SEARCH, STICKING, ENERGY, EQUATIONS, MATRICES, REACTIONS,
-    Key("remark", "why a scene in letters, or one with a kink at rest, has no equilibrium, matrices and modes here, in "
-        "words; absent otherwise"),
+    CHOSEN, EQUILIBRIUM, EQUILIBRIA, SEARCH, STICKING, ENERGY, EQUATIONS, MATRICES, REACTIONS, ACCELERATIONS,
+    Key("remark", "why a scene in letters, or one with a kink at rest, has no equilibrium, matrices and modes here, or "
+        "one without inertia no modes, in words; absent otherwise"),
     MODES, DAMPED_MODES, MOTION, FREQUENCY_RESPONSE,
     Key("insight", "only where `find` or --insight asks for it", of=insight(OF_MODES)), POLYNOMIAL,
     Key("cases", "{name: the same keys}, where the file has cases"))))

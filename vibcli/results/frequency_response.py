@@ -10,9 +10,10 @@ if TYPE_CHECKING:
 
     from vibcli.analyses.frequency_response.extremes import Extreme
     from vibcli.analyses.frequency_response.fixed_points import FixedPoint
+    from vibcli.analyses.frequency_response.response_errors import ResponseErrors
     from vibcli.results.problem import Problem
 
-ERROR = 1e-12
+ERROR, ROUNDING = 1e-12, 1e-15
 MOST = 10_000      # steps of a million products
 
 
@@ -29,7 +30,26 @@ class FrequencyResponse:
         """(complex H, relative error bound)."""
         from vibcli.analyses.frequency_response.evaluate import frf
 
-        return complex(frf(self.transfer, Omega)), ERROR
+        found = complex(frf(self.transfer, Omega))
+        return found, self.errors.of_value(Omega) / (abs(found) or 1e-300)
+
+    @cached_property
+    def errors(self) -> "ResponseErrors":
+        from vibcli.analyses.frequency_response.response_errors import ResponseErrors
+
+        return ResponseErrors(self.transfer, self._data_errors(self.problem))
+
+    @staticmethod
+    def _data_errors(problem):
+        """The DataErrors of the matrices of a problem, for what does not start."""
+        import numpy as np
+
+        from vibcli.analyses.frequency_response.transfer_function import system
+        from vibcli.analyses.transient.data_errors import of_elements
+
+        still = np.zeros(len(problem.scene.q))
+        configuration = problem.configuration
+        return of_elements(configuration.linear_system, system(configuration), (still, still), still)
 
     @cached_property
     def extremes(self) -> "list[Extreme]":
@@ -91,6 +111,45 @@ class FrequencyResponse:
             raise PhysicsError(f"this frequency response has {count or 'no'} peak{'s' * (count != 1)}",
                                "ask for one that it has")
         return self.marked[number - 1]
+
+    def error_of_peak(self, number: int) -> tuple[float, float]:
+        """(|δΩ|, relative error of |H|) of a peak, counted from 1."""
+        peak = self._peak(number)
+        if peak.value is None:
+            return self._error_of_pole(peak.Omega), 0.0
+        return self.errors.of_top(peak.Omega)
+
+    def _error_of_pole(self, Omega):
+        """|δΩ| of an undamped natural frequency."""
+        modes = [mode for mode in self.problem.modal.modes or () if mode.omega]
+        near = min(modes, key=lambda mode: abs(float(mode.omega) - Omega), default=None)
+        return Omega * (ERROR if near is None else max(float(near.error), ROUNDING))
+
+    def error_of_antiresonance(self, Omega: float) -> float:
+        """|δΩ| of an antiresonance."""
+        return self.errors.of_zero(Omega) if self.transfer.undamped else self.errors.of_top(Omega)[0]
+
+    def errors_of_half_power(self, number: int) -> tuple[float, float]:
+        """(|δΩ₁|, |δΩ₂|) of the half-power points about a peak."""
+        off = self.error_of_peak(number)[1]
+        low, high = (self.errors.of_level(Omega, off) for Omega in self.half_power_of(number))
+        return low, high
+
+    def error_of_quality(self, number: int) -> float:
+        """Relative, of Q of a peak."""
+        low, high = self.half_power_of(number)
+        return (sum(self.errors_of_half_power(number)) / (high - low)
+                + self.error_of_peak(number)[0] / self._peak(number).Omega)
+
+    def error_of_fixed_point(self, damper: str, Omega: float) -> tuple[float, float]:
+        """(|δΩ|, relative error of |H|) of a fixed point of the curves for all values of a damper."""
+        from vibcli.analyses.frequency_response.response_errors import ResponseErrors
+        from vibcli.analyses.frequency_response.transfer_function import transfer
+
+        free = self.problem.without(damper)
+        other = ResponseErrors(transfer(free.configuration, self.signal, self.driver), self._data_errors(free))
+        off = self.errors.of_crossing(other, Omega)
+        return off, self.errors.relative(Omega) + off * self.errors.steepness(Omega)
 
     def places(self, low: float, high: float) -> "np.ndarray":
         """Frequencies of a range, dense where the curve bends."""

@@ -1,11 +1,13 @@
 """The motion of the full equations, integrated, and what it shares with motions that are prescribed."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
+from fractions import Fraction
 from functools import cached_property
+from math import log
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import PhysicsError
+from vibcli.base.errors import PhysicsError, Unknown
 from vibcli.language.signals import is_reaction
 from vibcli.results.full_signals import FullSignal
 from vibcli.results.responses import Response
@@ -14,14 +16,18 @@ from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef, Power, QuantityRef, Sum
 
 if TYPE_CHECKING:
+    import mpmath
     import numpy as np
 
     from vibcli.analyses.time_integration.trajectory import Trajectory
+    from vibcli.results.motion_in_series import MotionInSeries
     from vibcli.results.problem import Problem
     from vibcli.results.shared_friction import SharedFriction
     from vibcli.symbolic.node import Node
 
 LOOK = 1.0          # seconds, to tell what rests for ever
+FOLLOWED, LOST = 12, 13         # digits that are offered beyond the horizon; those that are lost there
+SOON = 1e-3         # seconds, as far as a motion is followed of which the start alone is asked
 
 
 class StatesInTime(Response):
@@ -65,10 +71,15 @@ class StatesInTime(Response):
     def forces(self, wanted: Mapping[str, str], places: "Mapping[str, float | np.ndarray]",
                trajectory: "Trajectory | None") -> "dict[str, np.ndarray]":
         """{symbol: array} of the forces {symbol: name} of constraints, supports and drives, from the `places`."""
-        found = self._forces.values(list(dict.fromkeys(wanted.values())), self.states(places, trajectory))
+        states = self.states(places, trajectory)
+        found = self._forces.values(list(dict.fromkeys(wanted.values())), states, self.senses(states, trajectory))
         return {symbol: found[name] for symbol, name in wanted.items()}
 
-    def states(self, known: Any, trajectory: "Trajectory"):
+    def senses(self, states: Any, trajectory: "Trajectory | None") -> Callable | None:
+        """Gives the σ of arguments of a scene at the `states`; None where their signs are those of the arguments."""
+        return None
+
+    def states(self, known: Any, trajectory: "Trajectory | None"):
         """{name: array} of the time and of all coordinates with their rates, from what is `known` of them."""
         import numpy as np
 
@@ -90,6 +101,7 @@ class FullResponse(StatesInTime):
     def __init__(self, problem: "Problem"):
         super().__init__(problem)
         self._trajectory: Any = None
+        self._periods: dict[str, tuple[float, float]] = {}
 
     @property
     def integrated(self):
@@ -104,6 +116,34 @@ class FullResponse(StatesInTime):
 
             self._trajectory = known_motion(self.problem.configuration, until, self.problem.initial.given)
         return self._trajectory
+
+    @cached_property
+    def precise(self) -> "MotionInSeries":
+        """The same motion to any number of digits."""
+        from vibcli.results.motion_in_series import MotionInSeries
+
+        return MotionInSeries(self.problem)
+
+    def value_to(self, node: "Node", time: "Fraction", digits: int) -> "mpmath.mpf":
+        """An expression of coordinates, their rates and the time at an instant, to so many correct digits."""
+        return self.precise.value(node, time, digits)
+
+    def unknown(self, t: float) -> Unknown:
+        """The refusal of an instant after the end; where digits run out before, with more that are known there."""
+        trajectory = self.trajectory()
+        refusal = trajectory.unknown(t)
+        known = trajectory.shared
+        if known is not None and trajectory.end == known.horizon and self._is_affordable(known, t):
+            return Unknown(refusal.message, f"{refusal.hint}; --digits {FOLLOWED} carries as many as it takes")
+        return refusal
+
+    def _is_affordable(self, shared, t):
+        """Can a series follow the motion up to an instant?"""
+        loss = max(LOST / shared.horizon, 0.0 if shared.folding is None else 1 / (shared.folding * log(10)))
+        try:
+            return self.precise.until(Fraction(t)).is_affordable(FOLLOWED, Fraction(t), loss)
+        except PhysicsError:
+            return False
 
     @property
     def known(self):
@@ -123,7 +163,7 @@ class FullResponse(StatesInTime):
             try:
                 return self.trajectory(max(t, self.until))
             except PhysicsError:
-                return self.trajectory(t)
+                return self.trajectory(t or SOON)
         return self._trajectory
 
     def lasting(self):
@@ -179,29 +219,53 @@ class FullResponse(StatesInTime):
         return q.values(), v.values()
 
     def period(self, tree: NameRef | Power | Sum):
-        """Of one conservative degree of freedom by quadrature; else the time after which a signal repeats itself."""
-        from vibcli.analyses.time_integration.periodicity import searched_period
-
+        """(period, relative error): of one conservative degree of freedom by quadrature; else the time after which a
+        signal repeats itself."""
         self._require_start()
         if self.by_quadrature(tree) is not None:
-            return self._exact_period[0]
+            return self._exact_period
+        if str(tree) not in self._periods:
+            self._periods[str(tree)] = self._searched_period(tree)
+        return self._periods[str(tree)]
+
+    def _searched_period(self, tree):
+        from vibcli.analyses.time_integration.periodicity import searched_period
+
         try:
             first = self.until
         except PhysicsError:
             first = None
-        return searched_period(self.signal(tree), first)
+        found, error = searched_period(self.signal(tree), first)
+        return found, error / found
 
-    def states(self, known: float, trajectory: "Trajectory"):
-        if trajectory.system.switches:
-            raise PhysicsError("reactions are not found along a motion in which a force bends or jumps",
-                               "ask for forces of springs and dampers, as in s.force + d.force")
-        return super().states(known, trajectory)
+    def senses(self, states: Any, trajectory: "Trajectory | None") -> Callable | None:
+        """By the windows of the motion; PhysicsError where friction that sticks is shared in any proportion."""
+        if trajectory is None or not trajectory.switching.count:
+            return None
+        from vibcli.analyses.time_integration.switch_senses import senses
+        from vibcli.results.shared_friction import require_unshared
+        from vibcli.symbolic.array_arithmetic import Arrays
+
+        times, names = states[self.problem.scene.time.name], trajectory.names
+        require_unshared(trajectory, times, states)
+
+        def of(scene, arguments):
+            def of_states(t, q, v):
+                return evaluate(arguments, Arrays, self.states(self.named(names, t, q, v, 0.0 * v), trajectory))
+
+            return senses(trajectory, scene, arguments, evaluate(arguments, Arrays, states), times, of_states)
+
+        return of
 
     def places(self, times: "np.ndarray", trajectory: "Trajectory"):
         """{name: array} of the time and of the coordinates that were integrated, with their rates."""
+        return self.named(trajectory.names, times, *trajectory.at(times))
+
+    def named(self, names: Sequence[str], times: "np.ndarray", *rows: "np.ndarray") -> "dict[str, Any]":
+        """{name: array} of the time, of coordinates and as many of their rates as there are `rows`."""
         values = {**self.problem.numeric.floats, self.problem.scene.time.name: times}
-        for primes, rows in zip(("", "'", "''"), trajectory.at(times), strict=True):
-            values |= {name + primes: row for name, row in zip(trajectory.names, rows, strict=True)}
+        for primes, each in zip(("", "'", "''"), rows, strict=False):
+            values |= {name + primes: row for name, row in zip(names, each, strict=True)}
         return values
 
     def signal_of(self, node: "Node", forces: Mapping[Any, Any], shared: "SharedFriction | None" = None):

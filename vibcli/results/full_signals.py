@@ -4,14 +4,23 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
-from vibcli.results.signals import ComposedSignal, Signal, require_finite
+from vibcli.results.signal import Signal, require_finite
+from vibcli.results.signals import ComposedSignal
 from vibcli.symbolic.evaluation import evaluate
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
+    import mpmath
     import numpy as np
 
+    from vibcli.analyses.time_integration.signal_error import SignalError
     from vibcli.results.shared_friction import SharedFriction
     from vibcli.symbolic.node import Node
+
+
+BENT = ("abs", "min", "max", "ramp")
+ALIKE = 4e-15           # of the range of a signal
 
 
 class FullSignal(Signal):
@@ -23,6 +32,7 @@ class FullSignal(Signal):
     def __init__(self, motion: Any, node: "Node", forces: Mapping[Any, Any] | None = None,
                  shared: "SharedFriction | None" = None):
         self.motion, self.node, self.forces, self.shared = motion, node, forces or {}, shared
+        self._errors: dict[Any, SignalError] = {}
 
     def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
         if order:
@@ -32,9 +42,16 @@ class FullSignal(Signal):
         times = np.asarray(times, dtype=float)
         return self._along(self.motion.reaching(times.max(initial=0.0)), times)
 
+    def precise(self, t: "Fraction", digits: int) -> "mpmath.mpf":
+        """The value at an instant, correct to so many digits."""
+        if self.forces:
+            raise PhysicsError("more digits of forces of constraints, supports and drives are not found along a motion",
+                               "ask for coordinates, or for forces of springs and dampers")
+        return self.motion.value_to(self.node, t, digits)
+
     def error(self, t: float) -> float:
         trajectory = self.motion.reaching(t)
-        found = trajectory.shared.of_signal(self._along, t)
+        found = float(max(one.at(t) for one in self._about(trajectory, t)))
         return found if trajectory.fast is None or t < trajectory.fast.since else found + self._of_fast(trajectory, t)
 
     def _of_fast(self, trajectory, t):
@@ -55,7 +72,25 @@ class FullSignal(Signal):
                    for symbol, slope in slopes.items() if symbol.name in amplitudes)
 
     def error_of_time(self, t: float) -> float:
-        return t * self.motion.reaching(t).shared.of_state(t)
+        from math import isfinite
+
+        from vibcli.analyses.time_integration.error_scales import EPSILON
+
+        trajectory = self.motion.reaching(t)
+        if t <= trajectory.rests:       # at rest since the start, or where it begins to move
+            return EPSILON * t
+        found = [one.of_time(t) for one in self._about(trajectory, t)]
+        return float(next(filter(isfinite, found), t))      # before it sticks: what rests has an extreme at any instant
+
+    def _about(self, trajectory, t):
+        """The SignalError of each window in which an instant lies."""
+        from vibcli.analyses.time_integration.signal_error import SignalError
+
+        numbers = trajectory.about(t)
+        for k in numbers:
+            if (id(trajectory), k) not in self._errors:
+                self._errors[id(trajectory), k] = SignalError(trajectory, self._along, k)
+        return [self._errors[id(trajectory), k] for k in numbers]
 
     def _along(self, trajectory, times):
         """The values along one solution."""
@@ -92,7 +127,11 @@ class FullSignal(Signal):
         from vibcli.analyses.time_integration.switch_senses import senses
 
         scene, arguments = self.motion.problem.scene, [part.args[0] for part in signs]
-        found = senses(trajectory, scene, arguments, evaluate(arguments, Arrays, values), times)
+
+        def of_states(t, q, v):
+            return evaluate(arguments, Arrays, self.motion.named(trajectory.names, t, q, v))
+
+        found = senses(trajectory, scene, arguments, evaluate(arguments, Arrays, values), times, of_states)
         symbols = {part: scene.table.variable(f"sense {i}") for i, part in enumerate(signs)}
         values |= {symbol.name: sense for symbol, sense in zip(symbols.values(), found, strict=True)}
         return substitute([node], symbols)[0]
@@ -107,7 +146,30 @@ class FullSignal(Signal):
         """(instant, value) of the largest (sense 1) or smallest (−1) value."""
         from vibcli.analyses.time_integration.level_crossings import extreme
 
-        return extreme(self.motion.reaching(end), self.values, start, end, sense)
+        trajectory = self.motion.reaching(end)
+        bends = self._bends(trajectory, start, end)
+        if not len(bends):
+            return extreme(trajectory, self.values, start, end, sense)
+        from vibcli.analyses.transient.sampled_extremes import SampledSearch
+
+        search = SampledSearch(self.values, start, min(end, trajectory.end), self.motion.problem.work)
+        found = [search.extreme(sense), *zip(bends.tolist(), self.values(bends).tolist(), strict=True)]
+        top = max(sense * value for _, value in found)
+        return min((t, value) for t, value in found if sense * value >= top - ALIKE * search.range)
+
+    def _bends(self, trajectory, start, end):
+        """The instants at which the signal bends by itself: where the motion switches, windows end anyhow."""
+        import numpy as np
+
+        from vibcli.symbolic.expression_graph import reachable
+
+        found = []
+        for part in reachable([self.node]):
+            if part.op == "call" and part.name in BENT and part.mask:
+                argument = part.args[0] - part.args[1] if len(part.args) > 1 else part.args[0]
+                if argument not in trajectory.system.switches:
+                    found += FullSignal(self.motion, argument, self.forces).zeros(start, end)
+        return np.array(found)
 
     def final(self):
         raise PhysicsError("a motion that is integrated has no known limit", "ask for its value at a late instant")

@@ -8,6 +8,9 @@ from vibcli.results.full_response import StatesInTime
 from vibcli.results.full_signals import PrescribedSignal
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
+    import mpmath
     import numpy as np
 
     from vibcli.analyses.time_integration.trajectory import Trajectory
@@ -15,6 +18,8 @@ if TYPE_CHECKING:
     from vibcli.results.shared_friction import SharedFriction
     from vibcli.symbolic.node import Node
     from vibcli.symbolic.syntax import NameRef, Power, Sum
+
+GUARDS = (20, 80, 320)      # digits
 
 
 class PrescribedResponse(StatesInTime):
@@ -54,6 +59,30 @@ class PrescribedResponse(StatesInTime):
             raise PhysicsError(f"the loops of this scene cannot close at t = {time:.6g} s",
                                "mind the lengths of its links, and dead centres")
         return found
+
+    def value_to(self, node: "Node", time: "Fraction", digits: int) -> "mpmath.mpf":
+        """A function of the time at an instant, to so many correct digits."""
+        import mpmath
+
+        from vibcli.symbolic.evaluation import evaluate, multiprecision
+
+        problem = self.problem
+        if problem.scene.loops is not None:
+            raise PhysicsError("more digits of closed loops that are driven are not found", "leave --digits out")
+
+        def found(working):
+            with mpmath.workdps(working):
+                arithmetic = multiprecision()
+                instant = mpmath.mpf(time.numerator) / time.denominator
+                values = {**problem.numeric.values(arithmetic), problem.scene.time.name: instant}
+                return evaluate([node], arithmetic, values)[0]
+
+        for guard in GUARDS:
+            coarse, fine = found(digits + guard), found(digits + 2 * guard)
+            if abs(coarse - fine) < abs(fine) * mpmath.mpf(10) ** -digits or coarse == fine:
+                return fine
+        raise PhysicsError(f"{digits} digits of this are not found at t = {float(time):.6g} s: it is 0, or nothing but "
+                           "rounding", "leave --digits out")
 
     @property
     def known(self):

@@ -42,13 +42,14 @@ class Problem:
 
     def __init__(self, spec: "Spec", given: "Mapping[str, Fraction] | None" = None, work: "Work | None" = None,
                  modal: ModalAnalysis | None = None, choice: Any = None, earlier: Mapping[str, float] | None = None,
-                 end: Any = None, signed: bool = False):
+                 end: Any = None, signed: bool = False, digits: int | None = None):
         if modal is None:
             modal = ModalAnalysis(Configuration(NumericSystem(MechanicalSystem(spec, given, work))))
         self.spec, self.modal, self.configuration, self.numeric = spec, modal, modal.configuration, modal.numeric
         self.system, self.work, self.costs = modal.system, modal.work, modal.costs
         self.symbolic = SymbolicSystem(self.configuration, ModalAnalysis)
         self.choice, self.earlier, self.end, self.signed = choice, earlier or {}, end, signed
+        self.digits = digits
         self._cases, self._curves = {}, {}
 
     @cached_property
@@ -89,12 +90,17 @@ class Problem:
         """The same scene with amplitudes that have a sign."""
         return self._copy(signed=True)
 
+    def with_digits(self, digits: int) -> "Problem":
+        """The same scene with its quantities found to so many digits."""
+        return self._copy(digits=digits)
+
     def about(self, configuration: Configuration, free: int = 0) -> "Problem":
         """The same scene about another of its equilibria; `free`: in how many directions it moves freely there."""
         return self._copy(modal=ModalAnalysis(configuration, free), end=None)
 
     def _copy(self, **changes):
-        kept = {"modal": self.modal, "choice": self.choice, "earlier": self.earlier, "end": self.end}
+        kept = {"modal": self.modal, "choice": self.choice, "earlier": self.earlier, "end": self.end,
+                "signed": self.signed, "digits": self.digits}
         return Problem(self.spec, **{**kept, **changes})
 
     def case(self, name: str) -> "Problem":
@@ -152,11 +158,15 @@ class Problem:
         kind = self.spec.get("motion")
         if kind is None and self.scene.laws:
             raise responses.nonlinear(self.spec, self.scene.laws[0].owner)
-        if kind == "full":
+        if kind == "full" and self.digits is not None:
+            from vibcli.results.series_response import SeriesResponse
+
+            return SeriesResponse(self)
+        if kind == "full" or (kind is None and not self.numeric.has_free_symbols and self.configuration.falls):
             from vibcli.results.full_response import FullResponse
 
             return FullResponse(self)
-        return responses.SmallResponse(self)
+        return responses.SmallResponse(self, _precise_response)
 
     def symbolic_frequency_response(self, signal: "LinearSignal", driver: str, frequency: "str | Node" = "Omega"):
         """The Formula of a frequency response; `frequency`: its letter, or an expression for it."""
@@ -170,6 +180,15 @@ class Problem:
 
         return steady_state(self.symbolic, signal)
 
+    def symbolic_following(self, signal: str, alone: bool = False) -> "Node":
+        """What of a signal follows loads that are powers of the time, in letters, counted from equilibrium; `alone`:
+        where that is all in the end, NotInLetters where the free motion does not die out."""
+        from vibcli.analyses.closed_form.powers_of_time import following, require_damped
+
+        if alone:
+            require_damped(self.symbolic)
+        return following(self.symbolic, signal)
+
     def frequency_response(self, signal: str, driver: str) -> "FrequencyResponse":
         """The FrequencyResponse of a signal to an input."""
         from vibcli.results.frequency_response import FrequencyResponse
@@ -177,3 +196,9 @@ class Problem:
         if (signal, driver) not in self._curves:
             self._curves[signal, driver] = FrequencyResponse(self, signal, driver)
         return self._curves[signal, driver]
+
+
+def _precise_response(problem):
+    from vibcli.results.precise_response import PreciseResponse
+
+    return PreciseResponse(problem)

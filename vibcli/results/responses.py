@@ -5,7 +5,6 @@ constant factors is exact at any time; products and powers are evaluated instant
 """
 
 from collections.abc import Callable
-from fractions import Fraction
 from functools import cached_property
 from math import tau
 from typing import TYPE_CHECKING, Any
@@ -14,10 +13,12 @@ from vibcli.analyses.excitation.linear_output import LinearOutput, combined
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signals import ENERGIES
 from vibcli.mechanics.signals import energy
+from vibcli.results.given_start import check_start
 from vibcli.results.signals import Closing, ComposedSignal, LinearSignal
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.rationals import fraction_of
 from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef, Power, QuantityRef, Sum
 
@@ -27,7 +28,6 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 LONGEST = 1e12      # seconds
-FOLLOWED = 1e-9     # of the start: how nearly a place must be that to which a coordinate follows the others
 
 
 class Response:
@@ -88,34 +88,34 @@ def nonlinear(spec: "Spec", owner: str) -> PhysicsError:
                         "write motion: full, or motion: small where the motion stays small", record and record.where)
 
 
-def check_start(problem: "Problem", motion: Any) -> None:
-    """Refuses a velocity of what has no inertia, and a place of what nothing holds back."""
-    record = problem.spec.get("initial")
-    if motion.system is None or record is None:
-        return
-    names, reach = problem.scene.coordinates, abs(motion.start).max() + abs(motion.q0).max()
-    for key in record:
-        i = names.index(key.rstrip("'")) if key.rstrip("'") in names else None
-        if i is None or motion.M[i, i]:
-            continue
-        if key.endswith("'"):
-            raise PhysicsError(f"'{names[i]}' has no inertia: its velocity follows from the forces and cannot be given",
-                               f"leave {key} out", record.place(key))
-        if abs(motion.start[i] - motion.q0[i]) > FOLLOWED * reach:
-            raise PhysicsError(f"nothing holds '{names[i]}' back, neither inertia nor a damper: at t = 0 it stands "
-                               f"{motion.start[i]:.6g} from where it rests, not {motion.q0[i]:.6g}", f"leave {key} out",
-                               record.place(key))
-
-
 def _jumps(node, symbols):
     """Does a function stand in the node that has no slope but where it jumps, of one of these symbols?"""
     return any(part.name == "sign" and any(part.mask & symbol.mask for symbol in symbols) for part in reachable([node]))
 
 
 class SmallResponse(Response):
-    """Small oscillations about the equilibrium, exact in time."""
+    """Small oscillations about the equilibrium, exact in time. finely: what makes a PreciseResponse of a Problem."""
 
     KIND, WORDS = "small", "small oscillations about the equilibrium"
+    arithmetic: Any = Floats
+
+    def __init__(self, problem: "Problem", finely: Callable | None = None):
+        super().__init__(problem)
+        self.configuration, self.finely, self.finer = problem.configuration, finely, {}
+
+    @cached_property
+    def values(self) -> dict[str, Any]:
+        """{parameter: number}."""
+        return self.problem.numeric.floats
+
+    @property
+    def precise(self):
+        """The PreciseResponse at the working precision of mpmath."""
+        from mpmath import mp
+
+        if mp.prec not in self.finer:
+            self.finer[mp.prec] = self.finely(self.problem)
+        return self.finer[mp.prec]
 
     @property
     def known(self):
@@ -130,6 +130,20 @@ class SmallResponse(Response):
         rest = self.problem.configuration.equilibrium.values
         names = self.problem.scene.coordinates
         return (np.array([places[name] - rest[name] for name in names]), np.array([speeds[name] for name in names]))
+
+    @cached_property
+    def data_errors(self):
+        """The DataErrors of the matrices and of the start."""
+        import numpy as np
+
+        from vibcli.analyses.transient.data_errors import of_elements
+        from vibcli.symbolic.running_errors import error_in
+
+        configuration, names = self.problem.configuration, self.problem.scene.coordinates
+        _, known = configuration.bounded_rest
+        rest = np.array([float(error_in(known[name])) for name in names])
+        places, speeds = (np.array([part[name] for name in names]) for part in self.problem.initial.start)
+        return of_elements(configuration.linear_system, self.matrices, (places, speeds), rest)
 
     @cached_property
     def matrices(self):
@@ -153,7 +167,7 @@ class SmallResponse(Response):
         from vibcli.analyses.transient.linear_response import linear_motion
 
         found = self.problem.modal.solved(linear_motion, *self.matrices, self.forcing(direct), *self.deviations,
-                                          modes=self.modes, work=self.problem.work)
+                                          modes=self.modes, work=self.problem.work, doubt=lambda: self.data_errors)
         check_start(self.problem, found)
         return found
 
@@ -193,17 +207,17 @@ class SmallResponse(Response):
     def signal(self, tree: NameRef | Power | Sum):
         """The signal of a tree."""
         parts = {}
-        node = lower(tree, self.problem.scene.table, lambda name, primes, part: self._part(parts, name, primes, part))
+        node, source = lower(tree, self.problem.scene.table, lambda *named: self._part(parts, *named)), (self, tree)
         if node in parts:
-            return self._one(parts[node])
+            return self._one(parts[node], source)
         slopes = gradient(node)
         if (any(slope.mask for slope in slopes.values()) or _jumps(node, parts)
                 or not all(isinstance(part[0], LinearOutput) for part in parts.values())):
-            return self._composed(node, parts)
+            return self._composed(node, parts, source)
         used = [symbol for symbol in parts if symbol in slopes]
-        values = {**self.problem.numeric.floats, **{symbol.name: 0.0 for symbol in parts}}
-        constant, *factors = evaluate([node, *(slopes[symbol] for symbol in used)], Floats, values)
-        return self._linear(constant, list(zip(factors, (parts[symbol] for symbol in used), strict=True)))
+        values = {**self.values, **{symbol.name: 0.0 for symbol in parts}}
+        constant, *factors = evaluate([node, *(slopes[symbol] for symbol in used)], self.arithmetic, values)
+        return self._linear(constant, list(zip(factors, (parts[symbol] for symbol in used), strict=True)), source)
 
     def _part(self, parts, name, primes, part):
         """The node of a name within a signal; a symbol for what is read off the motion."""
@@ -213,20 +227,27 @@ class SmallResponse(Response):
         problem, table = self.problem, self.problem.scene.table
         if name in problem.scene.parameters.nodes and not primes:
             return problem.scene.parameters.nodes[name]
-        symbol = table.variable("signal " + (part.text if isinstance(part, QuantityRef) else name + "'" * primes))
+        text = "signal " + (part.text if isinstance(part, QuantityRef) else name + "'" * primes)
         if isinstance(part, QuantityRef):
-            parts[symbol] = (part,)
-        elif name in ENERGIES and name not in problem.spec.coordinates:
+            return self._named(parts, text, (part,))
+        if name in ENERGIES and name not in problem.spec.coordinates:
             return self._at_states(parts, energy(problem.scene, name, primes))
-        elif is_quadratic(name):
+        if is_quadratic(name):
             total = table.zero
-            for number, (weight, *found) in enumerate(quadratic_output(problem.configuration, name)):
-                square = table.variable(f"signal {name} {number}")
-                parts[square] = self._apart(*found)
-                total = total + square * square * table.number(Fraction(weight))
+            for number, (weight, (one, two)) in enumerate(quadratic_output(self.configuration, name, primes)):
+                first, second = (self._named(parts, f"{text} {number}{mark}", self._apart(*found))
+                                 for mark, found in (("", one), ("'", two)))
+                total = total + first * second * table.number(fraction_of(weight))
             return total
-        else:
-            parts[symbol] = self._apart(*linear_output(problem.configuration, name + "'" * primes))
+        return self._named(parts, text, self._apart(*linear_output(self.configuration, name + "'" * primes)))
+
+    def _named(self, parts, text, found):
+        """The symbol of what is read off the motion: of what is there already that which it has, so that equals
+        cancel."""
+        symbol = next((symbol for symbol, known in parts.items() if known == found), None)
+        if symbol is None:
+            symbol = self.problem.scene.table.variable(text)
+            parts[symbol] = found
         return symbol
 
     def state_signal(self, node: "Node"):
@@ -234,15 +255,19 @@ class SmallResponse(Response):
         parts = {}
         return self._composed(self._at_states(parts, node), parts)
 
-    def _composed(self, node, parts):
+    def _composed(self, node, parts, source=()):
         """The function `node` of the signals of `parts`, and of coordinates that close loops where it holds some."""
-        scene, closing = self.problem.scene, None
-        if scene.loops is not None and any(part.op == "symbol" and part.name in scene.loops.names
-                                           for part in reachable([node])):
-            free = {q: self.signal(NameRef(0, 0, q, 0)) for q in scene.coordinates}
-            closing = Closing(scene.loops, self.problem.configuration.at_rest, free)
-        return ComposedSignal(node, {symbol.name: self._one(part) for symbol, part in parts.items()},
-                              self.problem.numeric.floats, scene.time, closing, self.problem.work)
+        signals = {symbol.name: self._one(part) for symbol, part in parts.items()}
+        return ComposedSignal(node, signals, self.values, self.problem.scene.time, self._closing(node),
+                              self.problem.work, source)
+
+    def _closing(self, node):
+        scene = self.problem.scene
+        if scene.loops is None or not any(part.op == "symbol" and part.name in scene.loops.names
+                                          for part in reachable([node])):
+            return None
+        return Closing(scene.loops, self.configuration.at_rest,
+                       {q: self.signal(NameRef(0, 0, q, 0)) for q in scene.coordinates})
 
     def _at_states(self, parts, node):
         """The same with the coordinates and their rates replaced by symbols of their signals."""
@@ -260,12 +285,17 @@ class SmallResponse(Response):
         nodes = copied(list(direct.values()), self.problem.scene.table)
         return output._replace(channels={}), next(iter(nodes), None)
 
-    def _one(self, part):
+    def _one(self, part, source=()):
         if isinstance(part[0], LinearOutput):
-            return self._linear(0.0, [(1.0, part)])
+            return self._linear(0.0, [(1.0, part)], source)
         return getattr(self.signal(part[0].args[0]), part[0].head)
 
-    def _linear(self, constant, terms):
+    def _linear(self, constant, terms, source=()):
+        motion, output = self._driven(constant, terms)
+        return LinearSignal(motion, output, source=source)
+
+    def _driven(self, constant, terms):
+        """(motion, output) of a constant and of terms [(factor, (output, node of the time or None))]."""
         direct = [node for _, (_, node) in terms if node is not None]
         motion = self.moved(direct) if direct else self.alone
         channel, outputs = len(self.matrices[0]), [(1.0, LinearOutput(constant))]
@@ -274,4 +304,4 @@ class SmallResponse(Response):
                 output = output._replace(channels={channel: 1.0})
                 channel += 1
             outputs.append((factor, output))
-        return LinearSignal(motion, combined(outputs))
+        return motion, combined(outputs)

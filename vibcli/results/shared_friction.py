@@ -56,6 +56,15 @@ class SharedFriction:
             raise shared(next(owner for owner in self.changes if owner in moves and moves[owner].any()))
 
 
+def require_unshared(trajectory: "Trajectory", times: "np.ndarray", values: "Mapping[str, Any]") -> None:
+    """PhysicsError at instants at which forces of dry friction are shared in any proportion."""
+    from vibcli.mechanics.equilibrium.redundant_friction import shared
+
+    for owner, change in _moves(trajectory, times, values).items():
+        if change.any():
+            raise shared(owner)
+
+
 def _moves(trajectory, times, values):
     """The changes of friction forces that still balance, {owner: array}; empty where none is held."""
     import numpy as np

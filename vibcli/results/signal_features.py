@@ -1,6 +1,7 @@
 """Numbers that are read off one signal of a small motion in free vibration: after the last change of the loads
 x = A e^{−δt} cos(ω_d t − φ), beside what the loads that do not oscillate add."""
 
+from cmath import rect
 from math import inf, tau
 from typing import TYPE_CHECKING
 
@@ -8,6 +9,7 @@ from vibcli.analyses.excitation.forcing import oscillates
 from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
+    from vibcli.analyses.transient.envelope import Beats, Decay
     from vibcli.analyses.transient.textbook_form import Part
     from vibcli.results.signals import LinearSignal
 
@@ -23,7 +25,7 @@ def kept_up(signal: "LinearSignal") -> bool:
 
 def free_parts(signal: "LinearSignal") -> "list[Part]":
     """The Parts of a signal after the last change of the loads, of which none oscillates without end."""
-    from vibcli.analyses.transient.textbook_form import formula
+    from vibcli.analyses.transient.textbook_form import formula, told_apart
 
     if kept_up(signal):
         if signal.part == "steady":
@@ -31,7 +33,7 @@ def free_parts(signal: "LinearSignal") -> "list[Part]":
         signal.motion.steady  # noqa: B018 - at resonance there is none, and so no part that is free
         raise PhysicsError("loads that oscillate without end keep this signal in motion: it is no free vibration",
                            "the part of it that is free is transient(x)")
-    return formula(signal.motion, signal.output, -1)
+    return formula(signal.motion, signal.output, -1, told_apart(signal.motion))
 
 
 def vibration(signal: "LinearSignal") -> "Part":
@@ -50,11 +52,42 @@ def vibration(signal: "LinearSignal") -> "Part":
 
 def from_the_start(signal: "LinearSignal") -> "Part":
     """The same of a vibration that is free from t = 0 on."""
-    part, last = vibration(signal), signal.motion.forcing.segments(inf)[-1].start
-    if last:
-        raise PhysicsError(f"this vibration is free only from t = {last:.6g} s on: A e^(−δt) cos(ω_d t − φ) is not its "
-                           "motion from t = 0", "ask for max(x), or its value at a time")
+    part = vibration(signal)
+    require_from_the_start(signal)
     return part
+
+
+def require_from_the_start(signal: "LinearSignal") -> None:
+    """Refuses a signal whose loads change after t = 0."""
+    last = signal.motion.forcing.segments(inf)[-1].start
+    if last:
+        kept = "kept up" if kept_up(signal) else "free"
+        raise PhysicsError(f"this vibration is {kept} only from t = {last:.6g} s on: A e^(−δt) cos(ω_d t − φ) is not "
+                           "its motion from t = 0", "ask for max(x), or its value at a time")
+
+
+def envelope(signal: "LinearSignal") -> "Decay | Beats":
+    """Of the one or two vibrations, free or kept up by loads, that are there from t = 0 on."""
+    from vibcli.analyses.transient.envelope import Beats, Decay
+    from vibcli.analyses.transient.free_vibration import vibrations
+
+    forcing = signal.motion.forcing
+    if forcing.period is not None:
+        raise PhysicsError("the loads of this signal have harmonics without end: it has no envelope that is found",
+                           "ask for max(x), or its value at a time")
+    waves = vibrations(signal.motion, signal.output)
+    if any(wave.power for wave in waves):
+        raise PhysicsError("at a resonance the amplitude of this signal grows with the time: an envelope is found of "
+                           "one vibration and of two", "ask for max(x), or its value at a time")
+    if len(waves) > 2:
+        raise PhysicsError(f"this signal holds {len(waves)} vibrations: an envelope is found of one and of two",
+                           "ask for max(x), or start in one mode or two")
+    if len(waves) < 2 and not kept_up(signal):
+        waves = [vibration(signal)]
+    if not waves:
+        raise PhysicsError("this signal does not vibrate", "ask for max(x), or its value at a time")
+    require_from_the_start(signal)
+    return Beats(*waves) if len(waves) == 2 else Decay(waves[0].amplitude, waves[0].rate)
 
 
 def amplitude(signal: "LinearSignal") -> float:
@@ -97,7 +130,7 @@ def beat_period(signal: "LinearSignal") -> float:
     from vibcli.analyses.transient.free_vibration import beat_period
 
     if signal.motion.forcing.period is None:
-        found = beat_period(signal.motion, signal.output, -1)
+        found = beat_period(signal.motion, signal.output)
         if found is not None:
             return found
     raise PhysicsError("this signal has no beats", "beats need two vibrations of nearly equal frequency and comparable "
@@ -110,21 +143,32 @@ def free_period(signal: "LinearSignal") -> float:
 
 def mean(signal: "LinearSignal"):
     """Of what lasts of a free motion."""
-    return _lasting(signal)[0]
+    return _vibrating(signal)[0][1].real
 
 
 def rms(signal: "LinearSignal"):
     """√(c² + Σ A²/2) of c + Σ A cos(ω t − φ), what lasts of a free motion."""
-    middle, sizes = _lasting(signal)
-    return (middle * middle + sum(A * A for A in sizes) / 2) ** 0.5
+    return sum(abs(X) ** 2 / (2 if speed else 1) for speed, X in _vibrating(signal)) ** 0.5
 
 
-def _lasting(signal):
-    """(constant, amplitudes) of the vibrations that do not die out."""
+def _vibrating(signal):
+    """The waves that last, of which there is one at least."""
+    found = lasting(signal)
+    if not any(speed for speed, _ in found):
+        raise at_rest()
+    return found
+
+
+def at_rest() -> PhysicsError:
+    return PhysicsError("this signal comes to rest: it has no period to take a mean over", "ask for final(x)")
+
+
+def lasting(signal: "LinearSignal") -> list[tuple[float, complex]]:
+    """[(ω, X)] of c + Σ Re X e^{iωt} that does not die out of a free motion, ω = 0 of the constant."""
     parts = free_parts(signal)
     if any(part.amplitude and (part.rate > 0 or (part.power and not part.rate)) for part in parts):
         raise PhysicsError("this motion drifts or grows: it has no mean over a period", "ask for its value at a time")
-    waves = [part.amplitude for part in parts if part.omega and abs(part.rate) <= UNDYING * part.omega]
-    if not waves:
-        raise PhysicsError("this signal comes to rest: it has no period to take a mean over", "ask for final(x)")
-    return sum(part.amplitude for part in parts if not (part.omega or part.rate)), waves
+    start = signal.motion.forcing.segments(inf)[-1].start
+    waves = [(part.omega, rect(part.amplitude, -part.phase - part.omega * start)) for part in parts
+             if part.omega and abs(part.rate) <= UNDYING * part.omega]
+    return [(0.0, complex(sum(part.amplitude for part in parts if not (part.omega or part.rate)))), *waves]

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Work
+from vibcli.results.signal import Signal, part_of, require_finite
 from vibcli.symbolic.evaluation import evaluate
 
 if TYPE_CHECKING:
@@ -17,56 +18,42 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
     from vibcli.analyses.transient.composition import Composition, Leaf
     from vibcli.analyses.transient.linear_response import LinearMotion
+    from vibcli.results.envelope import Envelope
     from vibcli.symbolic.node import Node
 
 
-def require_finite(values: "np.ndarray", times: "np.ndarray") -> "np.ndarray":
-    """The values; PhysicsError where one is no real number."""
-    import numpy as np
-
-    bad = ~np.isfinite(values)
-    if bad.any():
-        instant = np.asarray(times)[bad][0]
-        raise PhysicsError(f"this signal has no finite real value at t = {instant:.6g} s",
-                           "mind its divisors and what stands under roots and in logarithms")
-    return values
-
-
-class Signal:
-    """A function of the time. What a kind of signal does not have is refused by the name of that kind."""
-
-    KIND, period = "a signal", None
-
-    def error(self, t: float) -> float:
-        """How far its value at an instant may be off; 0 where that is rounding."""
-        return 0.0
-
-    def error_of_time(self, t: float) -> float:
-        """How far an instant that was searched may be off [s]."""
-        return 0.0
-
-    @property
-    def steady(self):
-        raise PhysicsError(f"{self.KIND} has no steady part that is found", "ask for max(x), min(x) or values in time")
-
-    @property
-    def transient(self):
-        raise PhysicsError(f"{self.KIND} has no transient part that is found",
-                           "ask for max(x), min(x) or values in time")
-
-    @property
-    def envelope(self):
-        raise PhysicsError(f"{self.KIND} has no envelope that is found", "ask for max(x), min(x) or values in time")
+EQUAL = 1e-12       # relative distance of periods that are one
 
 
 class LinearSignal(Signal):
-    """A linear output of a linear motion. part: "steady" or "transient" where it is that of another."""
+    """A linear output of a linear motion. part: "steady" or "transient" where it is that of another; source: the
+    response and the tree it was asked as, and the parts of that which it is."""
 
-    def __init__(self, motion: "LinearMotion", output: "LinearOutput", part: str = ""):
-        self.motion, self.output, self.part = motion, output, part
+    def __init__(self, motion: "LinearMotion", output: "LinearOutput", part: str = "", source: tuple = ()):
+        self.motion, self.output, self.part, self.source = motion, output, part, source
 
     def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
         return self.motion.values(self.output, times, order)
+
+    def error(self, t: float) -> float:
+        import numpy as np
+
+        return float(self.motion.errors(self.output, np.array([t]))[0])
+
+    def error_of_time(self, t: float) -> float:
+        from vibcli.analyses.transient.instant_errors import of_top
+
+        return of_top(self.motion, self.output, t)
+
+    def error_of_zero(self, t: float) -> float:
+        from vibcli.analyses.transient.instant_errors import of_passage
+
+        return of_passage(self.motion, self.output, t)
+
+    def error_of_final(self) -> float:
+        from vibcli.results.feature_errors import final
+
+        return final(self)
 
     def along(self, end: float) -> "Leaf":
         from vibcli.analyses.transient.composition import Leaf
@@ -88,6 +75,14 @@ class LinearSignal(Signal):
         end = min(end, start + (self.period or end))      # later ones are the same but for rounding
         return self.motion.extreme(self.output, start, end, "max" if sense > 0 else "min")
 
+    def rivals(self, start: float, end: float, sense: int, margin: float) -> list[float]:
+        """The instants at which it comes within a margin of its largest or smallest value."""
+        from vibcli.analyses.transient.extremes import rivals
+
+        end = min(end, start + (self.period or end))
+        return rivals(self.motion.pieces(end), self.output, start, end, "max" if sense > 0 else "min", margin,
+                      self.motion.work)
+
     def zeros(self, start: float, end: float) -> "np.ndarray":
         return self.motion.zeros(self.output, start, end)
 
@@ -96,14 +91,16 @@ class LinearSignal(Signal):
 
     @cached_property
     def steady(self) -> "LinearSignal":
-        return LinearSignal(self.motion.steady, self.output, "steady")
+        return LinearSignal(self.motion.steady, self.output, "steady", part_of(self.source, "steady"))
 
     @cached_property
     def transient(self) -> "LinearSignal":
-        return LinearSignal(self.motion.transient, self.output, "transient")
+        return LinearSignal(self.motion.transient, self.output, "transient", part_of(self.source, "transient"))
 
     @cached_property
     def envelope(self) -> "Envelope":
+        from vibcli.results.envelope import Envelope
+
         return Envelope(self)
 
     @property
@@ -121,8 +118,9 @@ class Closing:
         self.loops, self.rest, self.free = loops, rest, free
 
     def values(self, times: Any, known: Any):
-        """{name: array}, `known` being the values of parameters and of the time."""
-        found = self.loops.along(self.rest, {**known, **{name: one.values(times) for name, one in self.free.items()}})
+        """{name: array}, `known` being the values of parameters and of the time, and of free coordinates perhaps."""
+        free = {name: one.values(times) for name, one in self.free.items() if name not in known}
+        found = self.loops.along(self.rest, {**known, **free})
         if found is None:
             raise PhysicsError("the loops of this scene cannot close along its small oscillations",
                                "mind how large they are, or write motion: full")
@@ -135,23 +133,57 @@ class ComposedSignal(Signal):
     KIND = "a signal composed of others"
 
     def __init__(self, node: "Node", signals: Mapping[str, LinearSignal], floats: Mapping[str, Any], time: "Node",
-                 closing: Any = None, work: Work | None = None):
+                 closing: Any = None, work: Work | None = None, source: tuple = ()):
         self.node, self.signals, self.floats, self.time, self.closing = node, signals, floats, time, closing
-        self.work = work or Work()
+        self.work, self.source = work or Work(), source
 
     def values(self, times: Any, order: int = 0) -> "np.ndarray":
-        from vibcli.symbolic.array_arithmetic import Arrays
-
         if order:
             raise PhysicsError("rates of products of signals are not found", "ask for the signal itself")
+        found = self.composed(times, {name: signal.values(times) for name, signal in self.signals.items()})
+        return require_finite(found, times)
+
+    def composed(self, times: Any, known: Mapping[str, Any]) -> "np.ndarray":
+        """Its values, given those of its signals, and others for its numbers perhaps."""
         import numpy as np
 
-        values = {name: signal.values(times) for name, signal in self.signals.items()}
+        from vibcli.symbolic.array_arithmetic import Arrays
+
         with np.errstate(all="ignore"):
-            values |= {**self.floats, self.time.name: np.asarray(times)}
+            values = {**self.floats, self.time.name: np.asarray(times), **known}
             values |= {} if self.closing is None else self.closing.values(times, values)
             found = evaluate([self.node], Arrays, values)[0]
-        return require_finite(np.broadcast_to(found, np.shape(times)), times)
+        return np.broadcast_to(found, np.shape(times))
+
+    @property
+    def names(self) -> set[str]:
+        """The names of the symbols that it holds."""
+        from vibcli.symbolic.expression_graph import reachable
+
+        return {symbol.name for symbol in reachable([self.node]) if symbol.op == "symbol"}
+
+    def error(self, t: float) -> float:
+        from vibcli.results.composed_errors import of_value
+
+        return of_value(self, t)
+
+    def error_of_time(self, t: float) -> float:
+        from vibcli.results.composed_errors import of_instant
+
+        return of_instant(self, t, 1)
+
+    def error_of_zero(self, t: float) -> float:
+        from vibcli.results.composed_errors import of_instant
+
+        return of_instant(self, t, 0)
+
+    def error_of_final(self) -> float:
+        from vibcli.results.composed_errors import propagated
+        from vibcli.symbolic.evaluation import Floats
+
+        return propagated(lambda known: evaluate([self.node], Floats, {**self.floats, **known})[0],
+                          {name: signal.final() for name, signal in self.signals.items()},
+                          {name: signal.error_of_final() for name, signal in self.signals.items()})
 
     def along(self, end: float) -> "Composition":
         """The Composition of the outputs up to an instant; KeyError where it holds what has no known bounds."""
@@ -173,6 +205,14 @@ class ComposedSignal(Signal):
         except KeyError:
             return SampledSearch(self.values, start, end, self.work).extreme(sense)
 
+    def rivals(self, start: float, end: float, sense: int, margin: float) -> list[float]:
+        """The instants at which it comes within a margin of its largest or smallest value; KeyError where it holds what
+        has no known bounds."""
+        from vibcli.analyses.transient.extremes import rivals
+
+        end = min(end, start + (self.period or end))
+        return rivals(self.along(end), None, start, end, "max" if sense > 0 else "min", margin, self.work)
+
     def zeros(self, start: float, end: float) -> list[float]:
         """Instants at which the signal passes or touches zero."""
         from vibcli.analyses.transient.sampled_extremes import SampledSearch
@@ -186,11 +226,13 @@ class ComposedSignal(Signal):
     @property
     def period(self):
         """After which it repeats itself from t = 0 on, None where that is not known."""
-        periods = {signal.period for signal in self.signals.values()}
-        return None if self.node.mask & self.time.mask or len(periods) != 1 else periods.pop()
+        periods = [signal.period for signal in self.signals.values()]
+        if self.node.mask & self.time.mask or None in periods or not periods:
+            return None
+        return max(periods) if max(periods) - min(periods) <= EQUAL * max(periods) else None
 
     def final(self):
-        self._require_no_time("limit")
+        self.require_no_time("limit")
         from vibcli.symbolic.evaluation import Floats
 
         try:
@@ -202,11 +244,12 @@ class ComposedSignal(Signal):
 
     @cached_property
     def steady(self):
-        self._require_no_time("steady state")
+        self.require_no_time("steady state")
         return ComposedSignal(self.node, {name: signal.steady for name, signal in self.signals.items()}, self.floats,
-                              self.time, work=self.work)
+                              self.time, work=self.work, source=part_of(self.source, "steady"))
 
-    def _require_no_time(self, what):
+    def require_no_time(self, what: str) -> None:
+        """Refuses what holds the time beside its signals."""
         if self.node.mask & self.time.mask or self.closing is not None:
             raise PhysicsError(f"the {what} of what holds a driven motion in a product is not found",
                                "ask for its values at instants, or for max and min")
@@ -223,54 +266,11 @@ class ComposedSignal(Signal):
                 instead[symbol] = table.variable(f"steady {symbol.name}")
                 signals[f"steady {symbol.name}"] = self.steady.signals[symbol.name]
         node = self.node - substitute([self.node], instead)[0]
-        return TransientOfComposed(node, signals, self.floats, self.time, work=self.work)
+        return TransientOfComposed(node, signals, self.floats, self.time, work=self.work,
+                                   source=part_of(self.source, "transient"))
 
 
 class TransientOfComposed(ComposedSignal):
     """What dies out of a composed signal."""
 
     KIND = "the transient part of a composed signal"
-
-
-class Envelope(Signal):
-    """A e^{−δt} of a free vibration."""
-
-    KIND = "an envelope"
-
-    def __init__(self, signal: LinearSignal):
-        self.signal = signal
-
-    @cached_property
-    def part(self):
-        """The vibration, free from t = 0 on."""
-        from vibcli.results.signal_features import from_the_start
-
-        return from_the_start(self.signal)
-
-    def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
-        import numpy as np
-
-        return self.part.amplitude * np.exp(self.part.rate * np.asarray(times))
-
-    def along(self, end: float):
-        from vibcli.analyses.transient.composition import Decay
-
-        return Decay(self.part.amplitude, self.part.rate)
-
-    def extreme(self, start: Any, end: float, sense: int):
-        """(instant, value) of the largest (sense 1) or smallest (−1) value: at an end."""
-        import numpy as np
-
-        times = np.array([start, end])
-        found = self.values(times)
-        best = int(np.argmax(sense * found))
-        return float(times[best]), float(found[best])
-
-    def zeros(self, start: float, end: float):
-        """None: it dies out, or is 0 for good."""
-        return []
-
-    def final(self):
-        if self.part.rate > 0:
-            raise PhysicsError("the motion grows without end: it comes to no rest", "ask for a value at a time")
-        return 0.0 if self.part.rate else self.part.amplitude

@@ -1,5 +1,6 @@
 """Numbers that are read off the steady state of a signal which loads keep up."""
 
+from collections.abc import Sequence
 from math import tau
 from typing import TYPE_CHECKING
 
@@ -30,11 +31,19 @@ def fundamental(signal: "LinearSignal") -> float:
     speeds = [Omega for Omega, _ in harmonics(signal)]
     if not speeds:
         raise PhysicsError("this steady state is at rest: it has no period", "ask for max(steady(x))")
+    found = common(speeds)
+    if found is None:
+        raise PhysicsError("the frequencies of this steady state have no common period", "ask for max(x) and min(x)")
+    return found
+
+
+def common(speeds: Sequence[float]) -> float | None:
+    """The angular frequency of which all are multiples; None where there is none."""
     for parts in range(1, MOST):
         ratios = [parts * speed / speeds[0] for speed in speeds]
         if all(abs(ratio - round(ratio)) <= COMMENSURATE * ratio for ratio in ratios):
             return speeds[0] / parts
-    raise PhysicsError("the frequencies of this steady state have no common period", "ask for max(x) and min(x)")
+    return None
 
 
 def harmonic(signal: "LinearSignal", number: int) -> complex:

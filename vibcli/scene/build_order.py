@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from vibcli.elements.body import MOTIONS, touched
+from vibcli.elements.body import carriers
 
 if TYPE_CHECKING:
     from vibcli.language.spec import Spec
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 def carriers_first(spec: "Spec", report: Callable) -> list[str]:
     """Names of all bodies, carriers first; a circle is reported and leaves an empty list."""
     bodies = spec.get("bodies") or {}
-    needs = {name: _carriers(record, spec) for name, record in bodies.items()}
+    needs = {name: carriers(record, spec) for name, record in bodies.items()}
     order, circular = {}, False
     for start in bodies:
         path = [start]
@@ -31,15 +31,3 @@ def carriers_first(spec: "Spec", report: Callable) -> list[str]:
             else:
                 path.append(carrier)
     return [] if circular else list(order)
-
-
-def _carriers(record, spec):
-    """Names of the bodies that a body's motion refers to."""
-    names = [record["weld"].text] if "weld" in record else []
-    motion = next((record[key] for key in MOTIONS if key in record and key != "weld"), {})
-    names += [motion[key].text for key in ("carrier", "at") if hasattr(motion.get(key), "text")]
-    carried = [spec.get("surfaces")[reference.text] for reference in touched(record)]
-    names += [surface["body"].text for surface in carried if "body" in surface]
-    points = spec.get("points") or {}
-    bodies = [points[n]["body"].text if n in points and "body" in points[n] else n for n in names]
-    return [n for n in bodies if n not in points]

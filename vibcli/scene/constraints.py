@@ -247,10 +247,14 @@ def _rates(scene, node):
 
 def words_of_locked(scene: Scene) -> str:
     """What is said of a scene whose constraints leave no freedom."""
+    if scene.held and not scene.dependent:
+        return "nothing moves in this scene: all its bodies are clamped"
     if any(node.mask & scene.time.mask for node in scene.dependent.values()) or not scene.dependent:
         return "nothing moves freely: all motion is prescribed as a function of the time"
     bodies = ", ".join(f"'{name}'" for name, body in scene.bodies.items() if body.moves)
     names = list(dict.fromkeys(f"'{constraint.whole}'" for constraint in scene.constraints))
     verb = "the constraint {} locks" if len(names) == 1 else "the constraints {} lock"
-    return (f"{verb.format(', '.join(names))} the scene: {bodies} cannot move, as {scene.freedom.coordinates} "
-            "coordinates are tied by as many independent conditions")
+    count = scene.freedom.coordinates
+    tied = "its one coordinate is tied by a condition" if count == 1 else (
+        f"{count} coordinates are tied by as many independent conditions")
+    return f"{verb.format(', '.join(names))} the scene: {bodies} cannot move, as {tied}"

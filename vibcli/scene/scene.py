@@ -139,6 +139,11 @@ class Scene:
         return self.still or self
 
     @property
+    def held(self) -> bool:
+        """Is all of it a question of statics: bodies that supports and constraints leave no freedom, nothing driven?"""
+        return not (self.q or self.timed) and any(body.moves for body in self.bodies.values())
+
+    @property
     def vibrating(self) -> "Scene":
         """The scene whose small oscillations are those of this one: itself; but the one at rest where constraints tie
         its coordinates to what is driven to and fro."""

@@ -33,11 +33,12 @@ class Source:
     """Lines of assignments to slots that compute expressions, given {symbol: slot} and the values of parameters.
     switches: {argument: slot} of the sign of each argument, to which unknown ones are added; None: |u|, sign u, min,
     max and pulses are what they are. records: {name: slot} of the sampled functions that are called. constants: {node:
-    value} of what is known already."""
+    value} of what is known already. changed: what each constant is written as instead, None: itself."""
 
     def __init__(self, slots: "Mapping[Node, str]", floats: Mapping[str, float], switches: "dict[Node, str] | None",
-                 constants: "Mapping[Node, float] | Sequence[Any]" = ()):
-        self.slots, self.floats, self.switches = dict(slots), floats, switches
+                 constants: "Mapping[Node, float] | Sequence[Any]" = (),
+                 changed: Callable[[float], float] | None = None):
+        self.slots, self.floats, self.switches, self.changed = dict(slots), floats, switches, changed
         self.lines, self.constants, self.records = [], dict(constants), {}
 
     def add(self, nodes: Any) -> list[str]:
@@ -53,17 +54,23 @@ class Source:
         return [self.text(node) for node in nodes]
 
     def text(self, node: Any) -> str:
-        return self.slots[node] if node.mask else number(self.constants[node])
+        return self.slots[node] if node.mask else number(self._written(self.constants[node]))
+
+    def _written(self, value):
+        """A constant as it is written."""
+        if self.changed is None:
+            return value
+        return self.changed(value if isinstance(value, float) else Floats.number(value))
 
     def _symbol(self, node):
         raise KeyError(node.name)
 
     def _sum(self, node):
         total = node.coefficient + sum(c * self.constants[part] for part, c in node.args if not part.mask)
-        terms = [_signed(c, self.slots[part]) for part, c in node.args if part.mask]
+        terms = [_signed(self._written(c), self.slots[part]) for part, c in node.args if part.mask]
         terms.sort(key=lambda term: term[0] == "-")
         if total:
-            terms.append(_signed(total))
+            terms.append(_signed(self._written(total)))
         while len(terms) > LONGEST:
             slot = f"y{len(self.lines)}"
             self.lines.append(f"{slot}=" + "".join(terms[:LONGEST]).removeprefix("+"))
@@ -78,6 +85,7 @@ class Source:
             else:
                 bent = self.switches is not None and _never_negative(base)
                 (above if e > 0 else below).extend(_powers(self.slots[base], abs(e), bent))
+        factor = self._written(factor)
         if len(above) + len(below) > LONGEST:
             above += [f"(1.0/{slot})" for slot in below]
             return "*".join([number(factor), *(f"({'*'.join(above[i:i + LONGEST])})"
@@ -175,21 +183,22 @@ def function(head: str, lines: Sequence[str], result: str, records: Sequence[Any
 class Compiled:
     """Expressions of (t, q, v) as functions of arrays over instants: q and v are of shape (coordinates, instants).
     `switches`: {argument: slot}, shared by what is to be smooth; None where |u|, sign u, min and max may bend.
-    `prepared(t)`: the parts that depend on the time alone, at the instants t."""
+    `prepared(t)`: the parts that depend on the time alone, at the instants t; changed: as that of a Source."""
 
-    def __init__(self, scene: Any, floats: Mapping[str, float], switches: "dict[Node, str] | None", nodes: Any):
+    def __init__(self, scene: Any, floats: Mapping[str, float], switches: "dict[Node, str] | None", nodes: Any,
+                 changed: Callable[[float], float] | None = None):
         time = scene.time
         below = reachable(nodes)
         _require_known(below, time)
         outer = _outermost([part for part in below if part.mask == time.mask and part is not time], below, nodes)
-        early = Source({time: "t"}, floats, None)
+        early = Source({time: "t"}, floats, None, changed=changed)
         prepared = _tuple(early.add(outer))
         records = [(slot, scene.table.records[name].on_arrays) for name, slot in early.records.items()]
         self.prepared = function("t", early.lines, prepared, records)
         slots = {time: "t", **{node: f"c{i}" for i, node in enumerate(outer)}}
         slots |= {node: f"{kind}{i}" for kind, symbols in (("q", scene.q), ("v", scene.v))
                   for i, node in enumerate(symbols)}
-        late = Source(slots, floats, switches, early.constants)
+        late = Source(slots, floats, switches, early.constants, changed)
         result = late.add(nodes)
         head = [f"{_tuple(f'{kind}{i}' for i in range(len(scene.q)))}={kind}" for kind in "qv"]
         if outer:

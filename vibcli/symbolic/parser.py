@@ -244,15 +244,17 @@ class _Parser:
     def quantity(self, start: int, head: str, depth: int) -> QuantityRef:
         if head in FUNCTIONS:
             raise ExpressionError(self.at, 1, f"{head} takes its argument in round brackets", f"write {head}(…)")
-        indices = []
+        indices, last = [], ()
         while match := _INDEX.match(self.text, self.at):
-            indices.extend(plain_name(part.strip()) for part in match.group(1).split(","))
+            last = match.group(1).split(",")
+            indices.extend(plain_name(part.strip()) for part in last)
             self.at = match.end()
         if self.text.startswith("[", self.at):
             raise ExpressionError(self.at, 1, "this index is not closed or empty", "write it as omega[1] or J[disc, O]")
         args = self.arguments(depth) if self.text.startswith("(", self.at) else ()
         component = self.component()
-        return QuantityRef(start, self.at, self.text[start:self.at], head, tuple(indices), component, tuple(args))
+        return QuantityRef(start, self.at, self.text[start:self.at], head, tuple(indices), component, tuple(args),
+                           alone=len(last) == 1)
 
     def component(self) -> str:
         """The word after a dot, such as x of centre[rod].x, or nothing."""

@@ -2,6 +2,7 @@
 
 from fractions import Fraction
 from math import isqrt
+from typing import Any
 
 BITS = 256
 ZERO, ONE, HALF = 0, 1, Fraction(1, 2)
@@ -12,6 +13,14 @@ def exact(value: Fraction | int):
     if value.__class__ is not Fraction:
         value = Fraction(value)
     return value.numerator if value.denominator == 1 else value
+
+
+def fraction_of(value: Any) -> Fraction:
+    """The exact value of a float, or of a number of mpmath."""
+    if not hasattr(value, "_mpf_"):
+        return Fraction(value)
+    sign, man, exp, _ = value._mpf_
+    return (-1)**sign * int(man) * Fraction(2)**exp
 
 
 def bits(value: Fraction | int) -> int:

@@ -46,7 +46,7 @@ class NameRef(NamedTuple):
 
 class QuantityRef(NamedTuple):
     """omega[1], J[disc, O], centre[rod].x, frf[x, F](5 Hz), amplitude(x); of x(2 s) the head is VALUE, and the first
-    argument x."""
+    argument x. `alone`: the last index stands in square brackets of its own, as in K[x,y][2]."""
 
     start: int
     end: int
@@ -56,6 +56,7 @@ class QuantityRef(NamedTuple):
     component: str = ""
     args: tuple = ()
     kind: str = "quantity"
+    alone: bool = False
     children = ()
 
 

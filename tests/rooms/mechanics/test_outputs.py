@@ -174,10 +174,11 @@ def test_channels_carry_what_is_driven():
 
 def test_energy_and_power_are_squares():
     scene = problem(BASE)
-    (weight, output, channels), = quadratic_output(scene.configuration, "s.energy")
+    (weight, ((output, channels), again)), = quadratic_output(scene.configuration, "s.energy")
+    assert again[0] == output
     assert weight == pytest.approx(1 / 4000) and output == linear_output(scene.configuration, "s.force")[0] and channels
     assert value(scene, "equilibrium[s.energy]") == pytest.approx((5 * 9.81) ** 2 / 4000)
-    (weight, output, _), = quadratic_output(scene.configuration, "d.power")
+    (weight, ((output, _), _)), = quadratic_output(scene.configuration, "d.power")
     assert weight == 30.0 and output.v == {0: pytest.approx(-1.0)}
     assert value(scene, "equilibrium[ground.force.y]") == pytest.approx(-5 * 9.81)
 

@@ -4,9 +4,13 @@ import mpmath
 import pytest
 from support.scenes import problem, problem_of, value
 
-from vibcli.results.high_precision_response import precise_value
+from vibcli.symbolic.syntax import NameRef
 
 DIGITS = 50
+
+
+def precise(found, name, t):
+    return found.response.signal(NameRef(0, 0, name, 0)).precise(t, DIGITS)
 
 
 def under_damped(t):
@@ -26,7 +30,7 @@ def test_free_vibration_even_where_it_has_died_out(t):
     found = problem_of(Path(vibcli.__file__).parent / "examples" / "free_vibration.yaml")
     with mpmath.workdps(DIGITS + 10):
         exact = under_damped(mpmath.mpf(t))
-        got = precise_value(found, "x", 0, Fraction(t), DIGITS)
+        got = precise(found, "x", Fraction(t))
         assert abs(got - exact) <= abs(exact) * mpmath.mpf(10) ** (-DIGITS)
     if abs(exact) > 1e-200:
         assert value(found, f"x({t} s)") == pytest.approx(float(exact), rel=1e-12)
@@ -52,6 +56,6 @@ def test_resonance_of_two_degrees():
         other = mpmath.sqrt(10)
         apart = 2 / (other**2 - w**2) * (mpmath.cos(w * time) - mpmath.cos(other * time))
         exact = (total + apart) / 2
-        got = precise_value(found, "x1", 0, t, DIGITS)
+        got = precise(found, "x1", t)
         assert abs(got - exact) <= abs(exact) * mpmath.mpf(10) ** (-DIGITS)
     assert value(found, "x1(123.4 s)") == pytest.approx(float(exact), rel=1e-12)

@@ -98,7 +98,14 @@ class Formula:
         return self.table.sqrt(real * real + (self.Omega * imaginary) ** 2)
 
     @property
-    def tangent(self) -> "Node":
+    def side(self) -> int | None:
+        """The sign of sin θ, where no letter decides about it."""
+        (a, b), (c, d) = self.numerator, self.denominator
+        above = self.scale * self.Omega * (a * d - b * c)
+        return next((sign for sign in (1, -1) if self.table.is_positive(above if sign > 0 else -above)), None)
+
+    @property
+    def tangent(self) -> "Node | None":
         """tan θ of the lag θ = −arg H of the undifferentiated output; None where θ is a right angle everywhere."""
         (a, b), (c, d) = self.numerator, self.denominator
         above, below = a * d - b * c, a * c + self.Omega * self.Omega * b * d

@@ -6,6 +6,7 @@ from fractions import Fraction
 from typing import Any
 
 from vibcli.symbolic.evaluation import Floats, multiprecision
+from vibcli.symbolic.rationals import fraction_of
 
 PI = Fraction(3141592653589793238462643383279502884197169399375105820974944592307816406286208998628034825342117068,
               10**99)
@@ -41,12 +42,8 @@ def multiprecise() -> type[Any]:
     """The same in mpmath numbers."""
     import mpmath
 
-    def rational(x):
-        sign, man, exp, _ = mpmath.mpf(x)._mpf_
-        return (-1) ** sign * Fraction(int(man)) * Fraction(2) ** exp
-
     with mpmath.workprec(mpmath.mp.prec + 200):
-        exact_pi = rational(+mpmath.mp.pi)
+        exact_pi = fraction_of(+mpmath.mp.pi)
 
     class Multiple:
         arithmetic = multiprecision()
@@ -60,7 +57,7 @@ def multiprecise() -> type[Any]:
 
         @staticmethod
         def exact(value):
-            return rational(value) if mpmath.isfinite(value) else None
+            return fraction_of(mpmath.mpf(value)) if mpmath.isfinite(value) else None
 
         @classmethod
         def turned(cls, growth, phase, quarters=0):
@@ -70,10 +67,10 @@ def multiprecise() -> type[Any]:
 
         @staticmethod
         def polar(size):
-            return abs(size), rational(mpmath.arg(size))
+            return abs(size), fraction_of(mpmath.arg(size))
 
         @staticmethod
         def arc_sine(x):
-            return rational(mpmath.asin(x))
+            return fraction_of(mpmath.asin(x))
 
     return Multiple

@@ -1,12 +1,13 @@
 """Signals as LinearOutputs of the response methods, each with the channel of what drives it directly."""
 
-from fractions import Fraction
+from math import comb
 from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.excitation.linear_output import LinearOutput
+from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction, rate
-from vibcli.mechanics.inputs_outputs.outputs import linear_row, squares
-from vibcli.symbolic.rationals import ONE
+from vibcli.mechanics.inputs_outputs.outputs import linear_row, products
+from vibcli.symbolic.rationals import ONE, fraction_of
 
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
@@ -23,11 +24,28 @@ def linear_output(configuration: "Configuration", text: str, order: int = 0,
     return as_output(configuration, row, channel)
 
 
-def quadratic_output(configuration: "Configuration", text: str) -> "list[tuple[float, LinearOutput, dict[int, Node]]]":
-    """[(weight, LinearOutput, {channel: node})] with signal = Σ weight·output²: the energy of a spring, the power of a
-    damper; further outputs take the next channels."""
-    return [(weight, *as_output(configuration, row, len(configuration.scene.q) + i))
-            for i, (weight, row) in enumerate(squares(configuration, text))]
+def quadratic_output(configuration: "Configuration", text: str,
+                     order: int = 0) -> "list[tuple[float, list[tuple[LinearOutput, dict[int, Node]]]]]":
+    """[(weight, two (LinearOutput, {channel: node}))]: the order-th derivative of a signal is Σ weight·output·output;
+    signals are the energy of a spring, the power of a damper or a load."""
+    found = []
+    for weight, (one, two) in products(configuration, text):
+        if order > 1 and (one.v or two.v):
+            primes = "'" * order
+            raise PhysicsError(f"'{text}{primes}' needs third derivatives of the motion, which are not found",
+                               f"ask for {text}'")
+        left, right = (_rates(configuration, row, order) for row in (one, two))
+        found += [(weight * comb(order, k), [left[k], right[order - k]]) for k in range(order + 1)]
+    return found
+
+
+def _rates(configuration, row, order):
+    """The outputs of a LinearFunction and its derivatives."""
+    found = [as_output(configuration, row)]
+    for _ in range(order):
+        row = rate(row, configuration.with_inputs.scene)
+        found.append(as_output(configuration, row))
+    return found
 
 
 def as_output(configuration: "Configuration", row: LinearFunction,
@@ -58,4 +76,4 @@ def _direct(opened, row):
 
 
 def _number(scene, value):
-    return scene.table.number(Fraction(value))
+    return scene.table.number(fraction_of(value))

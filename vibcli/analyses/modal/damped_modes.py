@@ -49,6 +49,16 @@ class DampedMode:
         return DampedMode(index, self.eigenvalue, self.omega, self.zeta, shape, self.error, self.note, self.decay)
 
     @property
+    def bounds(self) -> tuple[float, float]:
+        """Bounds of the relative errors of decay and ζ, and of ω_d: that of |λ| falls on the parts of λ, the small
+        too."""
+        if not self.omega_d:
+            return self.error, self.error
+        real, imaginary = abs(float(self.decay)), abs(float(self.omega_d))
+        size = math.hypot(real, imaginary)
+        return self.error * size / real if real else self.error, self.error * size / imaginary
+
+    @property
     def kind(self) -> str:
         """rigid, oscillation, decay, flutter or divergence."""
         return kind(self.eigenvalue.real, self.omega_d)

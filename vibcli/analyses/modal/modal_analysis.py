@@ -78,6 +78,13 @@ class ModalAnalysis:
 
         return stability(self)
 
+    @cached_property
+    def margins_without_inertia(self) -> tuple[list[float], float]:
+        """What passes through zero at the limit of stability where coordinates have no inertia."""
+        from vibcli.analyses.modal.stability_of_stiffness import margins
+
+        return margins(self)
+
     def shape(self, mode: "DampedMode | Mode", how: str = "first") -> "list[complex | mpmath.mpf]":
         """The shape of a mode in the normalisation asked for, as a list of numbers."""
         from vibcli.analyses.modal.normalisation import normalised, weights
@@ -85,7 +92,7 @@ class ModalAnalysis:
         return normalised(mode.shape, how, weights(self.configuration.linear_system))
 
     def solved(self, solve: Callable, *args: Any,
-               **options: "Sequence[Mode] | int | Work") -> "list[DampedMode | Mode] | LinearMotion | None":
+               **options: "Sequence[Mode] | int | Work | Callable") -> "list[DampedMode | Mode] | LinearMotion | None":
         """What solves for modes, as a task; its refusals have the names of coordinates."""
         from vibcli.analyses.modal.scaling import UnheldCoordinate
 
@@ -105,15 +112,29 @@ class ModalAnalysis:
 
     def to_digits(self, digits: int):
         """(modes, damped modes) recomputed to so many correct digits."""
-        from vibcli.analyses.modal.modes import damped_modes, natural_modes
+        return self.modes_to(digits), self.damped_to(digits)
 
-        elements, sources = self.configuration.linear_system, self.configuration.sources
-        if sources[0] is None:
-            from vibcli.mechanics.high_precision import Degenerate
+    def modes_to(self, digits: int):
+        """The modes of the system without its dampers, recomputed to so many correct digits; found once."""
+        from vibcli.analyses.modal.modes import natural_modes
 
-            raise Degenerate
-        modes = self.solved(natural_modes, elements, *sources, digits=digits) if self.modes else []
-        return modes, self.solved(damped_modes, elements, lambda: modes, *sources, digits=digits)
+        return self._sharpened("modes", digits, natural_modes) if self.modes else []
+
+    def damped_to(self, digits: int):
+        """The damped modes, recomputed; None where nothing damps."""
+        from vibcli.analyses.modal.modes import damped_modes
+
+        return self._sharpened("damped", digits, damped_modes, lambda: self.modes_to(digits))
+
+    def _sharpened(self, word, digits, solve, *natural):
+        if (word, digits) not in self._results:
+            elements, sources = self.configuration.linear_system, self.configuration.sources
+            if sources[0] is None:
+                from vibcli.mechanics.high_precision import Degenerate
+
+                raise Degenerate
+            self._results[word, digits] = self.solved(solve, elements, *natural, *sources, digits=digits)
+        return self._results[word, digits]
 
     @cached_property
     def sharp_modes(self):

@@ -1,13 +1,15 @@
 """Is an equilibrium stable? By the eigenvalues of the linearised system about it, and beyond them where they are zero.
 
 Without gyroscopic terms a damper does not change the answer that K gives (Thomson & Tait 1879, Chetaev 1955); with
-them it may destroy a stability that gyroscopic terms alone give, and so may a damper that feeds energy in.
+them it may destroy a stability that gyroscopic terms alone give, and so may a damper that feeds energy in. What has no
+inertia: stability_of_stiffness.py.
 """
 
 from collections.abc import Sequence
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from vibcli.base.errors import Inertless, PhysicsError
+from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
     from vibcli.analyses.modal.damped_modes import DampedMode
@@ -15,11 +17,11 @@ if TYPE_CHECKING:
     from vibcli.analyses.modal.undamped import Mode
 
 STABLE, HELD, NEUTRAL, UNSTABLE, FALLING = "stable", "held", "neutral", "unstable", "falling"
-OPEN = "open"
-ROUNDING = 1e-13        # of the largest entry of K
+OPEN, UNDECIDED = "open", "undecided"
 WORDS = {STABLE: "stable", HELD: "stable, but only terms beyond the linear ones hold it",
          NEUTRAL: "neutral: it can move freely", UNSTABLE: "unstable",
-         FALLING: "unstable: terms beyond the linear ones drive it away"}
+         FALLING: "unstable: terms beyond the linear ones drive it away",
+         UNDECIDED: "stable or not as masses or dampers would have it: loads without a potential act on what has none"}
 
 
 class Stability(NamedTuple):
@@ -31,19 +33,33 @@ class Stability(NamedTuple):
     @property
     def stable(self) -> bool:
         """Neutral counts as stable; None where it is left open."""
-        return None if self.kind == OPEN else self.kind not in (UNSTABLE, FALLING)
+        return None if self.kind in (OPEN, UNDECIDED) else self.kind not in (UNSTABLE, FALLING)
 
 
 def stability(modal: Any) -> Stability:
-    """The Stability of an equilibrium, by its modes."""
-    if inertless(modal.configuration.linear_system):
-        return _of_springs(modal.configuration)
-    modes = (modal.damped if _dampers_decide(modal.configuration.linear_system) else None) or modal.modes
-    if not modes:
-        return _of_first_order(modal.damped)
+    """The Stability of an equilibrium, by its modes; where coordinates have no inertia by the signs of K, or by its
+    modes where what follows statically is held."""
+    elements = modal.configuration.linear_system
+    decide = _dampers_decide(elements)
+    if elements.massless:
+        from vibcli.analyses.modal.stability_of_stiffness import FALLS, FOLLOWS, of_what_follows, takes_energy
+
+        if takes_energy(elements):
+            return _of_potential(modal)
+        held = of_what_follows(elements)
+        if held != FOLLOWS or inertless(elements):
+            return Stability(UNSTABLE if held == FALLS else UNDECIDED)
+    modes = (modal.damped if decide else None) or modal.modes
     if growing(modes):
         return Stability(UNSTABLE, float(max(growing(modal.damped or ()) or growing(modes))))
     kinds = modal.zero_modes.values()
+    if not modal.modes and any(not mode.omega for mode in modes):
+        kinds = _beyond(modal, [mode for mode in modes if not mode.omega])
+    return _by_zeros(kinds)
+
+
+def _by_zeros(kinds):
+    """By what its directions without stiffness are."""
     if "falling" in kinds:
         return Stability(FALLING)
     if "free" in kinds:
@@ -57,31 +73,32 @@ def inertless(elements: Any) -> bool:
         any(part.values()) for part in (elements.C, elements.drag, elements.G))
 
 
-def _of_springs(configuration):
-    """By the signs of K, which is that of a potential: what dampers and masses are added does not matter."""
-    import numpy as np
+def _of_potential(modal):
+    """By the signs of K and, where one is zero, by the potential beyond it."""
+    from vibcli.analyses.modal.stability_of_stiffness import signs_of_stiffness
 
-    elements = configuration.linear_system
-    if elements.circulatory:
-        raise Inertless
-    sizes = list(map(configuration.numeric.size_along, configuration.scene.coordinates))
-    K = elements.stiffness_array() * np.outer(sizes, sizes)
-    values = np.linalg.eigvalsh(K) / (np.abs(K).max() or 1.0)
-    if values[0] < -ROUNDING:
-        return Stability(UNSTABLE)
-    if values[0] > ROUNDING:
-        return Stability(STABLE)
-    if not configuration.system.is_linear:
-        raise PhysicsError("K is singular in the equilibrium, and nothing has inertia: terms beyond the linear ones "
-                           "decide whether it is stable", "give a mass")
-    return Stability(NEUTRAL)
+    signs = signs_of_stiffness(modal.configuration)
+    if signs.negative:
+        return Stability(UNSTABLE, _rate(modal))
+    return _by_zeros(_beyond(modal, signs.null) if signs.null else ())
 
 
-def _of_first_order(damped):
-    """Where nothing would oscillate without the dampers."""
-    if growing(damped):
-        return Stability(UNSTABLE, float(max(growing(damped))))
-    return Stability(NEUTRAL if any(not mode.omega for mode in damped) else STABLE)
+def _rate(modal):
+    """The largest growth rate; None where what falls at once follows the rest, or has no equation of its own."""
+    if inertless(modal.configuration.linear_system):
+        return None
+    with suppress(PhysicsError):
+        return max(map(float, growing(modal.damped or modal.modes)), default=None)
+    return None
+
+
+def _beyond(modal, null):
+    """What directions without stiffness are: free, held or falling."""
+    from vibcli.mechanics.equilibrium.zero_modes import FREE, zero_modes
+
+    if len(null) == modal.free:
+        return {FREE}
+    return set(zero_modes(modal.configuration, null).values())
 
 
 def judged(modal: "ModalAnalysis") -> Stability:

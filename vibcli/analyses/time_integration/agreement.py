@@ -6,7 +6,7 @@ difference grows as e^(λt), and from some instant on no digit of either is righ
 """
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -15,19 +15,26 @@ from vibcli.analyses.time_integration.error_scales import EPSILON
 from vibcli.analyses.time_integration.trajectory import POINTS, Trajectory
 from vibcli.numerics.collocation_rule import rule
 
+if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.deviations import Deviations
+
 ROUNDED = CLOSE / 2   # last digits of a place: what rounding may leave of an iteration that comes no nearer
 LOST = 1e-3         # of the motion: where two solutions differ by more, neither is known
-NEAR = POINTS       # places before and after an instant, at which two signals are compared
+NEAR = 12           # places before and after an instant, at which two signals are compared: a few radians
+FEW, FOLDS, PLACES = 3, 8, 100   # windows and e-foldings at least, of which a rate is told; places that it is fitted to
+POWER = 6           # of the time: with which nothing grows that is no exponential
+EDGE = 1e-6         # of a window
 STILL = 1e-3        # of the size of a coordinate: its error is not compared with less, however little it moves
 
 
 class Shared:
     """Two Trajectories of one motion; error: the largest difference of their states at the places `times` or before,
     relative to how far each coordinate goes and how fast; lost: may less than three digits be left of it there, and is
-    it more than rounding? still: is all of the motion no more? units: the size of the figure along each coordinate."""
+    it more than rounding? still: is all no more? units: the size of the figure along each coordinate; deviations: those
+    of the first."""
 
-    def __init__(self, one: Trajectory, other: Trajectory, units: np.ndarray):
-        self.one, self.other = one, other
+    def __init__(self, one: Trajectory, other: Trajectory, units: np.ndarray, deviations: "Deviations | None" = None):
+        self.one, self.other, self.deviations = one, other, deviations
         end = min(one.end, other.end)
         c = rule(POINTS).c      # not the ends of windows: there forces may jump, in the other solution a little later
         times = np.concatenate([window.start + c * window.end for window in one.windows])
@@ -52,9 +59,37 @@ class Shared:
 
     @property
     def horizon(self) -> float | None:
-        """The last place before the two share less than three digits; None where they share all of the motion."""
+        """The last place before the two share less than three digits, or the deviations leave less; None where all of
+        the motion is known."""
         first = int(np.argmax(self.lost))
-        return float(self.times[max(first - 1, 0)]) if self.lost[first] else None
+        found = [float(self.times[max(first - 1, 0)])] if self.lost[first] else []
+        if self.deviations is not None and (self.deviations.sizes > LOST).any():
+            found.append(self._too_large(self.deviations.sizes, self.one.starts))
+        return min(found, default=None)
+
+    def _too_large(self, sizes, starts):
+        """When the deviations come to LOST, as they grow from one window to the next."""
+        k = int(np.argmax(sizes > LOST))
+        if not k or not 0 < sizes[k - 1] < sizes[k] < np.inf:
+            return float(starts[max(k - 1, 0)])
+        return float(np.interp(np.log(LOST), np.log(sizes[k - 1:k + 1]), starts[k - 1:k + 1]))
+
+    @property
+    def folding(self) -> float | None:
+        """In which time neighbouring motions part e-fold up to the horizon [s]; None where they part no faster than a
+        power of the time."""
+        if self.deviations is None:
+            return None
+        sizes, times = self.deviations.sizes, self.one.starts
+        seen = (sizes > 0) & (np.maximum.accumulate(sizes) < LOST) & (times > 0)
+        if seen.sum() < FEW:
+            return None
+        even = np.linspace(times[seen][0], times[seen][-1], PLACES)
+        logs = np.log(np.interp(even, times[seen], sizes[seen]))
+        (rate, _), of_time, *_ = np.polyfit(even, logs, 1, full=True)
+        (power, _), of_power, *_ = np.polyfit(np.log(even), logs, 1, full=True)
+        truly = rate * (even[-1] - even[0]) > FOLDS and (power > POWER or of_time.sum() < of_power.sum())
+        return 1.0 / float(rate) if truly else None
 
     def of_state(self, t: Any) -> float:
         """The error of the states up to an instant, relative to the motion."""
@@ -62,9 +97,12 @@ class Shared:
         return error if self.one.fast is None else max(error, self.one.fast.part)
 
     def of_signal(self, values: Callable, t: float) -> float:
-        """How far the two differ in a signal about an instant; values(trajectory, times)."""
-        k = int(np.searchsorted(self.times, t))
-        times = np.minimum(np.append(self.times[max(k - NEAR, 0):k + NEAR], t), min(self.one.end, self.other.end))
+        """How far the two differ in a signal about an instant, values(trajectory, times); not at the ends of windows,
+        where it may jump, of the other one a little later."""
+        k, window = int(np.searchsorted(self.times, t)), self.one.windows[self.one.number(t)]
+        inside = window.start + window.end * np.clip((t - window.start) / window.end, EDGE, 1 - EDGE)
+        about = np.append(self.times[max(k - NEAR, 0):k + NEAR], inside)
+        times = np.minimum(about, min(self.one.end, self.other.end))
         return float(np.abs(values(self.one, times) - values(self.other, times)).max())
 
 

@@ -62,9 +62,9 @@ class Attempt(NamedTuple):
 
 
 def iterated(force: Callable, rule: "Rule", H: float, q: np.ndarray, v: np.ndarray, guess: np.ndarray,
-             allowed: np.ndarray, unseen: int = 0) -> Attempt:
+             allowed: np.ndarray, unseen: int = 0, more: int = 0) -> Attempt:
     """Picard's iteration. force(Q, V) gives q̈ at the points; allowed: the error of each coordinate, (n, 1); unseen: how
-    many iterations are made before the first look at their change."""
+    many iterations are made before the first look at their change; more: how many after it is small."""
     s = rule.points
     base = np.concatenate([q[:, None] + v[:, None] * (H * rule.c), np.repeat(v[:, None], s, 1)], axis=1)
     integrals = np.concatenate([(H * H) * rule.V2, H * rule.V1], axis=1)
@@ -77,6 +77,9 @@ def iterated(force: Callable, rule: "Rule", H: float, q: np.ndarray, v: np.ndarr
             continue
         error = float((np.abs(state[:, :s] - old[:, :s]) / allowed).max())
         if error <= 1 or (count > PATIENCE and error <= CLOSE and error > 0.5 * before):
+            for _ in range(more):
+                A = force(state[:, :s], state[:, s:])
+                state = base + A @ integrals
             return Attempt(A, count)
         if not error < HOPELESS or (count > PATIENCE and error > 0.9 * before):
             break
@@ -85,9 +88,9 @@ def iterated(force: Callable, rule: "Rule", H: float, q: np.ndarray, v: np.ndarr
 
 
 def newton(force: Callable, rule: "Rule", H: float, q: np.ndarray, v: np.ndarray, guess: np.ndarray,
-           allowed: np.ndarray, inverse: np.ndarray | None = None) -> Attempt:
+           allowed: np.ndarray, inverse: np.ndarray | None = None, more: int = 0) -> Attempt:
     """Newton's method on f(q(A), q̇(A)) − A = 0; force(Q, V, copies) takes so many copies of the points at once;
-    inverse: that of the window before, used as long as it does."""
+    inverse: that of the window before, used as long as it does; more: iterations after its change is small."""
     base, speed = q[:, None] + v[:, None] * (H * rule.c), v[:, None]
     V1, V2 = H * rule.V1, (H * H) * rule.V2
     A, before = guess, np.inf
@@ -104,6 +107,8 @@ def newton(force: Callable, rule: "Rule", H: float, q: np.ndarray, v: np.ndarray
         error = float((np.abs(step @ V2) / allowed).max())
         A = A + step
         if error <= 1 or (error <= CLOSE and error > 0.5 * before):
+            for _ in range(more):
+                A = A + (inverse @ (force(base + A @ V2, speed + A @ V1) - A).ravel()).reshape(A.shape)
             return Attempt(A, count, inverse)
         if not error < HOPELESS or (count > 4 and error > 0.9 * before):
             break

@@ -8,6 +8,7 @@ import numpy as np
 
 from vibcli.analyses.time_integration.agreement import Shared
 from vibcli.analyses.time_integration.constraint_drift import drift
+from vibcli.analyses.time_integration.deviations import deviations
 from vibcli.analyses.time_integration.driven_places import driven_places
 from vibcli.analyses.time_integration.energy_balance import balance
 from vibcli.analyses.time_integration.error_scales import EPSILON
@@ -43,7 +44,8 @@ def known_motion(configuration: "Configuration", until: float,
     if not found.end > 0:
         raise found.unknown(0.0)
     second = simulate(configuration, found.end, initial=initial, second=True)
-    found.share(Shared(found, second, units_of(configuration.numeric, found.names)))
+    units = units_of(configuration.numeric, found.names)
+    found.share(Shared(found, second, units, deviations(found, initial, units)))
     return found
 
 
@@ -69,7 +71,7 @@ def simulate(configuration: "Configuration", until: float, rtol: float = ACCURAC
         march = March(system, Switching(system, bounds, owners), q, v, rtol, until, task, SECOND if second else FIRST)
         events = []
         if not v.any():
-            stay(march, stops, starts_at_rest(initial))
+            stay(march, stops, starts_at_rest(initial) and not configuration.falls)
         rests = march.t
         try:
             _marched(march, stops, events)
@@ -77,7 +79,7 @@ def simulate(configuration: "Configuration", until: float, rtol: float = ACCURAC
             if spent.task is not task or not march.windows:
                 raise
     if second:
-        return Trajectory(march, march.t, events, rests)
+        return Trajectory(march, march.t, events, rests, stops)
     energies = balance(system, march.switching, march.windows, march.ends, march.struck, stops.times)
     if not energies.error <= BALANCED:
         rounding, gap = _rounding(numeric, march, energies), energies.gap
@@ -85,7 +87,7 @@ def simulate(configuration: "Configuration", until: float, rtol: float = ACCURAC
             raise _unbalanced(energies)
         largest = abs(energies.energy).max()
         energies = energies._replace(error=gap / largest if gap <= BALANCED * largest else EPSILON * gap / rounding)
-    found = Trajectory(march, until, events, rests, energies, drift(system, march.windows))
+    found = Trajectory(march, until, events, rests, stops, energies, drift(system, march.windows))
     if any(tie.form == "rope" for tie in drawn.constraints):
         loose = system if system.m else NumericEquations(_loose(numeric), numeric.floats, drawn.freedom.redundant)
         gone = slack(numeric, loose, found)

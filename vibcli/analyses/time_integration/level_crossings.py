@@ -18,9 +18,11 @@ if TYPE_CHECKING:
 POINTS = 40
 NOTHING = 1e-15         # of the largest coefficient
 ALIKE = 4e-15           # of the range of a signal
+BESIDE = 1e-5           # of a window
 EDGE = 1e-12            # how far beyond the ends of a window a root may be, by rounding
 CLEAR = 64              # roundings by which a signal has left a level
 TOUCH = 1e-6            # of a window: how far apart the two roots of a touch may be by rounding
+JUMP = 1e-9             # of a signal: what is more than the rounding of its series
 SAME = 1e-11            # of a window: roots closer than this are one
 
 
@@ -67,17 +69,29 @@ def _away(signal, level, window, size):
 
 
 def extreme(trajectory: Any, signal: Callable, start: float, end: float, sense: int) -> tuple[float, float]:
-    """(instant, value) of the largest (sense 1) or smallest (−1) value in [start, end]."""
-    candidates = [start, end]
+    """(instant, value) of the largest (sense 1) or smallest (−1) value in [start, end]; where the signal jumps, the
+    limits on both sides count."""
+    candidates, turns, before = [start, end], [], {}
     for window, t, series in _series(trajectory, signal, start, end):
-        candidates += [window.start, window.start + window.end]
+        last = min(window.start + window.end, trajectory.end)
+        candidates += [window.start, last]
+        before[float(last)] = float(series.sum()), float(np.abs(series).sum())
         slope = legendre.legder(series)
         if np.abs(slope).max(initial=0.0) > NOTHING * np.abs(series).max(initial=0.0):
-            candidates += [t(x) for x in _roots(slope)]
-    times = np.array(sorted({float(time) for time in candidates if start <= time <= end}))
-    values = sense * signal(times)
-    best = int(np.argmax(values >= values.max() - ALIKE * np.ptp(values)))     # the first of those that are alike
-    return float(times[best]), float(sense * values[best])
+            turns += [(float(t(x)), window.length) for x in _roots(slope)]
+    times = np.array(sorted({float(time) for time in [*candidates, *(turn for turn, _ in turns)]
+                             if start <= time <= end}))
+    values, jumps = np.array(signal(times), dtype=float), set()
+    for i, time in enumerate(times):
+        limit, size = before.get(float(time), (values[i], 0.0))
+        if abs(limit - values[i]) > JUMP * size and sense * limit > sense * values[i]:
+            values[i] = limit
+            jumps.add(i)
+    best = int(np.argmax(sense * values >= max(sense * values) - ALIKE * np.ptp(values)))    # the first of those alike
+    beside = [turn for turn, length in turns if abs(turn - times[best]) <= BESIDE * length and start <= turn <= end]
+    if beside and best not in jumps and start < times[best] < end:      # the end of a window next to its turn
+        best = int(np.searchsorted(times, min(beside, key=lambda turn: abs(turn - times[best]))))
+    return float(times[best]), float(values[best])
 
 
 def _series(trajectory, signal, start, end):

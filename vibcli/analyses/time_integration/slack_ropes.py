@@ -46,15 +46,25 @@ def slack(numeric: "NumericSystem", loose: "NumericEquations", trajectory: "Traj
 def tensions(numeric: "NumericSystem", loose: "NumericEquations", trajectory: "Trajectory",
              times: np.ndarray) -> np.ndarray:
     """The multipliers of all constraints at the times, of shape (constraints, times)."""
-    q, v, _ = trajectory.at(times)
-    scene = numeric.scene
-    if trajectory.system is not loose:
-        values = {**numeric.floats, scene.time.name: times}
-        for primes, rows in (("", q), ("'", v)):
-            values |= {name + primes: row for name, row in zip(trajectory.names, rows, strict=True)}
-        nodes = [scene.symbol(name, primes) for primes in (0, 1) for name in loose.scene.coordinates]
-        found = [np.broadcast_to(value, times.shape) for value in evaluate(nodes, Arrays, values)]
-        q, v = np.array(found[:loose.n]), np.array(found[loose.n:])
     arguments = list(loose.switches)
-    values = Compiled(loose.scene, loose.floats, None, arguments)(times, q, v) if arguments else ()
-    return loose.solved(times, q, v, senses(trajectory, loose.scene, arguments, values, times))[1]
+    compiled = Compiled(loose.scene, loose.floats, None, arguments)
+
+    def of_states(t, q, v):
+        return compiled(t, *_all_coordinates(numeric, loose, trajectory, t, q, v))
+
+    q, v = _all_coordinates(numeric, loose, trajectory, times, *trajectory.at(times)[:2])
+    values = compiled(times, q, v) if arguments else ()
+    return loose.solved(times, q, v, senses(trajectory, loose.scene, arguments, values, times, of_states))[1]
+
+
+def _all_coordinates(numeric, loose, trajectory, times, q, v):
+    """(q, q̇) of the scene with all its coordinates, from those that were integrated."""
+    if trajectory.system is loose:
+        return q, v
+    scene = numeric.scene
+    values = {**numeric.floats, scene.time.name: times}
+    for primes, rows in (("", q), ("'", v)):
+        values |= {name + primes: row for name, row in zip(trajectory.names, rows, strict=True)}
+    nodes = [scene.symbol(name, primes) for primes in (0, 1) for name in loose.scene.coordinates]
+    found = [np.broadcast_to(value, times.shape) for value in evaluate(nodes, Arrays, values)]
+    return np.array(found[:loose.n]), np.array(found[loose.n:])

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from vibcli.mechanics.switching import Switching
 
 FIRST, SECOND = (40, 24), (32, 18)      # points (of Gauss, of Radau) of the first solution and of the second
+MORE = 3                    # iterations of a window of the second solution: what one leaves would else be left of both
 TAIL = 3                    # coefficients which must be small
 LOOKS = 4                   # at the last iterations of a window, taken to be as many as before
 RADIANS = 5.0               # of the fastest oscillation in the first window
@@ -49,7 +50,7 @@ class March:
                  until: float, task: Task, points: tuple[int, int] = FIRST):
         self.system, self.switching, self.rtol, self.until, self.task = system, switching, rtol, until, task
         self.t, self.q, self.v, self.g, self.slides = 0.0, q, v, None, ()
-        self.points = points
+        self.points, self.more = points, MORE * (points is SECOND)
         self.rule, self.windows, self.ends, self.struck = rule(points[0]), [], [], []
         self.stiff, self.held, self.calm, self.tries, self.unseen = False, 0, CALM, 0, 0
         self.sizes, self.guess, self.H, self.paced = Sizes(q), None, None, 0.0
@@ -159,7 +160,7 @@ class March:
         with np.errstate(all="ignore"):
             done = solve(self.force(self.t + H * self.rule.c), self.rule, H, self.q, self.v, guess,
                          (part * self.rtol * scale if self.fast is None else 1e-2 * self._allowed(H, scale))
-                         + 0.5 * EPSILON * np.abs(self.q)[:, None], known)  # type: ignore[arg-type]
+                         + 0.5 * EPSILON * np.abs(self.q)[:, None], known, self.more)  # type: ignore[arg-type]
         self.factored = (H, self.g, self.slides), done.inverse
         if done.A is None:
             return None, np.inf, 1.0

@@ -12,10 +12,11 @@ from vibcli.numerics.collocation_rule import rule
 from vibcli.symbolic.numeric_code import Compiled
 
 if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.forcing_breaks import Breaks
     from vibcli.analyses.time_integration.time_stepping import March
 
 POINTS = 40             # at most in a window
-LATE = 1e-12
+LATE, CLOSE = 1e-12, 1e-9       # after its end; of a window: from its start
 
 
 class Event(NamedTuple):
@@ -50,12 +51,16 @@ class Trajectory:
     """names: the coordinates; windows: their polynomials; until: the end asked for, and `end` that which was reached,
     earlier where a rope goes slack; events; balance; drift: the largest gaps of the constraints
     (positions, velocities) relative to the motion, None without closed loops; shared: with a second solution; sizes:
-    those of the motion; fast: the oscillation that was stepped over, None where all is followed; rests: the instant up
-    to which it stays in the equilibrium in which it starts."""
+    those of the motion; breaks: of what drives it; struck: (t, q, q̇ before, q̇ after) of each blow; fast: the
+    oscillation that was stepped over, None where all is followed; rests: the instant up to which it stays in the
+    equilibrium in which it starts."""
 
-    def __init__(self, march: "March", until: float, events: Sequence[Event], rests: float,
+    shared: Any
+
+    def __init__(self, march: "March", until: float, events: Sequence[Event], rests: float, breaks: "Breaks",
                  balance: Balance | None = None, drift: Any = None):
         self.system, self.switching, self.windows = march.system, march.switching, march.windows
+        self.breaks, self.struck = breaks, tuple(march.struck)
         self.names, self.sizes, self.fast = list(march.system.scene.coordinates), march.sizes, march.fast
         self.until, self.end, self.events, self.rests = until, until, tuple(events), rests
         self.balance, self.drift, self.reason, self.advice, self.shared = balance, drift, None, None, None
@@ -79,6 +84,15 @@ class Trajectory:
                 found[:, :, group] = window.summed(times[group] - window.start,
                                                          P[:window.rule.points + 2, group])
         return found[0], found[1], found[2]
+
+    def number(self, t: float) -> int:
+        """Of the window in which an instant lies."""
+        return int(self._numbers(np.array([t]))[0])
+
+    def about(self, t: float) -> list[int]:
+        """Of the windows in which an instant lies, two where one ends and the next begins."""
+        k = self.number(t)
+        return [k - 1, k] if k and t - self.starts[k] <= CLOSE * self.lengths[k] else [k]
 
     def _numbers(self, times):
         """Of the windows in which the times lie."""
@@ -127,9 +141,10 @@ class Trajectory:
         """Know what is `shared` with a second solution, and end where that is too little."""
         self.shared, horizon = shared, shared.horizon
         if horizon is not None:
-            self.stop(horizon, f"from t = {horizon:.4g} s on two solutions of this motion, of another order and with "
-                      "another last digit of its start, share less than three digits", "ask for earlier instants: the "
-                      "motion is chaotic, or leaves an unstable place")
+            why = ("the last digits of its data leave less than three of them" if shared.folding is None else
+                   f"neighbouring motions part e-fold every {shared.folding:.1g} s")
+            self.stop(horizon, f"digits run out at t ≈ {horizon:.4g} s: {why}", "ask for earlier instants: the motion "
+                      "is chaotic, or leaves an unstable place")
 
     def stop(self, instant: Any, reason: Any, advice: Any) -> None:
         """End at an instant, for a reason that is told where more is asked for."""
@@ -138,7 +153,9 @@ class Trajectory:
     def unknown(self, t: float) -> Unknown:
         """The refusal of an instant after the end."""
         reason = self.reason or f"this motion was followed up to t = {self.end:.6g} s"
-        return Unknown(f"{reason}: its motion is not known at t = {t:.6g} s", self.advice or "follow it for longer")
+        joint = ";" if ": " in reason else ":"
+        return Unknown(f"{reason}{joint} its motion is not known at t = {t:.6g} s",
+                       self.advice or "follow it for longer")
 
     def values(self, nodes: Sequence[complex], times: np.ndarray):
         """Expressions of the coordinates, velocities and the time at the times: an array for each."""

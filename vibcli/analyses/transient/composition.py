@@ -60,25 +60,6 @@ def _within(terms, segment, instants, reach):
     return Interval(np.maximum(value - reach, -bound), np.minimum(value + reach, bound))
 
 
-class Decay:
-    """A e^{rate t}."""
-
-    starts = np.zeros(1)
-
-    def __init__(self, amplitude: float, rate: float):
-        self.amplitude, self.rate, self.nodes = amplitude, rate, [(complex(rate),)]
-
-    def at(self, segment: np.ndarray, tau: np.ndarray):
-        return self.amplitude * np.exp(self.rate * tau)
-
-    def jet(self, segment: np.ndarray, early: np.ndarray, late: np.ndarray):
-        ends = [self.at(segment, tau) for tau in (early, late)]
-        value = Interval(np.minimum(*ends), np.maximum(*ends)) * Interval(1 - 8 * EPSILON, 1 + 8 * EPSILON)
-        return Jet(value, exact(self.rate) * value, exact(self.rate**2) * value)
-
-    size = jet
-
-
 class Composition:
     """node of the leaves {name: leaf}, of the time and of numbers {name: value}, up to an end; check(values, times)
     gives the values where all are finite."""

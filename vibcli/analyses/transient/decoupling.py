@@ -82,7 +82,8 @@ def modal(M: np.ndarray, C: np.ndarray, modes: "Sequence[Mode]") -> list[ModalBl
 def _mode(mode, c, shape, momentum):
     slow, fast = poles_of_mode(float(mode.omega or 0.0), float(mode.growth_rate or 0.0), c / 2)
     if abs(slow.imag) <= FLAT * abs(slow):
-        return pair(slow, fast, shape, momentum, shape)
+        return pair(slow, fast, shape, momentum, shape)._replace(accuracy=float(mode.error))
     gap = slow - fast
     return ModalBlock(X=2 * shape[:, None].astype(complex), B=np.array([[slow]]), P=-fast * momentum[None] / gap,
-                 R=momentum[None] / gap, W=shape[None] / gap, half=True)
+                 R=momentum[None] / gap, W=shape[None] / gap, half=True,
+                      accuracy=float(mode.error))

@@ -1,7 +1,7 @@
 """M q̈ + C q̇ + K q = f of any number of digits as a system of first order, some coordinates being without inertia."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from mpmath import mp, mpf
@@ -55,5 +55,5 @@ def _require_held(M, C, K):
                            "leave --digits out")
 
 
-def real(x: float):
+def real(x: Any):
     return mpf(x.numerator) / x.denominator if hasattr(x, "numerator") and not isinstance(x, float) else mp.mpf(x)

@@ -26,36 +26,57 @@ def extreme(pieces: Any, output: "LinearOutput", start: float, end: float, sense
         return search.run(task)
 
 
-class ExtremeSearch:
-    """value, time: the largest found, its value times `sign`, −1 for the smallest; left: [(what none of them exceeds,
-    how often they were divided, Cells)]; tops: [(values, times, whether these are peaks or ends of a segment)] of
-    instants that may be those of the largest."""
+def rivals(pieces: Any, output: "LinearOutput | None", start: float, end: float, sense: str, margin: float,
+           work: "Work") -> list[float]:
+    """The instants, one of each top, at which the output comes within a margin of its largest or smallest value."""
+    search = ExtremeSearch(BoundedOutput(pieces, output, start, end), sense, margin)
+    with work.task(f"the search for the {search.which} value until t = {end:.6g} s", MOST, search.refusal) as task:
+        return search.instants(task)
 
-    def __init__(self, curve: BoundedOutput, sense: str):
+
+class ExtremeSearch:
+    """margin: how much less than the largest is looked for too. value, time: the largest found, its value times `sign`,
+    −1 for the smallest; left: [(what none of them exceeds, how often they were divided, Cells)]; tops: [(values, times,
+    whether these are peaks or ends of a segment)] of instants that may be those of the largest."""
+
+    def __init__(self, curve: BoundedOutput, sense: str, margin: float = 0.0):
         self.which, self.sign = ("smallest", -1.0) if sense == "min" else ("largest", 1.0)
         self.curve, self.value, self.time, self.scale = curve, -np.inf, curve.start, 0.0
-        self.left, self.tops = [(np.inf, 0, curve.first_cells())], []
+        self.left, self.tops, self.margin = [(np.inf, 0, curve.first_cells())], [], margin
 
     def run(self, task: "Task") -> tuple[float, float]:
         """(t, value), the earliest of equals."""
-        while self.left:
-            most, level, cells = max(self.left, key=lambda part: part[0])
-            task.step(steps=self.curve.steps(cells))
-            self.left = [part for part in self.left if part[2] is not cells]
-            if most >= self.value - self.rounding:
-                self._look(level, cells)
-        whole = self.curve.whole
-        self._keep(np.concatenate([whole.segment, whole.segment]), np.concatenate([whole.early, whole.late]), True)
-        values, times, peaks = (np.concatenate(parts) for parts in zip(*self.tops, strict=True))
-        near = values >= max(self.value, values.max(initial=-np.inf)) - self.rounding
-        if not near.any():
+        values, times, peaks = self._tops(task)
+        if not len(times):
             return float(self.time), float(self.sign * self.value)
-        values, times, peaks = values[near], times[near], peaks[near]
         first = np.argmin(times)
         of_it = np.flatnonzero(peaks & (times <= times[first] + self._flat(times[first])))
         if len(of_it):
             first = of_it[np.argmin(times[of_it])]
         return float(times[first]), float(self.sign * values[first])
+
+    def instants(self, task: "Task") -> list[float]:
+        """One of each top within the margin, ascending."""
+        found = []
+        _, times, peaks = self._tops(task)
+        for t in (*np.sort(times[peaks]), *np.sort(times[~peaks])):
+            if not any(abs(t - known) <= self._flat(known) for known in found):
+                found.append(float(t))
+        return sorted(found) or [float(self.time)]
+
+    def _tops(self, task):
+        """(values, times, whether these are peaks or ends of a segment) of what may be the largest."""
+        while self.left:
+            most, level, cells = max(self.left, key=lambda part: part[0])
+            task.step(steps=self.curve.steps(cells))
+            self.left = [part for part in self.left if part[2] is not cells]
+            if most >= self.value - self.rounding - self.margin:
+                self._look(level, cells)
+        whole = self.curve.whole
+        self._keep(np.concatenate([whole.segment, whole.segment]), np.concatenate([whole.early, whole.late]), True)
+        values, times, peaks = (np.concatenate(parts) for parts in zip(*self.tops, strict=True))
+        near = values >= max(self.value, values.max(initial=-np.inf)) - self.rounding - self.margin
+        return values[near], times[near], peaks[near]
 
     def _flat(self, t):
         """How wide the top about an instant is within which values are one but for rounding."""
@@ -77,7 +98,7 @@ class ExtremeSearch:
         bound = curve.bound(cells)
         room = np.minimum(curve.bend(cells) / 8, 2 * bound)
         most = np.minimum(np.maximum(*ends) + room, bound)
-        held = most >= self.value - self.rounding
+        held = most >= self.value - self.rounding - self.margin
         cells, room, most = cells.where(held), room[held], most[held]
         settled = curve.instants(cells) | (room <= self.rounding)
         if settled.any():
@@ -98,7 +119,7 @@ class ExtremeSearch:
 
     def _keep(self, segment, tau, peak=False):
         values = self.sign * self.curve.y.at(segment, tau)
-        near = values >= max(self.value, values.max(initial=-np.inf)) - self.rounding
+        near = values >= max(self.value, values.max(initial=-np.inf)) - self.rounding - self.margin
         times = self.curve.times(segment[near], tau[near])
         self.tops.append((values[near], times, np.full(len(times), peak)))
 

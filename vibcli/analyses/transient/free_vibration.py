@@ -6,14 +6,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from vibcli.analyses.transient.textbook_form import formula
+from vibcli.analyses.transient.textbook_form import formula, told_apart
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
     from vibcli.analyses.modal.undamped import Mode
     from vibcli.analyses.transient.linear_response import LinearMotion
+    from vibcli.analyses.transient.textbook_form import Part
 
 EQUAL, CLOSE = 0.2, 0.25
+ALONE = 1e-10       # amplitude of another vibration, relative to the largest, that counts as none
 
 
 def decrement(rate: float, omega_d: float) -> float:
@@ -31,13 +33,20 @@ def cycles_to(fraction: float, delta: float) -> float:
     return -math.log(fraction) / delta
 
 
-def beat_period(motion: "LinearMotion", output: "LinearOutput", segment: int = 0) -> float | None:
+def vibrations(motion: "LinearMotion", output: "LinearOutput", segment: int = -1) -> "list[Part]":
+    """The Parts of an output that vibrate, but for those next to which they are nothing."""
+    parts = [part for part in formula(motion, output, segment, told_apart(motion)) if part.omega]
+    largest = max((abs(part.amplitude) for part in parts), default=0.0)
+    return [part for part in parts if abs(part.amplitude) > ALONE * largest]
+
+
+def beat_period(motion: "LinearMotion", output: "LinearOutput", segment: int = -1) -> float | None:
     """2π/|ω₁ − ω₂| of the two largest vibrations in the output; None where one hears no beat.
 
     A beat is named where the lesser amplitude is at least EQUAL of the greater, the frequencies differ by less than
     CLOSE of their mean, and neither dies out (falls to 1/e) within one beat.
     """
-    parts = sorted((part for part in formula(motion, output, segment) if part.omega and not part.power),
+    parts = sorted((part for part in vibrations(motion, output, segment) if not part.power),
                    key=lambda part: -part.amplitude)[:2]
     if len(parts) < 2 or parts[1].amplitude < EQUAL * parts[0].amplitude:
         return None

@@ -7,7 +7,7 @@ until two results agree.
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from mpmath import mp
@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
 GUARD, MORE, TRIES = 64, 96, 12
+EPSILON = 2.0**-50
+ALIKE, KEPT = 2**20, 16     # rounding of a length of time between jumps; exponentials that are kept
 
 
 def precise_value(M: "Sequence[list[float | mpmath.mpf]]", C: "Sequence[list[float | mpmath.mpf]]",
@@ -47,7 +49,8 @@ def precise_values(M: "Sequence[list[float | mpmath.mpf]]", C: "Sequence[list[fl
     bits, before = math.ceil(digits * math.log2(10)) + GUARD, None
     for _ in range(TRIES):
         with mp.workprec(bits + GUARD):
-            found = _values(M, C, K, forcing, q0, v0, outputs, time, order, bits)
+            state = precise_motion(M, C, K, forcing, q0, v0).at(time, bits)
+            found = [state.read(output, order) for output in outputs]
             small = mp.mpf(10) ** (-digits - 1)
             if before is not None and all(abs(x - y) < abs(x) * small for x, y in zip(found, before, strict=True)):
                 break
@@ -55,22 +58,97 @@ def precise_values(M: "Sequence[list[float | mpmath.mpf]]", C: "Sequence[list[fl
     return found
 
 
-def _values(M, C, K, forcing, q0, v0, outputs, time, order, bits):
-    n, time, system = len(M), real(time), Descriptor(M, C, K)
-    pieces = forcing.segments(math.nextafter(float(time), math.inf))
-    state = [real(q0[i]) for i in system.places] + [real(v0[i]) for i in system.heavy]
-    for piece, after in zip(pieces, [*pieces[1:], None], strict=True):
-        start = real(piece.start)
+def precise_motion(M: "Sequence[list[float | mpmath.mpf]]", C: "Sequence[list[float | mpmath.mpf]]",
+                   K: "Sequence[list[float | mpmath.mpf]]", forcing: "Forcing",
+                   q0: "Sequence[float | mpmath.mpf] | np.ndarray",
+                   v0: "Sequence[float | mpmath.mpf] | np.ndarray") -> "PreciseMotion":
+    """The PreciseMotion of M q̈ + C q̇ + K q = f(t) from q(0) = q0, q̇(0) = v0, as of precise_values."""
+    system = Descriptor(M, C, K)
+    start = [real(q0[i]) for i in system.places] + [real(v0[i]) for i in system.heavy]
+    return PreciseMotion((M, C, K), system, forcing, start)
+
+
+class PreciseMotion:
+    """A motion at the working precision of mpmath; start: the state of its system of first order at t = 0; reached:
+    those at the starts of the stretches of its loads, as far as they were looked at."""
+
+    def __init__(self, matrices: tuple, system: Descriptor, forcing: "Forcing", start: "list[mpmath.mpf]"):
+        self.matrices, self.system, self.forcing, self.start = matrices, system, forcing, start
+        self.n, self.reached, self.found, self.exponentials = len(matrices[0]), [start], {}, []
+
+    def under(self, forcing: "Forcing", start: "list[mpmath.mpf]") -> "PreciseMotion":
+        """The same system driven and started otherwise."""
+        return PreciseMotion(self.matrices, self.system, forcing, start)
+
+    def breaks(self, until: float) -> "list[mpmath.mpf]":
+        """The instants up to a time at which the loads bend or jump."""
+        return [real(piece.start) for piece in self.forcing.segments(until * (1 + EPSILON))]
+
+    def at(self, time: "float | Fraction | mpmath.mpf", bits: int, before: bool = False) -> "PreciseState":
+        """The PreciseState at a time, just after what jumps there, or just before it."""
+        time = real(time)
+        if (time, before) not in self.found:
+            self.found = {(time, before): self._at(time, bits, before)}
+        return self.found[time, before]
+
+    def _at(self, time, bits, before):
+        pieces = self.forcing.segments(math.nextafter(float(time), math.inf))
+        starts = [real(piece.start) for piece in pieces]
+        last = max(k for k, start in enumerate(starts) if not k or start < time or (start == time and not before))
+        for k in range(len(self.reached) - 1, last):
+            *_, z = self._along(pieces[k], starts[k + 1] - starts[k], self.reached[k], bits)
+            self.reached.append(list(z[:len(self.start)]))
+        return PreciseState(*self._along(pieces[last], time - starts[last], self.reached[last], bits))
+
+    def _along(self, piece, length, state, bits):
+        """G, rows of the forces, rows of q, and z a length of time after the start of a piece."""
+        state = list(state)
         for channel, size in piece.impulses:
-            for i in range(len(state) if channel < n else 0):
-                state[i] += system.B[i, channel] * real(size)
-        G, z, forces, Q = _generator(system, piece.waves, state, forcing.channels, n)
-        last = after is None or real(after.start) > time
-        z = _carried(G, (time if last else real(after.start)) - start, z, bits)
-        if last:
-            break
-        state = list(z[:len(state)])
-    return [_read(G, z, forces, Q, output, order) for output in outputs]
+            for i in range(len(state) if channel < self.n else 0):
+                state[i] += self.system.B[i, channel] * real(size)
+        G, z, forces, Q = _generator(self.system, piece.waves, state, self.forcing.channels, self.n)
+        return G, forces, Q, _times(self._exponential(G, piece.waves, length, bits), z) if length else z
+
+    def _exponential(self, G, waves, length, bits):
+        """e^{Gτ} as of _exponential, known already where an equal stretch has been passed."""
+        for known, tau, found in self.exponentials:
+            if known is waves and abs(length - tau) <= tau * mp.eps * ALIKE:
+                return found
+        found = _exponential(G, length, bits)
+        self.exponentials = [*self.exponentials[-KEPT:], (waves, length, found)]
+        return found
+
+
+class PreciseState(NamedTuple):
+    """ż = G z, f = forces z, q = Q z at an instant."""
+
+    G: np.ndarray
+    forces: np.ndarray
+    Q: np.ndarray
+    z: np.ndarray
+
+    def later(self, by: "mpmath.mpf") -> "PreciseState":
+        """The state a little later, by Taylor's series: nothing may bend or jump on the way."""
+        total = term = self.z
+        k = 0
+        while any(abs(x) > mp.eps * abs(y) for x, y in zip(term, total, strict=True)) and k < mp.prec:
+            k += 1
+            term = self.G.dot(term) * by / k
+            total = total + term
+        return self._replace(z=total)
+
+    def read(self, output: "LinearOutput", order: int = 0) -> "mpmath.mpf":
+        """The order-th derivative of an output: those of z are G z, G² z …"""
+        row = np.zeros(len(self.z), object)
+        for parts in (output.a, output.v, output.q):        # (a G + v) G + q
+            row = row.dot(self.G)
+            for i, x in parts.items():
+                row = row + real(x) * self.Q[i]
+        for channel, x in output.channels.items():
+            row = row + real(x) * self.forces[channel]
+        for _ in range(order):
+            row = row.dot(self.G)
+        return real(row.dot(self.z)) + (real(output.constant) if not order else 0)
 
 
 def _generator(system, waves, state, channels, n):
@@ -95,24 +173,8 @@ def _generator(system, waves, state, channels, n):
     return G, z, forces, np.concatenate([system.Q, system.F.dot(loads)], axis=1)
 
 
-def _read(G, z, forces, Q, output, order):
-    """The output and its derivatives: those of z are G z, G² z …"""
-    row = np.zeros(len(z), object)
-    for parts in (output.a, output.v, output.q):        # (a G + v) G + q
-        row = row.dot(G)
-        for i, x in parts.items():
-            row = row + real(x) * Q[i]
-    for channel, x in output.channels.items():
-        row = row + real(x) * forces[channel]
-    for _ in range(order):
-        row = row.dot(G)
-    return real(row.dot(z)) + (real(output.constant) if not order else 0)
-
-
-def _carried(G, tau, z, bits):
-    """e^{Gτ} z."""
-    if not tau:
-        return z
+def _exponential(G, tau, bits):
+    """(e^{Gτ} in fixed point, its bits)."""
     size = len(G)
     norm = np.abs(G).sum(axis=1).max(initial=0) * abs(tau)
     halvings = max(0, int(mp.ceil(mp.log(norm, 2))) + 8) if norm else 0
@@ -120,11 +182,17 @@ def _carried(G, tau, z, bits):
     step = np.array([fx.fixed(x, wide - halvings) for x in (G * tau).flat], object).reshape(G.shape)
     total = term = fx.identity(size, wide)
     k = 0
-    while np.abs(term).max() > 1:               # rounding down leaves −1
+    while np.abs(term).max(initial=0) > 1:               # rounding down leaves −1
         k += 1
         term = fx.product(term, step, wide) // k
         total = total + term
     for _ in range(halvings):
         total = fx.product(total, total, wide)
+    return total, wide
+
+
+def _times(exponential, z):
+    """e^{Gτ} z."""
+    total, wide = exponential
     return np.array([mp.fsum(mp.ldexp(mp.mpf(int(x)), -wide) * y for x, y in zip(row, z, strict=True))
                      for row in total], object)

@@ -1,7 +1,7 @@
 """The response itself: any linear output and its derivatives at any times, without steps in time."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -22,18 +22,23 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.forcing import Forcing
     from vibcli.analyses.excitation.linear_output import LinearOutput
     from vibcli.analyses.modal.undamped import Mode
+    from vibcli.analyses.transient.data_errors import DataErrors
     from vibcli.analyses.transient.modal_block import ModalBlock
+    from vibcli.analyses.transient.motion_errors import MotionErrors
 
+ROUNDING = 1e-12        # of the terms of a sum that is 0
 MOST, STRETCHES = 20_000, 1000      # steps, each so many stretches of time of one exponential
 
 
 def linear_motion(M: np.ndarray, C: np.ndarray, K: np.ndarray, forcing: "Forcing", q0: np.ndarray, v0: np.ndarray,
-                  modes: "Sequence[Mode] | None" = None, work: Work | None = None) -> "LinearMotion":
+                  modes: "Sequence[Mode] | None" = None, work: Work | None = None,
+                  doubt: "Callable[[], DataErrors] | None" = None) -> "LinearMotion":
     """The motion of M q̈ + C q̇ + K q = f(t) from q(0) = q0, q̇(0) = v0.
 
     M symmetric positive definite, but for coordinates that have no inertia; C and K any real matrices; forcing:
     segments.Forcing whose first n channels are the generalised forces. modes: undamped modes (modal.Mode) where they
-    are known better than the assembled matrices tell. work: what counts its long work.
+    are known better than the assembled matrices tell. work: what counts its long work. doubt: gives the DataErrors,
+    None: the data are exact.
     """
     M, C, K = (np.array(matrix, float, ndmin=2) for matrix in (M, C, K))
     if not all(np.isfinite(part).all() for part in (M, C, K, q0, v0)):
@@ -41,7 +46,7 @@ def linear_motion(M: np.ndarray, C: np.ndarray, K: np.ndarray, forcing: "Forcing
                            hint="look for a length, an angle or a law that is singular there")
     try:
         system = condensed(M, C, K)
-        return LinearMotion((M, C, K, system), spectrum(M, C, K, modes, system), forcing, q0, v0, work)
+        return LinearMotion((M, C, K, system), spectrum(M, C, K, modes, system), forcing, q0, v0, work, doubt=doubt)
     except (OverflowError, ZeroDivisionError):
         raise beyond() from None
 
@@ -51,8 +56,9 @@ class LinearMotion:
     constants of outputs count."""
 
     def __init__(self, matrices: tuple[np.ndarray, np.ndarray, np.ndarray, Any], blocks: "Sequence[ModalBlock]",
-                 forcing: "Forcing", q0: np.ndarray, v0: np.ndarray, work: Work | None = None, constants: bool = True):
-        self.work, self.constants = work or Work(), constants
+                 forcing: "Forcing", q0: np.ndarray, v0: np.ndarray, work: Work | None = None, constants: bool = True,
+                 doubt: "Callable[[], DataErrors] | None" = None):
+        self.work, self.constants, self.doubt = work or Work(), constants, doubt
         self.matrices, self.blocks, self.forcing = matrices, blocks, forcing
         self.M, self.C, self.K, self.system = matrices
         self.q0, self.v0 = np.array(q0, float), np.array(v0, float)
@@ -64,6 +70,17 @@ class LinearMotion:
         t = times.ravel()
         pieces = self.pieces(t.max(initial=0.0))
         return pieces.terms(output, order).at(*pieces.timeline.place(t)).reshape(times.shape)
+
+    def errors(self, output: "LinearOutput", times: np.ndarray, order: int = 0) -> np.ndarray:
+        """First-order bounds of the errors of the same values."""
+        return self.pieces(times.max(initial=0.0)).errors.of(output, times, order)
+
+    @cached_property
+    def data_errors(self) -> "DataErrors":
+        """How far what it was computed from may be off."""
+        from vibcli.analyses.transient.data_errors import of_matrices
+
+        return of_matrices(self.M, self.C, self.K) if self.doubt is None else self.doubt()
 
     def extreme(self, output: Any, start: float, end: float, sense: str = "max") -> tuple[float, float]:
         """(t, value) of the largest ("max") or smallest ("min") value for start <= t <= end, the earliest of equals."""
@@ -95,7 +112,7 @@ class LinearMotion:
         steady = self.steady
         forcing = transient_forcing(self.forcing, steady.forcing)
         return LinearMotion(self.matrices, self.blocks, forcing, self.q0 - steady.q0, self.v0 - steady.v0, self.work,
-                            constants=False)
+                            constants=False, doubt=lambda: self.data_errors.besides(steady.data_errors))
 
     @property
     def start(self) -> np.ndarray:
@@ -110,7 +127,8 @@ class LinearMotion:
 
     def like(self, forcing: "Forcing", q0: np.ndarray, v0: np.ndarray) -> "LinearMotion":
         """The same system, driven and started otherwise."""
-        return LinearMotion(self.matrices, self.blocks, forcing, q0, v0, self.work)
+        return LinearMotion(self.matrices, self.blocks, forcing, q0, v0, self.work,
+                            doubt=lambda: self.data_errors.started(np.zeros(len(self.M)), np.zeros(len(self.M))))
 
     def pieces(self, until: Any) -> "Pieces":
         """The Pieces of the motion up to a time."""
@@ -130,27 +148,62 @@ class LinearMotion:
 class SteadyMotion(LinearMotion):
     """The steady state of a motion, continued back to t = 0.
 
-    lasting: free vibrations or a drift that nothing damps remain beside it. period: of periodic forcing, or None.
+    lasting: free vibrations or a drift that nothing damps remain beside it. period: of periodic forcing, or None; then
+    waves: [(s, Q, F)] of q = Re(Q e^{st}) under the forces Re(F e^{st}).
     """
 
     def __init__(self, motion: LinearMotion, forcing: "Forcing"):
         from vibcli.analyses.transient import steady_state
 
-        self.lasting, self.period, self._waves = steady_state.undying(motion.blocks), forcing.period, None
+        self.lasting, self.period, self.waves = steady_state.undying(motion.blocks), forcing.period, None
+        self.powers: list = []
         if self.period is None:
-            self._waves = steady_state.amplitudes(motion, forcing)
-            q0, v0 = (sum((np.real(s**order * Q) for s, Q, _ in self._waves), np.zeros(len(motion.M)))
-                      for order in range(2))
+            self.waves = steady_state.amplitudes(motion, forcing)
+            self.powers = steady_state.following(motion, forcing)
+            q0, v0 = (sum((np.real(s**order * Q) for s, Q, _ in self.waves), np.zeros(len(motion.M)))
+                      + sum(Q for Q, _ in self.powers[order:order + 1]) for order in range(2))
         else:
             q0, v0 = steady_state.repeating(motion, forcing)
-        super().__init__(motion.matrices, motion.blocks, forcing, q0, v0, motion.work)
+        super().__init__(motion.matrices, motion.blocks, forcing, q0, v0, motion.work, doubt=self._doubt(motion))
+
+    def _doubt(self, motion):
+        """Gives the DataErrors with those of the start that was found."""
+        def doubt():
+            from vibcli.analyses.transient import steady_errors
+
+            if self.period is None:
+                start = steady_errors.of_waves(motion, self.waves, self.powers)
+            else:
+                start = steady_errors.of_repeating(motion, self)
+            return motion.data_errors.started(*start)
+
+        return doubt
 
     def phasors(self, output: "LinearOutput") -> list[tuple[float, complex]]:
-        """[(Ω, X)] with Re Σ X e^{iΩt} the output, Ω ascending; a constant has Ω = 0. Not of periodic forcing."""
-        found = {0.0: complex(output.constant)} if output.constant else {}
-        for s, Q, F in self._waves:
-            found[s.imag] = found.get(s.imag, 0j) + read(output, s, Q, F)
-        return sorted((rate, complex(X)) for rate, X in found.items())
+        """[(Ω, X)] with Re Σ X e^{iΩt} the output, Ω ascending; a constant has Ω = 0. Not of periodic forcing;
+        PhysicsError of an output that grows."""
+        still, *growing = self.polynomial(output)
+        if any(growing):
+            raise PhysicsError("this steady state grows without end", "ask for its value at a time")
+        return [*([(0.0, complex(still))] if still else []), *self.oscillating(output)]
+
+    def oscillating(self, output: "LinearOutput") -> list[tuple[float, complex]]:
+        """Those of them that oscillate, beside whatever grows."""
+        return [(s.imag, complex(read(output, s, Q, F))) for s, Q, F in self.waves]
+
+    def polynomial(self, output: "LinearOutput") -> list[float]:
+        """[cₖ] of the part Σ cₖ tᵏ of the output, 0 of what is only the rounding of its terms. Not of periodic
+        forcing."""
+        nothing, found = (np.zeros(len(self.M)), np.zeros(self.forcing.channels)), []
+        powers = [*self.powers, nothing, nothing]
+        for k in range(max(1, len(self.powers))):
+            (q, F), (v, _), (a, _) = powers[k:k + 3] if self.powers else [nothing] * 3
+            parts = ((output.q, q), (output.v, (k + 1) * v), (output.a, (k + 2) * (k + 1) * a), (output.channels, F))
+            terms = [x * values[i] for coefficients, values in parts for i, x in coefficients.items()]
+            terms += [output.constant] if not k else []
+            total = math.fsum(terms)
+            found.append(total if not k or abs(total) > ROUNDING * sum(map(abs, terms)) else 0.0)
+        return found
 
     def harmonic(self, output: "LinearOutput", n: int) -> complex:
         """X of the n-th harmonic Re(X e^{inωt}) of the output under periodic forcing, ω = 2π/period; X of n = 0 is the
@@ -202,6 +255,13 @@ class Pieces:
                 step, added = ends(block, found, timeline)
                 added[struck] += jumps[struck] @ block.W.T
                 self.states.append(marched(step, added, block.P @ motion.q0 + block.R @ motion.v0))
+
+    @cached_property
+    def errors(self) -> "MotionErrors":
+        """Bounds of what rounding has done to it."""
+        from vibcli.analyses.transient.motion_errors import MotionErrors
+
+        return MotionErrors(self)
 
     def terms(self, output: "LinearOutput", order: int) -> ExponentialSum:
         """What the order-th derivative of the output is the sum of."""

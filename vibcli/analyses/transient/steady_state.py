@@ -1,7 +1,8 @@
 """The steady state of a motion: what is left of it when its free vibrations have died out.
 
-After its last breakpoint a force Re(F e^{iΩt}) keeps up q = Re((K + iΩ C − Ω² M)⁻¹ F e^{iΩt}); periodic forcing the
-motion that repeats, (1 − e^{BT}) c = what one period from rest brings. Where modes without damping are free their
+After its last breakpoint a force Re(F e^{iΩt}) keeps up q = Re((K + iΩ C − Ω² M)⁻¹ F e^{iΩt}); a ramp, or any power
+Σ Fₖ tᵏ, what follows it, Σ Qₖ tᵏ with K Qₖ + (k+1) C Qₖ₊₁ + (k+2)(k+1) M Qₖ₊₂ = Fₖ; periodic forcing the motion that
+repeats, (1 − e^{BT}) c = what one period from rest brings. Where modes without damping are free their
 vibration does not die out: the steady state is then what the force keeps up.
 """
 
@@ -23,18 +24,20 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
     from vibcli.analyses.transient.linear_response import LinearMotion, SteadyMotion
 
-RESONANT = 1e-12
+RESONANT, DIGITS = 1e-12, 12      # relative: a frequency that counts as a natural one
 POINTS = 20         # of Gauss's rule
 UNFORCED = 1e-13
 
 
 def steady_forcing(forcing: Forcing) -> Forcing:
-    """What drives the steady state, from t = 0 on; PhysicsError where the load grows."""
+    """What drives the steady state, from t = 0 on; PhysicsError where the load grows otherwise than a power of the
+    time."""
     if forcing.period is not None:
         return Forcing(forcing.channels, turned(forcing), forcing.period)
     last = forcing.segments(math.inf)[-1]
     for wave in last.waves:
-        if wave.coefficient and (wave.exponent.real > 0 or (wave.power and not wave.exponent.real)):
+        if wave.coefficient and (wave.exponent.real > 0 or (wave.power and wave.exponent.imag
+                                                            and not wave.exponent.real)):
             raise PhysicsError("there is no steady state: the load grows without end",
                                hint="ask at a time, or let the load end")
     waves = [wave for wave in last.waves if not wave.exponent.real]
@@ -102,21 +105,37 @@ def resonance(s: complex) -> PhysicsError:
     if not s:
         return PhysicsError("there is no steady state: a constant force drives a motion that nothing holds",
                             hint="tie it with a spring, or ask at a time")
-    return PhysicsError(f"there is no steady state: Ω = {abs(s.imag):.6g} rad/s is a natural frequency without "
-                        "damping, the amplitude grows without end", hint="add a damper, move Ω, or ask at a time")
+    return PhysicsError(f"no steady state is found: Ω = {abs(s.imag):.6g} rad/s is, to {DIGITS} digits, a natural "
+                        "frequency without damping", hint="add a damper, move Ω, or ask at a time")
 
 
 def amplitudes(motion: "LinearMotion", forcing: Forcing) -> list[tuple[complex, np.ndarray, np.ndarray]]:
-    """[(s, Q, F)] of the waves Re(F e^{st}) that never end, F over all channels; a constant has s = 0."""
+    """[(s, Q, F)] of the waves Re(F e^{st}) that never end, F over all channels, s ≠ 0."""
     found = {}
     for wave in forcing.pieces[0].waves:
+        if not wave.exponent:
+            continue
         s, c = complex(0, wave.exponent.imag), wave.coefficient
         if s.imag < 0:
             s, c = s.conjugate(), c.conjugate()
         row = found.setdefault(s, np.zeros(forcing.channels, complex))
-        row[wave.channel] += c if s else c.real
+        row[wave.channel] += c
     n = len(motion.M)
     return [(s, phasor(motion, s, row[:n]), row) for s, row in sorted(found.items(), key=lambda item: item[0].imag)]
+
+
+def following(motion: "LinearMotion", forcing: Forcing) -> list[tuple[np.ndarray, np.ndarray]]:
+    """[(Qₖ, Fₖ)] of what follows the forces Σ Fₖ tᵏ, F over all channels."""
+    still = [wave for wave in forcing.pieces[0].waves if not wave.exponent]
+    forces = np.zeros((max((wave.power + 1 for wave in still), default=0), forcing.channels))
+    for wave in still:
+        forces[wave.power, wave.channel] += complex(wave.coefficient).real
+    n = len(motion.M)
+    Q = np.zeros((len(forces) + 2, n))
+    for k in reversed(range(len(forces))):
+        inertia = (k + 1) * motion.C @ Q[k + 1] + (k + 2) * (k + 1) * motion.M @ Q[k + 2]
+        Q[k] = np.real(phasor(motion, 0j, forces[k, :n] - inertia))
+    return list(zip(Q, forces, strict=False))
 
 
 def repeating(motion: "LinearMotion", forcing: Forcing) -> tuple[np.ndarray, np.ndarray]:
@@ -126,7 +145,7 @@ def repeating(motion: "LinearMotion", forcing: Forcing) -> tuple[np.ndarray, np.
     rest = motion.like(once, np.zeros(n), np.zeros(n)).pieces(math.inf)
     q, v = np.zeros(n), np.zeros(n)
     for block, states in zip(motion.blocks, rest.states, strict=True):
-        kept = -_growth(block.B, period)
+        kept = -growth(block.B, period)
         c = np.linalg.lstsq(kept, states[-1], rcond=RESONANT)[0] if len(kept) > 1 or abs(kept[0, 0]) < RESONANT else (
             states[-1] / kept[0])
         if np.abs(kept @ c - states[-1]).max() > UNFORCED * np.abs(states).max():
@@ -136,7 +155,7 @@ def repeating(motion: "LinearMotion", forcing: Forcing) -> tuple[np.ndarray, np.
     return q, v
 
 
-def _growth(B, t):
+def growth(B: np.ndarray, t: float) -> np.ndarray:
     """e^{Bt} − 1, its diagonal without loss."""
     out = np.zeros(B.shape, complex)
     for i, j, product, nodes in paths(B):

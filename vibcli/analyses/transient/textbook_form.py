@@ -13,6 +13,9 @@ if TYPE_CHECKING:
     from vibcli.analyses.transient.linear_response import LinearMotion
 
 SAME = 1e-6
+APART = 1e-12       # relative distance of exponents that are not one
+MERGED = 1e-3       # of a radian or of a fall by e: what two exponents may come apart by, and be written as one
+LOST = 1e-7         # of what is left: what may be lost where parts of different origin are written as one
 NOTHING, ROUNDING = 1e-14, 1e-15
 
 
@@ -52,43 +55,66 @@ def regime(M: np.ndarray, C: np.ndarray, K: np.ndarray) -> str:
     return "under-damped" if slow.imag else "over-damped"
 
 
-def formula(motion: "LinearMotion", output: Any, segment: int = 0) -> list[Part]:
+def told_apart(motion: "LinearMotion") -> float:
+    """The relative distance within which exponents are one at any time: they are told apart as far as rounding allows
+    where every mode has an exponent of its own."""
+    return APART if all(len(block.nodes) == 1 for block in motion.blocks) else SAME
+
+
+def formula(motion: "LinearMotion", output: Any, segment: int = 0, same: float = SAME,
+            until: float | None = None) -> list[Part]:
     """The Parts that add up to the output on a segment (−1: the last), free ones first, each kind by ascending
-    frequency and decay."""
+    frequency and decay; `same`: the relative distance within which exponents are one; `until`: up to which instant
+    nobody may see that they are two: (e^{λt} − e^{μt})/(λ − μ) is t e^{λt} but for ((λ − μ) t)²/24 of it, while e^{λt}
+    itself is e^{μt} but for (λ − μ) t of it."""
     pieces = motion.pieces(0.0 if motion.forcing.period else math.inf)
     terms = pieces.terms(output, 0)
     segment = segment % terms.count
-    found, summed = {}, {}
-    for nodes, factor in terms.on(segment):
-        for (node, power), c in fractions(nodes).items():
-            key = _known(found, node, power)
-            found[key] = found.get(key, 0j) + factor * c
-            summed[key] = summed.get(key, 0.0) + abs(factor * c)
-    real = {}
-    for (node, power), c in found.items():
-        if abs(c if node.imag else c.real) <= ROUNDING * summed[node, power]:
-            continue
-        if node.imag < 0:
-            node, c = node.conjugate(), c.conjugate()
-        real[node, power] = real.get((node, power), 0j) + c
+    if until is not None:
+        fastest = max((abs(node) for nodes, _ in terms.on(segment) for node in nodes), default=0.0)
+        same = min(same, MERGED / (until * fastest)) if fastest else same
+    found = [_upper(node, power, factor * c) for nodes, factor in terms.on(segment)
+             for (node, power), c in fractions(nodes, same).items()]
+    real, lost = _merged(found, same, until or 0.0)
+    if lost > LOST * max((abs(c) * (until or 1.0)**power for (_, power), c in real.items()), default=0.0):
+        real, _ = _merged(found, APART, until or 0.0)
     size = max(map(abs, real.values()), default=0.0)
-    parts = [_part(node, power, c, power >= _multiplicity(motion.blocks, node)) for (node, power), c in real.items()
-             if abs(c) > NOTHING * size]
+    parts = [_part(node, power, c, power >= _multiplicity(motion.blocks, node, same))
+             for (node, power), c in real.items() if abs(c) > NOTHING * size]
     return sorted(parts, key=lambda part: (part.forced, part.omega, -part.rate, part.power))
 
 
-def _known(found, node, power):
+def _upper(node, power, c):
+    """The part with the conjugate exponent, of the same real part, where its own lies below the real axis."""
+    return (node.conjugate(), power, c.conjugate()) if node.imag < 0 else (node, power, c)
+
+
+def _merged(parts, same, until):
+    """({(node, power): c} without what cancels, how much may be lost until an instant) of parts (node, power, c), those
+    whose exponents are one added up."""
+    found, summed, lost = {}, {}, 0.0
+    for node, power, c in parts:
+        key = _known(found, node, power, same)
+        found[key] = found.get(key, 0j) + c
+        summed[key] = summed.get(key, 0.0) + abs(c)
+        lost += abs(c) * abs(key[0] - node) * until**(power + 1)
+    kept = {(node, power): c for (node, power), c in found.items()
+            if abs(c if node.imag else c.real) > ROUNDING * summed[node, power]}
+    return kept, lost
+
+
+def _known(found, node, power, same):
     """The key of an exponential that is there already, or that of a new one."""
-    return next((key for key in found if key[1] == power and _same(key[0], node)), (node, power))
+    return next((key for key in found if key[1] == power and _same(key[0], node, same)), (node, power))
 
 
-def _same(one, two):
-    return abs(one - two) <= SAME * max(abs(one), abs(two))
+def _same(one, two, same):
+    return abs(one - two) <= same * max(abs(one), abs(two))
 
 
-def _multiplicity(blocks, node):
+def _multiplicity(blocks, node, same):
     """How often an exponent is an eigenvalue of one block: so many powers of τ are in its free motion."""
-    return max((sum(_same(node, own) for own in block.nodes) for block in blocks), default=0)
+    return max((sum(_same(node, own, same) for own in block.nodes) for block in blocks), default=0)
 
 
 def _part(node, power, c, forced):
@@ -97,11 +123,11 @@ def _part(node, power, c, forced):
     return Part(float(c.real), power, node.real, 0.0, 0.0, forced)
 
 
-def fractions(nodes: Sequence[complex]) -> dict[tuple[complex, int], complex]:
+def fractions(nodes: Sequence[complex], same: float = SAME) -> dict[tuple[complex, int], complex]:
     """{(λ, k): c} with E[nodes](t) = Σ c tᵏ e^{λt}: the partial fractions of 1/Π(p − λ), nearly equal nodes as one."""
     groups = []
     for node in nodes:
-        near = next((group for group in groups if _same(group[0], node)), None)
+        near = next((group for group in groups if _same(group[0], node, same)), None)
         groups.append([node]) if near is None else near.append(node)
     found = {}
     for group in groups:

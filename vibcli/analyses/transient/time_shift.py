@@ -9,10 +9,19 @@ from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
 
 def later(wave: Wave, by: float) -> tuple[Wave, ...]:
     """The waves in τ' = τ − by that make up one in τ: Re(c (τ' + by)ᵏ e^{s(τ' + by)})."""
-    c, k = wave.coefficient * cmath.exp(wave.exponent * by), wave.power
+    c, k = wave.coefficient * _exponential(wave.exponent * by), wave.power
     if not by:
         return (wave,)
     return tuple(Wave(wave.channel, c * math.comb(k, j) * by ** (k - j), j, wave.exponent) for j in range(k + 1))
+
+
+def _exponential(x):
+    """e^x of a complex number of Python or of mpmath."""
+    if not hasattr(x, "_mpc_"):
+        return cmath.exp(x)
+    import mpmath
+
+    return mpmath.exp(x)
 
 
 def running(pieces: Sequence[Segment], time: float) -> Segment:

@@ -22,7 +22,7 @@ def draw(sketch: "Sketch", looks: "Mapping[str, Look]", room: Mapping[str, tuple
     for name, look in sorted(looks.items(), key=lambda item: -item[1].area()):
         found += [carried(part, sketch.frames[name]) for part in look.pieces]
         found += _floor(name, look, sketch, room.get(name, (0.0, 0.0)))
-    return found + _pins(sketch, looks)
+    return found + _pins(sketch, looks) + _clamps(sketch, looks)
 
 
 def carried(part: Circle | Polygon | Polyline, frame: "DrawnFrame") -> Circle | Polygon | Polyline:
@@ -58,6 +58,19 @@ def _pins(sketch, looks):
     for key, (pivot, points) in grounded.items():
         height = WOUND if key in wound else support.HEIGHT
         found += support.bearing(sketch.now(pivot), down_of(pivot.drawn, points), height)
+    return found
+
+
+def _clamps(sketch, looks):
+    """A wall where a body is clamped to the ground, upright or level, away from its mass centre."""
+    found = []
+    for name in looks:
+        clamp = sketch.scene.bodies[name].record.get("clamp")
+        at = None if clamp is None or "carrier" in clamp else sketch.attachment(clamp["at"])
+        if at is not None and sketch.is_fixed(at.carrier):
+            x, y = plane.minus(at.drawn, sketch.centre(name))
+            outward = (x / abs(x), 0.0) if x and abs(x) >= abs(y) else (0.0, 1.0 if y > 0 else -1.0)
+            found += support.wall(sketch.now(at), outward)
     return found
 
 

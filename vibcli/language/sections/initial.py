@@ -12,7 +12,8 @@ if TYPE_CHECKING:
 
 RELEASED = "released"
 ABOUT = ("Where a motion in time starts: `{x: 2 cm, x': 0.5 m/s}`, coordinates counted as in the drawn position. "
-         "Those left out start at rest in the equilibrium without the loads that depend on time. `{released: pull}` "
+         "Those left out start at rest in the equilibrium without the loads that depend on time, or as drawn where "
+         "nothing holds the scene. `{released: pull}` "
          "starts at rest in the equilibrium under the force `pull`, which then lets go and acts no more.")
 
 

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 EPSILON = 2.0**-52
 KNOWN = 1e-7        # of the figure: places nearer than 1e-9 of this are one
 STEPS, POLISH, FARTHEST, HUGE = 300, 12, 1e60, 1e140
+GROWN, LOWERED, CARRIED = 1e3, 1e-2, 100.0      # of the terms at the start; of the forces there; of the figure
 
 
 class Equilibrium(NamedTuple):
@@ -76,7 +77,7 @@ def find_equilibrium(numeric: "NumericSystem", start: Mapping[str, float]) -> Eq
         if not moved:
             break
     q, numbers = search.polished(q, numbers)
-    if not search.balanced(numbers) or search.faded(numbers):
+    if not search.balanced(numbers) or search.faded(numbers) or search.drowned(q, numbers):
         raise unbounded(search, q)
     return Equilibrium(search.here, False, search.relative(numbers), steps)
 
@@ -85,6 +86,7 @@ class EnergyDescent:
     """The potential energy of a scene as a function to be descended."""
 
     first_drift = 0.1
+    first: Numbers
 
     def __init__(self, numeric: "NumericSystem", start: Mapping[str, float]):
         import numpy as np
@@ -93,7 +95,7 @@ class EnergyDescent:
         self.names = self.scene.coordinates
         self.scale = np.array(list(map(numeric.size_along, self.names)))
         self.first_radius = 0.5 if numeric.figure_size else math.inf
-        self.met = [0.0] * len(self.names)
+        self.met, self.first = [0.0] * len(self.names), None
         self.here, self.blocked, self.undefined = dict(start), False, False
 
     def forget(self) -> None:
@@ -133,6 +135,8 @@ class EnergyDescent:
         numbers = numbers._replace(
             residual_size=[size + float(b) for size, b in zip(numbers.residual_size, bend, strict=True)])
         self.met = list(map(max, self.met, numbers.residual_size))
+        if self.first is None:
+            self.first = numbers
         return numbers
 
     def defined(self, q: "np.ndarray") -> Numbers:
@@ -156,6 +160,17 @@ class EnergyDescent:
         held = self.np.abs(numbers.elements.stiffness_array()) @ self.scale
         return any(met and (not (size or k) or abs(r) > max(1e-9 * size, 1e-3 * k)) for met, size, k, r in
                    zip(self.met, numbers.residual_size, held, numbers.residual, strict=True))
+
+    def drowned(self, q: "np.ndarray", numbers: Numbers) -> bool:
+        """Did the terms grow so much on the way that what the forces at the start amount to is lost in their rounding?
+        Nothing holds what has been carried so far: the forces that act on it as a whole never vanish."""
+        def largest(values):
+            return float(self.np.max(self.np.abs(values) * self.scale))
+
+        carried = self.np.abs(q) > CARRIED * self.scale
+        left = largest(numbers.residual) + 4 * EPSILON * largest(self.met)
+        grown = largest(self.met) > GROWN * largest(self.first.residual_size)
+        return bool(carried.any()) and grown and left > LOWERED * largest(self.first.residual)
 
     def newton(self, numbers: Numbers) -> "np.ndarray":
         """−K⁻¹ r in scaled coordinates; nothing along what is not held."""

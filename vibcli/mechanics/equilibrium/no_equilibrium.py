@@ -2,13 +2,14 @@
 
 from typing import TYPE_CHECKING
 
-from vibcli.base.errors import PhysicsError
+from vibcli.base.errors import NoEquilibrium, PhysicsError
 
 if TYPE_CHECKING:
     import numpy as np
 
     from vibcli.mechanics.equilibrium.equilibrium import EnergyDescent
 
+ALONE = ", or ask for what needs none: find: [accelerations]"
 FAR = 1e6      # of the size of the figure
 JUMPS = ("abs", "sign", "min", "max", "step", "ramp")
 
@@ -32,14 +33,15 @@ def unbounded(search: "EnergyDescent", q: "np.ndarray") -> PhysicsError:
         return PhysicsError(f"the search for the equilibrium ends near {here}, where forces that jump leave none "
                             "that is smooth", "round the kink off, or follow the motion with motion: full")
     if search.undefined:
-        return PhysicsError(f"no equilibrium is reached from the {_origin(search)}: its forces drive '{name}' to "
-                            f"{search.named_plainly(q)[name]:.6g}, and just beyond they are not finite numbers",
-                            "add the spring or support that carries the load, or start elsewhere with "
-                            "`equilibrium:`", search.numeric.spec.coordinates[name].where)
+        return NoEquilibrium(f"no equilibrium is reached from the {_origin(search)}: its forces drive '{name}' to "
+                             f"{search.named_plainly(q)[name]:.6g}, and just beyond they are not finite numbers",
+                             "add the spring or support that carries the load, or start elsewhere with "
+                             "`equilibrium:`" + ALONE, search.numeric.spec.coordinates[name].where)
     why = "the potential energy keeps falling" if search.numeric.system.conservative else "forces keep driving"
-    return PhysicsError(f"no equilibrium is reached from the {_origin(search)}: nothing holds '{name}', {why} along it",
-                        "add the spring or support that carries the load, or start elsewhere with `equilibrium:`",
-                        search.numeric.spec.coordinates[name].where)
+    return NoEquilibrium(
+        f"no equilibrium is reached from the {_origin(search)}: nothing holds '{name}', {why} along it",
+        "add the spring or support that carries the load, or start elsewhere with `equilibrium:`" + ALONE,
+        search.numeric.spec.coordinates[name].where)
 
 
 def _origin(search):
@@ -51,6 +53,6 @@ def unfinished(search: "EnergyDescent", q: "np.ndarray", steps: float):
     place = ", ".join(f"{name} = {value:.6g}" for name, value in search.named_plainly(q).items())
     if search.blocked or search.np.any(search.np.abs(q) > FAR * search.scale):
         return unbounded(search, q)
-    return PhysicsError(
+    return NoEquilibrium(
         f"no equilibrium is reached from the {_origin(search)} in {steps} steps: the search has come to {place}",
         "draw the scene nearer to its equilibrium, or say where it is with `equilibrium:`")

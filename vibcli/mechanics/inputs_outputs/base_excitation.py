@@ -6,7 +6,6 @@ Linearised like any other, its matrices hold beside those of the coordinates q t
 """
 
 from collections.abc import Mapping
-from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -19,6 +18,7 @@ from vibcli.mechanics.static_preload import take_over
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
@@ -27,10 +27,11 @@ if TYPE_CHECKING:
 
 class SystemWithInputs:
     """scene; n: how many of its coordinates are none of its inputs, which stand last; timed, form: its Linearisation
-    with and without excitation."""
+    with and without excitation; kind: of arrays of its numbers."""
 
     def __init__(self, configuration: "Configuration", releasing: bool = False):
-        self.configuration = configuration
+        self.configuration, self.arithmetic = configuration, configuration.arithmetic
+        self.kind = float if self.arithmetic is Floats else object
         scene = configuration.scene.with_released_supports() if releasing else configuration.scene
         self.scene = scene = take_over(scene.with_inputs(), configuration.system.preloads)
         self.n = len(scene.q) - len(scene.inputs)
@@ -59,12 +60,12 @@ class SystemWithInputs:
         """{coordinate: its number in equilibrium as a node}, rates and inputs zero."""
         values, scene = self.values, self.scene
         symbols = [*scene.drawn, *scene.v, *scene.a]
-        return {symbol: scene.table.number(Fraction(values[symbol.name])) for symbol in symbols}
+        return {symbol: scene.table.number(fraction_of(values[symbol.name])) for symbol in symbols}
 
     @cached_property
     def numbers(self):
         """The Numbers of the Linearisation in equilibrium."""
-        return in_numbers(self.form, Floats, self.values)
+        return in_numbers(self.form, self.arithmetic, self.values)
 
     @cached_property
     def turning(self):
@@ -140,10 +141,10 @@ class SystemWithInputs:
     def _autonomous(self, nodes):
         """The numbers of slopes, which must not depend on the time."""
         values, time = self.values, self.scene.time
-        found = evaluate(nodes, Floats, values)
+        found = evaluate(nodes, self.arithmetic, values)
         if any(node.mask & time.mask for node in nodes):
             for instant in INSTANTS:
-                later = evaluate(nodes, Floats, {**values, time.name: instant})
+                later = evaluate(nodes, self.arithmetic, {**values, time.name: instant})
                 if any(abs(x - y) > SAME * max(abs(x), abs(y), 1e-6) for x, y in zip(found, later, strict=True)):
                     raise PhysicsError("this signal turns with what is driven: it is no linear function of the "
                                        "coordinates", "ask for one that is counted in the carrier")
@@ -153,10 +154,10 @@ class SystemWithInputs:
         """(value in equilibrium, [(1.0, what depends on the time there)])."""
         scene = self.scene
         if not node.mask & scene.time.mask:
-            return evaluate([node], Floats, self.values)[0], []
+            return evaluate([node], self.arithmetic, self.values)[0], []
         at = substitute([node], self.place)[0]
         steadily = without_time(scene, at)
-        return evaluate([steadily], Floats, self.values)[0], [] if at is steadily else [(1.0, at - steadily)]
+        return evaluate([steadily], self.arithmetic, self.values)[0], [] if at is steadily else [(1.0, at - steadily)]
 
     def _steady_constraints(self, nodes):
         closed = set(self.scene.dependent.values())

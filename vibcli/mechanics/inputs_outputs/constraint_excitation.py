@@ -10,7 +10,6 @@ to first order. Inertia must not carry it into M, C or K: of each s(q, u) with i
 """
 
 from collections.abc import Mapping
-from fractions import Fraction
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
@@ -19,6 +18,7 @@ from vibcli.mechanics.linearise import row_of, slopes_of
 from vibcli.mechanics.symbolic_linear import place_in_letters
 from vibcli.mechanics.symbolic_matrices import matrices_in_letters
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.rationals import fraction_of
 from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ def excitation_through(symbolic: "SymbolicSystem") -> "dict[int, Node]":
         M, C, G, K = matrices_in_letters(at_position(opened.form, place_in_letters(symbolic)))
     else:
         opened.require_steady({j: 1.0 for j, _ in _driven(opened)})
-        M, C, G, K = ({pair: table.number(Fraction(x)) for pair, x in part.items()}
+        M, C, G, K = ({pair: table.number(fraction_of(x)) for pair, x in part.items()}
                       for part in opened.numbers.elements.matrices())
     for j, opening in _driven(opened):
         moved = opening.node

@@ -9,7 +9,7 @@ with δp = P δq + P_u δu. What q does follows from its own equations, so any l
 """
 
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signals import CONTACT
@@ -19,7 +19,8 @@ from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction, com
 from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, OPEN, constraint_slopes, solved
 from vibcli.mechanics.linearise import row_of, slopes_of
 from vibcli.mechanics.signals import normal_of, reaction_of, require_fixed
-from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.mechanics.static_preload import pivots
+from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
@@ -45,24 +46,33 @@ class MovingReactions:
         real = [i for i, q in enumerate(scene.q) if q.name in self.configuration.spec.coordinates]
         held = [scene.q.index(q) for q in scene.released]
         residual = self._residual()
-        G = np.array(evaluate(constraint_slopes(scene), Floats, self.released.values)).reshape(-1, len(scene.q))
-        constants = np.array([residual[i].constant for i in (*real, *held)])
-        static, loose = solved(G[:, real], constants[:len(real)])
+        slopes = evaluate(constraint_slopes(scene), self.opened.arithmetic, self.released.values)
+        G = np.array(slopes, self.opened.kind).reshape(-1, len(scene.q))
+        static, loose, inverse = self._solved(G[:, real], [residual[i].constant for i in real])
         self._bend(residual, static)
-        inverse = _left_inverse(G[:, real])
-        multipliers = [combined((-float(x), residual[i]) for x, i in zip(line, real, strict=True) if x)
-                       for line in inverse]
-        multipliers = [row._replace(constant=float(value)) for row, value in zip(multipliers, static, strict=True)]
+        multipliers = [combined((-x, residual[i]) for x, i in zip(line, real, strict=True) if x) for line in inverse]
+        multipliers = [row._replace(constant=value) for row, value in zip(multipliers, static, strict=True)]
         found = {}
         for k, constraint in enumerate(scene.constraints):
             sign, row = 1.0 if constraint.form in LENGTHENING else -1.0, multipliers[k]
             open_one = np.abs(loose[:, k]).max(initial=0.0) > OPEN
             found[constraint.signal] = None if open_one else combined([(sign, row)])
         for i in held:
-            ties = [(float(G[k, i]), row) for k, row in enumerate(multipliers) if G[k, i]]
-            open_one = np.abs(loose @ G[:, i]).max(initial=0.0) > OPEN
+            ties = [(G[k, i], row) for k, row in enumerate(multipliers) if G[k, i]]
+            open_one = np.abs(loose @ G[:, i].astype(float)).max(initial=0.0) > OPEN
             found[scene.q[i].name] = None if open_one else combined([(1.0, residual[i]), *ties])
         return found
+
+    def _solved(self, G, E):
+        """(λ in equilibrium, what Gᵀλ = 0 leaves open, the left inverse of Gᵀ), the first and the last in the numbers
+        of G."""
+        import numpy as np
+
+        static, loose = solved(G.astype(float), np.array(E, float))
+        if self.opened.kind is float:
+            return static.tolist(), loose, _left_inverse(G).tolist()
+        inverse = _picked_inverse(G)
+        return [-sum(x * e for x, e in zip(line, E, strict=True)) for line in inverse], loose, inverse
 
     def _residual(self):
         """{i: LinearFunction of E_i} over the coordinates and inputs of the opened scene."""
@@ -77,7 +87,7 @@ class MovingReactions:
                         _add(parts[i][kind], x, motions[j])
         driven = excitation(released.scene, released.timed, released.place)
         driven = dict(zip(driven, copied(list(driven.values()), self.opened.scene.table), strict=True))
-        return {i: LinearFunction(float(numbers.residual[i]), [(-1.0, driven[i])] if i in driven else [], **part)
+        return {i: LinearFunction(numbers.residual[i], [(-1.0, driven[i])] if i in driven else [], **part)
                 for i, part in parts.items()}
 
     def _motions(self):
@@ -94,10 +104,10 @@ class MovingReactions:
         number = {q: i for i, q in enumerate(scene.q)}
         for constraint, size in zip(scene.constraints, multipliers, strict=True):
             seconds = slopes_of(row_of(constraint.node, number), number)
-            values = evaluate(list(seconds.values()), Floats, self.released.values)
+            values = evaluate(list(seconds.values()), self.opened.arithmetic, self.released.values)
             for (i, j), x in zip(seconds, values, strict=True):
                 if i in residual and x and size:
-                    _add(residual[i].q, float(size) * x, motions[j])
+                    _add(residual[i].q, size * x, motions[j])
 
     def row(self, text: str) -> LinearFunction:
         """The LinearFunction of a reaction, a force in a constraint, or a force of contact."""
@@ -128,6 +138,19 @@ def _left_inverse(G):
     scale = np.abs(G).max(axis=1)
     scale[scale == 0.0] = 1.0       # of what ties supports alone
     return np.linalg.pinv((G / scale[:, None]).T, rcond=OPEN) / scale[:, None]
+
+
+def _picked_inverse(G):
+    """Another in more digits, on the rows and columns that elimination in floats picks out, as lists."""
+    import mpmath
+
+    rows, columns = pivots(G.astype(float).tolist())
+    found = [[mpmath.mpf(0)] * G.shape[1] for _ in range(len(G))]
+    block: Any = mpmath.matrix([[G[k, i] for k in rows] for i in columns])**-1 if rows else ()
+    for at, k in enumerate(rows):
+        for place, i in enumerate(columns):
+            found[k][i] = block[at, place]
+    return found
 
 
 def _add(total, factor, row):

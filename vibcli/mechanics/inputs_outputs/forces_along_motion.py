@@ -3,9 +3,11 @@
 As in equilibrium (mechanics/reactions.py) the scene is released, with the inertia of the motion in E:
 
     E_q + Σ λ_k ∂G_k/∂q = 0        R_ρ = E_ρ + Σ λ_k ∂G_k/∂ρ,        ρ = 0 of supports and drives.
+
+What bends or jumps with the motion does so by its senses σ, which who follows the motion knows.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -17,12 +19,15 @@ from vibcli.mechanics.signals import in_contact, normal_of, reaction_of, require
 from vibcli.symbolic.array_arithmetic import Arrays
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import evaluate
+from vibcli.symbolic.expression_graph import reachable
 
 if TYPE_CHECKING:
     import numpy as np
 
     from vibcli.mechanics.numeric_system import NumericSystem
     from vibcli.symbolic.node import Node
+
+JUMPS = ("sign", "step")
 
 
 class ForcesAlong:
@@ -40,13 +45,38 @@ class ForcesAlong:
         n = len(self.released.real)
         return substitute(flat, dict.fromkeys((*scene.q[n:], *scene.v[n:], *scene.a[n:]), scene.table.zero))
 
-    def values(self, names: Sequence[str], states: Any) -> "dict[str, np.ndarray]":
-        """{signal: array} of the forces of these names."""
+    @cached_property
+    def jumps(self) -> "dict[Node, Node]":
+        """{σ as a symbol: its argument} of what jumps with the motion."""
+        table = self.released.scene.table
+        return {table.variable(f"sense {i}"): argument for i, argument in enumerate(dict.fromkeys(
+            part.args[0] for part in self._jumping))}
+
+    @property
+    def _jumping(self):
+        """sign u and step u within the nodes, those of the time alone apart."""
+        motion = ~self.released.scene.time.mask
+        return [part for part in reachable(self.nodes) if part.name in JUMPS and part.mask & motion]
+
+    @cached_property
+    def _sensed(self):
+        """The nodes with the symbols σ in place of what jumps: sign u = σ, step u = (1 + σ)/2."""
+        symbols = {argument: symbol for symbol, argument in self.jumps.items()}
+        senses = {part: symbols[part.args[0]] for part in self._jumping}
+        return substitute(self.nodes, {part: sense if part.name == "sign" else (1 + sense) / 2
+                                       for part, sense in senses.items()})
+
+    def values(self, names: Sequence[str], states: Any, senses: Callable | None = None) -> "dict[str, np.ndarray]":
+        """{signal: array} of the forces of these names; senses(scene, arguments): the σ of what jumps there, else by
+        the signs of the arguments."""
         import numpy as np
 
         scene, n = self.released.scene, len(self.released.real)
-        count = len(states[scene.time.name])
-        flat = np.array([np.broadcast_to(value, count) for value in evaluate(self.nodes, Arrays, states)], dtype=float)
+        count, nodes = len(states[scene.time.name]), self.nodes
+        if senses is not None and self.jumps:
+            nodes, found = self._sensed, senses(scene, list(self.jumps.values()))
+            states = {**states, **{symbol.name: sigma for symbol, sigma in zip(self.jumps, found, strict=True)}}
+        flat = np.array([np.broadcast_to(value, count) for value in evaluate(nodes, Arrays, states)], dtype=float)
         size, ties = len(scene.q), len(scene.constraints)
         E, G = flat[:size], flat[size:].reshape(ties, size, count)
         found = {name: np.empty(count) for name in names}

@@ -6,14 +6,13 @@ its reference is cos Ωt), a driven displacement of 1 m or 1 rad, a generalised 
 """
 
 from collections.abc import Mapping
-from fractions import Fraction
-from math import isfinite
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
@@ -96,14 +95,14 @@ def _loads(configuration, text, found):
         if "carrier" in record:
             return _carried(configuration, record, name, terms)
         raise PhysicsError(f"'{name}' changes its direction: it has no line", f"name {name}.x or {name}.y")
-    return Input(dict(zip(terms, _unit(_amplitudes(scene, nodes, sample), name), strict=True)))
+    return Input(dict(zip(terms, _unit(_amplitudes(configuration.with_inputs, nodes), name), strict=True)))
 
 
 def _carried(configuration, record, name, terms):
     """The direction of a load, as it is written in the axes of the body that carries it."""
     scene, sample = configuration.with_inputs.scene, configuration.with_inputs.sample
-    written = _amplitudes(scene, [scene.lower(part) for part in record["force"]], sample)
-    line = [scene.table.number(Fraction(x)) for x in _unit(written, name)]
+    written = _amplitudes(configuration.with_inputs, [scene.lower(part) for part in record["force"]])
+    line = [scene.table.number(fraction_of(x)) for x in _unit(written, name)]
     nodes = dict(zip(terms, scene.frame(record["carrier"]).turned(*line), strict=True))
     start = evaluate(list(nodes.values()), Floats, {**sample, scene.time.name: 0.0})
     return Input(dict(zip(nodes, start, strict=True)), carried=nodes)
@@ -117,13 +116,15 @@ def _keeps_line(nodes, scene, sample):
     return not any(abs(x * v - y * u) > SAME * (abs(x * v) + abs(y * u)) for x, y in moving for u, v in moving)
 
 
-def _amplitudes(scene, nodes, sample):
+def _amplitudes(opened, nodes):
     """The nodes with each function of the time as 1, or as near to it as they are defined: not so 1/(1 − cos Ωt)."""
+    scene, sample, arithmetic = opened.scene, opened.sample, opened.arithmetic
     calls = [part for part in reachable(nodes) if part.op == "call" and part.mask & scene.time.mask]
     waves = {part: scene.table.parameter(f"wave {i}", positive=False) for i, part in enumerate((*calls, scene.time))}
     nodes = substitute(nodes, waves)
-    found = (evaluate(nodes, Floats, sample | {wave.name: size for wave in waves.values()}) for size in (1.0, 0.9, 0.7))
-    return next((values for values in found if all(map(isfinite, values))), [0.0] * len(nodes))
+    found = (evaluate(nodes, arithmetic, sample | {wave.name: size for wave in waves.values()})
+             for size in (1.0, 0.9, 0.7))
+    return next((values for values in found if all(map(arithmetic.isfinite, values))), [0.0] * len(nodes))
 
 
 def _unit(vector, name):
@@ -149,7 +150,7 @@ def _driven(configuration, text, found):
     values = configuration.with_inputs.sample
     if exact or not _keeps_line(nodes, scene, values):
         raise PhysicsError(f"'{text}' is driven in several ways", f"name {text}.x or {text}.y of a point")
-    return Input(dict(zip(parts, _unit(_amplitudes(scene, nodes, values), text), strict=True)))
+    return Input(dict(zip(parts, _unit(_amplitudes(configuration.with_inputs, nodes), text), strict=True)))
 
 
 def _along_coordinate(configuration, text, found):

@@ -2,17 +2,17 @@
 
 Signals are counted from the drawn position, so the constant of an output is its value in equilibrium. What a driven
 displacement or a load does to a signal directly goes to a channel of its own. Energies and powers are quadratic: sums
-of squares of linear outputs, E = Σ F²/(2k) of springs, P = Σ c ṡ² of dampers.
+of products of linear outputs, E = Σ F²/(2k) of springs, P = Σ c ṡ² of dampers, P = Σ F ṡ of loads.
 """
 
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
-from vibcli.language.signals import ENERGIES
+from vibcli.language.signals import ENERGIES, is_load
 from vibcli.mechanics.inputs_outputs.displacements import displacement
 from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction, combined, rate
 from vibcli.mechanics.support_forces import on_the_ground, weighted_rates
-from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.evaluation import evaluate
 
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
@@ -46,24 +46,30 @@ def _row(configuration, text):
     node = displacement(scene, text)
     if node is not None:
         return opened.rows([node])[0]
+    if is_load(configuration.spec, text):
+        return opened.rows([term.force(scene) for term in scene.terms_of(name, "forces")])[0]
     if rates := weighted_rates(opened, name):
         return combined(rates)
     force = scene.force_of(name)
     return configuration.moving_reactions.row(text) if force is None else opened.rows([force])[0]
 
 
-def squares(configuration: "Configuration", text: str) -> list[tuple[float, LinearFunction]]:
-    """[(weight, LinearFunction)] of a signal that is a sum of squares."""
-    opened = configuration.with_inputs
+def products(configuration: "Configuration", text: str) -> list[tuple[float, list[LinearFunction]]]:
+    """[(weight, [LinearFunction, LinearFunction])] of a signal that is a sum of products, the same twice of squares."""
+    opened, scene = configuration.with_inputs, configuration.with_inputs.scene
     name, _, part = text.partition(".")
-    if opened.scene.terms_of(name, "laws"):
+    if scene.terms_of(name, "laws"):
         raise PhysicsError(f"'{text}' of a nonlinear law is found along the full motion alone", "write motion: full")
+    if is_load(configuration.spec, text):
+        terms = scene.terms_of(name, "forces")
+        forces, places = opened.rows([term.weight for term in terms]), opened.rows([term.s for term in terms])
+        return [(1.0, [force, rate(place, scene)]) for force, place in zip(forces, places, strict=True)]
     if part == "power":
-        return weighted_rates(opened, name)
-    terms = opened.scene.terms_of(name, "springs")
-    stiffnesses = evaluate([term.weight for term in terms], Floats, opened.values)
+        return [(weight, [row, row]) for weight, row in weighted_rates(opened, name)]
+    terms = scene.terms_of(name, "springs")
+    stiffnesses = evaluate([term.weight for term in terms], opened.arithmetic, opened.values)
     if not all(stiffnesses):
         raise PhysicsError(f"'{name}' has no stiffness: its energy is not a square of its force",
                            f"ask for {name}.force")
-    rows = opened.rows([term.force(opened.scene) for term in terms])
-    return [(0.5 / k, row) for k, row in zip(stiffnesses, rows, strict=True)]
+    rows = opened.rows([term.force(scene) for term in terms])
+    return [(0.5 / k, [row, row]) for k, row in zip(stiffnesses, rows, strict=True)]

@@ -40,14 +40,15 @@ def data(suffix: str, title: str, columns: "Sequence[tuple[str, str, np.ndarray]
 
 
 def _csv(title, columns):
-    """A header of names with units, then the rows; a cell that a spreadsheet would take for a formula is quoted."""
+    """A header of names with units, then the rows, what is no number empty; a cell that a spreadsheet would take for a
+    formula is quoted."""
     import csv
 
     text = StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow([_plain(f"{name} [{unit}]") for name, unit, _ in columns])
-    writer.writerows([repr(float(value)) for value in row] for row in zip(*(values for *_, values in columns),
-                                                                          strict=True))
+    writer.writerows([repr(float(value)) if value == value else "" for value in row]
+                     for row in zip(*(values for *_, values in columns), strict=True))
     return text.getvalue().encode()
 
 
@@ -67,6 +68,7 @@ def _npz(title, columns):
 def _json(title, columns):
     import json
 
-    found = {"title": title, "columns": [{"name": name, "unit": unit, "values": [float(x) for x in values]}
-                                         for name, unit, values in columns]}
+    found = {"title": title, "columns": [
+        {"name": name, "unit": unit, "values": [float(x) if x == x else None for x in values]}
+        for name, unit, values in columns]}
     return json.dumps(found, ensure_ascii=False, allow_nan=False, indent=1).encode()

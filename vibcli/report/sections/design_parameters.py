@@ -23,7 +23,8 @@ def chosen(problem: "Problem", _: "Report") -> Iterator[Section]:
     several = len(found.solutions) > 1
     residual = figure(max(solution.residual for solution in found.solutions), digits=2)
     where = " at several values of the letters" if problem.symbolic.letters else ""
-    checked = f"checked by substitution{where}: relative residual {residual}" + " at most" * several
+    checked = f"checked by substitution{where}: what is left of the conditions is {residual} of their terms"
+    checked += " at most" * several
     if any(_with_units(record["so"]) for record in problem.spec.choices.values()) and _any_form(found):
         checked += "; closed forms in SI units"
     yield from section("Chosen", told, equations(_lines(problem, several)), paragraph(checked, hang=None),

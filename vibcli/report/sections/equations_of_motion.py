@@ -1,7 +1,7 @@
 """Energies and equations of motion, full and for small oscillations."""
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Kinked
 from vibcli.notation.abbreviations import abbreviated
@@ -102,12 +102,12 @@ def _in_numbers(problem, found):
     matrices = problem.configuration.linear_system.matrices()
     for i, name in enumerate(problem.scene.coordinates):
         row, drive = numeric_row(problem, matrices, i), numeric_drive(problem, found, i)
-        yield line(*_sum(row), " = ", *_sum(drive), label=Name(name))
+        yield line(*numeric_sum(row), " = ", *numeric_sum(drive), label=Name(name))
 
 
-def _sum(row):
+def numeric_sum(row: "Sequence[tuple[float, Node]]") -> "Sequence[Any]":
     """Parts of Σ coefficient·node."""
-    parts = []
+    parts: list = []
     for value, node in row:
         sign = ("−" if value < 0 else "") if not parts else (" − " if value < 0 else " + ")
         if node.op == "number":

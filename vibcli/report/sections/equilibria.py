@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from vibcli.analyses.modal.stability import FALLING, HELD, NEUTRAL, OPEN, STABLE, UNSTABLE, inertless, judged
+from vibcli.analyses.modal.stability import FALLING, HELD, NEUTRAL, OPEN, STABLE, UNDECIDED, UNSTABLE, inertless, judged
 from vibcli.notation.numbers import figure, with_unit
 from vibcli.report.blocks import Name, Section, TableBlock, Words, maths, paragraph, section, separated
 from vibcli.report.keys import Key
@@ -14,7 +14,8 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 KINDS = {STABLE: "stable", UNSTABLE: "unstable", NEUTRAL: "neutral", HELD: "stable by terms beyond the linear ones",
-         FALLING: "unstable by terms beyond the linear ones", OPEN: "no small oscillations: a kink"}
+         FALLING: "unstable by terms beyond the linear ones", OPEN: "no small oscillations: a kink",
+         UNDECIDED: "masses or dampers would decide"}
 WIDEST = 6      # coordinates side by side
 PROVED = "proved by interval arithmetic: there are no others within these bounds"
 OPEN_LIST = "found by search: it is not proved that there are no others"
@@ -74,7 +75,7 @@ def _warning(problem, found):
 def _table(problem, listed):
     rows = [(str(number), *_places(problem, item), figure(item.equilibrium.residual, digits=2), _kind(found, item),
              _rates(about, found)) for number, (item, about, found) in enumerate(listed, 1)]
-    return TableBlock(("", *_heads(problem), "residual", "", "ω [rad/s]"), tuple(rows))
+    return TableBlock(("", *_heads(problem), "left of the forces", "", "ω [rad/s]"), tuple(rows))
 
 
 def _heads(problem):
@@ -97,7 +98,7 @@ def _places(problem, item):
 def _rates(problem, found):
     if found.growth_rate is not None:
         return f"grows as exp({figure(found.growth_rate)}·t)"
-    if found.kind == OPEN:
+    if found.kind == OPEN or inertless(problem.configuration.linear_system):
         return ""
     return ", ".join(figure(None if mode.omega is None else float(mode.omega), mode.error)
                      for mode in problem.modal.modes)
@@ -137,9 +138,10 @@ EQUILIBRIA = Key("equilibria", "where `find` asks for them: a list of all equili
                  "ascending order", _data, each=(
     Key("coordinates", "{name: value}"),
     Key("dependent", "{name: value} of the coordinates that constraints tie to the others"),
-    Key("stable", "true or false (motion that costs no energy counts as stable); null where a kink leaves it open"),
+    Key("stable", "true or false (motion that costs no energy counts as stable); null where a kink leaves it open, "
+        "or masses that the scene does not give would decide"),
     Key("kind", "stable, unstable, neutral (it can move freely), or where only terms beyond the linear ones decide: "
-        "held, falling; open at a kink"),
+        "held, falling; open at a kink, undecided where masses or dampers would decide"),
     Key("growth_rate", "the largest growth rate, with the dampers of the scene; null where nothing grows"),
     Key("residual", "what is left of the forces, relative to their terms"),
     Key("omega", "natural angular frequencies about it, null for unstable modes"),

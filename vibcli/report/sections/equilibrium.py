@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.errors import Kinked, PhysicsError
 from vibcli.notation.numbers import figure, quantity
-from vibcli.report.blocks import Name, Words, equations, line, maths, paragraph, section, separated
+from vibcli.report.blocks import Name, Paragraph, Words, equations, line, maths, paragraph, section, separated
 from vibcli.report.keys import Key
 from vibcli.symbolic.rationals import ONE
 
@@ -26,7 +26,7 @@ def equilibrium(problem: "Problem", _: "Report"):
         blocks += held(problem)
     preloads = equations(line(Words(f"static preload of {name}: "), *_preload(problem, node, name), hang=None)
                          for name, node in problem.system.preloads.items())
-    slack = [] if problem.numeric.has_free_symbols else _slack(problem)
+    slack = [] if problem.numeric.has_free_symbols else slack_ropes(problem)
     yield from section("Equilibrium", *blocks, preloads, *slack)
 
 
@@ -47,8 +47,15 @@ def _in_numbers(problem):
     warning = None if stable.startswith("a kink") else bifurcation_warning(stiffness_condition(problem.modal))
     where += "; without friction" if problem.system.sticking is not None else ""
     return [paragraph(*told, f"   ({where})"), _from_start(problem),
-            paragraph(f"{stable}; residual {figure(found.residual, digits=2)} of the forces", hang=None),
+            paragraph(f"{stable}; {_balanced(found.residual)}", hang=None),
             paragraph(warning) if warning else None]
+
+
+def _balanced(residual):
+    """How well the forces balance."""
+    if not residual:
+        return "the forces balance exactly"
+    return f"what is left of the forces is {figure(residual, digits=2)} of their terms"
 
 
 def held(problem: "Problem"):
@@ -123,7 +130,7 @@ def _preload(problem, node, name):
     return node, " = ", figure(evaluate([node], Floats, problem.numeric.floats)[0]), Words(f" {unit}")
 
 
-def _slack(problem):
+def slack_ropes(problem: "Problem") -> list[Paragraph]:
     """What pushes where only a rope could pull."""
     if not any("rope" in record for record in (problem.spec.get("constraints") or {}).values()):
         return []
@@ -152,7 +159,8 @@ EQUILIBRIUM = Key("equilibrium", "the equilibrium reached from the drawn positio
         "symbols have no value"),
     Key("from_start", "{name: how far it lies from the start that `equilibrium:` names}; null where none is named and "
         "in letters"),
-    Key("stable", "true or false (motion that costs no energy counts as stable); null where symbols leave it open"),
+    Key("stable", "true or false (motion that costs no energy counts as stable); null where symbols leave it open, "
+        "or masses that the scene does not give would decide"),
     Key("residual", "what is left of the forces, relative to the sum of the magnitudes of their terms"),
     Key("condition", "by which factor a relative change of the data grows in a frequency squared; null in letters, and "
         "where nothing has inertia"),

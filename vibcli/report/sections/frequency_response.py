@@ -5,7 +5,7 @@ from math import isfinite, tau
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import NotInLetters, PhysicsError
-from vibcli.notation.numbers import figure
+from vibcli.notation.numbers import figure, supported
 from vibcli.report import blocks
 from vibcli.report.blocks import Section, TableBlock, line, paragraph, section
 from vibcli.report.keys import Key, data
@@ -44,7 +44,7 @@ def _in_letters(problem, name, driver):
                                "give the parameters values with --set")
         return
     from vibcli.report.sections.symbolic_modes import turned
-    from vibcli.report.sections.symbolic_response import conditions
+    from vibcli.report.sections.symbolic_response import conditions, lag_line
 
     try:
         found = problem.symbolic_frequency_response(name, driver)
@@ -59,20 +59,18 @@ def _in_letters(problem, name, driver):
     elif found.ahead:
         lines = [line("H = ", *turned(found.amplitude))]
     else:
-        lag = line("θ = ±π/2") if found.tangent is None else line("tan θ = ", found.tangent)
-        lines = [line("|H| = ", found.amplitude), lag]
+        lines = [line("|H| = ", found.amplitude), lag_line(found, "theta")]
     yield blocks.equations(lines)
     yield from conditions(found)
 
 
 def _in_numbers(problem, name, driver, unit):
     curve = problem.frequency_response(name, driver)
-    rows = [(f"peak {number}", figure(peak.Omega), figure(peak.Omega / tau),
-             "∞" if peak.value is None else figure(peak.value),
-             *map(_or_dash, (peak.low, peak.high, peak.quality))) for number, peak in enumerate(_peaks(curve), 1)]
+    rows = [_peak_row(curve, number, peak) for number, peak in enumerate(_peaks(curve), 1)]
     for number, Omega in enumerate(curve.antiresonances, 1):
-        rows.append((f"antiresonance {number}", figure(Omega), figure(Omega / tau),
-                     "0" if curve.transfer.undamped else figure(abs(curve.at(Omega)[0])), "", "", ""))
+        found, error = (0.0, 0.0) if curve.transfer.undamped else curve.at(Omega)
+        rows.append((f"antiresonance {number}", *_place(Omega, curve.error_of_antiresonance(Omega)),
+                     figure(abs(found), error), "", "", ""))
     head = ("", "Ω [rad/s]", "f [Hz]", f"|H| [{unit}]", "Ω₁ [rad/s]", "Ω₂ [rad/s]", "Q")
     yield _static(curve, unit)
     yield TableBlock(head, tuple(rows)) if rows else paragraph("no resonance")
@@ -81,13 +79,31 @@ def _in_numbers(problem, name, driver, unit):
         yield paragraph("Ω₁ and Ω₂: half-power points, |H| = peak/√2; Q = Ω/(Ω₂ − Ω₁)")
 
 
+def _place(Omega, off):
+    """A frequency that is off by so much, in rad/s and Hz."""
+    return supported(Omega, off), supported(Omega / tau, off / tau)
+
+
+def _peak_row(curve, number, peak):
+    off, relative = curve.error_of_peak(number)
+    value = "∞" if peak.value is None else figure(peak.value, relative)
+    beside = ["–"] * 3
+    if peak.quality is not None:
+        errors = curve.errors_of_half_power(number)
+        beside = [supported(peak.low, errors[0]), supported(peak.high, errors[1]),
+                  figure(peak.quality, curve.error_of_quality(number))]
+    return f"peak {number}", *_place(peak.Omega, off), value, *beside
+
+
 def _fixed_points(problem, curve, unit):
     """Through which all curves pass, whatever the one damper of two degrees of freedom is."""
     dampers = list(problem.spec.get("dampers") or {})
     if len(problem.scene.q) != LETTERS or len(dampers) != 1 or curve.signal.startswith(f"{dampers[0]}."):
         return
-    rows = [(f"fixed point {number}", figure(Omega), figure(Omega / tau), figure(value))
-            for number, (Omega, value) in enumerate(curve.fixed_points(dampers[0]), 1)]
+    rows = []
+    for number, (Omega, value) in enumerate(curve.fixed_points(dampers[0]), 1):
+        off, relative = curve.error_of_fixed_point(dampers[0], Omega)
+        rows.append((f"fixed point {number}", *_place(Omega, off), figure(value, relative)))
     if rows:
         yield paragraph(f"Fixed points, the same for every value of '{dampers[0]}':")
         yield TableBlock(("", "Ω [rad/s]", "f [Hz]", f"|H| [{unit}]"), tuple(rows))
@@ -114,13 +130,10 @@ def _peaks(curve):
                             None if low is None else Omega / (high - low))
 
 
-def _or_dash(value):
-    return "–" if value is None else figure(value)
-
-
 def _static(curve, unit):
     try:
-        return paragraph(f"at rest (Ω → 0): {figure(curve.at(0.0)[0].real)}{f' {unit}' * (unit != '1')}")
+        found, error = curve.at(0.0)
+        return paragraph(f"at rest (Ω → 0): {supported(found.real, error * abs(found))}{f' {unit}' * (unit != '1')}")
     except PhysicsError:
         return paragraph("at rest (Ω → 0) it has no bound: the scene moves off freely")
 

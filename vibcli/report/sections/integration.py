@@ -39,7 +39,7 @@ def _accuracy(trajectory):
     told += ("; nothing moves by more than rounding may" if trajectory.shared.still else
              f"; a second solution of another order agrees to {figure(shared, digits=2)} of the motion")
     if trajectory.end < trajectory.until:
-        told += f" up to t = {figure(trajectory.end, digits=4)} s, from where on it is not known"
+        told += f" up to t = {figure(trajectory.end, digits=4)} s, from where on it is not known: {trajectory.reason}"
     if trajectory.fast is not None:
         told += (f"; from t = {figure(trajectory.fast.since, digits=3)} s on an oscillation of "
                  f"{figure(trajectory.fast.speed)} rad/s, {figure(trajectory.fast.part, digits=2)} of the motion, is "

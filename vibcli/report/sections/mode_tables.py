@@ -3,7 +3,7 @@
 from cmath import polar as to_polar
 from collections.abc import Callable, Sequence
 from itertools import pairwise
-from math import degrees, hypot, tau
+from math import degrees, tau
 from typing import TYPE_CHECKING
 
 from vibcli.notation.numbers import figure
@@ -53,20 +53,11 @@ def damped_row(mode: "DampedMode") -> tuple[str, ...]:
             note = f"over-damped, λ = {figure(_float(mode.eigenvalue.real), mode.error)} 1/s"
     if mode.growth_rate:
         note = "flutter" if mode.kind == "flutter" else "unstable"
-    of_decay, of_omega_d = bounds(mode)
+    of_decay, of_omega_d = mode.bounds
     return (str(mode.index), figure(_float(mode.omega), mode.error), figure(_float(mode.zeta), of_decay),
             figure(_float(mode.omega_d), of_omega_d),
             figure(tau / float(mode.omega_d), of_omega_d) if mode.omega_d else "–",
             figure(_float(mode.decay), of_decay), error, note)
-
-
-def bounds(mode: "DampedMode"):
-    """Bounds of the relative errors of decay and ζ, and of ω_d: that of |λ| falls on the parts of λ, the small too."""
-    if not mode.omega_d:
-        return mode.error, mode.error
-    real, imaginary = abs(float(mode.decay)), abs(float(mode.omega_d))
-    size = hypot(real, imaginary)
-    return mode.error * size / real if real else mode.error, mode.error * size / imaginary
 
 
 def _float(value):

@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from vibcli.base import units
+from vibcli.base.enumeration import listed
 from vibcli.language.record_calls import own
 from vibcli.report.blocks import Definition, Definitions, Name, Paragraph, Section, maths, paragraph, section, separated
 from vibcli.report.sections.too_long import brief
@@ -49,8 +50,22 @@ def coordinates(problem: "Problem", _: "Report") -> Iterator[Section]:
         about = problem.spec.coordinates[name].get("about") or moves.get(name, "")
         items.append(Definition((maths(Name(name)), f" [{unit(problem.system.dimension(name))}]"), about))
     n = len(items)
+    if problem.scene.held:
+        yield from section("Freedom", *_no_freedom(problem))
+        return
     yield from section(f"Generalised coordinates ({n} degree{'s' if n != 1 else ''} of freedom)",
                        Definitions(tuple(items)) if items else None, *tied(problem.scene))
+
+
+def _no_freedom(problem):
+    """Paragraphs on what holds a scene of statics, and whether rigid bodies alone fix its forces."""
+    found = problem.symbolic.reactions
+    kind = paragraph("none: all bodies are held, statically determinate")
+    if found.degree:
+        shared = [signal for signal, value in found.values.items() if value is None]
+        more = f"{found.degree} force{'s' if found.degree > 1 else ''} more than statics fixes"
+        kind = paragraph(f"none: all bodies are held by {more}; {listed(shared)} share the loads in any proportion")
+    return [kind, *tied(problem.scene)]
 
 
 def unit(dimension: "Mapping[str, Fraction | int]") -> str:
@@ -76,11 +91,12 @@ def tied(scene: "Scene") -> list[Paragraph]:
     freedom = scene.freedom
     if not freedom.conditions:
         return []
-    closed = [maths(Name(name)) for name in scene.loops.names] if scene.loops else []
+    closed = [maths(Name(name)) for name in scene.loops.names] if scene.loops and not scene.held else []
     explicit = [maths(Name(name), " = ", brief(node)) for name, node in scene.dependent.items()
-                if maths(Name(name)) not in closed]
-    told = [paragraph(f"{freedom.coordinates} coordinates less {freedom.conditions} independent condition"
-                      f"{'s' if freedom.conditions > 1 else ''}" + (": " if explicit else ""),
+                if maths(Name(name)) not in closed and not scene.held]
+    told = [paragraph(f"{freedom.coordinates} coordinate{'s' if freedom.coordinates > 1 else ''} less "
+                      f"{freedom.conditions} independent condition{'s' if freedom.conditions > 1 else ''}"
+                      + (": " if explicit else ""),
                       *separated(explicit, "   "))]
     if closed:
         told.append(paragraph(*separated(closed), (" follow" if len(closed) > 1 else " follows")

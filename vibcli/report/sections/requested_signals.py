@@ -76,9 +76,11 @@ def _dimension(problem, tree):
 
 
 def extremes(asked: Any, until: Any) -> Any:
-    """[(signal, (t, value) of the largest, of the smallest)], None for each of a force that statics does not fix."""
-    return [(one, *if_fixed(lambda one=one: [one.signal.extreme(0.0, until, sense) for sense in (1, -1)],
-                            [(None, None)] * 2)) for one in asked]
+    """[(signal, BoundedExtreme of the largest, of the smallest)], None for a force that statics does not fix."""
+    from vibcli.results.escalation import extreme_of_signal
+
+    return [(one, *if_fixed(lambda one=one: [extreme_of_signal(one.signal, 0.0, until, sense) for sense in (1, -1)],
+                            [None, None])) for one in asked]
 
 
 def if_fixed(found: Callable, otherwise: Any = None):

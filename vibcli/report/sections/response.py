@@ -2,6 +2,7 @@
 as data."""
 
 from collections.abc import Iterator
+from contextlib import suppress
 from math import inf
 from typing import TYPE_CHECKING, Any
 
@@ -15,14 +16,17 @@ from vibcli.report.blocks import Name, Section, TableBlock, line, maths, paragra
 from vibcli.report.keys import Key, data
 from vibcli.report.sections.requested_signals import RequestedSignal, extremes, if_fixed, names_asked, signals_asked
 from vibcli.report.sections.steady_state import harmonics_of, phase_in, steady_state
-from vibcli.symbolic.syntax import NameRef
 
 if TYPE_CHECKING:
     from fractions import Fraction
 
+    import mpmath
+
     from vibcli.report.document import Report
     from vibcli.report.wanted import Wanted
+    from vibcli.results.escalation import BoundedExtreme
     from vibcli.results.problem import Problem
+    from vibcli.results.signal import Signal
 
 MOST_LINES = 16         # of what drives a motion
 NOT_FIXED = "not fixed by statics"
@@ -39,6 +43,7 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
         yield from response_in_letters(problem, names_asked(problem, RESPONSE, report.wanted.signals))
         return
     motion, asked = problem.response, signals_asked(problem, report.wanted.signals)
+    _require_quick(problem, asked, report.wanted)
     if motion.KIND == "prescribed":
         yield from section(f"Motion in time ({motion.WORDS})", paragraph("nothing moves freely"))
     else:
@@ -48,11 +53,13 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
 
         yield from integration(motion.trajectory())
     elif motion.KIND == "small":
-        from vibcli.report.sections.formulas import formulas, free_vibration
+        from vibcli.report.sections.formulas import formulas
+        from vibcli.report.sections.vibrations import beats, free_vibration
 
         yield from free_vibration(problem, asked)
-        yield from formulas(asked)
+        yield from formulas(asked, motion.until)
         if motion.drive:
+            yield from section("Beats", *map(paragraph, beats(asked, motion.until)))
             yield from steady_state(asked, report.wanted.phase)
     if report.pictures:
         from vibcli.report.sections.illustrations import plot
@@ -63,10 +70,19 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
     known = known_until(motion, report.wanted)
     yield from _at_instants(problem, asked, report.wanted, known)
     if not at_instants_alone(motion, report.wanted):
-        yield from _extremes(asked, min(known, motion.until))
+        yield from _extremes(asked, min(known, motion.until), report.wanted.digits)
     missing = unknown(problem, report.wanted)
     if missing is not None:
         raise missing
+
+
+def _require_quick(problem, asked, wanted):
+    """PhysicsError, before anything is computed, where the digits asked for would take long."""
+    if wanted.digits is not None:
+        from vibcli.results.precise_work import estimated_steps, require_quick
+
+        require_quick(sum(max(estimated_steps(one.signal, float(t), wanted.digits) for one in asked)
+                          for _, t in wanted.at), wanted.digits, problem.work)
 
 
 def at_instants_alone(motion: Any, wanted: "Wanted"):
@@ -86,7 +102,10 @@ def unknown(problem: "Problem", wanted: "Wanted") -> Unknown | None:
     """The refusal of the part of a motion that is asked for and not known, else None."""
     motion, known = problem.response, known_until(problem.response, wanted)
     late = known < inf and known < _latest(motion, wanted)
-    return motion.trajectory().unknown(_latest(motion, wanted)) if late else None
+    if not late:
+        return None
+    forces = any(getattr(one.signal, "forces", None) for one in signals_asked(problem, wanted.signals))
+    return (motion.trajectory() if forces else motion).unknown(_latest(motion, wanted))
 
 
 def _latest(motion, wanted):
@@ -107,20 +126,17 @@ def _at_instants(problem, asked, wanted, known):
 def value_at(problem: "Problem", one: RequestedSignal, t: "Fraction", digits: int | None = None) -> str:
     """A signal at an instant, as text."""
     if digits is None:
-        import numpy as np
+        from vibcli.results.escalation import value_of_signal
 
-        return supported(float(one.signal.values(np.array([float(t)]))[0]), one.signal.error(float(t)), 12)
+        return supported(*value_of_signal(one.signal, t), 12)
+    return precise_text(one.signal.precise(t, digits), digits)
+
+
+def precise_text(value: "mpmath.mpf", digits: int) -> str:
+    """A number with so many digits, as text."""
     import mpmath
 
-    from vibcli.results.high_precision_response import precise_value
-
-    if problem.response.KIND != "small":
-        raise PhysicsError("--digits is for small motions: more digits of one that is "
-                           f"{problem.response.WORDS} are not found", "leave --digits out")
-    if not isinstance(one.tree, NameRef) or one.tree.name not in problem.scene.coordinates:
-        raise PhysicsError(f"--digits is for coordinates: more digits of '{one.text}' are not found",
-                           "ask for --of " + problem.scene.coordinates[0])
-    return mpmath.nstr(precise_value(problem, one.tree.name, one.tree.primes, t, digits), digits, strip_zeros=False)
+    return mpmath.nstr(value, digits, strip_zeros=False)
 
 
 def _start(problem, motion, drive):
@@ -131,6 +147,9 @@ def _start(problem, motion, drive):
         parts += [", "] * bool(parts) + [maths(Name(name), "(0) = "), with_unit(value, dimension)]
         if speeds[name]:
             parts += [", ", maths(Name(name + "'"), "(0) = "), with_unit(speeds[name], times(dimension, TIME, -1))]
+    given = problem.initial.given
+    if any(name not in given for name in places) and not problem.system.named_start and problem.configuration.falls:
+        parts += ["   (as drawn: no equilibrium is reached)"]
     force = let_go(problem.spec)
     parts += [f", where {force} lets go"] if force else []
     yield from section(f"Motion in time ({motion.WORDS})", paragraph("from ", *parts), *drive)
@@ -146,29 +165,40 @@ def _drive(problem, motion):
                             for i, node in motion.drive.items()), left_out(problem)
 
 
-def _extremes(asked, until):
+def _extremes(asked, until, digits):
     rows = []
     for one, *both in extremes(asked, until):
-        cells = [cell for t, value in both for cell in (
-            (NOT_FIXED, "") if value is None else
-            (supported(value, one.signal.error(t)), supported(t, one.signal.error_of_time(t))))]
+        cells = [cell for found, sense in zip(both, (1, -1), strict=True) for cell in (
+            (NOT_FIXED, "") if found is None else extreme_cells(one.signal, found, until, sense, digits))]
         rows.append((f"{one.label} [{one.unit}]".replace(" []", ""), *cells))
     yield from section(f"Extremes for 0 ≤ t ≤ {figure(until)} s",
                        TableBlock(("signal", "largest", "at t [s]", "smallest", "at t [s]"), tuple(rows)))
 
 
+def extreme_cells(signal: "Signal", found: "BoundedExtreme", until: float, sense: int,
+                  digits: int | None) -> tuple[str, str]:
+    """(value, instant) of an extreme as texts, with so many digits where they are asked for and found."""
+    if digits is not None:
+        with suppress(PhysicsError):
+            t, value = signal.precise_extreme(0.0, until, sense, digits)
+            return precise_text(value, digits), precise_text(t, digits)
+    return supported(found.value, found.error), supported(found.time, found.error_of_time)
+
+
 def response_data(problem: "Problem", wanted: "Wanted") -> dict[str, Any]:
     """A motion in time as data, as far as it is known."""
     motion, asked = problem.response, signals_asked(problem, wanted.signals)
+    _require_quick(problem, asked, wanted)
     places, speeds = motion.start
     known = known_until(motion, wanted)
     instants = [_values(problem, one, wanted, known) for one in asked]
     alone = at_instants_alone(motion, wanted)
     end = None if alone else min(known, motion.until)
-    ends = [(one, (None, None), (None, None)) for one in asked] if alone else extremes(asked, end)
-    found = [SIGNALS.row(one.text, one.unit, most, late, least, early,
+    ends = [(one, None, None) for one in asked] if alone else extremes(asked, end)
+    found = [SIGNALS.row(one.text, one.unit, *(number for which in both for number in (
+                         (None, None) if which is None else (which.value, which.time))),
                          None if alone else _steady(motion, one.signal, wanted.phase), values)
-             for (one, (late, most), (early, least)), values in zip(ends, instants, strict=True)]
+             for (one, *both), values in zip(ends, instants, strict=True)]
     missing = unknown(problem, wanted)
     return data((*KNOWN, UNKNOWN), {
         "until": end, "initial": {} if alone else {**places, **{name + "'": v for name, v in speeds.items()}},
@@ -179,13 +209,13 @@ def response_data(problem: "Problem", wanted: "Wanted") -> dict[str, Any]:
 def _values(problem, one, wanted, known):
     """[(t, value)] at the instants asked for; with --digits as texts; None beyond what is known."""
     def value(t):
-        import numpy as np
+        from vibcli.results.escalation import value_of_signal
 
         if float(t) > known:
             return None
         if wanted.digits is not None:
             return value_at(problem, one, t, wanted.digits)
-        return if_fixed(lambda: float(one.signal.values(np.array([float(t)]))[0]))
+        return if_fixed(lambda: value_of_signal(one.signal, t)[0])
 
     return [(t, value(t)) for _, t in wanted.at]
 
@@ -195,7 +225,7 @@ def _steady(motion, signal, convention):
     if not motion.drive or not hasattr(signal, "output"):
         return None
     try:
-        return [(Omega, X, phase_in(convention, X)) for Omega, X in harmonics_of(signal)]
+        return [(Omega, X, phase_in(convention, X)) for Omega, X, _ in harmonics_of(signal)]
     except PhysicsError:
         return None
 
@@ -221,7 +251,7 @@ KNOWN = (
         "instants alone"),
     Key("initial", "{coordinate, or velocity x': value at t = 0}"), SIGNALS,
     Key("balance", "what the energies of an integrated motion fail to balance by, relative to the largest; null of "
-        "small oscillations"))
+        "small oscillations, and of a motion that --digits follows by series"))
 UNKNOWN = Key("unknown", "null, or why the motion is known up to `until` alone, though more was asked for")
 MOTION = Key("response", "of `vibcli response`, and where `find` asks: the motion in time; null where symbols have no "
              "value", of=(UNKNOWN, *KNOWN))

@@ -52,17 +52,17 @@ def sampled(problem: "Problem", wanted: "Wanted") -> list[SampledSignal]:
 
 
 def _bounds(problem, signal, times):
-    """(upper, lower) envelope of a free vibration that dies out; None of others."""
-    if problem.response.drive or not hasattr(signal, "output"):
+    """(upper, lower) envelope of beats, and of a free vibration that dies out; None of others."""
+    if not hasattr(signal, "output"):
         return None
-    from vibcli.results.signal_features import vibration
+    from vibcli.results.signal_features import beat_period, vibration
 
     try:
-        if not vibration(signal).rate < 0:
-            return None
+        if problem.response.drive or not vibration(signal).rate < 0:
+            beat_period(signal)
+        size, middle = signal.envelope.values(times), signal.output.constant
     except PhysicsError:
         return None
-    size, middle = signal.envelope.values(times), signal.output.constant
     return middle + size, middle - size
 
 
@@ -79,16 +79,24 @@ def response_figure(problem: "Problem", series: Sequence[SampledSignal]) -> "Fig
             lines.append((f"{symbol(one.name)}, transient", one.unit, one.parts["transient"]))
             steady.append(None)
             bounds.append(None)
-    return of_response(series[0].times, lines, steady, bounds, title=problem.response.title)
+    return of_response(series[0].times, lines, steady, bounds, problem.response.title,
+                       problem.response.until)
 
 
-def columns(series: Sequence[SampledSignal]) -> "list[tuple[str, str, np.ndarray]]":
-    """[(name, unit, array)] of a motion in time."""
+def columns(problem: "Problem", series: Sequence[SampledSignal]) -> "list[tuple[str, str, np.ndarray]]":
+    """[(name, unit, array)] of a motion in time; of one that is not known to its end a last row, without values, has
+    that end."""
+    import numpy as np
+
     found = [("t", "s", series[0].times)]
     for one in series:
         found.append((one.name, one.unit, one.values))
         found += [(f"{part} {one.name}", one.unit, values) for part, values in one.parts.items()]
-    return found
+    motion = problem.response
+    if motion.known >= motion.until:
+        return found
+    ends = [motion.until] + [np.nan] * (len(found) - 1)
+    return [(name, unit, np.append(values, end)) for (name, unit, values), end in zip(found, ends, strict=True)]
 
 
 def sampled_curves(problem: "Problem", wanted: "Wanted") -> list[SampledCurve]:

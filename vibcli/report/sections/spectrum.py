@@ -30,7 +30,7 @@ def frequencies(problem: "Problem", _: "Report") -> Iterator[Section]:
     same = repeated(modal.modes)
     rows = [mode_row(mode, modal.zero_modes.get(mode.index), mode.index in same) for mode in modal.modes]
     damped = "of the undamped system" if modal.damped else "undamped"
-    head = ("mode", "ω [rad/s]", "f [Hz]", "T [s]", "error ≤", "")
+    head = ("mode", "ω [rad/s]", "f [Hz]", "T [s]", "relative error ≤", "")
     yield from section(f"Natural frequencies ({damped})", TableBlock(head, tuple(rows)), _form(problem))
 
 
@@ -61,7 +61,7 @@ def _frequencies_in_letters(problem):
 def damping(problem: "Problem", _: "Report") -> Iterator[Section]:
     if problem.numeric.has_free_symbols or problem.modal.damped is None:
         return
-    head = ("mode", "ω [rad/s]", "ζ", "ω_d [rad/s]", "T_d [s]", "decay [1/s]", "error ≤", "")
+    head = ("mode", "ω [rad/s]", "ζ", "ω_d [rad/s]", "T_d [s]", "decay [1/s]", "relative error ≤", "")
     yield from section(DAMPED, TableBlock(head, tuple(map(damped_row, problem.modal.damped))))
 
 
@@ -79,7 +79,9 @@ def modes(problem: "Problem", report: "Report") -> Iterator[Section]:
     if problem.modal.modes:
         yield from _shapes(problem, report, problem.modal.modes, f"Mode shapes ({WORDS[report.normalise]})")
     if problem.modal.damped is not None:
-        yield from _shapes(problem, report, problem.modal.damped, "Shapes of the damped modes", only_complex=True)
+        one_each = {mode.index: mode for mode in reversed(problem.modal.damped)}       # two eigenvalues have one shape
+        yield from _shapes(problem, report, [one_each[i] for i in sorted(one_each)],
+                           f"Shapes of the damped modes ({WORDS[report.normalise]})", only_complex=True)
 
 
 def _shapes(problem, report, modes, title, only_complex=False):

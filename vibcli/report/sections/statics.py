@@ -7,15 +7,20 @@ from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.notation.abbreviations import abbreviated
 from vibcli.notation.numbers import figure
 from vibcli.report import blocks
-from vibcli.report.blocks import Section, TableBlock, Words, line, section
+from vibcli.report.blocks import Name, Section, TableBlock, Words, line, maths, paragraph, section
 from vibcli.report.keys import Key
-from vibcli.report.sections.equations_of_motion import with_lengths
+from vibcli.report.sections.equations_of_motion import numeric_sum, with_lengths
+from vibcli.report.sections.equilibrium import slack_ropes
+from vibcli.report.sections.numeric_equations import ROUNDING
 from vibcli.report.sections.too_long import brief
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.nested_form import letters
 
 if TYPE_CHECKING:
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
 
+READABLE = 60           # letters of a condition, beyond which it is written in numbers where it has them
 WRITTEN_OUT = 16        # coordinates whose generalised forces are printed
 
 
@@ -62,22 +67,90 @@ def _unit(problem, signal):
     return "N" if signal_dimension(problem.spec, signal) in (None, FORCE) else "N·m"
 
 
-def reactions(problem: "Problem", _: "Report") -> Iterator[Section]:
-    """The reactions in equilibrium, of a scene in numbers, and those along a motion."""
+def reactions(problem: "Problem", report: "Report") -> Iterator[Section]:
+    """The reactions in equilibrium, in numbers where the scene has some, and those along a motion."""
     from vibcli.mechanics.inputs_outputs.reactions import along_the_motion
 
+    if problem.scene.held:
+        yield from _conditions(problem, report)
+    title = "Reactions in equilibrium (tension positive; what supports exert on the body, fixed axes)"
     if not problem.numeric.has_free_symbols:
         rows = [(reaction.signal, "not fixed by statics" if reaction.value is None else
                  f"{figure(reaction.value)} {_unit(problem, reaction.signal)}")
                 for reaction in problem.configuration.reactions if reaction.value != 0.0]
-        yield from section("Reactions in equilibrium (tension positive; what supports and drives exert on the body, "
-                           "fixed axes)" if any(".drive" in signal for signal, _ in rows) else
-                           "Reactions in equilibrium (tension positive; what supports exert on the body, fixed axes)",
-                           TableBlock(("force", "value"), tuple(rows)))
-    yield from section("Reactions along a motion", blocks.equations(
-        line(Words(signal), " = ", brief(node)) for signal, node in along_the_motion(problem.numeric).items()))
+        if any(".drive" in signal for signal, _ in rows):
+            title = title.replace("supports", "supports and drives")
+        pushed = slack_ropes(problem) if problem.scene.held else []
+        yield from section(title, TableBlock(("force", "value"), tuple(rows)), *pushed)
+    elif problem.scene.held or _balanced_as_drawn(problem):
+        yield from section(title, *_in_letters(problem, report))
+    if not problem.scene.held:
+        yield from section("Reactions along a motion", blocks.equations(
+            line(Words(signal), " = ", brief(node)) for signal, node in along_the_motion(problem.numeric).items()))
 
 
-REACTIONS = Key("reactions", "{signal: force or moment in equilibrium}, with `find: [reactions]`; null where statics "
-                "leaves it open", lambda problem: {
-                    reaction.signal: reaction.value for reaction in problem.configuration.reactions})
+def _balanced_as_drawn(problem):
+    """Is the drawn position the equilibrium, as far as is known in letters?"""
+    try:
+        problem.symbolic.reactions  # noqa: B018
+    except PhysicsError:
+        return False
+    return True
+
+
+def _in_letters(problem, report):
+    """Blocks of the reactions as expressions."""
+    known = {signal: node for signal, node in problem.symbolic.reactions.values.items()
+             if node is None or not node.is_zero}
+    shown, lengths = abbreviated([node for node in known.values() if node is not None], report.roots)
+    parts, lines = iter(shown), []
+    for signal, node in known.items():
+        fixed = ("   ", Words("not fixed by statics")) if node is None else (" = ", brief(next(parts)))
+        lines.append(line(Words(signal), *fixed))
+    return [blocks.equations(lines), *with_lengths(lengths)]
+
+
+def _conditions(problem, report):
+    """The conditions of equilibrium: the virtual work of each coordinate, its constraints let go, and what follows for
+    the supports."""
+    found = problem.symbolic.reactions
+    nodes, count = [*found.conditions.values(), *found.supports.values()], len(found.conditions)
+    if not problem.numeric.has_free_symbols and max(map(letters, nodes), default=0) > READABLE:
+        shown, lengths = [numeric_sum(_in_numbers(problem, found, node)) for node in nodes], []
+    else:
+        shown, lengths = abbreviated(nodes, report.roots)
+        shown = [[brief(node, "")] for node in shown]
+    lines = [line(*parts, " = 0", label=Name(name)) for name, parts in zip(found.conditions, shown, strict=False)]
+    lines += [line(Words(signal), " = ", *parts)
+              for signal, parts in zip(found.supports, shown[count:], strict=True) if parts != ["0"]]
+    told = []
+    for symbol, signal in found.forces.items():
+        told += [", "] * bool(told) + [maths(symbol), f": {signal}"]
+    yield from section("Conditions of equilibrium", blocks.equations(lines), *with_lengths(lengths),
+                       paragraph("with ", *told, hang=4, aside=True) if told else None)
+
+
+def _in_numbers(problem, found, node):
+    """[(coefficient, symbol)] of a condition, which is linear in the forces of constraints; the constant last."""
+    from vibcli.symbolic.derivatives import gradient, substitute
+
+    table, floats = node.table, problem.numeric.floats
+    slopes = gradient(node)
+    used = [symbol for symbol in found.forces if symbol in slopes]
+    constant, = substitute([node], dict.fromkeys(used, table.zero))
+    terms = constant.args if constant.op == "sum" else ()
+    *values, rest = evaluate([*(slopes[symbol] for symbol in used), constant], Floats, floats)
+    size = sum(abs(float(c) * x) for (_, c), x in zip(terms, evaluate([part for part, _ in terms], Floats, floats),
+                                                     strict=True))
+    row = [(value, symbol) for value, symbol in zip(values, used, strict=True) if abs(value) > ROUNDING]
+    return row + [(rest, table.one)] * (abs(rest) > ROUNDING * size)
+
+
+def _values(problem):
+    if problem.numeric.has_free_symbols:
+        return problem.symbolic.reactions.values
+    return {reaction.signal: reaction.value for reaction in problem.configuration.reactions}
+
+
+REACTIONS = Key("reactions", "{signal: force or moment in equilibrium}, with `find: [reactions]` and of scenes without "
+                "freedom, there as expressions where symbols have no value; null where statics leaves it open", _values)

@@ -1,23 +1,37 @@
 """The motion in time in letters: the steady state of one harmonic, and of one degree of freedom all of it."""
 
 from collections.abc import Iterable, Iterator
+from itertools import chain, count
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError
-from vibcli.report.blocks import Name, Paragraph, Section, SumOfTerms, Words, equations, line, maths, paragraph, section
+from vibcli.report.blocks import (
+    Line,
+    Name,
+    Paragraph,
+    Section,
+    SumOfTerms,
+    Words,
+    equations,
+    line,
+    maths,
+    paragraph,
+    section,
+)
 from vibcli.report.sections.requested_signals import symbol
 from vibcli.report.sections.symbolic_modes import equilibrium_parts
-from vibcli.symbolic.derivatives import substitute
+from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression import Table
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
     from vibcli.analyses.closed_form.frequency_response import Formula
     from vibcli.results.problem import Problem
 
-LETTERS = {"X": ("X", "Z", "A"), "theta": ("theta", "psi", "beta"), "omega": ("omega", "omega_0"),
+LETTERS = {"X": ("X", "Z", "R"), "theta": ("theta", "psi", "epsilon"), "omega": ("omega", "omega_0"),
            "omega_d": ("omega_d", "omega_1"), "beta": ("beta", "nu"), "A": ("A", "P"), "B": ("B", "Q")}
 AHEAD = {"sin": ("", "cos"), "cos": ("−", "sin")}       # a quarter period ahead
 CONDITIONS = {"under-damped": " < ", "critically damped": " = ", "over-damped": " > "}
@@ -25,16 +39,21 @@ CONDITIONS = {"under-damped": " < ", "critically damped": " = ", "over-damped": 
 
 def response_in_letters(problem: "Problem", names: Iterable) -> Iterator[Section]:
     """Sections of the steady state of signals, {text}, and of the motion of one coordinate from its start."""
+    from vibcli.analyses.closed_form.powers_of_time import are_powers
+
     if problem.spec.get("motion") == "full":
         raise NotInLetters("motions of the full equations are found in numbers",
                            "give the parameters values with --set")
     driven, names = bool(problem.scene.timed and problem.symbolic.excitation), list(names)
-    steady = {name: problem.symbolic_steady_state(name) for name in names} if driven else {}
+    growing = driven and are_powers(problem.symbolic)
+    find = problem.symbolic_following if growing else problem.symbolic_steady_state
+    steady = {name: find(name) for name in names} if driven else {}
     values = {name: node for name, node in problem.symbolic.equilibrium_position.items() if not node.is_zero}
     if values:
         yield from section("Equilibrium, from which motions are counted", paragraph(*equilibrium_parts(values)))
     for number, (name, found) in enumerate(steady.items(), 1):
-        yield from _steady_section(problem, name, found, str(number) * (len(steady) > 1))
+        yield from section(f"Steady state of {symbol(name)}", equations([line(Name(name), " = ", found)])) if (
+            growing) else _steady_section(problem, name, found, str(number) * (len(steady) > 1))
     if len(problem.scene.q) == 1:
         name, = problem.scene.coordinates
         if not driven and name not in names:
@@ -48,7 +67,8 @@ def response_in_letters(problem: "Problem", names: Iterable) -> Iterator[Section
 def letter(problem: "Problem", name: str) -> str:
     """A letter that the scene leaves free."""
     taken = {*problem.scene.parameters.nodes, *problem.spec.coordinates}
-    return next((one for one in LETTERS[name] if one not in taken), LETTERS[name][-1])
+    numbered = (f"{name}{k}" for k in count(2))
+    return next(one for one in chain(LETTERS[name], numbered) if one not in taken)
 
 
 def _steady_section(problem, name, steady, number):
@@ -60,21 +80,35 @@ def _steady_section(problem, name, steady, number):
     lines = [line(Name(name), " = ", *mean, sign, Name(X), f"·{wave}(", steady.argument, *lag, ")"),
              line(Name(X), " = ", formula.amplitude)]
     if lag:
-        lines.append(line(Words("tan "), Name(theta), " = ", formula.tangent))
+        lines.append(lag_line(formula, theta))
     told = () if problem.choice is not None else conditions(formula)     # what is chosen holds at this Ω alone
     yield from section(f"Steady state of {symbol(name)}", equations(lines), *told)
+
+
+def lag_line(formula: "Formula", theta: str) -> "Line":
+    """tan θ of a lag, or the right angle that it is."""
+    if formula.tangent is not None:
+        return line(Words("tan "), Name(theta), " = ", formula.tangent)
+    sign = {1: "", -1: "−", None: "±"}[formula.side]
+    return line(Name(theta), f" = {sign}π/2")
 
 
 def conditions(formula: "Formula") -> Iterator[Paragraph]:
     """Where an undamped response has no bound and where it vanishes; where a damped one has its peak."""
     for words, place in (("resonance", formula.poles), ("antiresonance", formula.zeros)):
-        if place is not None:
+        if place is not None and not _shared(formula.Omega, place):
             yield paragraph(f"{words} at ", maths(formula.Omega, " = ", place))
-    if formula.peak is not None:
+    if formula.peak is not None and not _shared(formula.Omega, formula.peak[0]):
         place, less, more = formula.peak
         yield paragraph("peak at ", maths(formula.Omega, " = ", place), " for ", maths(less, " < ", more))
     if formula.undamped and not formula.short and not formula.vanishes and not formula.denominator[0].is_zero:
         yield paragraph("resonances where ", maths(formula.denominator[0], " = 0"), hang=4)
+
+
+def _shared(Omega, place):
+    """Does Ω follow from letters that its place has, too? Then it is nowhere else."""
+    one, other = ({part.name for part in reachable([node]) if part.op == "symbol"} for node in (Omega, place))
+    return Omega.op != "symbol" and bool(one & other)
 
 
 def _from_the_start(problem, steady):
@@ -114,6 +148,8 @@ def _about_steady(problem, table, start, steady, massless):
     """(start of the free part, parts of the steady part before it, what its letters mean)."""
     if steady is None:
         return start, (), None
+    if not hasattr(steady, "formula"):
+        return _about_powers(problem, table, start, steady)
     formula, (x, v) = steady.formula, start
     X, theta = (table.parameter(letter(problem, name)) for name in ("X", "theta"))
     at_start, = substitute([steady.argument], {problem.scene.time: problem.scene.table.zero})
@@ -130,6 +166,15 @@ def _about_steady(problem, table, start, steady, massless):
     A, B = (table.parameter(letter(problem, name)) for name in "AB")
     lines = [line(A, " = ", start[0]), line(B, " = ", start[1])]
     return (A, B), prefix, equations(lines[:1] if massless else lines)
+
+
+def _about_powers(problem, table, start, steady):
+    """The same of a steady part that is a polynomial of the time."""
+    scene = problem.scene
+    slope = gradient(steady).get(scene.time, scene.table.zero)
+    at_start = copied(substitute([steady, slope], {scene.time: scene.table.zero}), table)
+    return tuple(textbook(one - other) for one, other in zip(start, at_start, strict=True)), (
+        copied([steady], table)[0],), None
 
 
 def _known_regime(problem, m, c, k):

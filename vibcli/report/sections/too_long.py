@@ -10,9 +10,9 @@ if TYPE_CHECKING:
 LONGEST = 2400
 
 
-def brief(node: "Node"):
-    """An expression, or words about its size where it is too long to read."""
+def brief(node: "Node", whole: str = "; see --json"):
+    """An expression, or words about its size where it is too long to read; `whole`: where all of it stands."""
     from vibcli.notation.plain import plain
 
     size = len(plain(node))
-    return node if size <= LONGEST else Words(f"(an expression of {size} characters; see --json)")
+    return node if size <= LONGEST else Words(f"(an expression of {size} characters{whole})")

@@ -123,6 +123,25 @@ def test_printed_as_in_a_textbook(scene, lines):
     assert set(lines) - set(printed(problem(scene))) == set()
 
 
+def test_a_lag_of_a_right_angle_is_said_where_omega_is_the_natural_frequency():
+    """1/(k − mΩ² + icΩ) is −i/(cΩ) at Ω² = k/m; where Ω is no letter of its own there is no peak at another."""
+    at_rest = (FORCED % "sin").replace("Omega: ", "Omega: sqrt(k/m)")
+    assert at_rest != FORCED % "sin"
+    lines = printed(problem(at_rest))
+    assert {"x = X·sin(√(k/m)·t − θ)", "X = F₀·√(m/k)/c", "θ = π/2"} <= set(lines)
+    assert not any("peak" in one for one in lines)
+    assert "θ = −π/2" in printed(problem(at_rest.replace("F0*sin", "-F0*sin")))
+
+
+def test_letters_that_are_taken_are_given_to_nothing_else():
+    """X, Z and R are parameters: the amplitude is not the A of the free part."""
+    taken = (FORCED % "sin").replace("{m: , k: , c: ,", "{X: , Z: , R: ,").replace("mass: m", "mass: X")
+    lines = printed(problem(taken.replace("{k: k", "{k: Z").replace("{c: c", "{c: R")))
+    told = [one.partition(" = ")[0] for one in lines if " = " in one and one.partition(" = ")[0] != "x"]
+    told = [name for name in told if name != "tan θ"]
+    assert {"X₂", "A", "B"} <= set(told) and len(told) == len(set(told)), told
+
+
 def test_frequency_responses_say_where_they_resonate():
     lines = printed(problem(ABSORBER), "frequency_response")
     assert "H = (k₂ − m₂·Ω²)/((k₁ + k₂ − m₁·Ω²)·(k₂ − m₂·Ω²) − k₂²)" in lines

@@ -1,5 +1,6 @@
 """What two solutions of one motion do not share is not said: chaotic motions, and starts at unstable places."""
 
+import json
 import math
 import re
 
@@ -77,7 +78,8 @@ def test_every_printed_digit_of_a_chaotic_motion_is_true(scene, capsys):
             assert agrees(text, true[i]), (text, true[i])
         digits = [len(text.strip("−-").replace(".", "").lstrip("0")) for text in row]
         assert digits[0] >= 11 and digits[-1] <= 6
-    assert "share less than three digits" in err and "not known at t = 50 s" in err
+    assert re.search(r"digits run out at t ≈ 19\.\d+ s: neighbouring motions part e-fold every 0\.\d s; its motion is "
+                     r"not known at t = 50 s", err)
     known = float(re.search(r"up to t = (\S+) s, from where", out)[1])
     assert 18 < known < 23
     assert f"Extremes for 0 ≤ t ≤ {known:.4g}"[:24] in out
@@ -86,7 +88,7 @@ def test_every_printed_digit_of_a_chaotic_motion_is_true(scene, capsys):
 @pytest.mark.sweep
 def test_what_is_not_known_is_refused_by_name(scene, capsys):
     for answer, code, said in (("p(1 s): 0.383550863692", 0, ""), ("r(15 s): {value: 16.0048, rtol: 1e-5}", 0, ""),
-                               ("p(15 s): -19.389408769", 4, "the answer has more digits"),
+                               ("p(15 s): -19.389408769", 1, ""),
                                ("p(30 s): 1", 4, "not known at t = 30 s"), ("max(p): 2.5", 4, "not known"),
                                ("rms(p): 2.5", 4, "")):
         assert run(["check", scene(FAR_UP + f"answers:\n  {answer}\n")]) == code, answer
@@ -102,7 +104,9 @@ def test_plots_and_files_end_where_the_motion_ends_to_be_known(scene, capsys, tm
     assert run(["response", file, "--plot", *(word for path in saved for word in ("--save", str(path)))]) == 4
     out = capsys.readouterr().out
     assert re.search(r"known up to t = (\d\d\.\d+) s", out)
-    assert 18 < float(saved[0].read_text().splitlines()[-1].split(",")[0]) < 23
+    *_, known, end = (row.split(",") for row in saved[0].read_text().splitlines())
+    assert 18 < float(known[0]) < 23 and all(known) and float(end[0]) > 23 and not any(end[1:])
+    assert all(column["values"][-1] is None for column in json.loads(saved[1].read_text())["columns"][1:])
     assert "known up to t = " in saved[1].read_text()
     assert run(["animate", file, "--response", "-o", str(tmp_path / "motion.html")]) == 0
     assert "0 s to 50 s" not in (tmp_path / "motion.html").read_text()
@@ -112,10 +116,12 @@ def test_a_start_at_an_unstable_place_is_known_until_its_last_digit_shows(scene,
     file = scene(AT_THE_TOP + "find: [{response: {until: 30 s}}]\n")
     assert run(["response", file, "--at", "5"]) == 4
     out, err = capsys.readouterr()
-    known = float(re.search(r"not known at t = 30", err) and re.search(r"from t = (\S+) s on", err)[1])
+    known = float(re.search(r"not known at t = 30", err) and re.search(r"digits run out at t ≈ (\S+) s", err)[1])
     rate = math.sqrt(9.81)
+    assert "e-fold every 0.3 s" in err
     assert 0.7 < known / (math.log(1e-3 / 2.0**-52) / rate) < 1.3
-    assert re.search(r"p \[rad\] +3\.14\d?\n", out)
+    shown = re.search(r"p \[rad\] +(3\.14\d*)\n", out)[1]
+    assert agrees(shown, math.pi) and len(shown) < 12       # it stays there for ever
     assert run(["response", scene(AT_THE_TOP.replace("-L]", "L]").replace("p: pi", "p: 0") +
                                   "find: [{response: {until: 30 s}}]\n")]) == 0
 
@@ -162,3 +168,13 @@ def test_what_rests_in_equilibrium_rests(change):
     assert found.end == 1.0 and found.balance.error < 1e-8
     q = found.at(np.linspace(0, 1.0, 50))[0]
     assert np.abs(q - q[:, :1]).max() < 1e-11
+
+
+@pytest.mark.parametrize(("text", "until"), [(AT_THE_TOP, 14), (FAR_UP.partition("find")[0], 21)],
+                         ids=["at the top", "far up"])
+def test_digits_that_are_offered_beyond_the_horizon_follow_the_motion(scene, capsys, text, until):
+    file, times = scene(text), ["--until", str(until), "--at", str(until)]
+    assert run(["response", file, *times]) == 4
+    digits = re.search(r"--digits (\d+) carries", capsys.readouterr().err)[1]
+    assert run(["response", file, *times, "--digits", digits]) == 0
+    assert "–" not in capsys.readouterr().out.partition("Values")[2]

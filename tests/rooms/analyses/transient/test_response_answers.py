@@ -17,6 +17,7 @@ from vibcli.analyses.transient.high_precision import precise_value
 from vibcli.analyses.transient.linear_response import linear_motion
 from vibcli.analyses.transient.textbook_form import formula, regime
 from vibcli.base.errors import PhysicsError
+from vibcli.report.sections.formulas import sum_of
 from vibcli.symbolic.syntax import NameRef
 
 COSINE = (Segment(0.0, (Wave(0, 1.0, 0, 2j),)),)
@@ -185,9 +186,9 @@ def test_steady_state_of_periodic_loads(damped, since):
 
 
 REFUSED = {
-    "resonance": (0.0, 9.0, (Segment(0.0, (Wave(0, 1.0, 0, 3j),)),), "Ω = 3 rad/s is a natural frequency"),
+    "resonance": (0.0, 9.0, (Segment(0.0, (Wave(0, 1.0, 0, 3j),)),), "Ω = 3 rad/s is, to 12 digits, a natural"),
     "drift": (0.5, 0.0, STEP, "nothing holds"), "unstable": (-0.5, 4.0, COSINE, "the free motion grows"),
-    "ramp": (0.5, 4.0, (Segment(0.0, (Wave(0, 1.0, 1, 0j),)),), "the load grows"),
+    "growing wave": (0.5, 4.0, (Segment(0.0, (Wave(0, 1.0, 1, 3j),)),), "the load grows"),
 }
 
 
@@ -197,6 +198,32 @@ def test_no_steady_state(name):
     with pytest.raises(PhysicsError, match=message) as refusal:
         one(1.0, c, k, pieces).steady                       # noqa: B018
     assert refusal.value.hint
+
+
+@pytest.mark.parametrize("damped", [True, False])
+@pytest.mark.parametrize("since", [0.0, 1.5])
+def test_what_follows_powers_of_the_time(damped, since):
+    """Σ Qₖ tᵏ + Re Q e^{iΩt} obeys the equations of motion; the transient is the rest, and free of loads."""
+    _, M, C, K = systems(np.random.default_rng(8))[0]
+    n, C = len(M), C * damped
+    waves = (Wave(0, 0.7, 3, 0j), Wave(1, -0.4, 1, 0j), Wave(0, 0.3, 0, 0j), Wave(1, 0.5 - 0.2j, 0, 1.3j))
+    motion = linear_motion(M, C, K, Forcing(n, [Segment(0.0), Segment(since, waves)] if since else [
+        Segment(0.0, waves)]), np.ones(n), np.zeros(n))
+    steady, t = motion.steady, np.linspace(0, 4, 9)
+    x, v1, v2 = (np.array([steady.values(q(i), t, order) for i in range(n)]) for order in range(3))
+    tau, load = t - since, np.zeros((n, len(t)))
+    load[0] = 0.7 * tau**3 + 0.3
+    load[1] = -0.4 * tau + np.real((0.5 - 0.2j) * np.exp(1.3j * tau))
+    size = np.abs(K).max() * (1 + np.abs(x).max())
+    assert np.abs(M @ v2 + C @ v1 + K @ x - load).max() < 1e-12 * size
+    found = np.array([steady.polynomial(q(i)) for i in range(n)])
+    held = np.array([[X for _, X in steady.oscillating(q(i))] for i in range(n)])
+    assert np.abs(found @ t ** np.arange(4)[:, None] + np.real(held @ np.exp(1.3j * t)[None]) - x).max() < 1e-12 * size
+    total = motion.transient.values(q(0), t) + steady.values(q(0), t)
+    assert np.abs(total - motion.values(q(0), t)).max() < 1e-12 * size
+    if damped:
+        far = 40 / -rates(M, C, K).real.max()
+        assert abs(motion.transient.values(q(0), [far])[0]) < 1e-12 * size
 
 
 def test_steady_part_without_damping():
@@ -243,6 +270,35 @@ def test_the_formula_is_the_motion(c, k, name, pieces):
     y = motion.values(q(0), t)
     assert np.abs(sum(part.at(t) for part in parts) - y).max() <= 1e-13 * np.abs(y).max()
     assert any(part.forced for part in parts) is (pieces is not FREE)
+
+
+@pytest.mark.parametrize("until", [1.0, 100.0, 1e4, 1e6])
+@pytest.mark.parametrize("off", [0.0, 1e-9, 1e-8, 1e-7, 1e-5])
+def test_the_formula_is_the_motion_as_long_as_it_is_looked_at(until, off):
+    """Next to a resonance, and next to critical damping: exponents are one only where nobody sees them part."""
+    beside = (Segment(0.0, (Wave(0, 1.0, 0, 20j * (1 + off)),)),)
+    for motion, end in ((one(1.0, 0.0, 400.0, beside), until),
+                        (one(1.0, 40.0 * (1 + off), 400.0, FREE, 1.0), until / 1e5)):
+        t = np.linspace(0, end, 2001)
+        parts, y = formula(motion, q(0), until=end), motion.values(q(0), t)
+        assert np.abs(sum(part.at(t) for part in parts) - y).max() <= 1e-6 * np.abs(y).max()
+
+
+def test_printed_frequencies_are_told_apart_and_nothing_that_cancels_is_printed():
+    motion = one(1.0, 0.0, 400.0, (Segment(0.0, (Wave(0, 1.0, 0, 20.0000002j),)),))
+    late, early = (sum_of(formula(motion, q(0), until=until), "t") for until in (1e6, 1.0))
+    assert late == "125000·cos(20·t) − 125000·cos(20.0000002·t)"
+    assert early == "0.025·t·cos(20·t − 1.5708)"
+
+
+@pytest.mark.parametrize("coupling", [1e-9, 1e-7, 1e-5, 1e-2, 1.0])
+def test_what_a_weak_coupling_feeds_is_no_zero(coupling):
+    """Two equal oscillators, the second at rest: it moves by half the difference of the modes, however slowly."""
+    K, t = np.array([[400 + coupling, -coupling], [-coupling, 400 + coupling]]), np.linspace(0, 20, 2001)
+    motion = linear_motion(np.eye(2), np.zeros((2, 2)), K, Forcing(2, FREE), [1.0, 0.0], [0.0, 0.0])
+    y = motion.values(q(1), t)
+    parts = formula(motion, q(1), until=20.0)
+    assert np.abs(sum(part.at(t) for part in parts) - y).max() <= 1e-6 * np.abs(y).max() + 1e-14
 
 
 def test_amplitude_and_phase_of_the_textbook():

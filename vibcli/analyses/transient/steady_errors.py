@@ -1,0 +1,128 @@
+"""First-order bounds of the errors of a steady state: of its phasors, and of what it starts from.
+
+    D Q = F, D = s² M + s C + K:      |δQ| <= |D⁻¹| (|δF| + |δD| |Q| + |2 s M + C| |Q| |δs| + rounding of D and of D Q)
+"""
+
+import math
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from vibcli.analyses.transient.data_errors import DATA
+
+if TYPE_CHECKING:
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.analyses.transient.data_errors import DataErrors
+    from vibcli.analyses.transient.linear_response import LinearMotion, SteadyMotion
+
+EPSILON = 2.0**-52
+
+
+def of_phasor(matrices: Sequence[np.ndarray], data: "DataErrors", s: complex, Q: np.ndarray,
+              F: np.ndarray, off: np.ndarray | float = 0.0) -> np.ndarray:
+    """|δQ| of a phasor under the forces F, which are `off` beside a rounding; matrices: M, C, K."""
+    M, C, K = matrices
+    n, size, large = len(M), np.abs(Q), abs(s)
+    missed = 4 * DATA * np.abs(F) + off
+    for k, ((weights, rows), entries) in enumerate(zip(data.weights, data.entries, strict=True)):
+        missed += large**k * (np.abs(rows).T @ (weights * np.abs(rows @ Q)) + entries @ size)
+    missed += (n + 4) * EPSILON * (large**2 * np.abs(M) + large * np.abs(C) + np.abs(K)) @ size
+    missed += 2 * DATA * large * np.abs(2 * s * (M @ Q) + C @ Q)
+    return np.abs(np.linalg.pinv(s * s * M + s * C + K)) @ missed
+
+
+def of_waves(motion: "LinearMotion", waves: list, powers: list) -> tuple[np.ndarray, np.ndarray]:
+    """(δq, δq̇) at t = 0 of the waves [(s, Q, F)] and of Σ Qₖ tᵏ, powers [(Qₖ, Fₖ)]."""
+    found = np.zeros((2, len(motion.M)))
+    for s, Q, F in waves:
+        error = of_phasor(motion.matrices[:3], motion.data_errors, s, Q, F[:len(Q)])
+        found += error, abs(s) * (error + 2 * DATA * np.abs(Q))
+    for row, error in zip(found, of_powers(motion.matrices[:3], motion.data_errors, powers), strict=False):
+        row += error
+    return found[0], found[1]
+
+
+def of_powers(matrices: Sequence[np.ndarray], data: "DataErrors", powers: list) -> list[np.ndarray]:
+    """|δQₖ| of K Qₖ = Fₖ − (k+1) C Qₖ₊₁ − (k+2)(k+1) M Qₖ₊₂."""
+    M, C, _ = matrices
+    known = [(np.zeros(len(M)), np.zeros(len(M)))] * 2        # (|Q|, |δQ|) of the next two
+    for k in reversed(range(len(powers))):
+        Q, F = powers[k]
+        off = np.zeros(len(M))
+        for order, (matrix, (above, error)) in enumerate(zip((C, M), known[:2], strict=True), 1):
+            weights, rows = data.weights[order]
+            times = (k + 1) * (k + 2 if order == 2 else 1)
+            off += times * (np.abs(matrix) @ (error + (len(M) + 4) * EPSILON * above) + data.entries[order] @ above
+                            + np.abs(rows).T @ (weights * (np.abs(rows) @ above)))
+        known.insert(0, (np.abs(Q), of_phasor(matrices, data, 0j, Q, F[:len(Q)], off)))
+    return [error for _, error in known[:len(powers)]]
+
+
+def of_output(motion: "SteadyMotion", output: "LinearOutput", wave: tuple[complex, np.ndarray, np.ndarray],
+              off: np.ndarray | None = None) -> float:
+    """|δX| of the phasor of an output under a wave (s, Q, F); off: |δF| beside a rounding."""
+    s, Q, F = wave
+    n, off = len(Q), np.zeros(len(F)) if off is None else off
+    error = of_phasor(motion.matrices[:3], motion.data_errors, s, Q, F[:n], off[:n])
+    total = 4 * DATA * abs(output.constant) if not s else 0.0
+    for coefficients, factor in ((output.q, 1.0), (output.v, abs(s)), (output.a, abs(s)**2)):
+        total += sum(abs(x) * factor * (error[i] + 8 * DATA * abs(Q[i])) for i, x in coefficients.items())
+    return float(total + sum(abs(x) * (4 * DATA * abs(F[channel]) + off[channel])
+                             for channel, x in output.channels.items()))
+
+
+def of_waves_in(motion: "SteadyMotion", output: "LinearOutput") -> dict[float, float]:
+    """{Ω: |δX|} of the phasors of an output; not of periodic forcing."""
+    found: dict[float, float] = {}
+    for wave in motion.waves:
+        rate = wave[0].imag
+        found[rate] = found.get(rate, 0.0) + of_output(motion, output, wave)
+    if motion.powers:
+        found[0.0] = _of_constant(motion, output)
+    return found
+
+
+def _of_constant(motion, output):
+    """|δ| of what stands still of an output, of q, q̇ and q̈ of Σ Qₖ tᵏ at t = 0."""
+    errors = of_powers(motion.matrices[:3], motion.data_errors, motion.powers)
+    total = 4 * DATA * abs(output.constant)
+    total += sum(abs(x * motion.powers[0][1][channel]) * 4 * DATA for channel, x in output.channels.items())
+    for (Q, _), error, factor, coefficients in zip(motion.powers, errors, (1, 1, 2), (output.q, output.v, output.a),
+                                                   strict=False):
+        total += sum(abs(x) * factor * (error[i] + 8 * DATA * abs(Q[i])) for i, x in coefficients.items())
+    return float(total)
+
+
+def of_harmonic(motion: "SteadyMotion", output: "LinearOutput", n: int) -> float:
+    """|δX| of a harmonic under periodic forcing: that of its force is in proportion to the integral of its size."""
+    from vibcli.analyses.excitation.forcing import Segment
+    from vibcli.analyses.transient.steady_state import harmonic
+
+    forcing, wave = motion.forcing, harmonic(motion, motion.forcing, n)
+    size = np.zeros(forcing.channels)
+    for piece, after in pairwise([*forcing.pieces, Segment(forcing.period)]):
+        length = after.start - piece.start
+        for channel, blow in piece.impulses:
+            size[channel] += abs(blow)
+        for part in piece.waves:
+            grown = math.exp(max(0.0, part.exponent.real * length))
+            size[part.channel] += abs(part.coefficient) * length ** (part.power + 1) * grown
+    off = 2 / forcing.period * size * EPSILON * (16 + 4 * abs(wave[0]) * forcing.period)
+    return of_output(motion, output, wave, off)
+
+
+def of_repeating(motion: "LinearMotion", steady: "SteadyMotion") -> tuple[np.ndarray, np.ndarray]:
+    """(δq, δq̇) at t = 0 of the motion that repeats: what a period adds, over 1 − e^{BT}."""
+    from vibcli.analyses.excitation.forcing import Forcing, Segment
+    from vibcli.analyses.transient.steady_state import growth
+
+    forcing = Forcing(steady.forcing.channels, [*steady.forcing.pieces, Segment(steady.period)])
+    errors = motion.like(forcing, steady.q0, steady.v0).pieces(np.inf).errors
+    q, v = np.zeros((2, len(motion.M)))
+    for block, at in zip(motion.blocks, errors.system.places, strict=True):
+        c = np.abs(np.linalg.pinv(growth(block.B, steady.period))) @ errors.starts[at, -1]
+        q += np.abs(block.X) @ c
+        v += np.abs(block.X @ block.B) @ c
+    return q, v

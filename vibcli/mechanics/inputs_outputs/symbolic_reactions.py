@@ -1,0 +1,101 @@
+"""Forces in constraints and supports in letters, in the drawn position at rest, at given accelerations.
+
+As in numbers (mechanics/reactions.py) the scene is released, and with the drawn position put in, all is linear in λ:
+
+    E_q + Σ λ_k ∂G_k/∂q = 0        R_ρ = E_ρ + Σ λ_k ∂G_k/∂ρ,        E = d/dt ∂T/∂q̇ − ∂T/∂q + ∂Φ/∂q̇ + ∂V/∂q − Q.
+"""
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, NamedTuple
+
+from vibcli.mechanics.energies import dissipation, kinetic, potential
+from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, OPEN, constraint_slopes, solved
+from vibcli.mechanics.lagrange import equation_of
+from vibcli.mechanics.static_preload import pivots, solve_linear, take_over
+from vibcli.symbolic.common_denominator import single
+from vibcli.symbolic.derivatives import substitute
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.normal_form import is_zero, textbook
+from vibcli.symbolic.transfer_between_tables import copied
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.numeric_system import NumericSystem
+    from vibcli.symbolic.node import Node
+
+
+class SymbolicForces(NamedTuple):
+    """conditions: {coordinate: left side of its equation, the forces of constraints in it as symbols}; supports:
+    {signal: R of a support with these symbols}; forces: {symbol: signal of the constraint}; values: {signal:
+    expression, None where rigid bodies alone leave it open} of constraints and supports; degree: how many forces are
+    more than rigid bodies fix."""
+
+    conditions: dict
+    supports: dict
+    forces: dict
+    values: dict
+    degree: int
+
+
+class _Open(NamedTuple):
+    """Numbers of the constraints, and of the supports among the coordinates, whose forces statics leaves open; how many
+    forces are too many."""
+
+    ties: tuple
+    supports: tuple
+    degree: int
+
+
+def symbolic_forces(numeric: "NumericSystem", accelerations: "Mapping[str, Node] | None" = None) -> SymbolicForces:
+    """The SymbolicForces of a system as drawn, at rest, with the `accelerations` {coordinate: node}, else without."""
+    scene = take_over(numeric.scene.with_released_supports(), numeric.system.preloads)
+    n, total = len(numeric.spec.coordinates), scene.table.total
+    E, G = _as_drawn(scene, accelerations or {})
+    multipliers, left_open = _multipliers(scene, E[:n], G)
+    signs = [1 if tie.form in LENGTHENING else -1 for tie in scene.constraints]
+    symbols = [scene.table.variable("S_" + tie.name.replace(".", "_")) for tie in scene.constraints]
+    values = {tie.signal: None if k in left_open.ties else single(signs[k] * multipliers[k])
+              for k, tie in enumerate(scene.constraints)}
+    equations = []
+    for i, q in enumerate(scene.q):
+        ties = [signs[k] * row[i] * symbols[k] for k, row in enumerate(G)]
+        equations.append(textbook(total([E[i], *ties])))
+        if i >= n:
+            force = total([E[i], *(row[i] * size for row, size in zip(G, multipliers, strict=True))])
+            values[q.name] = None if i in left_open.supports else single(force)
+    free = [scene.table.zero, *equations[:n]]       # what a coordinate does costs no reaction
+    supports = {q.name: node for q, node in zip(scene.q[n:], equations[n:], strict=True)
+                if not any(is_zero(node - sign * other) for other in free for sign in (1, -1))}
+    return SymbolicForces(dict(zip((q.name for q in scene.q[:n]), equations, strict=False)), supports,
+                          dict(zip(symbols, (tie.signal for tie in scene.constraints), strict=True)), values,
+                          left_open.degree)
+
+
+def _as_drawn(scene, accelerations):
+    """E of every coordinate, and [∂G_k/∂q] of each constraint, as drawn at rest."""
+    T, V, Phi = kinetic(scene), potential(scene), dissipation(scene)
+    nodes = [*(equation_of(scene, i, T, V, Phi) for i in range(len(scene.q))), *constraint_slopes(scene)]
+    zero, names = scene.table.zero, list(accelerations)
+    given = dict(zip(names, copied(list(accelerations.values()), scene.table), strict=True)) if names else {}
+    at = {**scene.drawn_position, **dict.fromkeys(scene.v, zero)}
+    at |= {a: given.get(q.name, zero) for q, a in zip(scene.q, scene.a, strict=True)}
+    found, size = [textbook(node) for node in substitute(nodes, at)], len(scene.q)
+    return found[:size], [found[start:start + size] for start in range(size, len(found), size)]
+
+
+def _multipliers(scene, E, G):
+    """([λ_k], which of them and of the supports' reactions rigid bodies leave open): one solution of Gᵀλ = −E."""
+    import numpy as np
+
+    zero, count, n = scene.table.zero, len(G), len(E)
+    if not count:
+        return [], _Open((), (), 0)
+    values = {**scene.sample, scene.time.name: 0.0}
+    slopes = np.array(evaluate([node for row in G for node in row], Floats, values)).reshape(count, -1)
+    rows, picked = pivots(slopes[:, :n].T.tolist())
+    found = solve_linear([[G[k][i] for k in picked] + [-E[i]] for i in rows], zero)
+    solution = dict(zip(picked, found, strict=True))
+    _, loose = solved(slopes[:, :n], np.zeros(n))
+    shared = np.abs(loose).max(axis=0, initial=0.0) > OPEN
+    carried = np.abs(loose @ slopes).max(axis=0, initial=0.0) > OPEN
+    return [solution.get(k, zero) for k in range(count)], _Open(
+        tuple(np.flatnonzero(shared)), tuple(np.flatnonzero(carried)), len(loose))

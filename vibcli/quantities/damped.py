@@ -1,0 +1,155 @@
+"""Quantities of damped modes: eigenvalues and what is read off them, and complex shapes."""
+
+from typing import TYPE_CHECKING
+
+from vibcli.base.errors import NotInLetters, PhysicsError
+from vibcli.language.signals import coordinate_name
+from vibcli.quantities.modal import along, amplitude_as_asked, counted, in_letters, largest, of_shape, one_degree, ten
+from vibcli.quantities.quantity import COMPLEX, PERIOD, Declaration, as_asked, full_turn, rounded
+
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.damped_modes import DampedMode
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.syntax import QuantityRef
+
+CLOSE, COINCIDING = 1e-4, 4e-16     # eigenvalues, relative
+MORE = 30                           # digits where they are close
+TINY = 1e-5                         # of the largest amplitude
+
+
+def _pair(problem: "Problem", tree: "QuantityRef") -> "list[DampedMode]":
+    """The damped modes of an index, two where it is over-damped; a scene without dampers has none."""
+    modes, number = problem.modal.damped, int(tree.indices[0])
+    if modes is not None and problem.digits is not None:
+        modes = problem.modal.damped_to(problem.digits)
+    if modes is None:
+        raise PhysicsError("nothing damps this scene: it has no damped modes", "add a damper")
+    found = [mode for mode in modes if mode.index == number]
+    if not found:
+        raise PhysicsError(f"there is no damped mode {number}: this scene has "
+                           f"{counted(modes[-1].index, 'damped mode')}", "ask for one that it has")
+    return found
+
+
+def _of_damped(attribute, words):
+    def value(problem, tree, args):
+        pair = _pair(problem, tree)
+        number = getattr(pair[0], attribute)
+        if number is None:
+            raise PhysicsError(f"damped mode {tree.indices[0]} has no {words}",
+                               "see `vibcli frequencies` for what it has")
+        error = max(one.bounds[attribute == "omega_d"] for one in pair)
+        return as_asked(problem, number), rounded(problem, float(error))
+    return value
+
+
+_zeta = _of_damped("zeta", "damping ratio")
+
+
+def _decrement(problem, tree, args):
+    zeta, error = _zeta(problem, tree, args)
+    if not zeta < 1:
+        raise PhysicsError(f"damped mode {tree.indices[0]} does not oscillate: it has no logarithmic decrement",
+                           f"ask for decay[{tree.indices[0]}]")
+    left = (1 - zeta) * (1 + zeta)
+    return full_turn(problem) * zeta / left**0.5, 2 * error / float(left)
+
+
+def _period(problem, tree, args):
+    mode, number = _pair(problem, tree)[0], tree.indices[0]
+    if not mode.omega_d:
+        raise PhysicsError(f"damped mode {number} does not oscillate: it has no period", f"ask for decay[{number}]")
+    omega_d, error = _of_damped("omega_d", "period")(problem, tree, args)
+    return full_turn(problem) / omega_d, rounded(problem, error)
+
+
+def _eigenvalue(problem, tree, args):
+    """λ, of two real ones the first or that which is asked for."""
+    modes = _pair(problem, tree)
+    i, which = tree.indices[0], int(tree.indices[1]) if tree.indices[1:] else 1
+    if which > len(modes):
+        what, hint = (("oscillates: its eigenvalues are a conjugate pair", f"ask for re and im of eigenvalue[{i}]")
+                      if modes[0].omega_d else ("has one real eigenvalue", f"ask for eigenvalue[{i}]"))
+        raise PhysicsError(f"damped mode {i} {what}", hint)
+    mode = modes[which - 1]
+    if problem.digits is not None:
+        return mode.eigenvalue if mode.omega_d else mode.eigenvalue.real, mode.error
+    return complex(mode.eigenvalue) if mode.omega_d else float(mode.eigenvalue.real), mode.error
+
+
+def _shape(problem, tree, args):
+    """In more digits, if there are any, where another eigenvalue is close: the error grows with 1/gap. An amplitude
+    that is tiny beside the largest has a larger part of that one's error."""
+    signal = coordinate_name(problem.spec, tree.indices[1]) or tree.indices[1]
+    mode, lost = _pair(problem, tree)[0], 1.0
+    gap = _gap(problem.modal.damped, int(tree.indices[0]))
+    if gap < CLOSE:
+        lost = CLOSE / gap
+        if problem.digits is None and problem.configuration.sources[0] is not None:
+            sharp, lost = problem.modal.damped_to(MORE), 1.0
+            mode = min(sharp, key=lambda other: abs(complex(other.eigenvalue) - complex(mode.eigenvalue)))
+    shape = problem.modal.shape(mode)
+    amplitude, error = amplitude_as_asked(problem, along(problem, shape, signal), shape)
+    most = max(float(abs(x)) for x in shape)
+    return amplitude, min(1.0, error * max(lost, TINY * most / (float(abs(amplitude)) or most)))
+
+
+def _gap(modes, number):
+    """How far the eigenvalue of a mode is from that of any other, conjugates included, in parts of it; PhysicsError
+    where two coincide."""
+    mode = next(mode for mode in modes if mode.index == number)
+    found, size = complex(mode.eigenvalue), abs(complex(mode.eigenvalue))
+    others = [complex(other.eigenvalue) for other in modes if other.index != number]
+    away = min((abs(found - value) for other in others for value in (other, other.conjugate())), default=size)
+    if size and away <= (2 * mode.error + COINCIDING) * size:
+        raise PhysicsError(f"damped mode {number} coincides with another one: any mix of their shapes is one",
+                           "see `vibcli frequencies` for the eigenvalues")
+    return away / size if size else 1.0
+
+
+def _omega_d(m, c, k, omega, table):
+    from vibcli.symbolic.normal_form import textbook
+
+    return table.sqrt(textbook(k / m - c * c / (4 * m * m)))
+
+
+def _eigenvalue_in_letters(problem, tree):
+    """−δ ± √(δ² − ω²), −K/C without inertia."""
+    from vibcli.symbolic.normal_form import textbook
+
+    if tree.indices not in (("1", "1"), ("1", "2")):
+        raise NotInLetters(f"'{tree.text}' is found in numbers", "ask for eigenvalue[1,1] or eigenvalue[1,2]")
+    m, c, k = one_degree(problem)
+    if m.is_zero and not c.is_zero and tree.indices[1] == "1":
+        return textbook(-k / c)
+    if m.is_zero or not problem.scene.number(c / m) > 0:
+        raise NotInLetters(f"'{tree.text}' is found in numbers")
+    delta = textbook(c / (2 * m))
+    root = problem.scene.table.sqrt(textbook(delta * delta - k / m))
+    return root - delta if tree.indices[1] == "1" else -root - delta
+
+
+QUANTITIES = {
+    "zeta": Declaration(
+        "damping ratio of damped mode i, by ascending |λ|", "1", _zeta, ("mode",), size=ten, several=True,
+        symbolic=in_letters(lambda m, c, k, omega, table: c / (2 * m * omega))),
+    "omega_d": Declaration(
+        "damped angular frequency of damped mode i", "rad/s", _of_damped("omega_d", "damped frequency"), ("mode",),
+        size=largest, several=True, symbolic=in_letters(_omega_d)),
+    "period_d": Declaration(
+        "period 2π/ω_d of damped mode i", "s", _period, ("mode",), several=True, kind=PERIOD,
+        symbolic=in_letters(lambda m, c, k, omega, table: 2 * table.pi / _omega_d(m, c, k, omega, table))),
+    "decay": Declaration(
+        "decay ζω of damped mode i: −Re λ, or −(λ₁ + λ₂)/2 where it is over-damped", "1/s",
+        _of_damped("decay", "decay"), ("mode",), size=largest, several=True),
+    "eigenvalue": Declaration(
+        "eigenvalue λ = −δ + i ω_d of damped mode i: use re, im, abs or arg of it; of an over-damped one j is 1 or 2, "
+        "of its two real eigenvalues by ascending |λ|", "1/s", _eigenvalue, ("mode", "root"), kind=COMPLEX, spare=1,
+        several=True, symbolic=_eigenvalue_in_letters),
+    "mode_d": Declaration(
+        "complex amplitude φ of a coordinate or signal in damped mode i, q = Re φ e^{λt}, the first coordinate that "
+        "moves being 1: use re, im, abs or arg of it", None, _shape, ("mode", "signal"), size=ten, kind=COMPLEX,
+        dimension=of_shape),
+    "decrement[]": Declaration("logarithmic decrement of damped mode i, 2πζ/√(1 − ζ²)", "1", _decrement, ("mode",),
+                               several=True),
+}

@@ -1,0 +1,65 @@
+"""First-order bounds of the errors of functions of signals: Σ |∂f/∂s| δs, by differences, and the rounding of f."""
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from vibcli.results.signals import ComposedSignal
+
+ROUNDING = 2.0**-50
+STEP = 2.0**-20         # relative, of a difference
+WIDE = 2.0**10          # of a difference, in errors
+SLOW = 2.0**-8          # of the time in which the fastest part turns by a radian
+
+
+def propagated(function: Callable, values: Mapping[str, float], errors: Mapping[str, float]) -> float:
+    """The error of function(values) where each value is off by its error, and by a rounding."""
+    total, here = 0.0, float(function(values))
+    for name, off in errors.items():
+        x = values[name]
+        off += ROUNDING * abs(x)
+        step = max(WIDE * off, STEP * abs(x))
+        if not off:
+            continue
+        sides = [float(function({**values, name: x + way * step})) for way in (1, -1)]
+        near = [abs(float(function({**values, name: x + way * off})) - here) for way in (1, -1)]
+        slope = max(abs(side - here) for side in sides) / step
+        total += min(slope * off, 2 * max(near)) if max(near) > 64 * ROUNDING * abs(here) else slope * off
+    return total + ROUNDING * abs(here)
+
+
+def of_value(signal: "ComposedSignal", t: float) -> float:
+    """Of a composed signal at an instant."""
+    import numpy as np
+
+    at = np.array([t])
+    parts = {**signal.signals, **(signal.closing.free if signal.closing is not None else {})}
+    values = {name: float(one.values(at)[0]) for name, one in parts.items()}
+    errors = {name: one.error(t) for name, one in parts.items()}
+    numbers = {name: value for name, value in signal.floats.items() if isinstance(value, float)
+               and any(symbol == name for symbol in signal.names)}
+    errors |= dict.fromkeys(numbers, 0.0) | ({signal.time.name: 0.0} if signal.node.mask & signal.time.mask else {})
+
+    def function(known):
+        return signal.composed(at, {name: np.array([x]) for name, x in known.items()})[0]
+
+    return propagated(function, {**values, **numbers, signal.time.name: t}, errors)
+
+
+def of_instant(signal: "ComposedSignal", t: float, order: int) -> float:
+    """Of an instant at which a composed signal passes zero (order 0) or is largest (1), by difference quotients."""
+    import numpy as np
+
+    motions = [one.motion for one in signal.signals.values() if hasattr(one, "motion")]
+    rates = [abs(node) for motion in motions for block in motion.blocks for node in block.nodes]
+    fastest = max(rates, default=0.0) or 1 / (t or 1.0)
+    step = SLOW / fastest
+    before, here, after = signal.values(np.array([max(t - step, 0.0), t, t + step]))
+    error, slope, bend = signal.error(t), (after - before) / (2 * step), (after - 2 * here + before) / step**2
+    if order:
+        if abs(slope) > 2 * abs(bend) * step or not bend:
+            return ROUNDING * t
+        return 2 * fastest * error / abs(bend) + ROUNDING * t
+    if abs(slope) > abs(bend) * step:
+        return 2 * error / abs(slope) + ROUNDING * t
+    return 2 * float(np.sqrt(2 * error / abs(bend))) + ROUNDING * t if bend else t

@@ -1,0 +1,147 @@
+"""Means of functions of signals, of what lasts: of the steady state that loads keep up, else of the free vibrations
+that do not die out. Of powers and products they are exact, of other functions by quadrature over the common period.
+Each comes with an absolute bound of its error: (mean, bound)."""
+
+from math import tau
+from typing import TYPE_CHECKING
+
+from vibcli.base.errors import PhysicsError
+from vibcli.results import feature_errors
+from vibcli.results.composed_errors import propagated
+from vibcli.results.feature_errors import SAMPLES
+from vibcli.results.signal_features import at_rest, kept_up, lasting
+from vibcli.results.signals import ComposedSignal, LinearSignal, require_finite
+from vibcli.results.steady_features import common
+from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    from vibcli.results.envelope import Envelope
+
+PANELS = 4          # of the first division for each of the fastest wave's periods
+MOST_PANELS = 10_000
+
+
+def mean(signal: "ComposedSignal | Envelope") -> tuple[float, float]:
+    if not isinstance(signal, ComposedSignal):
+        return _over_the_beats(signal, 1)
+    return _mean(signal, signal.node)
+
+
+def rms(signal: "ComposedSignal | Envelope") -> tuple[float, float]:
+    """√ of the mean of the square."""
+    square, error = _mean(signal, signal.node * signal.node) if isinstance(signal, ComposedSignal) else _over_the_beats(
+        signal, 2)
+    found = max(0.0, square) ** 0.5
+    return found, error / max(found, error**0.5) if error else 0.0
+
+
+def _over_the_beats(envelope, power):
+    if envelope.period is None:
+        limit = envelope.final()
+        if not limit:
+            raise at_rest()
+        return limit**power, power * limit ** (power - 1) * envelope.error_of_final()
+    found = _averaged(lambda t: envelope.values(t) ** power, envelope.period, [tau / envelope.period])
+    largest = envelope.extreme(0.0, envelope.period, 1)[1] if power > 1 else 1.0
+    return found, 2 * power * largest * max(envelope.error(envelope.period * k / SAMPLES) for k in range(SAMPLES))
+
+
+def _mean(signal, node):
+    """Of a node of the signals of a ComposedSignal."""
+    signal.require_no_time("mean")
+    parts = {name: _wave_sum(part) for name, part in signal.signals.items()}
+    known = {name: found for name, found in parts.items() if found is not None}
+    if len(known) == len(parts):
+        if not any(map(_lasts, signal.signals.values())):
+            raise at_rest()
+        exact = _product(node, signal.floats, known)
+        if exact is not None:
+            return exact.mean
+    return _by_quadrature(signal, node, known)
+
+
+def _lasts(part):
+    """Does a signal move, or stand under loads that oscillate, without end?"""
+    if isinstance(part, ComposedSignal):
+        return any(map(_lasts, part.signals.values()))
+    return kept_up(part) or any(speed for speed, _ in lasting(part))
+
+
+def _wave_sum(part):
+    """The WaveSum of what lasts of a signal; None where that has harmonics without end, or is no polynomial."""
+    from vibcli.analyses.transient.wave_sums import WaveSum
+
+    if isinstance(part, ComposedSignal):
+        parts = {name: _wave_sum(one) for name, one in part.signals.items()}
+        return None if None in parts.values() else _product(part.node, part.floats, parts)
+    if not isinstance(part, LinearSignal):
+        return None
+    if not kept_up(part):
+        return WaveSum.of(lasting(part), feature_errors.of_lasting(part))
+    steady = part.motion.steady
+    if steady.period is not None:
+        return None
+    waves = steady.phasors(part.output)
+    return WaveSum.of(waves, feature_errors.of_waves(part, waves))
+
+
+def _product(node, floats, parts):
+    """The WaveSum that a node is of others {name: WaveSum}; None of what is no polynomial."""
+    from vibcli.analyses.transient.wave_sums import WaveSums, wave_sum
+
+    try:
+        return wave_sum(evaluate([node], WaveSums, {**floats, **parts})[0])
+    except KeyError:
+        return None
+
+
+def _by_quadrature(signal, node, known):
+    """Over the common period of all signals; {name: WaveSum} of those that are `known`."""
+    import numpy as np
+
+    from vibcli.symbolic.array_arithmetic import Arrays
+
+    others = {name: part.steady if isinstance(part, LinearSignal) else part for name, part in signal.signals.items()
+              if name not in known}
+    speeds = [float(speed) for found in known.values() for speed in found.speeds if speed > 0]
+    periods = [part.period for part in others.values()]
+    base = None if None in periods else common([*speeds, *(tau / period for period in periods)])
+    if base is None:
+        raise PhysicsError("the vibrations in this signal have no common period: the mean of what is no polynomial of "
+                           "signals is found over one", "ask for max(x), or the mean of a power")
+
+    def values(t):
+        parts = {name: found.values(t) for name, found in (*known.items(), *others.items())}
+        with np.errstate(all="ignore"):
+            found = evaluate([node], Arrays, {**signal.floats, **parts})[0]
+        return require_finite(np.broadcast_to(found, t.shape), t)
+
+    period = tau / base
+    return _averaged(values, period, speeds), _of_values(signal, node, known, others, period)
+
+
+def _of_values(signal, node, known, others, period):
+    """The largest bound of the error of the values of what is averaged, at instants of a period, twice."""
+    import numpy as np
+
+    def at(t):
+        here = {name: float(found.values(np.array([t]))[0]) for name, found in (*known.items(), *others.items())}
+        errors = {name: float(found.errors.sum()) for name, found in known.items()}
+        errors |= {name: found.error(t) for name, found in others.items()}
+        return propagated(lambda values: evaluate([node], Floats, {**signal.floats, **values})[0], here, errors)
+
+    return 2 * max(at(period * (k + 0.5) / SAMPLES) for k in range(SAMPLES))
+
+
+def _averaged(values, period, speeds):
+    """(1/T) ∫ over a period T, of what is made of waves of these angular frequencies."""
+    import numpy as np
+
+    from vibcli.numerics.quadrature import integral
+
+    panels = min(MOST_PANELS, max(PANELS, int(PANELS * max(speeds, default=0.0) * period / tau)))
+    found = integral(values, np.linspace(0.0, period, panels + 1).tolist())
+    if found is None:
+        raise PhysicsError("the mean of this signal does not settle: it has no bound, or bends too often",
+                           "ask for max(x), or its value at a time")
+    return found / period

@@ -1,0 +1,90 @@
+"""What all signals in time have: a function of the time, the bounds of its errors, more digits of it."""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from vibcli.base.errors import PhysicsError
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    import mpmath
+    import numpy as np
+
+
+def require_finite(values: "np.ndarray", times: "np.ndarray") -> "np.ndarray":
+    """The values; PhysicsError where one is no real number."""
+    import numpy as np
+
+    bad = ~np.isfinite(values)
+    if bad.any():
+        instant = np.asarray(times)[bad][0]
+        raise PhysicsError(f"this signal has no finite real value at t = {instant:.6g} s",
+                           "mind its divisors and what stands under roots and in logarithms")
+    return values
+
+
+class Signal:
+    """A function of the time. What a kind of signal does not have is refused by the name of that kind."""
+
+    KIND, period = "a signal", None
+    source: tuple = ()
+    values: Callable[..., "np.ndarray"]
+    extreme: Callable[..., tuple[float, float]]
+
+    def precise(self, t: "Fraction", digits: int) -> "mpmath.mpf":
+        """Its value at an instant, correct to so many digits."""
+        from vibcli.results.precise_instants import value_to
+
+        return value_to(self, t, digits)
+
+    def precise_extreme(self, start: float, end: float, sense: int, digits: int) -> "tuple[mpmath.mpf, mpmath.mpf]":
+        """(instant, value) of the largest (sense 1) or smallest (−1) value, correct to so many digits."""
+        from vibcli.results.precise_instants import extreme_to
+
+        return extreme_to(self, start, end, sense, digits)
+
+    def precise_zero(self, near: float, digits: int) -> "mpmath.mpf":
+        """The instant of the zero near an instant in floats, correct to so many digits."""
+        from vibcli.results.precise_instants import zero_to
+
+        return zero_to(self, near, digits)
+
+    def rivals(self, start: float, end: float, sense: int, margin: float) -> list[float]:
+        """The instants at which it comes within a margin of its largest or smallest value; KeyError where these are not
+        looked for."""
+        raise KeyError(self.KIND)
+
+    def error(self, t: float) -> float:
+        """How far its value at an instant may be off; 0 where that is rounding."""
+        return 0.0
+
+    def error_of_time(self, t: float) -> float:
+        """How far an instant that was searched may be off at which it is largest or smallest [s]."""
+        return 0.0
+
+    def error_of_zero(self, t: float) -> float:
+        """How far an instant may be off at which it passes or touches zero [s]."""
+        return self.error_of_time(t)
+
+    def error_of_final(self) -> float:
+        """How far its limit may be off."""
+        return 0.0
+
+    @property
+    def steady(self):
+        raise PhysicsError(f"{self.KIND} has no steady part that is found", "ask for max(x), min(x) or values in time")
+
+    @property
+    def transient(self):
+        raise PhysicsError(f"{self.KIND} has no transient part that is found",
+                           "ask for max(x), min(x) or values in time")
+
+    @property
+    def envelope(self):
+        raise PhysicsError(f"{self.KIND} has no envelope that is found", "ask for max(x), min(x) or values in time")
+
+
+def part_of(source: tuple, part: str) -> tuple:
+    """The source of the steady or transient part of what has a source."""
+    return (*source, part) if source else ()
