@@ -14,10 +14,14 @@ to Σ P ∇²s unless it is steady, as where they turn with what they act on.
 """
 
 from collections.abc import Mapping
+from itertools import islice
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.factored_system import PlacedPiece
 from vibcli.mechanics.linearisation import Linearisation
+from vibcli.numerics.pieces.piece import Piece
+from vibcli.scene.piece_terms import PieceSpring
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.normal_form import TooLong, collected, expanded, reduced, textbook
 from vibcli.symbolic.rationals import ONE
@@ -35,14 +39,16 @@ def linearise(scene: Any, still: bool = False) -> Linearisation:
     inertias = scene.at_still("inertias") if still else scene.inertias
     dampers = scene.at_still("dampers")
     moving, damping, springs, curved = _rows(inertias, number), _rows(dampers, number), [], []
+    elastic: list = []
     for term in scene.at_still("springs"):
         row = row_of(term.s, number)
-        springs.append((term.weight, row))
+        (elastic if isinstance(term, PieceSpring) else springs).append((term.weight, row))
         curved.append((term.force(scene), slopes_of(row, number), row))
     for term in scene.weights:
         row = row_of(term.s, number)
         curved.append((term.weight, slopes_of(row, number), row))
-    found = Linearisation(len(scene.q), scene.table, moving, springs, damping, curved, *_written_out(scene, number))
+    found = Linearisation(len(scene.q), scene.table, moving, springs, damping, curved, *_written_out(scene, number),
+                          pieces=_pieces(scene, number, elastic))
     slips, turning = {}, {}
     for term in scene.loads_at_still():
         _loaded(scene, found, number, term, slips, turning, still)
@@ -55,6 +61,13 @@ def linearise(scene: Any, still: bool = False) -> Linearisation:
                 _driven(scene, found, number, term, kind, slips)
     _split(found, slips, found.G)
     return found
+
+
+def _pieces(scene, number, elastic):
+    """The PlacedPieces of members, each with those of their springs, `elastic`, that are its own."""
+    springs = iter(elastic)
+    return [PlacedPiece(term.owner, term.start, Piece(*term.coefficients), tuple(row_of(s, number) for s in term.s),
+                        list(islice(springs, term.springs))) for term in scene.at_still("pieces")]
 
 
 def _loaded(scene, found, number, term, slips, turning, still):

@@ -45,7 +45,8 @@ def in_numbers(form: Linearisation, arithmetic: Any, values: Mapping[str, Any],
             _gather(residual, residual_size, i, known[node])
     if arithmetic.ordered:
         _even_out(K, size)
-    expressions = FactoredSystem(n, form.inertias, form.springs, form.dampers, form.M, form.C, form.G, drag=form.drag)
+    expressions = FactoredSystem(n, form.inertias, form.springs, form.dampers, form.M, form.C, form.G, drag=form.drag,
+                                 pieces=form.pieces)
     elements = expressions.each(known.__getitem__).with_parts(
         K=K, K_size=size, massless=massless(form, known), rational_rows=_rational_rows(form, rational))
     return Numbers(elements, residual, residual_size)
@@ -74,6 +75,7 @@ def massless(form: Linearisation, known: "Mapping[Node, Any]") -> list[int]:
     """Coordinates which no inertia moves: those in no row of T and in no entry of M but such as are exactly zero."""
     moving = {i for weight, row in form.inertias if known[weight] for i in row}
     moving |= {i for (i, _), node in form.M.items() if known[node]}
+    moving |= {i for piece in form.pieces if known[piece.piece.inertia] for row in piece.rows for i in row}
     return [i for i in range(form.n) if i not in moving]
 
 

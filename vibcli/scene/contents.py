@@ -7,7 +7,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
-TERMS = ("inertias", "springs", "dampers", "weights", "forces", "laws", "constraints")
+TERMS = ("inertias", "springs", "dampers", "weights", "forces", "laws", "constraints", "pieces")
 
 
 class Constraint(NamedTuple):
@@ -56,6 +56,7 @@ class Contents(NamedTuple):
     forces: list
     laws: list
     constraints: list
+    pieces: list
     energies: dict
     matrices: dict
     static_preloads: list
@@ -76,8 +77,8 @@ class Contents(NamedTuple):
 
     @property
     def depends_on(self) -> "list[Node]":
-        """Those of the inertias, springs, dampers, weights and loads, with their factors, and of the energies."""
-        kinds = (self.inertias, self.springs, self.dampers, self.weights, self.forces)
+        """Those of what moves, stores, damps and loads, with the factors, and of the energies."""
+        kinds = (self.inertias, self.springs, self.dampers, self.weights, self.forces, self.pieces)
         return [*(node for kind in kinds for term in kind for node in term.nodes), *self.energies.values()]
 
     def over(self, new: Any) -> "Contents":
