@@ -31,11 +31,11 @@ class Reader:
     wanted), and by their Scalars every expression, those that move something (a bare name there is a coordinate), those
     that load or tie it, (name, dimension) of a name that is good in one expression alone, those in which velocities
     may stand, and in `along` (coordinate, unknown factor or None) of those measured as a coordinate is. `sound` tells
-    whether the scene was read whole, apart from what is asked of it; `files`: what was read beside it; `records`: the
-    names of its records."""
+    whether the scene was read whole, apart from what is asked of it; `files`: what was read beside it; `records` and
+    `members`: the names of its records and of its continuous members."""
 
-    def __init__(self, files: Any = None, records: Any = ()):
-        self.files, self.records = {} if files is None else files, records
+    def __init__(self, files: Any = None, records: Any = (), members: Any = ()):
+        self.files, self.records, self.members = {} if files is None else files, records, members
         self.diagnostics, self.references, self.named_places = [], [], []
         self.expressions, self.motions, self.loads, self.local_names, self.at_speed = {}, {}, {}, {}, set()
         self.along = {}

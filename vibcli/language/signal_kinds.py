@@ -5,6 +5,7 @@ from typing import Any
 from vibcli.language.document.document import Scalar
 from vibcli.language.kinds import Kind, Many, Quantity
 from vibcli.language.reader import Expression
+from vibcli.language.signals_of_places import with_places
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.syntax import ExpressionError
 
@@ -18,7 +19,7 @@ class SignalField(Kind):
         if not isinstance(node, Scalar) or not node.text.strip():
             return reader.expected(node, self.wants)
         try:
-            return Expression(node, parse(node.text))
+            return Expression(node, with_places(parse(node.text), reader.members))
         except ExpressionError as error:
             return reader.report(node.place(error.offset, error.width), error.message, error.hint)
 

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.language.reader import Record
+from vibcli.language.signal_names import signal_name
 
 if TYPE_CHECKING:
     from vibcli.language.spec import Spec
@@ -55,9 +56,11 @@ def signal_dimension(spec: "Spec", text: str):
 
 
 def _unit(spec, text):
-    name, _, part = text.partition(".")
-    whole, _, number = part.rpartition(".")
-    of_piece = whole == "force" and number.isdecimal() and "rope" in (spec.get("constraints") or {}).get(name, ())
+    name, part, place, primes = signal = signal_name(text)
+    if place or primes:
+        return None
+    roped = "rope" in (spec.get("constraints") or {}).get(name, ())
+    of_piece = roped and signal.kind == "force" and signal.axis.isdecimal()
     return _parts(spec, name).get("force" if of_piece else part)
 
 
@@ -90,18 +93,18 @@ def _signals_of(spec, record, parts):
 
 def is_load(spec: "Spec", text: str) -> bool:
     """Is this the force, moment or power of a load?"""
-    name, _, part = text.partition(".")
+    name, part, *_ = signal_name(text)
     return name in (spec.get("forces") or {}) and part in _parts(spec, name) and (
         spec.connection(name) is None and part in (*LOAD, "power"))
 
 
 def is_reaction(spec: "Spec", text: str) -> bool:
     """Is this the force of a constraint, a support, a contact or a drive?"""
-    name, _, part = text.partition(".")
-    if name in (spec.get("constraints") or {}):
-        return part.partition(".")[0] == "force"
-    return part.partition(".")[0] in ("reaction", "drive", *CONTACT) and (
-        name in (spec.get("bodies") or {}) or name in (spec.get("points") or {}))
+    signal = signal_name(text)
+    if signal.name in (spec.get("constraints") or {}):
+        return signal.kind == "force"
+    return signal.kind in ("reaction", "drive", *CONTACT) and (
+        signal.name in (spec.get("bodies") or {}) or signal.name in (spec.get("points") or {}))
 
 
 def drives(spec: "Spec", record: Record) -> dict[Any, Any]:
@@ -130,7 +133,7 @@ def _in_time(spec, expression):
 
 def near_signals(spec: "Spec", text: str) -> list[str]:
     """The signals of what `text` names, or the coordinates."""
-    name = text.partition(".")[0]
+    name = signal_name(text).name
     return [f"{name}.{part}" for part in _parts(spec, name)] or list(spec.coordinates)
 
 

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.enumeration import listed
 from vibcli.base.errors import NotFixed, PhysicsError
+from vibcli.language.signal_names import signal_name
 from vibcli.language.signals import ENERGIES, is_load
 from vibcli.mechanics.energies import dissipation, kinetic, potential, potential_as_drawn
 from vibcli.mechanics.equilibrium.redundant_friction import require_fixed_at_rest
@@ -28,7 +29,7 @@ def moving(system: "MechanicalSystem", text: str, primes: int = 0) -> "Node":
         return scene.symbol(text, primes)
     if text in ENERGIES:
         return energy(scene, text, primes)
-    name, _, part = text.partition(".")
+    name, part, *_ = signal_name(text)
     node = displacement(scene, text)
     if node is None:
         node = _along(scene, name, part)
@@ -69,7 +70,7 @@ def _along(scene, name, part):
 
 def force(configuration: "Configuration", text: str) -> float:
     """The value of a force in equilibrium."""
-    name, _, part = text.partition(".")
+    name, part, *_ = signal_name(text)
     if name == "ground" or part == "energy" or is_load(configuration.spec, text):
         return _of_outputs(configuration, text)
     if name in (configuration.spec.get("springs") or {}):
@@ -114,7 +115,7 @@ def _tension(configuration, name):
 
 def reaction_of(system: "MechanicalSystem", text: str, known: Any):
     """The name of a force in a constraint or support among those `known`; at a point, that of the body pinned there."""
-    name, _, part = text.partition(".")
+    name, part, *_ = signal_name(text)
     if name in (system.spec.get("points") or {}) and not part.startswith("drive"):
         text = f"{_pinned_at(system, name)}.{part}"
     if text not in known:

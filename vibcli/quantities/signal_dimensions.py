@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING
 
 from vibcli.base import units
+from vibcli.language.signal_names import signal_name
 from vibcli.language.signals import ENERGIES, signal_dimension
 
 if TYPE_CHECKING:
@@ -19,8 +20,7 @@ def name_dimension(spec: "Spec", name: str):
 
 def output_dimension(spec: "Spec", text: str):
     """The dimension of a coordinate or signal, with its primes; None where there is none of that name."""
-    name = text.rstrip("'")
-    primes = len(text) - len(name)
+    primes, name = (signal := signal_name(text)).primes, signal.still.text
     found = spec.dimensions.of(name) if name in spec.coordinates else signal_dimension(spec, name)
     if found is None and name in ENERGIES and name not in spec.parameters:
         found = units.parse_unit(ENERGIES[name]).dimension

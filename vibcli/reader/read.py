@@ -18,7 +18,7 @@ from vibcli.language.reader import MOST_PROBLEMS, Reader, TooManyErrors
 from vibcli.language.record_calls import RESERVED, own
 from vibcli.language.sections import NAMES as GIVEN
 from vibcli.language.sections import coordinates, equilibrium, gravity, initial
-from vibcli.language.spec import Spec
+from vibcli.language.spec import MEMBERS, Spec
 from vibcli.reader.sections import NAMES as ASKED
 from vibcli.reader.sections import answer, find
 from vibcli.symbolic.parser import plain_name
@@ -147,7 +147,8 @@ def _read_one(root, file, found, settings, files, remark=""):
     from vibcli.reader.unit_consistency import resolve  # the manual needs the declarations alone
 
     named, spec = {key: _names(value) for key, (_, value) in root.entries.items()}, None
-    reader = Reader(files, named.get("records", ()))
+    members = [name for section in MEMBERS for name in named.get(section, ())]
+    reader = Reader(files, named.get("records", ()), members)
     try:
         spec = Spec.of(file, _sections(root, reader), named)
         if "choose" in named:

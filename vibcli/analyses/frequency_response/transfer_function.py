@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vibcli.base.errors import PhysicsError
+from vibcli.language.signal_names import signal_name
 from vibcli.language.signals import is_load
 from vibcli.mechanics.inputs_outputs.inputs import direct_part, input_columns, named_input
 from vibcli.mechanics.inputs_outputs.outputs import linear_row
@@ -61,7 +62,7 @@ def slope(coefficients: np.ndarray, s: np.ndarray) -> np.ndarray:
 
 def transfer(configuration: "Configuration", signal: str, driven_by: str, order: int = 0):
     """The TransferFunction of a signal to a named input."""
-    if is_load(configuration.spec, signal.rstrip("'")):
+    if is_load(configuration.spec, signal_name(signal).still.text):
         raise PhysicsError(f"'{signal}' is that of a load, and no response to one", "ask for a coordinate, a place or "
                            "the force of a spring")
     row, chosen = linear_row(configuration, signal), named_input(configuration, driven_by)

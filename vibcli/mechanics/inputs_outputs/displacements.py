@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
 from vibcli.language.reader import Reference
+from vibcli.language.signal_names import signal_name
 
 if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
@@ -14,7 +15,7 @@ def displacement(scene: "Scene", text: str) -> "Node | None":
     """The node of a coordinate, or of a place, turn or stretch as displaced from where it is drawn; None of a force."""
     if text in scene.spec.coordinates:
         return scene.symbol(text)
-    name, _, part = text.partition(".")
+    name, part, *_ = signal_name(text)
     if part in ("x", "y", "angle") and name in scene.bodies and scene.bodies[name].frame is None:
         return _lumped(scene.bodies[name], part)
     if part in ("x", "y"):

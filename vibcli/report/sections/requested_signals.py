@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import NotFixed, PhysicsError, SpecError
+from vibcli.language.signals_of_places import at_places
 from vibcli.quantities.dimensions import checker
 from vibcli.quantities.signal_dimensions import input_dimension, inputs, output_dimension
 from vibcli.reader.sections.find import FREQUENCY_RESPONSE, RESPONSE
@@ -56,6 +57,7 @@ def require_known(spec: "Spec", signals: "Sequence[Expression]", inputs: "Sequen
 def trees_asked(problem: "Problem", word: str, given: "Sequence[Expression]" = ()) -> list[tuple[str, NameRef | Sum]]:
     """[(text, tree)] of the signals asked: those given, else those of `find`, else the coordinates."""
     if given:
+        given = [at_places(problem.spec, signal) for signal in given]
         require_known(problem.spec, given)
         return [(signal.text, signal.tree) for signal in given]
     find = problem.spec.get("find")
