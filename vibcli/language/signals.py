@@ -109,6 +109,11 @@ def is_reaction(spec: "Spec", text: str) -> bool:
 
 def drives(spec: "Spec", record: Record) -> dict[Any, Any]:
     """{part: unit} of the forces along what is prescribed in time of a body or point."""
+    return {part: unit for part, (unit, _) in prescribed(spec, record).items()}
+
+
+def prescribed(spec: "Spec", record: Record) -> dict[str, tuple[str, Any]]:
+    """{part: (unit of the force along it, Expression)} of what is prescribed in time of a body or point."""
     key = next((key for key in ("slide", "pin", "turn", "move", "roll", "moves") if key in record), None)
     if key is None:
         return {}
@@ -121,7 +126,7 @@ def drives(spec: "Spec", record: Record) -> dict[Any, Any]:
     value = value["by"] if isinstance(value, Record) and "by" in value else value
     parts = DRIVES[key]
     given = value if isinstance(value, list) else [value]
-    return {part: unit for (part, unit), one in zip(parts.items(), given, strict=False) if _in_time(spec, one)}
+    return {part: (unit, one) for (part, unit), one in zip(parts.items(), given, strict=False) if _in_time(spec, one)}
 
 
 def _in_time(spec, expression):

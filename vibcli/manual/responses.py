@@ -77,8 +77,8 @@ FREQUENCY_RESPONSE = [
     "which vibrates with Omega; the signal lags behind the input by θ = −arg H. Without dampers peaks are infinite.",
     [
         ("input", "a force or moment by its name, 1 N or 1 N·m along the line in which the scene has it, whatever it "
-         "is there; an unbalance, 1 kg·m; a driven point, displaced by 1 m; a coordinate, the generalised force 1 on "
-         "it. The first of these in the file unless `--to` or `find` names one."),
+         "is there; an unbalance, 1 kg·m; a driven point or body, displaced by 1 m; a coordinate, the generalised "
+         "force 1 on it. The first of these in the file unless `--to` or `find` names one."),
         ("output", "any signal and its rates: `x` (receptance), `x'` (mobility), `x''`, `P.y`, `s.force`, "
          "`ground.force`"),
         ("unit", "that of the output over that of the input: m/N, 1 of a force by a force"),
@@ -95,7 +95,7 @@ FREQUENCY_RESPONSE = [
         ("fixed_point[1, d](frf[x, drive]).Omega", "through which all curves pass, whatever the damper `d` is; "
          "`.value` its height. An absorber is tuned by `k2: fixed_point[1, d](frf[x1, F]).value = "
          "fixed_point[2, d](frf[x1, F]).value`"),
-        ("transmissibility[y, base](Omega)", "|H|: of motion from a driven point `base`"),
+        ("transmissibility[y, base](Omega)", "|H|: of motion from a driven point or body `base`"),
         ("transmissibility[ground.force, F](Omega)", "the part of a force that reaches the ground"),
     ],
     "An isolator: `choose: {k: \"transmissibility[y, base](Omega) = 0.1\"}`. An absorber that holds a machine still: "

@@ -128,8 +128,8 @@ def _of_value(about, value, unit=None, size=_size_of_argument):
 
 QUANTITIES = {
     "frf": Declaration(
-        "complex frequency response of a signal to a unit of a force, of a driven point or of the generalised force on "
-        "a coordinate: use abs, arg, re, im or phase of it", None, _frf, ("output", "input"), ("Omega",),
+        "complex frequency response of a signal to a unit of a force, of a driven point or body or of the generalised "
+        "force on a coordinate: use abs, arg, re, im or phase of it", None, _frf, ("output", "input"), ("Omega",),
         dimension=_ratio, size=_size, kind=COMPLEX, optional=True),
     "transmissibility": Declaration(
         "ratio of amplitudes |frf|", None, _transmissibility, ("output", "input"), ("Omega",), dimension=_ratio,

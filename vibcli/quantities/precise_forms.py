@@ -184,7 +184,7 @@ def place(problem: "Problem", tree: QuantityRef, digits: int, most: float) -> "m
 
     def read(fine):
         if tree.head == "antiresonance":
-            return fine.place(curve.antiresonances[number], ZERO if curve.transfer.undamped else TURN)
+            return fine.place(curve.antiresonances[number], ZERO if curve.undamped else TURN)
         if tree.head == "half_power":
             return half(fine, number)
         if tree.head == "quality":

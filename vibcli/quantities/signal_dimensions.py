@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.base import units
 from vibcli.language.signal_names import signal_name
-from vibcli.language.signals import ENERGIES, signal_dimension
+from vibcli.language.signals import ENERGIES, prescribed, signal_dimension
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -30,7 +30,21 @@ def output_dimension(spec: "Spec", text: str):
 def inputs(spec: "Spec") -> list[str]:
     """The names of what can drive a scene."""
     driven = [name for name, record in (spec.get("points") or {}).items() if "moves" in record]
-    return [*(spec.get("forces") or {}), *driven, *spec.coordinates]
+    bodies = [name for name, record in (spec.get("bodies") or {}).items() if _one_drive(spec, record)]
+    return [*(spec.get("forces") or {}), *driven, *bodies, *spec.coordinates]
+
+
+def _one_drive(spec, record):
+    """The unit of the force along what is driven of a body without a place, to and fro in one way; None of others."""
+    driven = [] if "at" in record else list(prescribed(spec, record).values())
+    return driven[0][0] if len(driven) == 1 and _within_functions(driven[0][1].tree) else None
+
+
+def _within_functions(tree):
+    """Does the time stand within functions alone, as in Y*sin(Omega*t) and not in v*t?"""
+    if tree.kind in ("name", "call"):
+        return tree.kind == "call" or tree.name != "t"
+    return all(_within_functions(child) for child in tree.children)
 
 
 def input_dimension(spec: "Spec", name: str):
@@ -43,6 +57,9 @@ def input_dimension(spec: "Spec", name: str):
         return units.parse_unit(unit).dimension
     if "moves" in (spec.get("points") or {}).get(name, ()):
         return units.LENGTH
+    body = (spec.get("bodies") or {}).get(name)
+    if body is not None and (unit := _one_drive(spec, body)):
+        return units.times(units.ENERGY, units.parse_unit(unit).dimension, -1)
     return generalised_dimension(spec, name) if name in spec.coordinates else None
 
 

@@ -13,7 +13,6 @@ if TYPE_CHECKING:
     from vibcli.analyses.frequency_response.response_errors import ResponseErrors
     from vibcli.results.problem import Problem
 
-ERROR, ROUNDING = 1e-12, 1e-15
 MOST = 10_000      # steps of a million products
 
 
@@ -24,39 +23,36 @@ class FrequencyResponse:
         from vibcli.analyses.frequency_response.transfer_function import transfer
 
         self.problem, self.signal, self.driver = problem, signal, driver
-        self.transfer, self._fixed = transfer(problem.configuration, signal, driver), {}
+        self.transfer, self._fixed = transfer(problem.configuration, signal, driver, modal=problem.modal), {}
 
     def at(self, Omega: float) -> tuple[complex, float]:
         """(complex H, relative error bound)."""
         from vibcli.analyses.frequency_response.evaluate import frf
 
         found = complex(frf(self.transfer, Omega))
-        return found, self.errors.of_value(Omega) / (abs(found) or 1e-300)
+        return found, self.transfer.error(Omega) / (abs(found) or 1e-300)
+
+    @property
+    def undamped(self) -> bool:
+        return self.transfer.undamped
+
+    @property
+    def natural(self) -> list[float]:
+        """The natural frequencies that are shown, in rad/s."""
+        return self.transfer.natural()
 
     @cached_property
     def errors(self) -> "ResponseErrors":
         from vibcli.analyses.frequency_response.response_errors import ResponseErrors
 
-        return ResponseErrors(self.transfer, self._data_errors(self.problem))
-
-    @staticmethod
-    def _data_errors(problem):
-        """The DataErrors of the matrices of a problem, for what does not start."""
-        import numpy as np
-
-        from vibcli.analyses.frequency_response.transfer_function import system
-        from vibcli.analyses.transient.data_errors import of_elements
-
-        still = np.zeros(len(problem.scene.q))
-        configuration = problem.configuration
-        return of_elements(configuration.linear_system, system(configuration), (still, still), still)
+        return ResponseErrors(self.transfer)
 
     @cached_property
     def extremes(self) -> "list[Extreme]":
         from vibcli.analyses.frequency_response.extremes import extremes
 
         with self.problem.work.task("the search for peaks", MOST):
-            return extremes(self.transfer)
+            return extremes(self.transfer, 0.0, self.transfer.end)
 
     @cached_property
     def marked(self) -> "list[Extreme]":
@@ -64,7 +60,7 @@ class FrequencyResponse:
         from vibcli.analyses.frequency_response.peaks import peaks
 
         with self.problem.work.task("the search for peaks", MOST):
-            return peaks(self.transfer, self.extremes)
+            return peaks(self.transfer, self.extremes, self.transfer.end)
 
     @property
     def peaks(self) -> list[tuple[float, float]]:
@@ -77,7 +73,7 @@ class FrequencyResponse:
         from vibcli.analyses.frequency_response.peaks import antiresonances
 
         with self.problem.work.task("the search for antiresonances", MOST):
-            return [one.Omega for one in antiresonances(self.transfer, self.extremes)]
+            return [one.Omega for one in antiresonances(self.transfer, self.extremes, self.transfer.end)]
 
     def half_power_of(self, number: int) -> tuple[float, float]:
         """(Ω₁, Ω₂) about a peak, counted from 1."""
@@ -100,10 +96,11 @@ class FrequencyResponse:
         if damper not in self._fixed:
             if self.signal.startswith(f"{damper}."):
                 raise PhysicsError(f"'{self.signal}' is not there without the damper", "ask for another signal")
-            free = transfer(self.problem.without(damper).configuration, self.signal, self.driver)
+            other = self.problem.without(damper)
+            free = transfer(other.configuration, self.signal, self.driver, modal=other.modal)
             with self.problem.work.task("the search for fixed points", MOST):
-                self._fixed[damper] = fixed_points(free, self.transfer)
-        return self._fixed[damper]
+                self._fixed[damper] = free, fixed_points(free, self.transfer)
+        return self._fixed[damper][1]
 
     def _peak(self, number):
         if number > len(self.marked):
@@ -116,18 +113,12 @@ class FrequencyResponse:
         """(|δΩ|, relative error of |H|) of a peak, counted from 1."""
         peak = self._peak(number)
         if peak.value is None:
-            return self._error_of_pole(peak.Omega), 0.0
+            return self.transfer.error_of_pole(peak.Omega), 0.0
         return self.errors.of_top(peak.Omega)
-
-    def _error_of_pole(self, Omega):
-        """|δΩ| of an undamped natural frequency."""
-        modes = [mode for mode in self.problem.modal.modes or () if mode.omega]
-        near = min(modes, key=lambda mode: abs(float(mode.omega) - Omega), default=None)
-        return Omega * (ERROR if near is None else max(float(near.error), ROUNDING))
 
     def error_of_antiresonance(self, Omega: float) -> float:
         """|δΩ| of an antiresonance."""
-        return self.errors.of_zero(Omega) if self.transfer.undamped else self.errors.of_top(Omega)[0]
+        return self.errors.of_zero(Omega) if self.undamped else self.errors.of_top(Omega)[0]
 
     def errors_of_half_power(self, number: int) -> tuple[float, float]:
         """(|δΩ₁|, |δΩ₂|) of the half-power points about a peak."""
@@ -144,11 +135,9 @@ class FrequencyResponse:
     def error_of_fixed_point(self, damper: str, Omega: float) -> tuple[float, float]:
         """(|δΩ|, relative error of |H|) of a fixed point of the curves for all values of a damper."""
         from vibcli.analyses.frequency_response.response_errors import ResponseErrors
-        from vibcli.analyses.frequency_response.transfer_function import transfer
 
-        free = self.problem.without(damper)
-        other = ResponseErrors(transfer(free.configuration, self.signal, self.driver), self._data_errors(free))
-        off = self.errors.of_crossing(other, Omega)
+        self.fixed_points(damper)
+        off = self.errors.of_crossing(ResponseErrors(self._fixed[damper][0]), Omega)
         return off, self.errors.relative(Omega) + off * self.errors.steepness(Omega)
 
     def places(self, low: float, high: float) -> "np.ndarray":
@@ -172,6 +161,5 @@ class FrequencyResponse:
     def span(self) -> tuple[float, float]:
         """The range of Ω in which what matters lies: from a fifth of the lowest frequency to five times the highest."""
         places = [Omega for Omega, _ in self.peaks] + self.antiresonances
-        modes = self.problem.modal.modes or self.problem.modal.damped or ()
-        places += [float(mode.omega) for mode in modes if mode.omega] or [1.0]
+        places += self.transfer.natural() or [1.0]
         return 0.2 * min(places), 5.0 * max(places)

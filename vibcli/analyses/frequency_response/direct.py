@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from vibcli.analyses.frequency_response.transfer_function import polynomial, slope
+from vibcli.analyses.frequency_response.quadratics import polynomial, slope
 from vibcli.numerics.fixed_point import count_floats
 
 SINGULAR = 2.0**-46     # 1/condition of the scaled matrix below which a frequency counts as one of a pole

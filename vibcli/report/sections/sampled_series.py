@@ -133,7 +133,7 @@ def frequency_figure(problem: "Problem", curves: Sequence[SampledCurve], nyquist
     if len(curves) == 1:
         peaks, dips = curves[0].peaks, curves[0].antiresonances
     else:
-        natural = [float(mode.omega) for mode in problem.modal.modes if mode.omega]
+        natural = problem.frequency_response(curves[0].name, curves[0].driver).natural
         peaks, dips = [place for place in natural if Omega[0] < place < Omega[-1]], []
     title = problem.spec.get("title") or ""
     if nyquist:
