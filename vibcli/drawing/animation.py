@@ -68,7 +68,7 @@ def _span(problem, until):
 
 def _modes(problem):
     try:
-        return problem.modal.modes
+        return problem.modal.modes.shown()
     except PhysicsError:
         return ()
 

@@ -24,13 +24,15 @@ SQUEEZED, ROUNDS = 0.4, 24
 def mode(problem: Any, index: int):
     """The Mode of a number; PhysicsError where there is none."""
     modes = problem.modal.modes
-    if not 1 <= index <= len(modes):
+    found = modes.numbered(index, index)
+    if not found:
         if not modes:
             raise PhysicsError(f"this scene has no mode {index}: without its dampers nothing would hold what has no "
                                "inertia", "look at its motion in time, as `vibcli animate --response` shows it")
-        count = "only mode 1" if len(modes) == 1 else f"modes 1 to {len(modes)}"
+        count = ("those from 1 on" if not modes.finite else
+                 "only mode 1" if len(modes) == 1 else f"modes 1 to {len(modes)}")
         raise PhysicsError(f"this scene has no mode {index}", f"it has {count}")
-    return modes[index - 1]
+    return found[0]
 
 
 def caption(found: Any) -> str:

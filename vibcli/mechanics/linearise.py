@@ -20,7 +20,6 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.factored_system import PlacedPiece
 from vibcli.mechanics.linearisation import Linearisation
-from vibcli.numerics.pieces.piece import Piece
 from vibcli.scene.piece_terms import PieceSpring
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.normal_form import TooLong, collected, expanded, reduced, textbook
@@ -65,6 +64,10 @@ def linearise(scene: Any, still: bool = False) -> Linearisation:
 
 def _pieces(scene, number, elastic):
     """The PlacedPieces of members, each with those of their springs, `elastic`, that are its own."""
+    if not scene.at_still("pieces"):
+        return []
+    from vibcli.numerics.pieces.piece import Piece
+
     springs = iter(elastic)
     return [PlacedPiece(term.owner, term.start, Piece(*term.coefficients), tuple(row_of(s, number) for s in term.s),
                         list(islice(springs, term.springs))) for term in scene.at_still("pieces")]

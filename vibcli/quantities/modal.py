@@ -29,10 +29,11 @@ def _mode(problem, tree):
         raise PhysicsError(f"there is no mode {number}: without its dampers nothing would hold what has no "
                            "inertia in this scene",
                            "ask for decay[1] or eigenvalue[1]")
-    if number > len(modes):
+    found = modes.numbered(number, number)
+    if not found:
         raise PhysicsError(f"there is no mode {number}: this scene has {counted(len(modes), 'mode')}",
                            "ask for one that it has")
-    return modes[number - 1]
+    return found[0]
 
 
 def counted(count: int, noun: str) -> str:
@@ -74,7 +75,8 @@ def _growth_rate(problem, tree, args):
 
 def largest(problem: "Problem", tree: "QuantityRef") -> float:
     """The largest angular frequency or growth rate."""
-    return max((float(mode.omega or mode.growth_rate or 0.0) for mode in problem.modal.modes), default=0.0)
+    return max((float(mode.omega or mode.growth_rate or 0.0) for mode in problem.modal.modes.shown()),
+               default=0.0)
 
 
 def ten(problem: "Problem", tree: "QuantityRef") -> float:

@@ -201,8 +201,9 @@ class SmallResponse(Response):
             speeds = [abs(wave.exponent.imag) for piece in forcing.pieces for wave in piece.waves]
         else:
             last, speeds = 0.0, [tau / forcing.turn]
-        modes = () if problem.modal.damped or not self.alone.blocks else problem.modal.modes
-        return duration(modes, problem.modal.damped, last, [speed for speed in speeds if speed])
+        modes = () if problem.modal.damped or not self.alone.blocks else problem.modal.modes.shown()
+        damped = problem.modal.damped and problem.modal.damped.shown()
+        return duration(modes, damped, last, [speed for speed in speeds if speed])
 
     def signal(self, tree: NameRef | Power | Sum):
         """The signal of a tree."""

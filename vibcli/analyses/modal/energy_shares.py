@@ -40,7 +40,7 @@ def shares(modal: "ModalAnalysis", _: Any) -> Shares:
             owned.potential, mode.shape, _energy(owned, mode.shape, mode.omega or mode.growth_rate)) for mode in modes}
         if modal.damped is not None:
             dissipation = []
-            for mode in (mode for mode in modal.damped if mode.omega):
+            for mode in (mode for mode in modal.damped.shown() if mode.omega):
                 shape = [mpmath.mpmathify(complex(x)) for x in mode.shape]
                 lost = _shares(owned.dissipation, shape, _energy(owned, shape, mode.omega) / mode.omega)
                 dissipation.append((mode, lost))

@@ -6,6 +6,8 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses import ANALYSES
+from vibcli.analyses.modal.mode_sequence import Modes
+from vibcli.base.errors import PhysicsError
 from vibcli.base.stage import Stage
 
 if TYPE_CHECKING:
@@ -37,7 +39,7 @@ class ModalAnalysis:
         return self.system.scene
 
     @Stage
-    def modes(self):
+    def modes(self) -> Modes:
         """The modes of the system without its dampers; none where it would not oscillate."""
         from vibcli.analyses.modal.modes import natural_modes
 
@@ -46,13 +48,13 @@ class ModalAnalysis:
             from vibcli.analyses.modal.massless_coordinates import only_damped
 
             if only_damped(elements):
-                return []
-        return self.solved(natural_modes, elements, *self.configuration.sources)
+                return Modes([])
+        return self._sequence(self.solved(natural_modes, elements, *self.configuration.sources))
 
     @cached_property
     def zero_modes(self) -> dict[int, str]:
         """What each mode without frequency is: free, held or falling (mechanics/equilibrium/zero_modes.py)."""
-        rigid = [mode for mode in self.modes if mode.rigid]
+        rigid = [mode for mode in self.modes.shown() if mode.rigid]
         if not rigid:
             return {}
         from vibcli.mechanics.equilibrium.zero_modes import FREE, zero_modes
@@ -62,14 +64,30 @@ class ModalAnalysis:
         return zero_modes(self.configuration, rigid)
 
     @Stage
-    def damped(self):
+    def damped(self) -> Modes | None:
         """The damped modes; None where nothing damps."""
         elements = self.configuration.linear_system
         if not (elements.dampers or elements.C):
             return None
         from vibcli.analyses.modal.modes import damped_modes
 
-        return self.solved(damped_modes, elements, lambda: self.modes, *self.configuration.sources)
+        return self._sequence(self.solved(damped_modes, elements, lambda: self.modes, *self.configuration.sources))
+
+    @property
+    def shown(self) -> "list[Mode]":
+        """The modes that are printed: all where they have an end and nobody says how many."""
+        return self.modes.shown()
+
+    @property
+    def shown_damped(self) -> "list[DampedMode] | None":
+        """The damped modes that are printed; None where nothing damps."""
+        return None if self.damped is None else self.damped.shown()
+
+    def _sequence(self, found):
+        """The Modes of a list of them, or of what finds modes without end; None of None."""
+        if found is None or isinstance(found, list):
+            return None if found is None else Modes(found)
+        return Modes((), found, self.solved)
 
     @cached_property
     def stability(self) -> "Stability":
@@ -111,14 +129,15 @@ class ModalAnalysis:
         return estimated_steps(len(self.spec.coordinates), digits, damped)
 
     def to_digits(self, digits: int):
-        """(modes, damped modes) recomputed to so many correct digits."""
-        return self.modes_to(digits), self.damped_to(digits)
+        """(modes, damped modes) that are printed, recomputed to so many correct digits."""
+        damped = self.damped_to(digits)
+        return self.modes_to(digits).shown(), None if damped is None else damped.shown()
 
-    def modes_to(self, digits: int):
+    def modes_to(self, digits: int) -> Modes:
         """The modes of the system without its dampers, recomputed to so many correct digits; found once."""
         from vibcli.analyses.modal.modes import natural_modes
 
-        return self._sharpened("modes", digits, natural_modes) if self.modes else []
+        return self._sharpened("modes", digits, natural_modes) if self.modes else self.modes
 
     def damped_to(self, digits: int):
         """The damped modes, recomputed; None where nothing damps."""
@@ -133,7 +152,8 @@ class ModalAnalysis:
                 from vibcli.mechanics.high_precision import Degenerate
 
                 raise Degenerate
-            self._results[word, digits] = self.solved(solve, elements, *natural, *sources, digits=digits)
+            found = self.solved(solve, elements, *natural, *sources, digits=digits)
+            self._results[word, digits] = self._sequence(found)
         return self._results[word, digits]
 
     @cached_property
@@ -141,6 +161,10 @@ class ModalAnalysis:
         """The modes to the digits that shares and derivatives need."""
         from vibcli.analyses.modal.modes_precise import sharp_modes
 
+        if not self.modes.finite:
+            raise PhysicsError("shares, sensitivities and estimates are found where there are finitely many modes; a "
+                               "member with distributed inertia has modes without end",
+                               "see `vibcli frequencies` for the modes themselves")
         return self.solved(sharp_modes, self.configuration)
 
     @cached_property

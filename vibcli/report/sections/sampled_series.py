@@ -159,12 +159,11 @@ def eigenvalue_figure(problem: "Problem") -> "Figure":
     if problem.numeric.has_free_symbols:
         raise PhysicsError("eigenvalues are plotted in numbers", "give the parameters values with --set")
     found = []
-    for mode in problem.modal.damped or problem.modal.modes:
-        if hasattr(mode, "eigenvalue"):
-            value = complex(mode.eigenvalue)
-        else:
-            value = complex(float(mode.growth_rate or 0.0), float(mode.omega or 0.0))
-        found.append((value, str(mode.index)))
+    values = [(mode.index, complex(mode.eigenvalue)) for mode in problem.modal.shown_damped or ()] or [
+        (mode.index, complex(float(mode.growth_rate or 0.0), float(mode.omega or 0.0)))
+        for mode in problem.modal.shown]
+    for index, value in values:
+        found.append((value, str(index)))
         if value.imag:
             found.append((value.conjugate(), ""))
     return argand([value for value, _ in found], [label for _, label in found], title=problem.spec.get("title") or "")

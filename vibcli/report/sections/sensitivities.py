@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 def sensitivities(problem: "Problem", _: "Report") -> Iterator[Section]:
     require_numbers(problem, "sensitivities")
     found = problem.modal.result("sensitivities")
-    heads = [(f"mode {mode.index}", mode) for mode in problem.modal.modes if mode.omega]
+    heads = [(f"mode {mode.index}", mode) for mode in problem.modal.modes.shown() if mode.omega]
     damped = {one.mode.index: one for one in found.damped or ()}
     tables = [
         *grid("Sensitivity of the natural frequencies: (p/ω)·∂ω/∂p", [
@@ -69,7 +69,7 @@ def _remarks(found):
 
 def _sensitivities(problem):
     found = problem.modal.result("sensitivities")
-    omega = {mode.index: float(mode.omega) for mode in problem.modal.modes if mode.omega}
+    omega = {mode.index: float(mode.omega) for mode in problem.modal.modes.shown() if mode.omega}
     entries = []
     for name, value in found.values.items():
         modes = [(i, rate, logarithmic(value, rate, omega[i])) for i, rate in found.omega.get(name, {}).items()]

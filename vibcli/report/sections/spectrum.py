@@ -27,8 +27,8 @@ def frequencies(problem: "Problem", _: "Report") -> Iterator[Section]:
         yield from section("Natural frequencies", paragraph("none are told: " + WITHOUT_DAMPERS))
         return
     modal = problem.modal
-    same = repeated(modal.modes)
-    rows = [mode_row(mode, modal.zero_modes.get(mode.index), mode.index in same) for mode in modal.modes]
+    shown, same = modal.shown, repeated(modal.shown)
+    rows = [mode_row(mode, modal.zero_modes.get(mode.index), mode.index in same) for mode in shown]
     damped = "of the undamped system" if modal.damped else "undamped"
     head = ("mode", "ω [rad/s]", "f [Hz]", "T [s]", "relative error ≤", "")
     yield from section(f"Natural frequencies ({damped})", TableBlock(head, tuple(rows)), _form(problem))
@@ -36,7 +36,8 @@ def frequencies(problem: "Problem", _: "Report") -> Iterator[Section]:
 
 def _form(problem):
     """The closed form of the frequency of one degree of freedom."""
-    if len(problem.scene.coordinates) == 1 and problem.symbolic.linearisable and problem.modal.modes[0].omega:
+    if len(problem.scene.coordinates) == 1 and problem.modal.modes.finite and problem.symbolic.linearisable and (
+            problem.modal.modes[0].omega):
         form = problem.closed_forms
         if form is not None:
             return equations([line("ω = ", form.modes[0].omega, hang=None)])
@@ -62,7 +63,7 @@ def damping(problem: "Problem", _: "Report") -> Iterator[Section]:
     if problem.numeric.has_free_symbols or problem.modal.damped is None:
         return
     head = ("mode", "ω [rad/s]", "ζ", "ω_d [rad/s]", "T_d [s]", "decay [1/s]", "relative error ≤", "")
-    yield from section(DAMPED, TableBlock(head, tuple(map(damped_row, problem.modal.damped))))
+    yield from section(DAMPED, TableBlock(head, tuple(map(damped_row, problem.modal.shown_damped))))
 
 
 def modes(problem: "Problem", report: "Report") -> Iterator[Section]:
@@ -76,10 +77,10 @@ def modes(problem: "Problem", report: "Report") -> Iterator[Section]:
             yield from section("Mode shapes (the first coordinate that moves is 1)",
                                *shape_blocks(problem, names, problem.closed_forms))
         return
-    if problem.modal.modes:
-        yield from _shapes(problem, report, problem.modal.modes, f"Mode shapes ({WORDS[report.normalise]})")
+    if problem.modal.shown:
+        yield from _shapes(problem, report, problem.modal.shown, f"Mode shapes ({WORDS[report.normalise]})")
     if problem.modal.damped is not None:
-        one_each = {mode.index: mode for mode in reversed(problem.modal.damped)}       # two eigenvalues have one shape
+        one_each = {mode.index: mode for mode in reversed(problem.modal.shown_damped)}    # two eigenvalues, one shape
         yield from _shapes(problem, report, [one_each[i] for i in sorted(one_each)],
                            f"Shapes of the damped modes ({WORDS[report.normalise]})", only_complex=True)
 
@@ -131,7 +132,7 @@ def frequencies_data(problem: "Problem", normalise: str = "first",
         closed = _closed_forms(problem)
         return found | data((MODES, DAMPED_MODES, *[POLYNOMIAL] * (POLYNOMIAL.name in closed)), closed)
     if digits is None:
-        modes = _modes(problem, problem.modal.modes, problem.modal.damped, normalise, tau)
+        modes = _modes(problem, problem.modal.shown, problem.modal.shown_damped, normalise, tau)
         return found | data((MODES, DAMPED_MODES), modes)
     import mpmath
 
