@@ -20,6 +20,11 @@ class IndexKind(NamedTuple):
     noun: str = ""
     wants: str = ""
 
+    @property
+    def of_signals(self) -> bool:
+        """Are they signals?"""
+        return self.names is near_signals
+
 
 def _whole(index):
     return index.isdecimal() and index.isascii() and int(index) > 0

@@ -14,6 +14,7 @@ from vibcli.quantities.dimensions import checker
 from vibcli.quantities.index_kinds import INDICES
 from vibcli.quantities.quantity import ALL, COMPLEX, OF_SIGNAL, about_which, declared, is_choice, named, usage, usage_of
 from vibcli.quantities.signal_dimensions import input_dimension, inputs, output_dimension
+from vibcli.reader.place_check import is_mistaken, place_fits
 from vibcli.symbolic.cycles import left_over
 from vibcli.symbolic.parser import VALUE
 from vibcli.symbolic.semantics import ALL_NUMBERS
@@ -74,6 +75,9 @@ def can_be_asked(spec: "Spec", reader: "Reader", expression: "Expression", tree:
 def _index(spec, reader, place, kind, index):
     kind = INDICES[kind]
     good = kind.fits(spec, index)
+    if kind.of_signals and (is_mistaken(spec, reader, place, index) or (
+            good and not place_fits(spec, reader, place, index))):
+        return False
     if not good and kind.wants:
         reader.report(place, f"expected {kind.wants} in square brackets, found {quoted(index)}")
     elif not good:
@@ -137,6 +141,8 @@ def _signal(spec, reader, expression, tree, arg):
             spec.used.add(name)
         elif name != "pi" and output_dimension(spec, name + "'" * primes) is None:
             _unknown(spec, reader, tree, name, place)
+        else:
+            place_fits(spec, reader, place, name)
     for part in parts_of(arg).quantities:
         quantity = declared(part)
         if quantity is None or quantity.kind != OF_SIGNAL:
@@ -159,6 +165,8 @@ def _all_names(tree):
 
 
 def _unknown(spec, reader, tree, name, place):
+    if is_mistaken(spec, reader, place, name):
+        return
     if name in FAMILIES and named(name).indices:
         reader.report(place, f"'{name}' needs an index", f"write {usage(name, spec)}")
     elif tree.head == VALUE and isinstance(tree.args[0], NameRef):

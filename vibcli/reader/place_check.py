@@ -1,0 +1,57 @@
+"""Signals of members: are they known, and is their place a length of parameters?"""
+
+from typing import TYPE_CHECKING
+
+from vibcli.base import units
+from vibcli.base.diagnostics import quoted
+from vibcli.base.spelling import nearest
+from vibcli.language.member_signals import mistake
+from vibcli.language.signal_names import signal_name
+from vibcli.quantities.dimensions import checker
+from vibcli.symbolic.parser import parse
+from vibcli.symbolic.semantics import ALL_NUMBERS
+from vibcli.symbolic.syntax import ExpressionError, parts_of
+
+if TYPE_CHECKING:
+    from vibcli.base.errors import Where
+    from vibcli.language.reader import Reader
+    from vibcli.language.spec import Spec
+
+
+def is_mistaken(spec: "Spec", reader: "Reader", where: "Where", text: str) -> bool:
+    """Is this the signal of a member, but none that it has, or without a place? Reports what is wrong with it."""
+    found = mistake(spec, signal_name(text))
+    if found is not None:
+        reader.report(where, *found)
+    return found is not None
+
+
+def place_fits(spec: "Spec", reader: "Reader", where: "Where", text: str) -> bool:
+    """Is the place of a signal, if it has one, a length? Its parameters are used; reports what is wrong with it."""
+    place, before = signal_name(text).place, len(reader.diagnostics)
+    if not place:
+        return True
+    try:
+        tree = parse(place)
+        for name, primes, *_ in parts_of(tree).names:
+            if name in spec.parameters and not primes:
+                spec.used.add(name)
+            elif name != "pi":
+                reader.report(where, f"{quoted(name)} is no parameter: places are lengths of parameters",
+                              nearest(name, spec.parameters))
+        if parts_of(tree).quantities:
+            reader.report(where, f"the place {quoted(place)} is not made of parameters alone",
+                          f"write {signal_name(text)._replace(place='0').text}")
+        if len(reader.diagnostics) > before:
+            return False
+        found = checker(spec, place).dimension(tree)
+    except ExpressionError as error:
+        reader.report(where, f"the place {quoted(place)} cannot be read: {error.message}", error.hint)
+        return False
+    bare = spec.free_numbers == ALL_NUMBERS or (spec.free_numbers and not any(part.units for part
+                                                                              in parts_of(tree).numbers))
+    if found is None or bare or spec.dimensions.equate(found, units.LENGTH):
+        return True
+    reader.report(where, f"expected a place (m), found {units.name(spec.dimensions.resolve(found))}",
+                  "places on a member are lengths from its left end, such as 0.5 m")
+    return False
