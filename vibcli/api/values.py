@@ -8,7 +8,6 @@ from vibcli.api.expressions import SymbolicExpression
 from vibcli.base import units
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError, Where
 from vibcli.language.reader import Reader
-from vibcli.language.signals_of_places import at_places
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.dimensions import asked_dimension, dimension_of
 from vibcli.quantities.expression import evaluated, measure, value_of
@@ -54,7 +53,8 @@ def quantity_value(problem: "Problem", text: str) -> QuantityValue:
 
 def quantity_asked(spec: "Spec", text: str) -> "Expression":
     """The text as a quantity of this scene; SpecError where it is none."""
-    asked, reader = at_places(spec, given_expression(text, "the quantity")), Reader()
+    asked, reader = given_expression(text, "the quantity"), Reader(members=spec.members)
+    asked = asked.with_tree(reader.at_places(asked.tree))
     asked = check_question(spec, reader, asked)
     if reader.diagnostics:
         raise SpecError(reader.diagnostics)

@@ -71,6 +71,14 @@ class Reader:
             self.files[scene, name] = read(scene, name)
         return self.files[scene, name]
 
+    def at_places(self, tree: Any):
+        """A tree with the signals of places on members, where there are any."""
+        if not self.members:
+            return tree
+        from vibcli.language.signals_of_places import with_places
+
+        return with_places(tree, self.members)
+
     def expected(self, node: Any, what: str, hint: str | None = None):
         self.report(node.where, f"expected {what}, found {_found(node)}", hint)
 
@@ -92,6 +100,10 @@ class Expression:
     def __init__(self, scalar: "Scalar", tree: Any, unit: str | None = None, dimension: Any = None):
         self.scalar, self.text, self.where = scalar, scalar.text, scalar.where
         self.tree, self.parts, self.unit, self.dimension = tree, parts_of(tree), unit, dimension
+
+    def with_tree(self, tree: Any) -> "Expression":
+        """The same with another tree."""
+        return Expression(self.scalar, tree, self.unit, self.dimension)
 
 
 class Reference:

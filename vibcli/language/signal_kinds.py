@@ -5,7 +5,6 @@ from typing import Any
 from vibcli.language.document.document import Scalar
 from vibcli.language.kinds import Kind, Many, Quantity
 from vibcli.language.reader import Expression
-from vibcli.language.signals_of_places import with_places
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.syntax import ExpressionError
 
@@ -19,7 +18,7 @@ class SignalField(Kind):
         if not isinstance(node, Scalar) or not node.text.strip():
             return reader.expected(node, self.wants)
         try:
-            return Expression(node, with_places(parse(node.text), reader.members))
+            return Expression(node, reader.at_places(parse(node.text)))
         except ExpressionError as error:
             return reader.report(node.place(error.offset, error.width), error.message, error.hint)
 

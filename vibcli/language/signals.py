@@ -3,8 +3,6 @@
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
-from vibcli.language.member_signals import ABOUT as OF_MEMBERS
-from vibcli.language.member_signals import member_signals, member_unit
 from vibcli.language.reader import Record
 from vibcli.language.signal_names import signal_name
 
@@ -48,7 +46,6 @@ ABOUT = (
     ("B.normal, B.friction", "contact force on a rolling or sliding body: along the normal from the surface to the "
                              "body, and along the tangent, which is the normal turned clockwise; of what rolls "
                              "between two surfaces B.normal.deck, B.friction.deck at each"),
-    *OF_MEMBERS,
 )
 
 
@@ -61,6 +58,8 @@ def signal_dimension(spec: "Spec", text: str):
 def _unit(spec, text):
     name, part, place, primes = signal = signal_name(text)
     if not primes and name in spec.members:
+        from vibcli.language.member_signals import member_unit
+
         return member_unit(spec, signal)
     if place or primes:
         return None
@@ -145,6 +144,8 @@ def near_signals(spec: "Spec", text: str) -> list[str]:
     """The signals of what `text` names, or the coordinates."""
     signal = signal_name(text)
     if signal.name in spec.members:
+        from vibcli.language.member_signals import member_signals
+
         return member_signals(spec, signal)
     return [f"{signal.name}.{part}" for part in _parts(spec, signal.name)] or list(spec.coordinates)
 

@@ -1,6 +1,6 @@
 """Texts of the manual on motions in time, frequency responses and signals. Data alone."""
 
-from vibcli.language import signals
+from vibcli.language import member_signals, signals
 
 RESPONSE = [
     "`vibcli response FILE` finds the motion in time, and so do `find: [response]` and every quantity of a signal in "
@@ -107,5 +107,5 @@ SIGNALS = [
     "(no forces), in time `P.y(2 s)` and `max(s.force)`, over the frequency `frf[s.force, drive](5 Hz)`. In time they "
     "have rates `P.y'` and `P.y''`, and may be added and multiplied: `max(s.force + d.force)`, `max(s.force*x')`. "
     "Where a force jumps along a motion of the full equations its value is that just after; extremes count both sides.",
-    list(signals.ABOUT),
+    [*signals.ABOUT, *member_signals.ABOUT],
 ]

@@ -18,18 +18,15 @@ if TYPE_CHECKING:
     from vibcli.language.spec import Spec
 
 
-def is_mistaken(spec: "Spec", reader: "Reader", where: "Where", text: str) -> bool:
-    """Is this the signal of a member, but none that it has, or without a place? Reports what is wrong with it."""
-    found = mistake(spec, signal_name(text))
+def place_fits(spec: "Spec", reader: "Reader", where: "Where", text: str) -> bool:
+    """Is a signal of a member one that it has, and its place a length? Then the parameters of this are used; reports
+    what is wrong with it. Signals of others fit."""
+    signal, before = signal_name(text), len(reader.diagnostics)
+    place, found = signal.place, mistake(spec, signal)
     if found is not None:
         reader.report(where, *found)
-    return found is not None
-
-
-def place_fits(spec: "Spec", reader: "Reader", where: "Where", text: str) -> bool:
-    """Is the place of a signal, if it has one, a length? Its parameters are used; reports what is wrong with it."""
-    place, before = signal_name(text).place, len(reader.diagnostics)
-    if not place:
+        return False
+    if signal.name not in spec.members:
         return True
     try:
         tree = parse(place)
@@ -41,7 +38,7 @@ def place_fits(spec: "Spec", reader: "Reader", where: "Where", text: str) -> boo
                               nearest(name, spec.parameters))
         if parts_of(tree).quantities:
             reader.report(where, f"the place {quoted(place)} is not made of parameters alone",
-                          f"write {signal_name(text)._replace(place='0').text}")
+                          f"write {signal._replace(place='0').text}")
         if len(reader.diagnostics) > before:
             return False
         found = checker(spec, place).dimension(tree)

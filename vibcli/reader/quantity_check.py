@@ -14,7 +14,6 @@ from vibcli.quantities.dimensions import checker
 from vibcli.quantities.index_kinds import INDICES
 from vibcli.quantities.quantity import ALL, COMPLEX, OF_SIGNAL, about_which, declared, is_choice, named, usage, usage_of
 from vibcli.quantities.signal_dimensions import input_dimension, inputs, output_dimension
-from vibcli.reader.place_check import is_mistaken, place_fits
 from vibcli.symbolic.cycles import left_over
 from vibcli.symbolic.parser import VALUE
 from vibcli.symbolic.semantics import ALL_NUMBERS
@@ -75,8 +74,7 @@ def can_be_asked(spec: "Spec", reader: "Reader", expression: "Expression", tree:
 def _index(spec, reader, place, kind, index):
     kind = INDICES[kind]
     good = kind.fits(spec, index)
-    if kind.of_signals and (is_mistaken(spec, reader, place, index) or (
-            good and not place_fits(spec, reader, place, index))):
+    if spec.members and kind.of_signals and not _is_placed(spec, reader, place, index):
         return False
     if not good and kind.wants:
         reader.report(place, f"expected {kind.wants} in square brackets, found {quoted(index)}")
@@ -86,6 +84,13 @@ def _index(spec, reader, place, kind, index):
         reader.report(place, *(f"'{index}' is defined by other parameters", hint) if defined else (
             f"this scene has no {kind.noun} {quoted(index)}", hint or "it has none at all"))
     return good
+
+
+def _is_placed(spec, reader, place, text):
+    """Is a signal of a member one that it has, at a place that can be? Reports what is wrong with it."""
+    from vibcli.reader.place_check import place_fits
+
+    return place_fits(spec, reader, place, text)
 
 
 def arguments_fit(spec: "Spec", reader: "Reader", expression: "Expression", tree: QuantityRef,
@@ -141,8 +146,8 @@ def _signal(spec, reader, expression, tree, arg):
             spec.used.add(name)
         elif name != "pi" and output_dimension(spec, name + "'" * primes) is None:
             _unknown(spec, reader, tree, name, place)
-        else:
-            place_fits(spec, reader, place, name)
+        elif spec.members:
+            _is_placed(spec, reader, place, name)
     for part in parts_of(arg).quantities:
         quantity = declared(part)
         if quantity is None or quantity.kind != OF_SIGNAL:
@@ -165,7 +170,7 @@ def _all_names(tree):
 
 
 def _unknown(spec, reader, tree, name, place):
-    if is_mistaken(spec, reader, place, name):
+    if spec.members and not _is_placed(spec, reader, place, name):
         return
     if name in FAMILIES and named(name).indices:
         reader.report(place, f"'{name}' needs an index", f"write {usage(name, spec)}")

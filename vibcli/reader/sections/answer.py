@@ -8,7 +8,6 @@ from vibcli.language.document.document import Mapping
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Kind, Quantity
 from vibcli.language.reader import Expression
-from vibcli.language.signals_of_places import with_places
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.quantity import ALL, EQUATION, declared
 from vibcli.symbolic.parser import parse
@@ -49,7 +48,7 @@ class Answers(Kind):
         answers = []
         for key, value in node.entries.values():
             try:
-                tree = with_places(parse(key.text), reader.members)
+                tree = reader.at_places(parse(key.text))
             except ExpressionError as error:
                 asked = key.text.partition("(")[0].strip()
                 if error.message.startswith("unknown function") and error.offset == 0:

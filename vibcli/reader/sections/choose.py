@@ -8,7 +8,6 @@ from vibcli.language.document.document import Scalar, Sequence
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Kind, Quantity
 from vibcli.language.reader import Expression
-from vibcli.language.signals_of_places import with_places
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.quantity import ALL
 from vibcli.symbolic.parser import parse
@@ -63,7 +62,7 @@ class _Condition(Kind):
                 return reader.report(node.place(error.offset, error.width), f"unknown quantity {quoted(asked)}",
                                      nearest(asked, FAMILIES) or ALL)
             return reader.report(node.place(error.offset, error.width), error.message, error.hint)
-        sides = [_side(node, tree, reader.members) for tree in equation.children]
+        sides = [_side(node, tree, reader) for tree in equation.children]
         reader.expressions.update((side.scalar, side) for side in sides)
         return Condition(words, node.where, None, *sides)
 
@@ -71,12 +70,12 @@ class _Condition(Kind):
         return {"type": "string"}
 
 
-def _side(node, tree, members):
+def _side(node, tree, reader):
     """One side of an equation as an expression of its own, so that messages quote and mark it alone."""
     text = node.text[tree.start:tree.end].rstrip()
     inset = None if node.inset is None else 0
     scalar = Scalar(text, node.place(tree.start, len(text)), node.quoted, inset)
-    return Expression(scalar, with_places(parse(text), members))
+    return Expression(scalar, reader.at_places(parse(text)))
 
 
 ELEMENT = Element(

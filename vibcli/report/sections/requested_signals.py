@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import NotFixed, PhysicsError, SpecError
-from vibcli.language.signals_of_places import at_places
+from vibcli.language.reader import Reader
 from vibcli.quantities.dimensions import checker
 from vibcli.quantities.signal_dimensions import input_dimension, inputs, output_dimension
 from vibcli.reader.sections.find import FREQUENCY_RESPONSE, RESPONSE
@@ -45,7 +45,6 @@ def symbol(text: str) -> str:
 
 def require_known(spec: "Spec", signals: "Sequence[Expression]", inputs: "Sequence[Expression]" = ()) -> None:
     """SpecError where signals or inputs (Expressions) are not of this scene."""
-    from vibcli.language.reader import Reader
     from vibcli.reader.quantity_check import check_questions
 
     reader = Reader()
@@ -57,7 +56,8 @@ def require_known(spec: "Spec", signals: "Sequence[Expression]", inputs: "Sequen
 def trees_asked(problem: "Problem", word: str, given: "Sequence[Expression]" = ()) -> list[tuple[str, NameRef | Sum]]:
     """[(text, tree)] of the signals asked: those given, else those of `find`, else the coordinates."""
     if given:
-        given = [at_places(problem.spec, signal) for signal in given]
+        reader = Reader(members=problem.spec.members)
+        given = [signal.with_tree(reader.at_places(signal.tree)) for signal in given]
         require_known(problem.spec, given)
         return [(signal.text, signal.tree) for signal in given]
     find = problem.spec.get("find")
