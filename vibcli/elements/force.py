@@ -7,7 +7,7 @@ acts as the pure force m₀ e Ω² (cos Ωt, sin Ωt).
 from typing import TYPE_CHECKING, Any
 
 from vibcli.elements.body import carriers
-from vibcli.elements.ends import angle_of
+from vibcli.elements.ends import angle_of, axis_of, slope_of, station_of
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import BODY, Load, NameOf, OneOf, Quantity, vector
 
@@ -21,12 +21,14 @@ _AT = OneOf("the name of a point or body (name a place under `points`)",
 def _settle(record, reader):
     if "speed" in record.places and "unbalance" not in record.places:
         reader.report(record.place("speed"), "'speed' is that of an unbalance, and there is none", "leave it out")
-    for first, others in (("force", ("at",)), ("moment", ("body",)), ("value", ("coordinate",)),
+    for first, others in (("force", ("at",)), ("moment", ()), ("value", ("coordinate",)),
                           ("unbalance", ("at", "speed"))):
         for key in others if first in record.places else ():
             if key not in record.places:
                 reader.report(record.where, f"a force with '{first}' needs '{key}'",
                               f"{key}: {ELEMENT.fields[key].about}")
+    if "moment" in record.places and not {"at", "body"} & set(record.places):
+        reader.report(record.where, "a force with 'moment' needs 'body'", f"body: {ELEMENT.fields['body'].about}")
     if "carrier" in record and "force" not in record.places:
         reader.report(record.place("carrier"), "'carrier' turns a force with a body: here is no `force`",
                       "leave it out")
@@ -60,13 +62,24 @@ def build(record: "Record", scene: Any) -> None:
     if "value" in record:
         scene.add_force(*scene.load(record["value"]), scene.symbol(record["coordinate"].text))
     elif "moment" in record:
-        angle = angle_of(record["body"], scene, "write `at:` and `force:`")
+        angle = _turning(record, scene)
         if angle is not None:
             scene.add_force(*scene.load(record["moment"]), angle)
     elif "unbalance" in record:
         _unbalance(record, scene)
     else:
         _force(record, scene)
+
+
+def _turning(record, scene):
+    """The rotation that a moment acts on, of a body or of a point on a shaft or beam."""
+    if "body" in record:
+        return angle_of(record["body"], scene, "write `at:` and `force:`")
+    found = station_of(record["at"].text, scene)
+    if found is None:
+        return scene.report(record.place("at"), "a moment acts on a body, or at a point of a shaft or beam",
+                            "write `body:` in place of `at:`")
+    return slope_of(record["at"], *found, scene)
 
 
 def _force(record, scene):
@@ -91,13 +104,12 @@ def _force(record, scene):
 
 def _axis(record, scene):
     """The displacement of a lumped body that a force acts on; None of what has a place."""
-    body = scene.bodies.get(record["at"].text)
-    if body is None or body.frame is not None:
-        return None
-    if body.lumped[0] == "turn":
-        scene.report(record.place("at"), f"'{body.name}' turns: what acts on it is a moment",
-                     "write `body:` and `moment:`")
-    return body.lumped[1]
+    name = record["at"].text
+    axis = axis_of(name, scene)
+    if axis is not None and axis[0] == "turn":
+        scene.report(record.place("at"), f"'{name}' turns: what acts on it is a moment",
+                     f"write `{'body' if name in scene.bodies else 'at'}:` and `moment:`")
+    return axis and axis[1]
 
 
 def _at_point(record, scene, fx, fy):

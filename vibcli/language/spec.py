@@ -52,6 +52,13 @@ class Spec(NamedTuple):
         """The one of that name; None where there is none."""
         return next((record for record in self.connections if record.name == name), None)
 
+    def origin(self, coordinate: str) -> Record:
+        """What brings a coordinate into the scene: a record of its own, or that of a member."""
+        if coordinate in self.coordinates:
+            return self.coordinates[coordinate]
+        name = coordinate.partition(".")[0]
+        return self.sections[self.members[name]][name]
+
     @property
     def members(self) -> dict[str, str]:
         """{name: section} of its bars, shafts, beams and strings."""

@@ -14,13 +14,10 @@ to Σ P ∇²s unless it is steady, as where they turn with what they act on.
 """
 
 from collections.abc import Mapping
-from itertools import islice
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
-from vibcli.mechanics.factored_system import PlacedPiece
 from vibcli.mechanics.linearisation import Linearisation
-from vibcli.scene.piece_terms import PieceSpring
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.normal_form import TooLong, collected, expanded, reduced, textbook
 from vibcli.symbolic.rationals import ONE
@@ -41,7 +38,7 @@ def linearise(scene: Any, still: bool = False) -> Linearisation:
     elastic: list = []
     for term in scene.at_still("springs"):
         row = row_of(term.s, number)
-        (elastic if isinstance(term, PieceSpring) else springs).append((term.weight, row))
+        (elastic if hasattr(term, "of_piece") else springs).append((term.weight, row))
         curved.append((term.force(scene), slopes_of(row, number), row))
     for term in scene.weights:
         row = row_of(term.s, number)
@@ -63,14 +60,12 @@ def linearise(scene: Any, still: bool = False) -> Linearisation:
 
 
 def _pieces(scene, number, elastic):
-    """The PlacedPieces of members, each with those of their springs, `elastic`, that are its own."""
-    if not scene.at_still("pieces"):
+    """The PlacedPieces of members."""
+    if not scene.pieces:
         return []
-    from vibcli.numerics.pieces.piece import Piece
+    from vibcli.mechanics.placed_pieces import placed_pieces
 
-    springs = iter(elastic)
-    return [PlacedPiece(term.owner, term.start, Piece(*term.coefficients), tuple(row_of(s, number) for s in term.s),
-                        list(islice(springs, term.springs))) for term in scene.at_still("pieces")]
+    return placed_pieces(scene.at_still("pieces"), lambda s: row_of(s, number), elastic)
 
 
 def _loaded(scene, found, number, term, slips, turning, still):

@@ -31,6 +31,8 @@ def settle(spec: "Spec", reader: Reader) -> "Spec":
     _references(spec, reader)
     _named_places(spec, reader)
     _units_of_symbols(spec)
+    if reader.members and reader.sound:
+        _of_members(spec)
     expected = {answer.expected.scalar for answer in spec.answers}
     apart = expected | {answer.rtol.scalar for answer in spec.answers if answer.rtol is not None}
     apart |= {side.scalar for record in (spec.get("choose") or {}).values() for side in record["so"].sides}
@@ -70,6 +72,14 @@ def settle(spec: "Spec", reader: Reader) -> "Spec":
 
         spec = spec._replace(answers=[checked(spec, reader, answer) for answer in spec.answers])
     return spec
+
+
+def _of_members(spec):
+    """What the motions of members measure, which are coordinates without being named."""
+    from vibcli.elements.member_places import motions_of
+
+    for name, angle in motions_of(spec):
+        spec.dimensions.equate(spec.dimensions.unknown(name), units.NONE if angle else units.LENGTH)
 
 
 def _cycles(spec, reader, apart):
@@ -136,6 +146,7 @@ def _coordinates(spec, reader):
 def _references(spec, reader):
     """Every reference must name something of its namespace; points and bodies share one namespace."""
     spaces = {space: dict.fromkeys(spec.named.get(space, ())) for space in ("points", "bodies", "surfaces", "forces")}
+    spaces["members"] = dict.fromkeys(reader.members)
     spaces |= {"ground": {"ground": None}, "coordinates": spec.coordinates}
     for name, record in (spec.get("points") or {}).items():
         if name in spaces["bodies"]:
@@ -180,6 +191,9 @@ def _named_places(spec, reader):
     points = spec.get("points") or {}
     for place in reader.named_places:
         at, passed = place, []
+        if place.name.text in (spec.get("member_points") or {}):
+            reader.report(place.name.where, f"'{place.name.text}' is on a member: it has no place [x, y]",
+                          "write the place itself")
         while isinstance(at, NamedPlace) and at.name.text in points and at.name.text not in passed:
             passed.append(at.name.text)
             at = points[at.name.text]["at"]

@@ -84,7 +84,7 @@ SECTIONS = {
 INSTEAD = {
     "variants": "give other values under cases, or with --set",
     "damping": "write the dampers one by one under dampers",
-} | dict.fromkeys(("bars", "shafts", "beams", "strings"), "continuous members do not work yet: a light one is a spring")
+}
 
 
 def read_spec(root: Any, file: str, diagnostics: Sequence[Any] = (), settings: Any = None) -> Spec:
@@ -181,7 +181,18 @@ def _sections(root, reader):
                 sections[key] = record
         if len(reader.diagnostics) > before and key not in ("answers", "find", "cases", "choose", "initial"):
             reader.not_whole()
-    return {key: sections[key] for key in SECTIONS if key in sections}
+    return _with_member_points({key: sections[key] for key in SECTIONS if key in sections})
+
+
+def _with_member_points(sections):
+    """The sections with the points on members apart from those that have a place."""
+    points = sections.get("points") or {}
+    along = {name: record for name, record in points.items() if not isinstance(record.get("at"), list)}
+    if not along:
+        return sections
+    placed = {name: record for name, record in points.items() if name not in along}
+    return {key: value for key, value in sections.items() if key != "points"} | (
+        {"points": placed} if placed else {}) | {"member_points": along}
 
 
 def _is_empty(node):

@@ -1,7 +1,7 @@
 """The scene while it is built: the services by which elements make their functions of the coordinates, and to which
 they contribute."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import Diagnostic, SpecError, Where
@@ -69,6 +69,7 @@ class Builder:
         self.v, self.a = self.coordinates.v, self.coordinates.a
         self.driven_by, self.turns = displacements.driven_by, displacements.turns
         self.released = displacements.released
+        self.members = self.contents.members
         self.bodies, self.surfaces, self.ground = places.bodies, self.spec.sections.get("surfaces") or {}, places.ground
         self.frame, self.carrier, self.new_frame, self.still = places.frame, places.carrier, Frame, places.still
         self.rim, self.place, self.place_of, self.pivot = places.rim, places.place, places.place_of, places.pivot
@@ -142,6 +143,22 @@ class Builder:
     def add_spring(self, k: "Node", preload: "Node", s: "Node") -> None:
         """preload·s + ½·k·s² to V."""
         self.contents.springs.append(Spring(k, s, preload, self.owner))
+
+    def owned(self, name: str, build: Callable):
+        """What `build` gives, its terms being those of the element of that name."""
+        before, self.owner = self.owner, name
+        found = build()
+        self.owner = before
+        return found
+
+    def add_piece(self, start: "Node", coefficients: "Sequence[Node]", ends: "Sequence[Node]",
+                  springs: "Sequence[tuple[Node, Node]]") -> None:
+        """A piece of a member, whose `springs` at rest are (stiffness, stretch)."""
+        from vibcli.scene.piece_terms import PieceSpring, PieceTerm
+
+        for k, s in springs:
+            self.contents.springs.append(PieceSpring(k, s, self.table.zero, self.owner))
+        self.contents.pieces.append(PieceTerm(self.owner, start, tuple(coefficients), tuple(ends), len(springs)))
 
     def add_damper(self, c: "Node", s: "Node") -> None:
         """½·c·ṡ² to Φ."""

@@ -49,6 +49,7 @@ class Contents(NamedTuple):
     gravity: tuple
     bodies: dict
     points: dict
+    members: dict
     inertias: list
     springs: list
     dampers: list
@@ -66,12 +67,13 @@ class Contents(NamedTuple):
     def empty(cls, table: "Table") -> "Contents":
         """Contents to which elements may add."""
         energies = {"T": table.zero, "V": table.zero, "Phi": table.zero}
-        return cls(None, {}, {}, *([] for _ in TERMS), energies, {}, [], {})  # type: ignore[arg-type]
+        return cls(None, {}, {}, {}, *([] for _ in TERMS), energies, {}, [], {})  # type: ignore[arg-type]
 
     @property
     def nodes(self) -> "list[Node]":
         """All expressions of the coordinates in it."""
-        kinds = [*(getattr(self, kind) for kind in TERMS), *self.shaken.values(), self.bodies.values()]
+        kinds = [*(getattr(self, kind) for kind in TERMS), *self.shaken.values(), self.bodies.values(),
+                 self.members.values()]
         places = [node for _, place in self.points.values() for node in place]
         return [*(node for kind in kinds for part in kind for node in part.nodes), *places, *self.energies.values()]
 
@@ -87,5 +89,6 @@ class Contents(NamedTuple):
             **{kind: [term.over(new) for term in getattr(self, kind)] for kind in TERMS},  # type: ignore[arg-type]
             shaken={kind: [term.over(new) for term in terms] for kind, terms in self.shaken.items()},
             bodies={name: body.over(new) for name, body in self.bodies.items()},
+            members={name: member.over(new) for name, member in self.members.items()},
             points={name: (drawn, tuple(new[node] for node in place)) for name, (drawn, place) in self.points.items()},
             energies={key: new[node] for key, node in self.energies.items()})

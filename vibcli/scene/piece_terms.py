@@ -17,6 +17,7 @@ class PieceSpring(Spring):
     """½ k s² of V: a part of what a piece with inertia, drag or a foundation stores at rest."""
 
     __slots__ = ()
+    of_piece = True
 
 
 class PieceTerm(NamedTuple):

@@ -132,6 +132,10 @@ class Places:
                 self.report(name.where, f"'{name.text}' has no place", "say where it is drawn with `at: [x, y]`")
                 return self.ground.drawn, self.ground.drawn, self.ground
             return body.centre, body.frame.point(*body.centre), body.frame
+        if name.text in (self.spec.get("member_points") or {}):
+            self.report(name.where, f"'{name.text}' is on a member that has no place", "draw the member `from` a place "
+                        "`to` another")
+            return self.ground.drawn, self.ground.drawn, self.ground
         record = self.spec.get("points")[name.text]
         drawn, present = self.points.get(name.text) or self._located(record)
         if self.driven is not None:

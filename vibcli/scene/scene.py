@@ -91,8 +91,8 @@ class Scene:
         self.lower, self.pair, self.number = expressions.lower, expressions.pair, expressions.number
         self.terms_with, self.unrooted = expressions.terms_with, expressions.unrooted
         self.distance, self.height_of = expressions.distance, expressions.height_of
-        (self.gravity, self.bodies, self.points, self.inertias, self.springs, self.dampers, self.weights, self.forces,
-         self.laws, self.constraints, self.pieces, self.energies, self.matrices, self.static_preloads,
+        (self.gravity, self.bodies, self.points, self.members, self.inertias, self.springs, self.dampers, self.weights,
+         self.forces, self.laws, self.constraints, self.pieces, self.energies, self.matrices, self.static_preloads,
          self.shaken) = contents
         places = Places(self.spec, expressions, self.bodies, self.points)
         self.frame, self.place, self.place_of, self.rim = places.frame, places.place, places.place_of, places.rim
@@ -133,6 +133,11 @@ class Scene:
     def drawn_anew(self, attempt: int) -> "Scene":
         """The same drawn with other sample values for its symbols, of the first attempt from this one that fits."""
         return self.setting.draw(attempt, self.setting.variant)
+
+    @property
+    def hidden(self) -> list[str]:
+        """Names of the coordinates that the file does not name: motions of members."""
+        return [name for name in self.coordinates if name not in self.spec.coordinates]
 
     @property
     def resting(self) -> "Scene":

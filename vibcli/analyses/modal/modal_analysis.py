@@ -119,7 +119,7 @@ class ModalAnalysis:
                 return solve(*args, **options)
         except UnheldCoordinate as error:
             name = self.scene.coordinates[error.number]
-            raise error.named(name, self.spec.coordinates[name].where) from None
+            raise error.named(name, self.spec.origin(name).where) from None
 
     def steps_to_digits(self, digits: int) -> float:
         """About how many steps of a million products so many digits take, before anything is computed."""

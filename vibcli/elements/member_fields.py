@@ -1,0 +1,91 @@
+"""The fields that bars, shafts, beams and strings share, and the kinds of members."""
+
+from typing import Any, NamedTuple
+
+from vibcli.elements.cross_sections import SECTION
+from vibcli.elements.member_ends import attachment, end_kind
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import Many, Quantity
+from vibcli.language.reader import Reader, Record
+
+
+class MemberKind(NamedTuple):
+    """A kind of members: the stiffness of its equation (None of strings, whose tension is theirs), and the modulus and
+    geometry that it is made of; its mass per length, and of what; the signal of its motion."""
+
+    name: str
+    stiffness: str | None
+    modulus: str | None
+    geometry: str
+    inertia: str
+    motion: str
+
+    @property
+    def bends(self) -> bool:
+        """Has it slopes beside displacements?"""
+        return self.stiffness == "EI"
+
+    @property
+    def torsional(self) -> bool:
+        """Does it turn about its axis?"""
+        return self.motion == "phi"
+
+
+BAR = MemberKind("bar", "EA", "E", "A", "mass_per_length", "u")
+SHAFT = MemberKind("shaft", "GIo", "G", "Io", "inertia_per_length", "phi")
+BEAM = MemberKind("beam", "EI", "E", "I", "mass_per_length", "u")
+STRING = MemberKind("string", None, None, "A", "mass_per_length", "u")
+KINDS = {"bars": BAR, "shafts": SHAFT, "beams": BEAM, "strings": STRING}
+MATERIAL = {
+    "E": Field(Quantity("Pa"), "Young's modulus"),
+    "G": Field(Quantity("Pa"), "its shear modulus"),
+    "rho": Field(Quantity("kg/m^3"), "its density; massless without it"),
+    "section": Field(SECTION, "its cross-section: `{circle: d}`, `{tube: [D, d]}` or `{rectangle: [b, h]}`"),
+    "A": Field(Quantity("m^2"), "the area of its cross-section"),
+    "I": Field(Quantity("m^4"), "the second moment of area for bending"),
+    "Io": Field(Quantity("m^4"), "the polar second moment of area of a round cross-section"),
+    "EA": Field(Quantity("N"), "its stiffness along, E times A"),
+    "EI": Field(Quantity("N*m^2"), "its bending stiffness"),
+    "GIo": Field(Quantity("N*m^2"), "its torsional stiffness"),
+    "mass_per_length": Field(Quantity("kg/m"), "its mass per length; massless without it"),
+    "inertia_per_length": Field(Quantity("kg*m"), "its moment of inertia about the axis per length"),
+}
+OF_KIND = {"bar": ("E", "rho", "section", "A", "EA", "mass_per_length"),
+           "shaft": ("G", "rho", "section", "Io", "GIo", "inertia_per_length"),
+           "beam": ("E", "rho", "section", "A", "I", "EI", "mass_per_length"),
+           "string": ("rho", "section", "A", "mass_per_length")}
+
+
+def member_element(kind: MemberKind, about: str, example: str) -> Element:
+    """The declaration of a kind of members."""
+    force, turn = "N" if kind.torsional else "N/m^2", "N*s" if kind.torsional else "N*s/m^2"
+    along = {key: MATERIAL[key] for key in OF_KIND[kind.name]}
+    along["foundation"] = Field(Quantity(force), "the stiffness of what it rests on, per length")
+    along["drag"] = Field(Quantity(turn), "the coefficient of what damps it, per length")
+    exclusive = (("section", kind.geometry), (kind.inertia, "rho"), *(
+        [(kind.stiffness, kind.modulus)] if kind.stiffness else []))
+    segment = Element("segment", "A segment of a member, from the left; what it leaves out is the member's.",
+                      {"length": Field(Quantity("m"), "its length", required=True), **along}, exclusive=exclusive)
+    fields = {"length": Field(Quantity("m"), "its length"), **along}
+    if kind.stiffness != "EA" and not kind.torsional:
+        fields["preload"] = Field(Quantity("N"), "its tension as drawn; negative where it is compressed")
+    fields["segments"] = Field(Many(segment, 1, 1000, "a list of segments"), "its segments from the left: "
+                               "`[{length: L1, section: …}, …]`")
+    for side in ("left", "right"):
+        fields[side] = Field(end_kind(kind.torsional, kind.bends), f"what holds its {side} end (default: free)")
+    fields["attached"] = Field(Many(attachment(kind.torsional, kind.bends), 1, 1000, "a list of attachments"),
+                               "what is attached to it: `[{at: L, mass: M}, {at: a, k: k}]`")
+    return Element(kind.name, about, fields, exclusive=exclusive, needs=(("length", "segments"),),
+                   settle=_settle, example=example)
+
+
+def _settle(record: Record, reader: Reader) -> None:
+    """A mass per length without sections or the like; a string needs its tension."""
+    if record.element.name == "string" and "preload" not in record:
+        reader.report(record.where, f"nothing tells the tension of '{record.name}'", "give `preload: T`")
+
+
+def members_of(spec: Any) -> "dict[str, tuple[MemberKind, Record]]":
+    """{name: (kind, record)} of all members of a scene."""
+    return {name: (kind, record) for section, kind in KINDS.items()
+            for name, record in (spec.get(section) or {}).items()}
