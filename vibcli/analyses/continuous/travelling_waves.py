@@ -1,0 +1,157 @@
+"""Bars, shafts and strings in time by travelling waves, exact but for rounding, with fronts that stay sharp.
+
+Along a piece u = f(t − x/c) + g(t − (l − x)/c), f leaving its left end and g its right one (d'Alembert); what leaves
+follows from what arrives by the motion of the station that the end belongs to.
+"""
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from vibcli.analyses.continuous.travelling_waves_curves import LEVELS, SAME, PiecewiseSeries
+from vibcli.analyses.continuous.travelling_waves_fields import straight
+from vibcli.analyses.continuous.travelling_waves_march import WaveMarch, WavePiece
+from vibcli.analyses.continuous.travelling_waves_station import EPSILON, WaveEnd, WaveStation
+from vibcli.base.work import Work
+
+if TYPE_CHECKING:
+    from vibcli.analyses.excitation.forcing import Forcing
+
+
+class WavePlace(NamedTuple):
+    """u of a piece at x from its left end, `along` of its derivatives by x and `rates` by the time."""
+
+    piece: int
+    x: float
+    along: int = 0
+    rates: int = 0
+
+
+class WaveOutput(NamedTuple):
+    """constant + Σ places + Σ coordinates, {(i, rates): factor}, + Σ of loads {channel: factor}."""
+
+    constant: float = 0.0
+    places: dict = {}
+    coordinates: dict = {}
+    channels: dict = {}
+
+
+class WaveMotion:
+    """M q̈ + C q̇ + K q + waves = f(t) from q(0) = q0, q̇(0) = v0.
+
+    forcing: its first n channels are the forces on the coordinates; fields: for each piece u(x) and u̇(x) at the start
+    as a Forcing over x with two channels, None where it is at rest, straight between its ends.
+    """
+
+    def __init__(self, M: np.ndarray, C: np.ndarray, K: np.ndarray, pieces: Sequence[WavePiece], forcing: "Forcing",
+                 q0: np.ndarray, v0: np.ndarray, fields: "Sequence[Forcing | None] | None" = None,
+                 work: Work | None = None):
+        n, self.pieces, self.forcing, self.work = len(q0), tuple(pieces), forcing, work or Work()
+        q0, v0 = np.asarray(q0, float), np.asarray(v0, float)
+        shapes = [self._field(piece, field, q0) for piece, field in
+                  zip(pieces, fields or [None] * len(pieces), strict=True)]
+        stations = [_station(group, (M, C, K), self.pieces, q0, v0) for group in _groups(n, (M, C, K), self.pieces)]
+        stations += [_held(number, self.pieces) for number in range(2 * len(pieces)) if not _end(pieces, number)[0]]
+        self.march = WaveMarch(self.pieces, stations, shapes, forcing, n, self.work)
+
+    def _field(self, piece, field, q0):
+        if field is not None:
+            return field
+        left, right = (sum(x * q0[i] for i, x in row.items()) for row, _ in (piece.left, piece.right))
+        return straight(left, right, piece.length)
+
+    def values(self, output: WaveOutput, times: np.ndarray, order: int = 0, before: bool = False) -> np.ndarray:
+        """The order-th rate of the output at instants; at a front that after it, or before it."""
+        times = np.asarray(times, float)
+        t = times.ravel()
+        self.march.reach(t.max(initial=0.0) * (1 + 2 * SAME) + self._slack)
+        found = np.full(len(t), output.constant if not order else 0.0)
+        for factor, curve, level, delay in self._terms(output, order):
+            found += factor * curve.at(t - delay, level, SAME * np.maximum(t, self._slack), before)
+        return found.reshape(times.shape)
+
+    @property
+    def _slack(self):
+        return SAME * float(min(self.march.delays, default=0.0))
+
+    def errors(self, output: WaveOutput, times: np.ndarray, order: int = 0) -> np.ndarray:
+        """How far the same values may be off by rounding: that of each stretch so far, and of the instant."""
+        t = np.asarray(times, float)
+        self.march.reach(t.max(initial=0.0))
+        found = np.full(t.shape, EPSILON * abs(output.constant))
+        for factor, curve, level, delay in self._terms(output, order):
+            count = np.searchsorted(curve.starts, t - delay, "right")
+            faster = curve.scale[min(level + 1, LEVELS - 1)]
+            found += EPSILON * abs(factor) * ((16 + 4 * count) * curve.scale[level] + 4 * t * faster)
+        return found
+
+    def breaks(self, output: WaveOutput, until: float) -> np.ndarray:
+        """The instants between which the output is one series, ascending."""
+        self.march.reach(until)
+        found = [curve.starts + delay for _, curve, _, delay in self._terms(output, 0)]
+        return np.unique(np.concatenate([np.zeros(1), *found]))
+
+    def fronts(self, output: WaveOutput, until: float) -> list[tuple[float, float, float]]:
+        """(t, value before, value after) of the instants at which the output leaps."""
+        at = self.breaks(output, until)
+        at = at[(at > 0) & (at <= until)]
+        before, after, off = self.values(output, at, before=True), self.values(output, at), self.errors(output, at)
+        found: list[tuple[float, float, float]] = []
+        for t, one, other, noise in zip(at.tolist(), before.tolist(), after.tolist(), off.tolist(), strict=True):
+            if abs(one - other) > 4 * noise and not (found and t - found[-1][0] <= SAME * t):
+                found.append((t, one, other))
+        return found
+
+    def _terms(self, output, order) -> Iterable[tuple[float, PiecewiseSeries, int, float]]:
+        """(factor, curve, which of its rates, how much later) of all in an output."""
+        for (i, rates), factor in output.coordinates.items():
+            yield factor, self.march.coordinates[i], rates + order, 0.0
+        for place, factor in output.places.items():
+            piece, speed = self.pieces[place.piece], self.pieces[place.piece].speed
+            scale, level = factor / speed**place.along, place.along + place.rates + order
+            yield scale * (-1)**place.along, self.march.leaving[2 * place.piece], level, place.x / speed
+            yield scale, self.march.leaving[2 * place.piece + 1], level, (piece.length - place.x) / speed
+
+
+def _end(pieces, number):
+    """(row, channel) of an end."""
+    return (pieces[number // 2].left, pieces[number // 2].right)[number % 2]
+
+
+def _groups(n, matrices, pieces):
+    """Lists of coordinates that hang together: by matrices, or as they move one end."""
+    root = list(range(n))
+
+    def find(i):
+        while root[i] != i:
+            i = root[i]
+        return i
+
+    tied = [(int(i), int(j)) for matrix in matrices for i, j in np.argwhere(matrix)]
+    for piece in pieces:
+        for row, _ in (piece.left, piece.right):
+            tied += [(min(row), i) for i in row]
+    for i, j in tied:
+        root[find(i)] = find(j)
+    groups: dict[int, list[int]] = {}
+    for i in range(n):
+        groups.setdefault(find(i), []).append(i)
+    return list(groups.values())
+
+
+def _station(group, matrices, pieces, q0, v0):
+    ends = []
+    for number in range(2 * len(pieces)):
+        row, drive = _end(pieces, number)
+        if row and next(iter(row)) in group:
+            ends.append(WaveEnd(number, np.array([float(row.get(i, 0.0)) for i in group]),
+                                pieces[number // 2].impedance, drive))
+    return WaveStation(group, *(matrix[np.ix_(group, group)] for matrix in matrices), ends, q0[group], v0[group])
+
+
+def _held(number, pieces):
+    """The station of an end that nothing moves but its drive."""
+    none, nothing = np.zeros((0, 0)), np.zeros(0)
+    end = WaveEnd(number, nothing, pieces[number // 2].impedance, _end(pieces, number)[1])
+    return WaveStation([], none, none, none, [end], nothing, nothing)
