@@ -56,6 +56,13 @@ def parity_functions(nu: np.ndarray, chi: np.ndarray, numbers: "Arithmetic") -> 
     return Parity(*found)
 
 
+def separate_roots(nu: np.ndarray, chi: np.ndarray, numbers: "Arithmetic") -> tuple[np.ndarray, np.ndarray]:
+    """P₁ and P₂, the larger first, without cancellation; not both 0."""
+    half, middle = numbers.sqrt(nu * nu / 4 - chi), nu / 2
+    one = np.where(np.abs(middle + half) >= np.abs(middle - half), middle + half, middle - half)
+    return one, chi / one
+
+
 def _put(found, part, chosen):
     """Values of some elements among those known."""
     if found is None:
@@ -93,10 +100,7 @@ def _series(nu, chi, numbers):
 
 def _by_roots(nu, chi, numbers):
     """From C, S and S′ at P₁ and P₂, which are not near each other."""
-    half = numbers.sqrt(nu * nu / 4 - chi)
-    middle = nu / 2
-    one = np.where(np.abs(middle + half) >= np.abs(middle - half), middle + half, middle - half)
-    other = chi / one
+    one, other = separate_roots(nu, chi, numbers)
     f, g, gap = even_functions(one, numbers), even_functions(other, numbers), one - other
     c, s, f_g, g_f = f.c * g.c, f.s * g.s, f.s * g.c, f.c * g.s
     d, sigma = (one * f_g - other * g_f) / gap, (g_f - f_g) / gap

@@ -32,3 +32,20 @@ def _beside(one, other):
     found = mpmath.zeros(one.rows, one.cols + other.cols)
     found[:, :one.cols], found[:, one.cols:] = one, other
     return found
+
+
+def fields(piece, kappa, ends, places):
+    """[[u, u′, (u″, u‴)]] at places, carried on from the state at the left end."""
+    half = piece.order // 2
+    size = float(piece.length * (abs(piece.tension / (piece.bending or 1)) ** 0.5 + 1 +
+                                 abs(complex(kappa) / (piece.bending or piece.tension)) ** (1 / piece.order)))
+    with mpmath.workdps(50 + int(size * 1.5)):
+        matrix = transfer(piece, kappa)
+        start = mpmath.matrix([mpmath.mpmathify(complex(value)) for value in ends])
+        forces = matrix[:half, half:] ** -1 * (start[half:, 0] - matrix[:half, :half] * start[:half, 0])
+        state = mpmath.matrix([*start[:half], *forces])
+        found = [transfer(piece._replace(length=mpmath.mpf(x)), kappa) * state for x in places]
+        if half == 1:
+            return [[one[0], one[1] / piece.tension] for one in found]
+        return [[one[0], one[1], one[2] / piece.bending, (piece.tension * one[1] - one[3]) / piece.bending]
+                for one in found]
