@@ -33,6 +33,9 @@ def moving(system: "MechanicalSystem", text: str, primes: int = 0) -> "Node":
     node = displacement(scene, text)
     if node is None:
         node = _along(scene, name, part)
+    if node is None and name in scene.members:
+        raise PhysicsError(f"'{text}' lies within what vibrates: members take part in small motions alone",
+                           "write motion: small")
     if node is None:
         known = [f"{record.name}.force" for record in system.spec.connections]
         raise PhysicsError(f"'{text}' is not found along a motion of the full equations", "forces are found of springs "

@@ -37,13 +37,13 @@ def count(problem: "Problem") -> int:
 
 
 def _equilibrium(problem, tree, args):
-    from vibcli.mechanics.inputs_outputs.displacements import displacement
+    from vibcli.mechanics.inputs_outputs.displacements import resting
     from vibcli.symbolic.evaluation import evaluate
     from vibcli.symbolic.running_errors import RunningErrors
 
     signal = coordinate_name(problem.spec, tree.indices[0]) or tree.indices[0]
     scene, (name, part, *_) = problem.scene.resting, signal_name(signal)
-    node = displacement(scene, signal)
+    node = resting(scene, signal)
     if node is None and part == "force" and name in (problem.spec.get("springs") or {}):
         node = scene.force_of(name)
     if node is None:
@@ -58,13 +58,13 @@ def _equilibrium(problem, tree, args):
 
 def _in_letters(problem, tree):
     """A coordinate, place, turn, stretch or tension in equilibrium."""
-    from vibcli.mechanics.inputs_outputs.displacements import displacement
+    from vibcli.mechanics.inputs_outputs.displacements import resting
     from vibcli.symbolic.derivatives import substitute
     from vibcli.symbolic.normal_form import textbook
 
     text = coordinate_name(problem.spec, tree.indices[0]) or tree.indices[0]
     scene, name = problem.scene, signal_name(text)
-    node = displacement(scene, text)
+    node = resting(scene, text)
     if node is None and name.part == "force" and name.name in (problem.spec.get("springs") or {}):
         node = scene.force_of(name.name)
     if node is None and is_reaction(problem.spec, text) and name.kind not in CONTACT:

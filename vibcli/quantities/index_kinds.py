@@ -51,7 +51,7 @@ def _named(noun, letters, *sections):
 
 
 def _is_mode(spec, index):
-    return _whole(index) and int(index) <= 2 * len(spec.coordinates)
+    return _whole(index) and (bool(spec.members) or int(index) <= 2 * len(spec.coordinates))
 
 
 def _is_signal(spec, index):

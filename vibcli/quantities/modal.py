@@ -116,17 +116,23 @@ def _modal_mass(problem, tree, args):
 
 def _of_coordinates(spec, tree):
     """Of an entry of M on its diagonal, where all coordinates measure the same."""
-    measured = [spec.dimensions.of(name) for name in spec.coordinates]
-    return entry_dimension("M", *measured[:1] * 2) if all(one == measured[0] for one in measured) else None
+    measured = _measured(spec)
+    return None if measured is None else entry_dimension("M", measured, measured)
+
+
+def _measured(spec):
+    """The dimension of all motions, so that any may be 1; None where they differ."""
+    found = [spec.dimensions.of(name) for name in spec.coordinates]
+    for section in spec.members.values():
+        found += {"shafts": [units.NONE], "beams": [units.LENGTH, units.NONE]}.get(section, [units.LENGTH])
+    return found[0] if found and all(one == found[0] for one in found) else None
 
 
 def of_shape(spec: "Spec", tree: "QuantityRef"):
     """The dimension of an amplitude where all coordinates measure the same, so that any may be 1; else None."""
-    measured = [spec.dimensions.of(name) for name in spec.coordinates]
+    measured = _measured(spec)
     name = coordinate_name(spec, tree.indices[1]) or tree.indices[1]
-    if any(one != measured[0] for one in measured):
-        return None
-    return units.times(name_dimension(spec, name), measured[0], -1)
+    return None if measured is None else units.times(name_dimension(spec, name), measured, -1)
 
 
 def along(problem: "Problem", shape: "Sequence[complex | mpmath.mpf]", signal: str) -> "complex | mpmath.mpf":

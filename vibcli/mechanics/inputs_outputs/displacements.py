@@ -16,6 +16,8 @@ def displacement(scene: "Scene", text: str) -> "Node | None":
     if text in scene.spec.coordinates:
         return scene.symbol(text)
     name, part, *_ = signal_name(text)
+    if name in scene.members:
+        return _on_member(scene, text)
     if part in ("x", "y", "angle") and name in scene.bodies and scene.bodies[name].frame is None:
         return _lumped(scene.bodies[name], part)
     if part in ("x", "y"):
@@ -27,6 +29,21 @@ def displacement(scene: "Scene", text: str) -> "Node | None":
         drawn, = scene.at_drawn(_stretch(scene, scene.terms_of(name, undriven=True)))
         return _stretch(scene, scene.terms_of(name)) - drawn
     return None
+
+
+def _on_member(scene, text, resting=False):
+    """A signal of a place on a member, or None within a piece that vibrates; `resting`: as everything is at rest."""
+    from vibcli.mechanics.inputs_outputs.place_signals import place_signal
+    from vibcli.mechanics.inputs_outputs.static_deflection import static_signal
+
+    found = place_signal(scene, signal_name(text))
+    return static_signal(scene, found) if resting or found.motion is not None or found.is_light else None
+
+
+def resting(scene: "Scene", text: str) -> "Node | None":
+    """The same in equilibrium, in which members deflect as springs."""
+    return _on_member(scene, text, resting=True) if signal_name(text).name in scene.members else displacement(
+        scene, text)
 
 
 def _lumped(body, part):

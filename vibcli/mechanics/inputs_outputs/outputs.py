@@ -47,6 +47,9 @@ def _row(configuration, text):
     node = displacement(scene, text)
     if node is not None:
         return opened.rows([node])[0]
+    if name in scene.members:
+        raise PhysicsError(f"'{text}' lies within what vibrates: it is no linear function of the coordinates",
+                           "ask for a place where something is attached")
     if is_load(configuration.spec, text):
         return opened.rows([term.force(scene) for term in scene.terms_of(name, "forces")])[0]
     if rates := weighted_rates(opened, name):
