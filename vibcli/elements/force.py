@@ -21,14 +21,12 @@ _AT = OneOf("the name of a point or body (name a place under `points`)",
 def _settle(record, reader):
     if "speed" in record.places and "unbalance" not in record.places:
         reader.report(record.place("speed"), "'speed' is that of an unbalance, and there is none", "leave it out")
-    for first, others in (("force", ("at",)), ("moment", ()), ("value", ("coordinate",)),
+    for first, others in (("force", ("at",)), ("moment", () if "at" in record.places else ("body",)), ("value", ("coordinate",)),
                           ("unbalance", ("at", "speed"))):
         for key in others if first in record.places else ():
             if key not in record.places:
                 reader.report(record.where, f"a force with '{first}' needs '{key}'",
                               f"{key}: {ELEMENT.fields[key].about}")
-    if "moment" in record.places and not {"at", "body"} & set(record.places):
-        reader.report(record.where, "a force with 'moment' needs 'body'", f"body: {ELEMENT.fields['body'].about}")
     if "carrier" in record and "force" not in record.places:
         reader.report(record.place("carrier"), "'carrier' turns a force with a body: here is no `force`",
                       "leave it out")

@@ -80,9 +80,13 @@ def built(name: str, scene: Any) -> Member | None:
 
 
 def _built(name, kind, record, scene):
+    before = len(scene.diagnostics)
+    if scene.spec.get("motion") == "full":
+        scene.report(record.where, f"'{name}' is linear about its drawn line: its motions are small ones",
+                     "leave out `motion: full`")
     segments = segments_of(record, kind, scene)
     places = places_of(name, record, segments, scene)
-    if scene.diagnostics:
+    if len(scene.diagnostics) > before:
         return Member(name, kind, record, segments, [])
     held = [_held(place, kind, scene) for place in places]
     stations = [_station(name, kind, place, motions, scene) for place, motions in zip(places, held, strict=True)]
@@ -132,11 +136,19 @@ def _station(name, kind, place, motions, scene):
     return Station(place.node, place.text, found[0], found[1] if kind.bends else None)
 
 
+def _tension(member, scene):
+    """The tension as drawn of a beam, zero where none is given, or of a string, which must be positive."""
+    if "preload" not in member.record:
+        return scene.table.zero
+    preload = member.record["preload"]
+    return scene.lower(preload) if member.kind.bends else scene.positive(preload, f"the tension of '{member.name}'")
+
+
 def _add_piece(member, segment, left, right, scene):
     """The springs of the piece between two stations, and the piece itself where it has inertia or drag."""
     table, kind = scene.table, member.kind
     length, ends = right.place - left.place, [*left.motions, *right.motions]
-    tension = scene.lower(member.record["preload"]) if "preload" in member.record else table.zero
+    tension = _tension(member, scene)
     if kind.bends:
         bending = segment.stiffness
         springs = springs_across(scene, length, bending, tension, segment.foundation, ends)

@@ -41,6 +41,9 @@ def _on_body(name, kind, scene):
         return scene.report(name.where, f"'{name.text}' has a place, and this member has none",
                             "lump the body, `slide: x` or `turn: phi`, or draw the member `from` a place `to` another")
     moves, motion = body.lumped
+    if scene.drifts(motion):
+        return scene.report(name.where, f"'{name.text}' moves on and on, and members have small motions about their "
+                            "drawn line", "hold the member to what rests or is shaken")
     if kind.bends:
         return [motion, zero] if moves == "slide" else [zero, motion]
     if (moves == "turn") != kind.torsional:

@@ -25,9 +25,9 @@ def _settle_end(record, reader):
                       "write `{clamped: girder, at: L1}`")
     if any(key in record for key in HOLDS) and any(key in record for key in ("k", "torsion", "c")):
         key = next(key for key in ("k", "torsion", "c") if key in record)
-        reader.report(record.place(key), f"'{key}' at an end that is held to something", "stand springs and dampers "
-                      "there under `springs` and `dampers`, at a point of the member")
-    if not record:
+        reader.report(record.place(key), f"'{key}' at an end that is held to something", "springs and dampers at "
+                      "a point of the member stand under `springs` and `dampers`")
+    if not record.places:
         reader.report(record.where, "expected what holds this end", "write free, clamped or {k: k}")
 
 

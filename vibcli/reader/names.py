@@ -3,14 +3,13 @@
 from typing import TYPE_CHECKING
 
 from vibcli.base import units
-from vibcli.base.diagnostics import quoted
-from vibcli.base.spelling import nearest
 from vibcli.language.dimension_check import check, check_whole_literal
 from vibcli.language.named_place import NamedPlace
 from vibcli.language.reader import Reader, Record
 from vibcli.language.record_calls import own
 from vibcli.language.sections.initial import RELEASED
 from vibcli.quantities.dimensions import asked_dimension
+from vibcli.reader.references import check_references
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.semantics import DimensionCheck, constant
 from vibcli.symbolic.syntax import NameRef
@@ -28,7 +27,7 @@ def settle(spec: "Spec", reader: Reader) -> "Spec":
     spec = spec._replace(dimensions=units.Dimensions(), coordinates=_coordinates(spec, reader), used=set(), counts={})
     if spec.get("records"):
         _records(spec, reader)
-    _references(spec, reader)
+    check_references(spec, reader)
     _named_places(spec, reader)
     _units_of_symbols(spec)
     if reader.members and reader.sound:
@@ -143,35 +142,6 @@ def _coordinates(spec, reader):
     return found
 
 
-def _references(spec, reader):
-    """Every reference must name something of its namespace; points and bodies share one namespace."""
-    spaces = {space: dict.fromkeys(spec.named.get(space, ())) for space in ("points", "bodies", "surfaces", "forces")}
-    spaces["members"] = dict.fromkeys(reader.members)
-    spaces |= {"ground": {"ground": None}, "coordinates": spec.coordinates}
-    for name, record in (spec.get("points") or {}).items():
-        if name in spaces["bodies"]:
-            reader.report(record.where, f"'{name}' is a point and a body", "rename one of them")
-    for name, namespaces, wants in reader.references:
-        if any(name.text in spaces[space] for space in namespaces) or (
-                namespaces == ("coordinates",) and not reader.sound):
-            continue
-        valid = [word for space in namespaces for word in spaces[space]]
-        if namespaces == ("bodies",) and name.text in spaces["points"]:
-            reader.report(name.where, f"'{name.text}' is a point, expected the name of a body",
-                          nearest(name.text, valid))
-            continue
-        if namespaces == ("points",) and name.text in spaces["bodies"]:
-            reader.report(name.where, f"'{name.text}' is a body, expected {wants}",
-                          "name the place under `points`, and draw both there")
-            continue
-        if name.text == "ground" and "points" in namespaces and "place" in wants:
-            reader.report(name.where, f"expected {wants}, found 'ground'", "a place on the ground is written [x, y]")
-            continue
-        kind = _KINDS.get(namespaces[0] if len(namespaces) == 1 else None, "point or body")
-        reader.report(name.where, f"there is no {kind} {quoted(name.text)}",
-                      nearest(name.text, valid) or f"expected {wants}")
-
-
 def _records(spec, reader):
     """A record is neither a parameter nor a coordinate. Its values have its unit; without one they are pure numbers, in
     a scene without units anything."""
@@ -203,9 +173,6 @@ def _named_places(spec, reader):
                           "give one of these points a place [x, y]")
         elif at is not place:
             place[:] = at
-
-
-_KINDS = {"points": "point", "surfaces": "surface", "forces": "force", "bodies": "body", "coordinates": "coordinate"}
 
 
 def _units_of_symbols(spec):

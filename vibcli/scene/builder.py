@@ -14,7 +14,7 @@ from vibcli.language.sections.initial import let_go
 from vibcli.scene.build_order import carriers_first
 from vibcli.scene.contents import Constraint, Contents
 from vibcli.scene.coordinates import SceneCoordinates
-from vibcli.scene.displacements import Displacements
+from vibcli.scene.displacements import Displacements, stays_bounded
 from vibcli.scene.energy_terms import AppliedLoad, Damper, Inerter, Inertia, Spring, Weight
 from vibcli.scene.expressions import Expressions
 from vibcli.scene.places import Frame, Places
@@ -143,6 +143,11 @@ class Builder:
     def add_spring(self, k: "Node", preload: "Node", s: "Node") -> None:
         """preload·s + ½·k·s² to V."""
         self.contents.springs.append(Spring(k, s, preload, self.owner))
+
+    def drifts(self, motion: "Node") -> bool:
+        """Is a motion driven, and not to and fro?"""
+        drives = self.displacements.driven
+        return any(x in drives and not stays_bounded(drives[x], self.time, self.sample) for x in gradient(motion))
 
     def owned(self, name: str, build: Callable):
         """What `build` gives, its terms being those of the element of that name."""
