@@ -5,11 +5,11 @@ follows from what arrives by the motion of the station that the end belongs to.
 """
 
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from vibcli.analyses.continuous.travelling_waves_curves import LEVELS, SAME, PiecewiseSeries
+from vibcli.analyses.continuous.travelling_waves_curves import LEVELS, SAME, Loads, PiecewiseSeries
 from vibcli.analyses.continuous.travelling_waves_fields import straight
 from vibcli.analyses.continuous.travelling_waves_march import WaveMarch, WavePiece
 from vibcli.analyses.continuous.travelling_waves_station import EPSILON, WaveEnd, WaveStation
@@ -17,51 +17,41 @@ from vibcli.base.work import Work
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.forcing import Forcing
+    from vibcli.analyses.excitation.linear_output import LinearOutput
 
 
-class WavePlace(NamedTuple):
-    """u of a piece at x from its left end, `along` of its derivatives by x and `rates` by the time."""
-
-    piece: int
-    x: float
-    along: int = 0
-    rates: int = 0
-
-
-class WaveOutput(NamedTuple):
-    """constant + Σ places + Σ coordinates, {(i, rates): factor}, + Σ of loads {channel: factor}."""
-
-    constant: float = 0.0
-    places: dict = {}
-    coordinates: dict = {}
-    channels: dict = {}
-
-
-class WaveMotion:
-    """M q̈ + C q̇ + K q + waves = f(t) from q(0) = q0, q̇(0) = v0.
+def wave_motion(M: np.ndarray, C: np.ndarray, K: np.ndarray, pieces: Sequence[WavePiece], forcing: "Forcing",
+                q0: np.ndarray, v0: np.ndarray, fields: "Sequence[Forcing | None] | None" = None,
+                work: Work | None = None) -> "WaveMotion":
+    """M q̈ + C q̇ + K q + what waves bring = f(t), from q(0) = q0 and q̇(0) = v0.
 
     forcing: its first n channels are the forces on the coordinates; fields: for each piece u(x) and u̇(x) at the start
     as a Forcing over x with two channels, None where it is at rest, straight between its ends.
     """
+    q0, v0, n, work = np.asarray(q0, float), np.asarray(v0, float), len(q0), work or Work()
+    shapes = [_straight(piece, q0) if field is None else field
+              for piece, field in zip(pieces, fields or [None] * len(pieces), strict=True)]
+    stations = [_station(group, (M, C, K), pieces, q0, v0) for group in _groups(n, (M, C, K), pieces)]
+    stations += [_held(number, pieces) for number in range(2 * len(pieces)) if not _end(pieces, number)[0]]
+    return WaveMotion(WaveMarch(pieces, stations, shapes, forcing, n, work), forcing, work)
 
-    def __init__(self, M: np.ndarray, C: np.ndarray, K: np.ndarray, pieces: Sequence[WavePiece], forcing: "Forcing",
-                 q0: np.ndarray, v0: np.ndarray, fields: "Sequence[Forcing | None] | None" = None,
-                 work: Work | None = None):
-        n, self.pieces, self.forcing, self.work = len(q0), tuple(pieces), forcing, work or Work()
-        q0, v0 = np.asarray(q0, float), np.asarray(v0, float)
-        shapes = [self._field(piece, field, q0) for piece, field in
-                  zip(pieces, fields or [None] * len(pieces), strict=True)]
-        stations = [_station(group, (M, C, K), self.pieces, q0, v0) for group in _groups(n, (M, C, K), self.pieces)]
-        stations += [_held(number, self.pieces) for number in range(2 * len(pieces)) if not _end(pieces, number)[0]]
-        self.march = WaveMarch(self.pieces, stations, shapes, forcing, n, self.work)
 
-    def _field(self, piece, field, q0):
-        if field is not None:
-            return field
-        left, right = (sum(x * q0[i] for i, x in row.items()) for row, _ in (piece.left, piece.right))
-        return straight(left, right, piece.length)
+def _straight(piece, q0):
+    left, right = (sum(x * q0[i] for i, x in row.items()) for row, _ in (piece.left, piece.right))
+    return straight(left, right, piece.length)
 
-    def values(self, output: WaveOutput, times: np.ndarray, order: int = 0, before: bool = False) -> np.ndarray:
+
+class WaveMotion:
+    """The motion of what waves travel through, read by LinearOutputs; forcing: that whose channels these read."""
+
+    def __init__(self, march: WaveMarch, forcing: "Forcing", work: Work):
+        self.march, self.pieces, self.forcing, self.work = march, march.pieces, forcing, work
+
+    def under(self, forcing: "Forcing") -> "WaveMotion":
+        """The same motion, whose outputs read further channels of the loads."""
+        return WaveMotion(self.march, forcing, self.work)
+
+    def values(self, output: "LinearOutput", times: np.ndarray, order: int = 0, before: bool = False) -> np.ndarray:
         """The order-th rate of the output at instants; at a front that after it, or before it."""
         times = np.asarray(times, float)
         t = times.ravel()
@@ -69,13 +59,27 @@ class WaveMotion:
         found = np.full(len(t), output.constant if not order else 0.0)
         for factor, curve, level, delay in self._terms(output, order):
             found += factor * curve.at(t - delay, level, SAME * np.maximum(t, self._slack), before)
-        return found.reshape(times.shape)
+        return (found + self._direct(output, t, order, before)).reshape(times.shape)
+
+    def _direct(self, output, t, order, before):
+        """What loads add of themselves."""
+        if not output.channels:
+            return 0.0
+        loads = Loads(self.forcing.channels, self.forcing.segments(float(t.max(initial=0.0)) * (1 + 2 * SAME),
+                                                                   self.work))
+        place = np.searchsorted(loads.starts, t * (1 + (-SAME if before else SAME)), "left" if before else "right") - 1
+        found = np.zeros(len(t))
+        for number in np.unique(np.maximum(place, 0)).tolist():
+            here = np.maximum(place, 0) == number
+            waves = loads.at(number, loads.starts[number], t[here] - loads.starts[number], order)
+            found[here] = sum(factor * waves[channel] for channel, factor in output.channels.items())
+        return found
 
     @property
     def _slack(self):
         return SAME * float(min(self.march.delays, default=0.0))
 
-    def errors(self, output: WaveOutput, times: np.ndarray, order: int = 0) -> np.ndarray:
+    def errors(self, output: "LinearOutput", times: np.ndarray, order: int = 0) -> np.ndarray:
         """How far the same values may be off by rounding: that of each stretch so far, and of the instant."""
         t = np.asarray(times, float)
         self.march.reach(t.max(initial=0.0))
@@ -86,13 +90,15 @@ class WaveMotion:
             found += EPSILON * abs(factor) * ((16 + 4 * count) * curve.scale[level] + 4 * t * faster)
         return found
 
-    def breaks(self, output: WaveOutput, until: float) -> np.ndarray:
+    def breaks(self, output: "LinearOutput", until: float) -> np.ndarray:
         """The instants between which the output is one series, ascending."""
         self.march.reach(until)
         found = [curve.starts + delay for _, curve, _, delay in self._terms(output, 0)]
+        if output.channels:
+            found.append(np.array([piece.start for piece in self.forcing.segments(until, self.work)]))
         return np.unique(np.concatenate([np.zeros(1), *found]))
 
-    def fronts(self, output: WaveOutput, until: float) -> list[tuple[float, float, float]]:
+    def fronts(self, output: "LinearOutput", until: float) -> list[tuple[float, float, float]]:
         """(t, value before, value after) of the instants at which the output leaps."""
         at = self.breaks(output, until)
         at = at[(at > 0) & (at <= until)]
@@ -105,8 +111,9 @@ class WaveMotion:
 
     def _terms(self, output, order) -> Iterable[tuple[float, PiecewiseSeries, int, float]]:
         """(factor, curve, which of its rates, how much later) of all in an output."""
-        for (i, rates), factor in output.coordinates.items():
-            yield factor, self.march.coordinates[i], rates + order, 0.0
+        for rates, factors in enumerate((output.q, output.v, output.a)):
+            for i, factor in factors.items():
+                yield factor, self.march.coordinates[i], rates + order, 0.0
         for place, factor in output.places.items():
             piece, speed = self.pieces[place.piece], self.pieces[place.piece].speed
             scale, level = factor / speed**place.along, place.along + place.rates + order

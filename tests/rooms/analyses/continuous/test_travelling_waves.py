@@ -8,12 +8,14 @@ import numpy as np
 import pytest
 
 from vibcli.analyses.continuous import travelling_waves_march
-from vibcli.analyses.continuous.travelling_waves import WaveMotion, WaveOutput, WavePlace
+from vibcli.analyses.continuous.travelling_waves import wave_motion
 from vibcli.analyses.continuous.travelling_waves_march import WavePiece
-from vibcli.analyses.continuous.travelling_waves_search import extreme, zeros
+from vibcli.analyses.continuous.travelling_waves_search import extreme, stretches, zeros
 from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
+from vibcli.analyses.excitation.linear_output import FieldPoint, LinearOutput
 from vibcli.base.errors import PhysicsError
+from vibcli.base.work import Work
 
 HELD = ({}, None)
 
@@ -29,16 +31,20 @@ def rest(channels=1):
 def one_bar(mass=0.0, damper=0.0, pulled=1.0, field=None, length=1.0, tension=1.0, inertia=1.0):
     """A bar, its left end clamped, a mass and a damper at its right end, pulled there and let go."""
     piece = WavePiece(length, tension, inertia, HELD, at(0))
-    return WaveMotion(np.diag([mass]), np.diag([damper]), np.zeros((1, 1)), [piece], rest(), np.array([pulled]),
+    return wave_motion(np.diag([mass]), np.diag([damper]), np.zeros((1, 1)), [piece], rest(), np.array([pulled]),
                       np.zeros(1), [field])
 
 
 def u(i, rates=0):
-    return WaveOutput(coordinates={(i, rates): 1.0})
+    return LinearOutput(**{"qva"[rates]: {i: 1.0}})
 
 
 def strain(x, piece=0):
-    return WaveOutput(places={WavePlace(piece, x, 1): 1.0})
+    return LinearOutput(places={FieldPoint(piece, x, 1): 1.0})
+
+
+def along(motion, output, end):
+    return stretches(lambda times: motion.values(output, times), motion.breaks(output, end), 0.0, end, Work())
 
 
 def test_bar_with_an_equal_mass_pulled_and_let_go():
@@ -48,10 +54,10 @@ def test_bar_with_an_equal_mass_pulled_and_let_go():
     later = np.linspace(1, 3, 301)
     assert np.abs(motion.values(strain(0.0), later) - (2 * np.exp(1 - later) - 1)).max() <= 1e-14
     assert motion.values(strain(0.0), np.array([0.5]))[0] == 1.0
-    t, least = extreme(motion, u(0), 0.0, 10.0, -1)
+    t, least = extreme(along(motion, u(0), 10.0), -1)
     assert abs(motion.values(u(0, 1), np.array([t]))[0]) < 1e-12
     assert least == pytest.approx(motion.values(u(0), np.linspace(0, 10, 4001)).min(), abs=1e-6)
-    assert zeros(motion, u(0), 0.0, 2.0) == pytest.approx([float(mpmath.findroot(
+    assert zeros(along(motion, u(0), 2.0), 2.0) == pytest.approx([float(mpmath.findroot(
         lambda x: 2 - x - mpmath.exp(-x), 1.8))], abs=1e-14)
 
 
@@ -62,7 +68,8 @@ def test_matched_damper_ends_the_motion(length, tension, inertia):
     end = 2 * length * sqrt(inertia / tension)
     for x in (0.0, 0.3 * length, length):
         for along in (0, 1):
-            found = motion.values(WaveOutput(places={WavePlace(0, x, along): 1.0}), end * np.array([0.4, 1.0, 1.5, 7.3]))
+            place = LinearOutput(places={FieldPoint(0, x, along): 1.0})
+            found = motion.values(place, end * np.array([0.4, 1.0, 1.5, 7.3]))
             assert not found[1:].any()
             assert found[0] or not (x or along)
 
@@ -80,7 +87,7 @@ def test_plucked_string_is_the_mean_of_two_that_run():
     field = Forcing(2, [Segment(0.0, (Wave(0, 1 / a, 1, 0j),)),
                         Segment(a, (Wave(0, 1.0, 0, 0j), Wave(0, -1 / (1 - a), 1, 0j)))])
     none = np.zeros((0, 0))
-    motion = WaveMotion(none, none, none, [WavePiece(1.0, 4.0, 1.0, HELD, HELD)], rest(0), np.zeros(0), np.zeros(0),
+    motion = wave_motion(none, none, none, [WavePiece(1.0, 4.0, 1.0, HELD, HELD)], rest(0), np.zeros(0), np.zeros(0),
                         [field])
 
     def odd(x):
@@ -88,7 +95,7 @@ def test_plucked_string_is_the_mean_of_two_that_run():
         return np.sign(x) * np.minimum(np.abs(x) / a, (1 - np.abs(x)) / (1 - a))
 
     for x in (0.1, 0.3, 0.85):
-        place = WaveOutput(places={WavePlace(0, x): 1.0})
+        place = LinearOutput(places={FieldPoint(0, x): 1.0})
         assert np.abs(motion.values(place, times) - (odd(x - c * times) + odd(x + c * times)) / 2).max() < 1e-13
     sharp = motion.fronts(strain(0.3), 1.0)
     assert [t for t, *_ in sharp] == pytest.approx([0.3, 0.7])
@@ -103,11 +110,11 @@ def test_bar_against_a_wall_and_bar_against_bar():
     pieces = [WavePiece(1.0, 1.0, 1.0, at(0), at(1)), WavePiece(1.0, 1.0, 1.0, at(1), at(2))]
     nothing = np.zeros((3, 3))
     right = Forcing(2, [Segment(0.0, (Wave(1, 1.0, 0, 0j),))])
-    struck = WaveMotion(nothing, nothing, nothing, pieces, rest(3), np.zeros(3), np.zeros(3), [right, None])
+    struck = wave_motion(nothing, nothing, nothing, pieces, rest(3), np.zeros(3), np.zeros(3), [right, None])
     inside = np.array([0.25, 0.75])
     for piece, speed in ((0, 0.0), (1, 1.0)):       # at t = 2 the struck bar has all the velocity
         for x in inside:
-            rate = WaveOutput(places={WavePlace(piece, x, 0, 1): 1.0})
+            rate = LinearOutput(places={FieldPoint(piece, x, 0, 1): 1.0})
             assert struck.values(rate, np.array([2.0])) == pytest.approx([speed], abs=1e-14)
 
 
@@ -115,7 +122,7 @@ def test_mass_that_hits_a_bar():
     """M v̇ = −Z v until the wave is back: v = e^{−Zt/M} (Saint-Venant)."""
     piece, mass = WavePiece(2.0, 9.0, 1.0, at(0), at(1)), 0.7
     nothing = np.zeros((2, 2))
-    motion = WaveMotion(np.diag([mass, 0.0]), nothing, nothing, [piece], rest(2), np.zeros(2), np.array([1.0, 0.0]))
+    motion = wave_motion(np.diag([mass, 0.0]), nothing, nothing, [piece], rest(2), np.zeros(2), np.array([1.0, 0.0]))
     times = np.linspace(0, 2 * 2.0 / 3.0 * 0.999, 50)
     assert np.abs(motion.values(u(0, 1), times) - np.exp(-3.0 * times / mass)).max() < 1e-14
     assert motion.values(strain(2.0), np.linspace(0, 3, 50)) == pytest.approx(np.zeros(50), abs=1e-14)
@@ -135,8 +142,8 @@ def energy(motion, t, masses):
         for a, b in pairwise(cuts):
             for node, weight in zip(x, w, strict=True):
                 place = piece.length * (a + (b - a) * (1 + node) / 2)
-                rate, slope = (motion.values(WaveOutput(places={WavePlace(number, place, *kind): 1.0}), np.array([t]))[0]
-                               for kind in ((0, 1), (1, 0)))
+                rate, slope = (float(motion.values(LinearOutput(places={FieldPoint(number, place, *kind): 1.0}),
+                                                   np.array([t]))[0]) for kind in ((0, 1), (1, 0)))
                 total += piece.length * (b - a) / 4 * weight * (piece.inertia * rate**2 + piece.tension * slope**2)
     return total
 
@@ -145,7 +152,7 @@ def test_shaft_with_discs_keeps_its_energy_and_momentum():
     pieces = [WavePiece(1.0, 3.0, 1.0, at(0), at(1)), WavePiece(sqrt(2.0), 2.0, 0.5, at(1), at(2))]
     masses = {0: 0.8, 1: 0.3, 2: 1.1}
     nothing = np.zeros((3, 3))
-    motion = WaveMotion(np.diag(list(masses.values())), nothing, nothing, pieces, rest(3), np.array([0.0, 0.2, -0.1]),
+    motion = wave_motion(np.diag(list(masses.values())), nothing, nothing, pieces, rest(3), np.array([0.0, 0.2, -0.1]),
                         np.array([1.0, 0.0, 0.0]))
     first = 0.5 * 0.8 + 0.5 * 3.0 * 0.2**2 + 0.5 * 2.0 * 0.3**2 / sqrt(2.0)
     for t in (0.9, 4.4):
@@ -155,14 +162,14 @@ def test_shaft_with_discs_keeps_its_energy_and_momentum():
 def test_moved_support():
     piece = WavePiece(1.0, 1.0, 1.0, ({}, 1), at(0))
     zero = np.zeros((1, 1))
-    swing = WaveMotion(zero, zero, zero, [piece], Forcing(2, [Segment(0.0, (Wave(1, -1j, 0, 2j),))]), np.zeros(1),
+    swing = wave_motion(zero, zero, zero, [piece], Forcing(2, [Segment(0.0, (Wave(1, -1j, 0, 2j),))]), np.zeros(1),
                        np.zeros(1))
     times = np.array([0.5, 1.5, 2.5])
     assert swing.values(u(0), times) == pytest.approx(np.where(times > 1, 2 * np.sin(2 * (times - 1)), 0.0), abs=1e-15)
-    leap = WaveMotion(zero, zero, zero, [piece], Forcing(2, [Segment(0.0), Segment(0.5, (Wave(1, 1.0, 0, 0j),))]),
+    leap = wave_motion(zero, zero, zero, [piece], Forcing(2, [Segment(0.0), Segment(0.5, (Wave(1, 1.0, 0, 0j),))]),
                       np.zeros(1), np.zeros(1))
     assert leap.values(u(0), np.array([1.4, 1.6, 3.4, 3.6])) == pytest.approx([0.0, 2.0, 2.0, 0.0])
-    assert leap.values(WaveOutput(places={WavePlace(0, 0.0): 1.0}), np.array([0.4, 0.6, 2.4, 2.6])) == pytest.approx(
+    assert leap.values(LinearOutput(places={FieldPoint(0, 0.0): 1.0}), np.array([0.4, 0.6, 2.4, 2.6])) == pytest.approx(
         [0.0, 1.0, 1.0, 1.0])
 
 
@@ -175,7 +182,7 @@ def two_bars(m, M, segment):
     k = CARRIED[1]
     K = np.array([[SPRING, 0.0, 0.0], [0.0, k, -k], [0.0, -k, k]])
     pieces = [WavePiece(*FIRST, HELD, at(0)), WavePiece(*SECOND, at(0), at(1))]
-    return WaveMotion(np.diag([m, M, CARRIED[0]]), np.diag([0.0, DAMPER, 0.0]), K, pieces, Forcing(3, [segment]),
+    return wave_motion(np.diag([m, M, CARRIED[0]]), np.diag([0.0, DAMPER, 0.0]), K, pieces, Forcing(3, [segment]),
                       np.zeros(3), np.zeros(3))
 
 
@@ -259,7 +266,7 @@ def test_many_reflections_stay_exact_and_too_many_are_given_up(monkeypatch):
     pieces = [WavePiece(sqrt(k), 1.0, float(k), at(i), at(i + 1)) for i, k in enumerate((1, 2, 3, 5, 7, 11))]
     monkeypatch.setattr(travelling_waves_march, "MOST", 400)
     nothing = np.zeros((7, 7))
-    many = WaveMotion(nothing, nothing, nothing, pieces, rest(7), np.arange(7.0)**2, np.zeros(7))
+    many = wave_motion(nothing, nothing, nothing, pieces, rest(7), np.arange(7.0)**2, np.zeros(7))
     with pytest.raises(NotByWaves, match="fronts in this scene multiply"):
         many.values(u(3), np.array([1e4]))
 
@@ -267,7 +274,7 @@ def test_many_reflections_stay_exact_and_too_many_are_given_up(monkeypatch):
 def test_a_blow_on_what_nothing_holds_back_is_refused():
     piece = WavePiece(1.0, 1.0, 1.0, HELD, at(0))
     K = np.array([[1.0, -1.0], [-1.0, 2.0]])
-    motion = WaveMotion(np.zeros((2, 2)), np.zeros((2, 2)), K, [piece], Forcing(2, [Segment(0.0, (), ((1, 1.0),))]),
+    motion = wave_motion(np.zeros((2, 2)), np.zeros((2, 2)), K, [piece], Forcing(2, [Segment(0.0, (), ((1, 1.0),))]),
                         np.zeros(2), np.zeros(2))
     with pytest.raises(PhysicsError, match="displaced without bound"):
         motion.values(u(0), np.array([1.0]))
