@@ -73,16 +73,6 @@ class ModalAnalysis:
 
         return self._sequence(self.solved(damped_modes, elements, lambda: self.modes, *self.configuration.sources))
 
-    @property
-    def shown(self) -> "list[Mode]":
-        """The modes that are printed: all where they have an end and nobody says how many."""
-        return self.modes.shown()
-
-    @property
-    def shown_damped(self) -> "list[DampedMode] | None":
-        """The damped modes that are printed; None where nothing damps."""
-        return None if self.damped is None else self.damped.shown()
-
     def _sequence(self, found):
         """The Modes of a list of them, or of what finds modes without end; None of None."""
         if found is None or isinstance(found, list):
@@ -129,9 +119,8 @@ class ModalAnalysis:
         return estimated_steps(len(self.spec.coordinates), digits, damped)
 
     def to_digits(self, digits: int):
-        """(modes, damped modes) that are printed, recomputed to so many correct digits."""
-        damped = self.damped_to(digits)
-        return self.modes_to(digits).shown(), None if damped is None else damped.shown()
+        """(modes, damped modes) recomputed to so many correct digits."""
+        return self.modes_to(digits), self.damped_to(digits)
 
     def modes_to(self, digits: int) -> Modes:
         """The modes of the system without its dampers, recomputed to so many correct digits; found once."""

@@ -58,11 +58,11 @@ class Modes(Sequence):
             raise _endless()
         return self._until(last)[place]
 
-    def first(self, count: int) -> "list[Mode | DampedMode]":
+    def first(self, count: int) -> list[Any]:
         """Those up to the index `count`, fewer where there are no more."""
         return self.numbered(1, count)
 
-    def numbered(self, first: int, last: int) -> "list[Mode | DampedMode]":
+    def numbered(self, first: int, last: int) -> list[Any]:
         """Those of the indices from `first` to `last`, fewer where there are no more."""
         if not self.finite:
             if last - first >= MOST:
@@ -74,13 +74,13 @@ class Modes(Sequence):
             self._until(last)
         return [mode for mode in self._known if first <= mode.index <= last]
 
-    def up_to(self, Omega: float) -> "list[Mode | DampedMode]":
+    def up_to(self, Omega: float) -> list[Any]:
         """All with ω ≤ Omega, those that grow and the rigid ones among them."""
         if self.finite:
-            return [mode for mode in self._known if not mode.omega or mode.omega <= Omega]
+            return [mode for mode in self._known if not mode.omega or mode.omega * (1 - mode.error) <= Omega]
         return self.first(self._solved(self._source.count, Omega))
 
-    def shown(self, asked: Selection | None = None) -> "list[Mode | DampedMode]":
+    def shown(self, asked: Selection | None = None) -> list[Any]:
         """Those asked for; else all, or without end those that grow, the rigid ones and five more."""
         if asked is not None:
             return self.numbered(asked.first, asked.last) if asked.up_to is None else self.up_to(asked.up_to)

@@ -31,7 +31,8 @@ def ritz(problem: "Problem", report: "Report"):
             yield from grid(title, columns, figure)
         held = weights(problem.configuration.linear_system)
         yield from section(f"Shapes of the estimates ({WORDS[report.normalise]})", *shapes(
-            problem.scene.coordinates, [normalised(mode.shape, report.normalise, held) for mode in found.modes]))
+            problem.scene.coordinates, [mode.index for mode in found.modes],
+            [normalised(mode.shape, report.normalise, held) for mode in found.modes]))
 
 
 def _row(mode):

@@ -152,16 +152,17 @@ def frequency_columns(curves: Sequence[SampledCurve]) -> "list[tuple[str, str, n
     return [("Omega", "rad/s", curves[0].Omega), *((curve.name, curve.unit, curve.values) for curve in curves)]
 
 
-def eigenvalue_figure(problem: "Problem") -> "Figure":
+def eigenvalue_figure(problem: "Problem", wanted: "Wanted | None" = None) -> "Figure":
     """The eigenvalues in the complex plane, those of the undamped system where nothing damps."""
     from vibcli.plots.eigenvalues import argand
+    from vibcli.report.sections.shown_modes import shown, shown_damped
 
     if problem.numeric.has_free_symbols:
         raise PhysicsError("eigenvalues are plotted in numbers", "give the parameters values with --set")
     found = []
-    values = [(mode.index, complex(mode.eigenvalue)) for mode in problem.modal.shown_damped or ()] or [
+    values = [(mode.index, complex(mode.eigenvalue)) for mode in shown_damped(problem, wanted) or ()] or [
         (mode.index, complex(float(mode.growth_rate or 0.0), float(mode.omega or 0.0)))
-        for mode in problem.modal.shown]
+        for mode in shown(problem, wanted)]
     for index, value in values:
         found.append((value, str(index)))
         if value.imag:

@@ -10,16 +10,18 @@ from vibcli.report.blocks import Section, TableBlock, equations, line, paragraph
 from vibcli.report.keys import Key, data
 from vibcli.report.sections.equilibrium import EQUILIBRIUM
 from vibcli.report.sections.mode_tables import damped_row, mode_row, polar, repeated, shapes
+from vibcli.report.sections.shown_modes import shown, shown_damped
 
 if TYPE_CHECKING:
     from vibcli.report.document import Report
+    from vibcli.report.wanted import Wanted
     from vibcli.results.problem import Problem
 
 WITHOUT_DAMPERS = "without its dampers nothing would hold what has no inertia in this scene"
 DAMPED = "Damped modes (eigenvalue λ: ω = |λ|, ζ = −Re λ/|λ|, decay = −Re λ = ζω, log. decrement = 2πζ/√(1−ζ²))"
 
 
-def frequencies(problem: "Problem", _: "Report") -> Iterator[Section]:
+def frequencies(problem: "Problem", report: "Report") -> Iterator[Section]:
     if problem.numeric.has_free_symbols:
         yield from _frequencies_in_letters(problem)
         return
@@ -27,8 +29,9 @@ def frequencies(problem: "Problem", _: "Report") -> Iterator[Section]:
         yield from section("Natural frequencies", paragraph("none are told: " + WITHOUT_DAMPERS))
         return
     modal = problem.modal
-    shown, same = modal.shown, repeated(modal.shown)
-    rows = [mode_row(mode, modal.zero_modes.get(mode.index), mode.index in same) for mode in shown]
+    found = shown(problem, report.wanted)
+    same = repeated(found)
+    rows = [mode_row(mode, modal.zero_modes.get(mode.index), mode.index in same) for mode in found]
     damped = "of the undamped system" if modal.damped else "undamped"
     head = ("mode", "ω [rad/s]", "f [Hz]", "T [s]", "relative error ≤", "")
     yield from section(f"Natural frequencies ({damped})", TableBlock(head, tuple(rows)), _form(problem))
@@ -59,11 +62,11 @@ def _frequencies_in_letters(problem):
     yield from section("Damping", *damping_blocks(forms))
 
 
-def damping(problem: "Problem", _: "Report") -> Iterator[Section]:
+def damping(problem: "Problem", report: "Report") -> Iterator[Section]:
     if problem.numeric.has_free_symbols or problem.modal.damped is None:
         return
     head = ("mode", "ω [rad/s]", "ζ", "ω_d [rad/s]", "T_d [s]", "decay [1/s]", "relative error ≤", "")
-    yield from section(DAMPED, TableBlock(head, tuple(map(damped_row, problem.modal.shown_damped))))
+    yield from section(DAMPED, TableBlock(head, tuple(map(damped_row, shown_damped(problem, report.wanted)))))
 
 
 def modes(problem: "Problem", report: "Report") -> Iterator[Section]:
@@ -77,10 +80,11 @@ def modes(problem: "Problem", report: "Report") -> Iterator[Section]:
             yield from section("Mode shapes (the first coordinate that moves is 1)",
                                *shape_blocks(problem, names, problem.closed_forms))
         return
-    if problem.modal.shown:
-        yield from _shapes(problem, report, problem.modal.shown, f"Mode shapes ({WORDS[report.normalise]})")
+    if problem.modal.modes:
+        yield from _shapes(problem, report, shown(problem, report.wanted), f"Mode shapes ({WORDS[report.normalise]})")
     if problem.modal.damped is not None:
-        one_each = {mode.index: mode for mode in reversed(problem.modal.shown_damped)}    # two eigenvalues, one shape
+        damped = shown_damped(problem, report.wanted)
+        one_each = {mode.index: mode for mode in reversed(damped)}       # two eigenvalues have one shape
         yield from _shapes(problem, report, [one_each[i] for i in sorted(one_each)],
                            f"Shapes of the damped modes ({WORDS[report.normalise]})", only_complex=True)
 
@@ -89,10 +93,11 @@ def _shapes(problem, report, modes, title, only_complex=False):
     names = problem.scene.coordinates
     found = [problem.modal.shape(mode, report.normalise) for mode in modes]
     out_of_phase = any(abs(complex(value).imag) > 1e-9 * abs(value) for shape in found for value in shape)
+    numbers = [mode.index for mode in modes]
     if out_of_phase:
-        yield from section(f"{title}, amplitude ∠ phase", *shapes(names, found, polar))
+        yield from section(f"{title}, amplitude ∠ phase", *shapes(names, numbers, found, polar))
     elif not only_complex:
-        yield from section(title, *shapes(names, found))
+        yield from section(title, *shapes(names, numbers, found))
 
 
 MODES = Key("modes", "a list: modes of the system without its dampers, by ascending omega, unstable ones first", each=(
@@ -121,7 +126,7 @@ POLYNOMIAL = Key("characteristic_polynomial", "in letters only: factors in λ = 
 
 
 def frequencies_data(problem: "Problem", normalise: str = "first",
-                     digits: int | None = None) -> dict[str, Any]:
+                     digits: int | None = None, wanted: "Wanted | None" = None) -> dict[str, Any]:
     """What `vibcli frequencies --json` prints."""
     from vibcli.report.sections.equations_of_motion import MATRICES
     from vibcli.report.sections.statics import REACTIONS
@@ -132,12 +137,14 @@ def frequencies_data(problem: "Problem", normalise: str = "first",
         closed = _closed_forms(problem)
         return found | data((MODES, DAMPED_MODES, *[POLYNOMIAL] * (POLYNOMIAL.name in closed)), closed)
     if digits is None:
-        modes = _modes(problem, problem.modal.shown, problem.modal.shown_damped, normalise, tau)
+        modes = _modes(problem, shown(problem, wanted), shown_damped(problem, wanted), normalise, tau)
         return found | data((MODES, DAMPED_MODES), modes)
     import mpmath
 
     with mpmath.workdps(digits + 15):
-        modes = _modes(problem, *problem.modal.to_digits(digits), normalise, 2 * mpmath.pi)
+        still, damped = problem.modal.to_digits(digits)
+        modes = _modes(problem, shown(problem, wanted, still), shown_damped(problem, wanted, damped), normalise,
+                       2 * mpmath.pi)
         return found | data((MODES, DAMPED_MODES), modes, digits)
 
 
