@@ -17,14 +17,20 @@ from vibcli.mechanics.factored_system import summed
 
 if TYPE_CHECKING:
     from vibcli.analyses.modal.damped_modes import DampedMode
+    from vibcli.analyses.modal.mode_sequence import ModeSource
 
 
 def natural_modes(elements: Any, precise: Callable | None = None, exact: Callable | None = None,
-                  digits: int | None = None) -> list[Mode]:
+                  digits: int | None = None) -> "list[Mode] | ModeSource":
     """The modes of the system without its dampers: those that grow, the rigid ones, the others by ascending ω.
 
-    What decays is left out where it only mirrors what grows: where there is no G, or K is symmetric.
+    What decays is left out where it only mirrors what grows: where there is no G, or K is symmetric. With members that
+    have inertia it is what finds modes without end.
     """
+    if any(placed.piece.inertia for placed in elements.pieces):
+        from vibcli.analyses.continuous.mode_source import NaturalModes
+
+        return NaturalModes(elements, precise, digits)
     sources = _changed(_still, elements, precise, exact)
     if form_of(sources[0]) == SQUARES:
         return undamped(elements, precise=precise, digits=digits)

@@ -1,0 +1,149 @@
+"""The natural modes of a scene with continuous members, as they are asked for: without end, none missed."""
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+from vibcli.analyses.continuous.brackets import KnownCounts
+from vibcli.analyses.continuous.counting import count
+from vibcli.analyses.continuous.natural_frequencies import SURE, NaturalFrequency, better, natural_frequencies
+from vibcli.analyses.continuous.rigid_motions import rigid_count, rigid_shapes
+from vibcli.analyses.continuous.system import continuous_system
+from vibcli.analyses.modal.undamped import Mode
+from vibcli.base.errors import PhysicsError
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.factored_system import FactoredSystem
+
+PRECISE = 40        # digits where floats do not tell
+DEEPER = 40, 80, 160
+NEVER_BELOW = 2.0 ** -53
+
+
+class NaturalModes:
+    """A ModeSource: `numbered(first, last)` and `count(Omega)` of the system without its dampers.
+
+    precise(dps): the same elements to so many digits, or None; digits: so many are asked for, as numbers of mpmath.
+    """
+
+    def __init__(self, elements: "FactoredSystem", precise: Callable | None = None, digits: int | None = None):
+        if elements.circulatory:
+            raise PhysicsError("modes of members are not found where forces follow what they act on",
+                               "take the force along a fixed direction, or make the member massless")
+        self.elements, self.precise, self.digits = elements, precise, digits
+        self.floor = rigid_count(elements)
+        self._samples: dict[int | None, KnownCounts] = {}
+        if any(elements.G.values()):
+            self._check_held()
+
+    def numbered(self, first: int, last: int) -> list[Mode]:
+        """The modes with an index from first to last."""
+        found = self._rigid(first, last)
+        start = max(first, (self.floor or 0) + 1)
+        if start > last:
+            return found
+        if self.digits is not None:
+            roots = self._precise_roots(start, last, {}, 10.0 ** -self.digits)
+        else:
+            roots = natural_frequencies(self._at(None), start, last, self.floor)
+            for low, high in _runs([i for i in range(start, last + 1) if _doubtful(roots, i)]):
+                roots |= self._precise_roots(low, high, roots, SURE)
+        return found + [self._mode(roots[i]) for i in range(start, last + 1)]
+
+    def count(self, Omega: float) -> int:
+        """How many have ω ≤ Omega, those that grow and the rigid ones among them."""
+        z = Omega * Omega * (1 + 1e-15)
+        counts = self._at(None)
+        found = count(counts.system, counts.system.numbers([z]))
+        return int(found.below[0])
+
+    def _at(self, digits):
+        """The KnownCounts in floats or in so many digits."""
+        if digits not in self._samples:
+            self._samples[digits] = KnownCounts(continuous_system(_in_digits(self.elements, self.precise, digits), digits))
+        return self._samples[digits]
+
+    def _precise_roots(self, first, last, roots, goal) -> dict[int, NaturalFrequency]:
+        """Roots in more digits, until their bounds are below the goal."""
+        found: dict[int, NaturalFrequency] = {}
+        for more in DEEPER:
+            digits = more + (self.digits or 0)
+            with working(digits):
+                counts = self._at(digits)
+                for i in range(first, last + 1):
+                    if i in roots:
+                        counts.add([counts.system.number(roots[i].z) * (1 + side * 1e-8) for side in (-1, 1)])
+                found = better(found, natural_frequencies(counts, first, last, self.floor))
+            if all(i in found and found[i].error < goal for i in range(first, last + 1)):
+                return found
+        raise PhysicsError("the frequencies are so close to one another, or the data so far apart, that digits do not "
+                           "tell them", "look for stiffnesses of very different size")
+
+    def _rigid(self, first, last):
+        if not self.floor or first > self.floor:
+            return []
+        counts = self._at(None)
+        shapes = rigid_shapes(self.elements, counts.system, self.floor)
+        return [self._mode(NaturalFrequency(i, 0.0, 0.0, shapes[:, i - 1], counts.system))
+                for i in range(first, min(last, self.floor) + 1)]
+
+    def _mode(self, root):
+        """A root as a Mode, in floats unless digits are asked for."""
+        n, digits = self.elements.n, self.digits
+        with working((digits or 16) + DEEPER[0]):
+            size = abs(root.z) ** 0.5 if digits is None or not root.z else _root(root.z)
+        number = float if digits is None else lambda x: x
+        rate, error = number(size), root.error if digits is not None else max(root.error, NEVER_BELOW)
+        shape = root.shape[:n] if digits is not None else root.shape[:n].astype(
+            complex if root.shape.dtype.kind == "c" else float)
+        rates = (None, rate) if root.z < 0 else (rate, None)
+        return Mode(root.index, *rates, shape, shape, error if root.z else 0.0, root)
+
+    def _check_held(self):
+        """Gyroscopic terms leave the count what it is only where nothing grows or moves freely without them."""
+        counts = self._at(None)
+        if self.floor != 0 and count(counts.system, counts.system.numbers([0])).above[0]:
+            raise PhysicsError("modes of members beside gyroscopic terms are counted only where every motion is held "
+                               "by a positive stiffness", "hold what is free, or take the turning out")
+
+
+def _doubtful(roots, i):
+    """Is a root not known, not proved, or not told apart from a neighbour?"""
+    if i not in roots or not roots[i].error < SURE:
+        return True
+    return any(abs(roots[j].z - roots[i].z) <= 2 * (roots[i].error + roots[j].error) * abs(roots[i].z)
+               for j in (i - 1, i + 1) if j in roots)
+
+
+def _runs(numbers):
+    """The (first, last) of ascending numbers without a gap."""
+    found: list = []
+    for i in numbers:
+        if found and found[-1][1] == i - 1:
+            found[-1] = found[-1][0], i
+        else:
+            found.append((i, i))
+    return found
+
+
+def _in_digits(elements, precise, digits):
+    if digits is None:
+        return elements
+    from mpmath import mp
+
+    return elements.each(mp.mpf) if precise is None else precise(digits + 5)
+
+
+def _root(z):
+    from mpmath import mp
+
+    return mp.sqrt(abs(z))
+
+
+@contextmanager
+def working(digits: int) -> Iterator[None]:
+    """With numbers of mpmath of so many digits."""
+    from mpmath import mp
+
+    with mp.workdps(digits + 5):
+        yield

@@ -1,0 +1,31 @@
+"""Steps towards a natural frequency by the Rayleigh quotient of D: z ← z + xᵀD x / xᵀD′x, x ← D⁻¹ D′ x."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from vibcli.numerics.sparse_elimination import product, quadratic
+
+if TYPE_CHECKING:
+    from vibcli.analyses.continuous.system import ContinuousSystem
+
+
+def start(system: "ContinuousSystem", count_: int) -> np.ndarray:
+    """Vectors that are orthogonal to nothing in particular, (n, count)."""
+    parts = np.sin(np.arange(1, system.n + 1)[:, None] * 1.7 + 0.6 * np.arange(count_)) + 1.3
+    return np.array([system.numbers(row) for row in parts]).reshape(system.n, count_)
+
+
+def rayleigh_step(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, np.ndarray, Any]:
+    """One Rayleigh quotient of each column: z, x with xᵀD′x = 1, and by how much z has moved."""
+    entries, _, slope = system.dynamic_stiffness(z)
+    x = nearer(system, z, product(system.pattern, slope, x))
+    x = x / np.sqrt(quadratic(system.pattern, slope, x).real)
+    moved = quadratic(system.pattern, entries, x).real
+    return z + moved, x, moved
+
+
+def nearer(system: "ContinuousSystem", z: np.ndarray, loads: np.ndarray) -> np.ndarray:
+    """x of D x = load close to z: at z itself D can have no inverse."""
+    entries, sizes, _ = system.dynamic_stiffness(z + system.aside * (abs(z) + system.aside * system.scale))
+    return system.eliminated(entries, sizes).solved(loads)
