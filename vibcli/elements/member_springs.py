@@ -65,8 +65,8 @@ def _on_foundation(scene, length, bending, tension, foundation, ends):
     [[a, b], [b, c]], are the springs a on v + (b/a) θ and c − b²/a on θ, for each half of the piece."""
     first, turned, last, turned_last = ends
     found = []
-    for basis, v, slope in ((_even, (last + first) / 2, (turned_last - turned) / 2),
-                            (_odd, (last - first) / 2, (turned_last + turned) / 2)):
+    for basis, v, slope in ((even_solutions, (last + first) / 2, (turned_last - turned) / 2),
+                            (odd_solutions, (last - first) / 2, (turned_last + turned) / 2)):
         a, b, c = _end_stiffness(basis(scene, length / 2, bending, tension, foundation), bending, tension)
         found += [(2 * a, v + b / a * slope), (2 * (c - b * b / a), slope)]
     return found
@@ -81,12 +81,23 @@ def _end_stiffness(pair, bending, tension):
             bending * (w2 * u - u2 * w) / determinant)
 
 
-def _even(scene, x, bending, tension, foundation):
+def even_solutions(scene: Any, x: "Node", bending: "Node", tension: "Node", foundation: "Node"):
+    """Two even solutions of B u⁗ − N u″ + k u = 0, k or N not zero, as (u, u′, u″, u‴) at x."""
+    if foundation.is_zero:
+        return [_one(scene, x, tension / bending, ("cosh", "sinh"), ("cos", "sin")), _powers(scene, scene.table.one)]
     return _solutions(scene, x, bending, tension, foundation, ("cosh", "sinh"), ("cos", "sin"))
 
 
-def _odd(scene, x, bending, tension, foundation):
+def odd_solutions(scene: Any, x: "Node", bending: "Node", tension: "Node", foundation: "Node"):
+    """Two odd ones."""
+    if foundation.is_zero:
+        return [_one(scene, x, tension / bending, ("sinh", "cosh"), ("sin", "cos")),
+                _powers(scene, x, scene.table.one)]
     return _solutions(scene, x, bending, tension, foundation, ("sinh", "cosh"), ("sin", "cos"))
+
+
+def _powers(scene, *known):
+    return (*known, *[scene.table.zero] * (4 - len(known)))
 
 
 def _solutions(scene, x, bending, tension, foundation, hyperbolic, circular):

@@ -21,7 +21,8 @@ ABOUT = (
      "of a beam: displacement across it, to the left of the way from its left end to its right one (upwards where it "
      "runs to the right), slope u′, bending moment EI u″, shear (EI u″)′, stress E u″ h/2 at the outer fibre. Stress "
      "of beams and shafts needs a `section`"),
-    ("cord.u(x), .slope, .force", "of a string: displacement across it, slope u′, tension"),
+    ("cord.u(x), .slope, .force", "of a string: displacement across it, slope u′, tension, which small motions do "
+                                   "not change"),
     ("rod.u'(x)", "the rate of any of these; `rod.u(L)(1 ms)` is the value in time. At a jump along x the value on its "
                   "right counts, at the right end that on its left. Counted from the drawn line, in modes and "
                   "frequency responses from the equilibrium"),

@@ -76,5 +76,41 @@ def test_wrong_signals_are_told(asked, words, hint):
 
 
 def test_a_place_beyond_the_end_is_refused():
-    with pytest.raises(PhysicsError, match="is 2.5 m along 'wing', which is 2 m long"):
+    with pytest.raises(PhysicsError, match=r"is 2\.5 m along 'wing', which is 2 m long"):
         value(problem(BEAM), "mode[1][wing.u(L + 0.5 m)]")
+
+
+def field_of(k, N, B, x, load):
+    """[u, u′, u″, u‴] at x of a beam clamped at 0, k u − N u″ + B u⁗ = 0, B u″ = 0 and N u′ − B u‴ = load at L: by
+    exponentials in mpmath."""
+    import mpmath as mp
+
+    roots = mp.polyroots([B, 0, -N, 0, k], maxsteps=200, extraprec=200)
+    row = lambda y, n: [r**n * mp.exp(r * y) for r in roots]                                                # noqa: E731
+    end = [N * a - B * b for a, b in zip(row(L, 1), row(L, 3), strict=True)]
+    c = mp.lu_solve(mp.matrix([row(0, 0), row(0, 1), row(L, 2), end]), mp.matrix([0, 0, 0, load]))
+    return [float(mp.re(sum(ci * ri for ci, ri in zip(c, row(x, n), strict=True)))) for n in range(4)]
+
+
+@pytest.mark.parametrize(("k", "N"), [(400, 0.001), (5e4, 0.001), (400, 900), (400, -300), (0.001, 700), (0.001, -200)])
+def test_a_light_beam_on_a_foundation_under_tension(k, N):
+    given = (f", foundation: {k} N/m^2" if k > 0.01 else "") + (f", preload: {N} N" if abs(N) > 0.01 else "")
+    scene = problem(BEAM.replace("EI: EI,", "EI: EI" + given + ",").replace("*step(t)", ""))
+    for x in (0.3, 1.1, 2.0):
+        u, slope, bend, third = field_of(k if k > 0.01 else 1e-12, N if abs(N) > 0.01 else 1e-12, EI, x, F)
+        for part, number in (("u", u), ("slope", slope), ("moment", EI * bend), ("shear", EI * third)):
+            assert value(scene, f"equilibrium[wing.{part}({x} m)]") == pytest.approx(number, rel=1e-7, abs=1e-7)
+
+
+def test_a_light_string_and_bar_on_a_foundation():
+    scene = problem("""
+        strings: {cord: {length: 2 m, preload: 50 N, foundation: 200 N/m^2, left: pinned}}
+        points: {tip: {body: cord, at: 2 m}}
+        forces: {pull: {at: tip, force: 10 N}}
+    """)
+    for x in (0.0, 0.5, 2.0):
+        u = 10 / (50 * 2 * math.cosh(4)) * math.sinh(2 * x)
+        slope = 10 / (50 * math.cosh(4)) * math.cosh(2 * x)
+        assert value(scene, f"equilibrium[cord.u({x} m)]") == pytest.approx(u, rel=1e-12, abs=1e-15)
+        assert value(scene, f"equilibrium[cord.slope({x} m)]") == pytest.approx(slope, rel=1e-12)
+    assert value(scene, "equilibrium[cord.force(1 m)]") == 50

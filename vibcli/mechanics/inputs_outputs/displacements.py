@@ -36,7 +36,10 @@ def _on_member(scene, text, resting=False):
     from vibcli.mechanics.inputs_outputs.place_signals import place_signal
     from vibcli.mechanics.inputs_outputs.static_deflection import static_signal
 
-    found = place_signal(scene, signal_name(text))
+    signal = signal_name(text)
+    found = place_signal(scene, signal)
+    if signal.part == "force" and found.member.kind.stiffness is None:
+        return found.tension(scene)
     return static_signal(scene, found) if resting or found.motion is not None or found.is_light else None
 
 

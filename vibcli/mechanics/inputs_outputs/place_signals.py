@@ -46,6 +46,13 @@ class PlaceSignal(NamedTuple):
             return None
         return self.station.motions[self.order]
 
+    def tension(self, scene: "Scene") -> "Node":
+        """N of its equation: EA and GI_o, of strings and beams the tension."""
+        if self.segment.stiffness is not None and not self.member.kind.bends:
+            return self.segment.stiffness
+        record = self.member.record
+        return scene.lower(record["preload"]) if "preload" in record else scene.table.zero
+
     @property
     def is_light(self) -> bool:
         """Has the piece neither inertia nor drag, so that it deflects as at rest?"""
@@ -87,9 +94,8 @@ def _part(scene, member, segment, signal):
         return 1, scene.table.one
     if part == "shear":
         return 3, stiffness
-    if part == "force" and stiffness is None:
-        raise PhysicsError(f"'{signal.text}' is the tension of a string, which small motions do not change",
-                           f"ask for {signal._replace(part='slope').text}, or for equilibrium[{signal.text}]")
+    if stiffness is None:       # the tension of a string, which small motions do not change
+        return 0, scene.table.zero
     order = 2 if kind.bends else 1
     if part != "stress":
         return order, stiffness
@@ -127,7 +133,7 @@ def place_output(configuration: "Configuration", text: str) -> PlaceOutput | Non
     opened = configuration.with_inputs
     scene = opened.scene
     found = place_signal(scene, signal)
-    if found.motion is not None or found.is_light:
+    if found.motion is not None or found.is_light or found.factor.is_zero:
         return None
     start, slack = scene.number(found.left.place), SAME * scene.number(found.member.length)
     piece = next(i for i, term in enumerate(scene.pieces) if term.owner == signal.name

@@ -1,13 +1,16 @@
-"""The deflection of pieces of members at rest, between displacements of their ends.
+"""The deflection of uniform pieces of members at rest, between displacements of their ends.
 
-Without tension and foundation it is cubic (Hermite), of bars, shafts and strings linear.
+    N u″ = k u:             u = u₀ sinh β(l − x)/sinh βl + u_l sinh βx/sinh βl, β² = k/N; linear without a foundation
+    B u⁗ − N u″ + k u = 0:  even and odd solutions about the middle; without N and k cubic (Hermite)
 """
 
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import PhysicsError
+from vibcli.elements.member_springs import even_solutions, odd_solutions
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from vibcli.mechanics.inputs_outputs.place_signals import PlaceSignal
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
@@ -17,20 +20,21 @@ def static_signal(scene: "Scene", signal: "PlaceSignal") -> "Node":
     """The signal as a function of the coordinates, everything being at rest."""
     if signal.motion is not None:
         return signal.motion
-    bent = signal.member.kind.bends and "preload" in signal.member.record
-    if bent or not signal.segment.foundation.is_zero:
-        raise PhysicsError(f"how '{signal.member.name}' deflects at rest between its stations is not found where it is "
-                           + ("under tension" if bent else "on a foundation"),
-                           "ask for a place where something is attached")
     length, ends = signal.right.place - signal.left.place, [*signal.left.motions, *signal.right.motions]
-    shapes = (_cubic if signal.member.kind.bends else _linear)(scene, length)
-    total = scene.table.zero
-    for coefficients, end in zip(shapes, ends, strict=True):
-        total = total + _derivative(scene, coefficients, signal.order, signal.at) * end
-    return signal.factor * total
+    tension, foundation = signal.tension(scene), signal.segment.foundation
+    bends = signal.member.kind.bends
+    if foundation.is_zero and (not bends or tension.is_zero):
+        shapes = (_cubic if bends else _linear)(scene, length)
+        found = scene.table.total([_derivative(scene, shape, signal.order, signal.at) * end
+                                   for shape, end in zip(shapes, ends, strict=True)])
+    elif bends:
+        found = _across(scene, signal, (length, tension, foundation), ends)
+    else:
+        found = _along(scene, signal, scene.table.sqrt(foundation / tension), length, ends)
+    return signal.factor * found
 
 
-def _linear(scene: Any, length: "Node"):
+def _linear(scene: Any, length: "Node") -> "list[list[Node]]":
     """Powers of x in the shapes of u₀ and u_l."""
     zero, one = scene.table.zero, scene.table.one
     return [[one, -1 / length], [zero, 1 / length]]
@@ -51,4 +55,27 @@ def _derivative(scene, coefficients, order, x):
         for i in range(order):
             factor *= k - i
         total, power = total + factor * coefficients[k] * power, power * x
+    return total
+
+
+def _along(scene, signal, beta, length, ends):
+    """u or u′ of a piece of order 2 on a foundation."""
+    call, whole = scene.table.call, scene.table.call("sinh", beta * length)
+    rest = length - signal.at
+    if signal.order == 0:
+        return (ends[0] * call("sinh", beta * rest) + ends[1] * call("sinh", beta * signal.at)) / whole
+    return beta * (ends[1] * call("cosh", beta * signal.at) - ends[0] * call("cosh", beta * rest)) / whole
+
+
+def _across(scene: "Scene", signal: "PlaceSignal", piece: "tuple[Node, Node, Node]", ends: "Sequence[Node]") -> "Node":
+    """A derivative of the deflection of a beam under tension or on a foundation, {u₀, θ₀, u_l, θ_l} its ends."""
+    length, tension, foundation = piece
+    first, turned, last, turned_last = ends
+    total = scene.table.zero
+    for solutions, value, slope in ((even_solutions, (last + first) / 2, (turned_last - turned) / 2),
+                                    (odd_solutions, (last - first) / 2, (turned_last + turned) / 2)):
+        of = signal.segment.stiffness, tension, foundation
+        (u, u1, *_), (w, w1, *_) = solutions(scene, length / 2, *of)
+        one, two = (found[signal.order] for found in solutions(scene, signal.at - length / 2, *of))
+        total = total + ((value * w1 - slope * w) * one + (slope * u - value * u1) * two) / (u * w1 - w * u1)
     return total
