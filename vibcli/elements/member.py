@@ -19,6 +19,7 @@ from vibcli.elements.member_springs import springs_across, springs_along
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from vibcli.language.signal_names import SignalName
     from vibcli.symbolic.node import Node
 
 
@@ -60,6 +61,12 @@ class Member(NamedTuple):
         return self._replace(stations=[
             station._replace(u=new[station.u], slope=None if station.slope is None else new[station.slope])
             for station in self.stations])
+
+    def signal(self, scene: Any, signal: "SignalName", place: "Node"):
+        """The PlaceSignal of a name: a motion, force or stress at a place; None beyond the ends."""
+        from vibcli.elements.place_signals import place_signal
+
+        return place_signal(scene, self, signal, place)
 
     def at(self, scene: Any, place: "Node") -> Station:
         """The Station at a place, which stands for those that differ from it by rounding alone."""

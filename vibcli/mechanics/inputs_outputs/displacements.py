@@ -3,8 +3,10 @@
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
-from vibcli.language.reader import Reference
-from vibcli.language.signal_names import signal_name
+from vibcli.language.document.document import Scalar
+from vibcli.language.reader import Expression, Reference
+from vibcli.language.signal_names import SignalName, signal_name
+from vibcli.symbolic.parser import parse
 
 if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
@@ -31,16 +33,25 @@ def displacement(scene: "Scene", text: str) -> "Node | None":
     return None
 
 
+def signal_of_place(scene: "Scene", signal: SignalName):
+    """The PlaceSignal of a name; PhysicsError where its place is not on the member."""
+    member = scene.members[signal.name]
+    place = scene.lower(Expression(Scalar(signal.place, None), parse(signal.place)))
+    found = member.signal(scene, signal, place)
+    if found is None:
+        x, length = scene.number(place), scene.number(member.length)
+        raise PhysicsError(f"'{signal.place}' is {x:.6g} m along '{member.name}', which is {length:.6g} m long",
+                           "places count from its left end")
+    return found
+
+
 def _on_member(scene, text, resting=False):
     """A signal of a place on a member, or None within a piece that vibrates; `resting`: as everything is at rest."""
-    from vibcli.mechanics.inputs_outputs.place_signals import place_signal
-    from vibcli.mechanics.inputs_outputs.static_deflection import static_signal
-
     signal = signal_name(text)
-    found = place_signal(scene, signal)
+    found = signal_of_place(scene, signal)
     if signal.part == "force" and found.member.kind.stiffness is None:
         return found.tension(scene)
-    return static_signal(scene, found) if resting or found.motion is not None or found.is_light else None
+    return found.static(scene) if resting or found.motion is not None or found.is_light else None
 
 
 def resting(scene: "Scene", text: str) -> "Node | None":

@@ -1,119 +1,20 @@
-"""Signals of places on members: on which piece each lies, and which part of its deflection it is.
-
-    u, φ: 0, slope: 1;  force N u′, moment of a shaft G I_o φ′: 1;  moment of a beam B u″: 2, shear B u‴: 3 derivatives;
-    stress: force/A, moment·D/(2 I_o), moment·h/(2 I).
-
-At a station the piece on its right counts, at the right end that on its left. What has no inertia deflects as at rest.
-"""
+"""Signals within pieces of members that vibrate: parts of their deflection, in numbers."""
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from vibcli.base.errors import PhysicsError, Where
-from vibcli.language.document.document import Scalar
-from vibcli.language.reader import Expression
 from vibcli.language.signal_names import signal_name
+from vibcli.mechanics.inputs_outputs.displacements import signal_of_place
 from vibcli.symbolic.evaluation import evaluate
-from vibcli.symbolic.parser import parse
 
 if TYPE_CHECKING:
-    from vibcli.elements.member import Member
-    from vibcli.elements.member_segments import MemberSegment
-    from vibcli.language.signal_names import SignalName
     from vibcli.mechanics.configuration import Configuration
-    from vibcli.scene.scene import Scene
-    from vibcli.symbolic.node import Node
 
 SAME = 1e-9         # of the length of a member: places nearer than that are one
 
 
-class PlaceSignal(NamedTuple):
-    """factor · ∂ᵒʳᵈᵉʳu/∂xᵒʳᵈᵉʳ at the distance `at` from the station `left`, on the piece up to `right`; `station`: the
-    one that stands there, if any."""
-
-    member: "Member"
-    left: Any
-    right: Any
-    segment: "MemberSegment"
-    at: "Node"
-    station: Any
-    order: int
-    factor: "Node"
-
-    @property
-    def motion(self) -> "Node | None":
-        """Itself where it is a motion of a station."""
-        if self.station is None or self.order >= len(self.station.motions):
-            return None
-        return self.station.motions[self.order]
-
-    def tension(self, scene: "Scene") -> "Node":
-        """N of its equation: EA and GI_o, of strings and beams the tension."""
-        if self.segment.stiffness is not None and not self.member.kind.bends:
-            return self.segment.stiffness
-        record = self.member.record
-        return scene.lower(record["preload"]) if "preload" in record else scene.table.zero
-
-    @property
-    def is_light(self) -> bool:
-        """Has the piece neither inertia nor drag, so that it deflects as at rest?"""
-        return self.segment.inertia.is_zero and self.segment.drag.is_zero
-
-
-def place_signal(scene: "Scene", signal: "SignalName") -> PlaceSignal:
-    """The PlaceSignal of a name; PhysicsError where the place is not on the member."""
-    member = scene.members[signal.name]
-    place = scene.lower(Expression(Scalar(signal.place, Where("", 1, 1, 0), False, 0), parse(signal.place)))
-    x, length = scene.number(place), scene.number(member.length)
-    if not -SAME * length <= x <= (1 + SAME) * length:
-        raise PhysicsError(f"'{signal.place}' is {x:.6g} m along '{member.name}', which is {length:.6g} m long",
-                           "places count from its left end")
-    stations = member.stations
-    there = next((station for station in stations if abs(scene.number(station.place) - x) <= SAME * length), None)
-    if there is not None:
-        number = min(stations.index(there), len(stations) - 2)
-    else:
-        number = sum(scene.number(station.place) < x for station in stations) - 1
-    left, right = stations[number:number + 2]
-    segment = _segment(scene, member, left, right)
-    order, factor = _part(scene, member, segment, signal)
-    at = (place if there is None else there.place) - left.place
-    return PlaceSignal(member, left, right, segment, at, there, order, factor)
-
-
-def _segment(scene, member, left, right):
-    middle = (scene.number(left.place) + scene.number(right.place)) / 2
-    return next(segment for segment in member.segments if middle < scene.number(segment.end))
-
-
-def _part(scene, member, segment, signal):
-    """(order of the derivative, factor)."""
-    kind, part, stiffness = member.kind, signal.part, segment.stiffness
-    if part in ("u", "phi"):
-        return 0, scene.table.one
-    if part == "slope":
-        return 1, scene.table.one
-    if part == "shear":
-        return 3, stiffness
-    if stiffness is None:       # the tension of a string, which small motions do not change
-        return 0, scene.table.zero
-    order = 2 if kind.bends else 1
-    if part != "stress":
-        return order, stiffness
-    if kind.bends or kind.torsional:
-        section = segment.section
-        return order, stiffness / (section.I if kind.bends else section.Io) * section.fibre
-    return order, segment.modulus if segment.modulus is not None else stiffness / _area(scene, segment, member)
-
-
-def _area(scene, segment, member):
-    if segment.section is not None:
-        return segment.section.A
-    return scene.lower(next(part["A"] for part in (*member.record.get("segments", ()), member.record) if "A" in part))
-
-
 class PlaceOutput(NamedTuple):
-    """The same in numbers, at a part `share` of the length of piece number `piece` of the linear system, differentiated
-    by the time as often as there are `primes`; `place`: from the left end of the member `owner`."""
+    """factor · ∂ᵒʳᵈᵉʳu/∂xᵒʳᵈᵉʳ at a part `share` of the length of piece number `piece` of the linear system,
+    differentiated by the time as often as there are `primes`; `place`: from the left end of the member `owner`."""
 
     owner: str
     place: Any
@@ -132,7 +33,7 @@ def place_output(configuration: "Configuration", text: str) -> PlaceOutput | Non
         return None
     opened = configuration.with_inputs
     scene = opened.scene
-    found = place_signal(scene, signal)
+    found = signal_of_place(scene, signal)
     if found.motion is not None or found.is_light or found.factor.is_zero:
         return None
     start, slack = scene.number(found.left.place), SAME * scene.number(found.member.length)

@@ -11,7 +11,7 @@ from vibcli.elements.member_springs import even_solutions, odd_solutions
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from vibcli.mechanics.inputs_outputs.place_signals import PlaceSignal
+    from vibcli.elements.place_signals import PlaceSignal
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
