@@ -32,7 +32,7 @@ class NaturalModes:
                                "take the force along a fixed direction, or make the member massless")
         self.elements, self.precise, self.digits = elements, precise, digits
         self.floor = rigid_count(elements)
-        self._samples: dict[int | None, KnownCounts] = {}
+        self._known: dict[int | None, KnownCounts] = {}
         if any(elements.G.values()):
             self._check_held()
 
@@ -59,9 +59,10 @@ class NaturalModes:
 
     def _at(self, digits):
         """The KnownCounts in floats or in so many digits."""
-        if digits not in self._samples:
-            self._samples[digits] = KnownCounts(continuous_system(_in_digits(self.elements, self.precise, digits), digits))
-        return self._samples[digits]
+        if digits not in self._known:
+            elements = _in_digits(self.elements, self.precise, digits)
+            self._known[digits] = KnownCounts(continuous_system(elements, digits))
+        return self._known[digits]
 
     def _precise_roots(self, first, last, roots, goal) -> dict[int, NaturalFrequency]:
         """Roots in more digits, until their bounds are below the goal."""

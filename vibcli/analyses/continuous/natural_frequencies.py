@@ -113,7 +113,8 @@ def certified(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, indices:
         left = left[~good]
         error[left] *= 2
     bounds = np.where(proved, error + GUARD * system.unit / 3, DOUBTED).astype(float)
-    return {indices[at]: NaturalFrequency(indices[at], z[at], float(bounds[at]), x[:, at] / np.sqrt(inertia[at]), system)
+    return {indices[at]: NaturalFrequency(indices[at], z[at], float(bounds[at]),
+                                          x[:, at] / np.sqrt(inertia[at]), system)
             for at in np.flatnonzero(wanted).tolist()}
 
 
