@@ -1,0 +1,143 @@
+"""Members: differential equation and conditions at their stations, in letters."""
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+from vibcli.report.blocks import Factor, Heading, Line, Name, Section, Words, equations, line, paragraph, section
+from vibcli.symbolic.normal_form import textbook
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
+
+# What a piece of each order does to its stations, along u and ∂u/∂x: (force, sign at the left end of the piece); the
+# sign at its right end is the opposite one
+FORCES = {2: [("∂{u}/∂x", 1)], 4: [("∂³{u}/∂x³", -1), ("∂²{u}/∂x²", 1)]}
+MOTIONS = ("{u}", "∂{u}/∂x")
+RATES = (("∂²{u}/∂t²", "∂³{u}/∂x∂t²"), ("∂{u}/∂t", "∂²{u}/∂x∂t"), MOTIONS)     # of M, C, K
+REMARK = "x counts from the left end of each member; [ ] is the jump at a place, right less left"
+
+
+def member_equations(problem: "Problem") -> Iterator[Section]:
+    """The equations of free vibration of members, and of what they are tied to."""
+    form, scene = problem.symbolic.linearisation, problem.scene
+    M, C, _, K = problem.symbolic.matrices
+    blocks: list = []
+    own: dict = {}
+    for name, member in scene.members.items():
+        pieces = [piece for piece in form.pieces if piece.owner == name]
+        own |= {scene.q.index(node): (member, part) for station in member.stations
+                for part, node in enumerate(station.motions) if node in scene.q and node.name.startswith(name + ".")}
+        if pieces:
+            blocks += [Heading(f"{name}:"), equations([*_differential(pieces, member.kind.motion),
+                                                       *_conditions(member, pieces, (M, C, K), scene)])]
+    others = [i for i in range(len(scene.q)) if i not in own]
+    if others:
+        blocks += [Heading("what they carry:"), equations(_carried(i, form.pieces, (M, C, K), scene) for i in others)]
+    yield from section("Equations of free vibration", *blocks, paragraph(REMARK, hang=4))
+
+
+def _differential(pieces, u):
+    """EI ∂⁴u/∂x⁴ − N ∂²u/∂x² + k u + c ∂u/∂t + μ ∂²u/∂t² = 0 of each uniform stretch."""
+    stretches: list = []
+    for placed in pieces:
+        piece, end = placed.piece, textbook(placed.start + placed.piece.length)
+        rest = [(piece.foundation, u), (piece.drag, f"∂{u}/∂t"), (piece.inertia, f"∂²{u}/∂t²")]
+        if piece.bending.is_zero:
+            parts = (*_terms([(piece.tension, f"∂²{u}/∂x²")]), " = ", *_terms(rest))
+        else:
+            parts = (*_terms([(piece.bending, f"∂⁴{u}/∂x⁴"), (-piece.tension, f"∂²{u}/∂x²"), *rest]), " = 0")
+        if stretches and stretches[-1][0] == parts:
+            stretches[-1][2] = end
+        else:
+            stretches.append([parts, placed.start, end])
+    for parts, start, end in stretches:
+        where = ["     (", start, " < x < ", end, ")"] if len(stretches) > 1 else []
+        yield line(*parts, *where)
+
+
+def _conditions(member, pieces, matrices, scene):
+    """What holds at each station: motions that are held, forces where they are free."""
+    u, starts = member.kind.motion, {piece.start: piece for piece in pieces}
+    left = None
+    for station in member.stations:
+        right, parts = starts.get(station.place), []
+        for part, node in enumerate(station.motions):
+            parts.append(", " if part else "")
+            if _is_own(node, member, scene):
+                parts += _balance(scene.q.index(node), part, (left, right), matrices, scene, member)
+            else:
+                parts += [MOTIONS[part].format(u=u), " = ", node]
+        yield Line(tuple(part for part in parts if part != ""), ("at x = ", station.place), inset=2)
+        left = right
+
+
+def member_energies(problem: "Problem", kind: str) -> list:
+    """What members add to T and V, as integrals along each: parts of a formula, each after a plus."""
+    told: list = []
+    for placed in problem.symbolic.linearisation.pieces:
+        piece, u = placed.piece, problem.scene.members[placed.owner].kind.motion
+        terms = {"T": [(piece.inertia, f"(∂{u}/∂t)²")], "Phi": [(piece.drag, f"(∂{u}/∂t)²")],
+                 "V": [(piece.bending, f"(∂²{u}/∂x²)²"), (piece.tension, f"(∂{u}/∂x)²"), (piece.foundation, f"{u}²")]}
+        inner = _terms(terms[kind])
+        if inner and (placed.owner, inner) not in told:
+            told.append((placed.owner, inner))
+    several = len({owner for owner, _ in told}) > 1
+    return [part for owner, inner in told for part in (
+        " + ½·∫(" if len(inner) > 3 else " + ½·∫", *inner, ")·d" if len(inner) > 3 else "·d", "x",
+        *([Words(f" ({owner})")] if several else []))]
+
+
+def _is_own(node, member, scene):
+    return node in scene.q and node.name.startswith(member.name + ".")
+
+
+def _balance(i, part, sides, matrices, scene, member):
+    """Internal force = what acts on the station; the jump of it at an inner one."""
+    u, (left, right) = member.kind.motion, sides
+    piece = (right or left).piece
+    force, sign = FORCES[2 if piece.bending.is_zero else 4][part]
+    stiffness = piece.tension if piece.bending.is_zero else piece.bending
+    own = _terms([(stiffness, force.format(u=u))])
+    if left and right:
+        own = ["[", *own, "]"]
+    if not right:
+        sign = -sign
+    acting = []
+    for kind, matrix in enumerate(matrices):
+        for (row, j), node in matrix.items():
+            if row == i:
+                name = RATES[kind][part].format(u=u) if j == i else Name(scene.q[j].name + "'" * (2 - kind))
+                acting.append((sign * node, name))
+    return [*own, " = ", *(_terms(acting) or ["0"])]
+
+
+def _carried(i, pieces, matrices, scene):
+    """Equation of what members are tied to: M q̈ + C q̇ + K q = forces of the members."""
+    acting = [(node, Name(scene.q[j].name + "'" * (2 - kind))) for kind, matrix in enumerate(matrices)
+              for (row, j), node in matrix.items() if row == i]
+    forces = []
+    for placed in pieces:
+        piece, u = placed.piece, scene.members[placed.owner].kind.motion
+        stiffness, kinds = (piece.tension, FORCES[2]) if piece.bending.is_zero else (piece.bending, FORCES[4])
+        for end, place in enumerate((placed.start, textbook(placed.start + piece.length))):
+            for (force, sign), row in zip(kinds, placed.rows[end * len(kinds):], strict=False):
+                if i in row:
+                    forces.append((row[i] * stiffness * (-sign if end else sign), (force.format(u=u), place, placed)))
+    told = _terms([(node, force) for node, (force, *_) in forces])
+    where = [Words("   at "), *sum(([f"{placed.owner}, x = ", place, ", "] for _, (_, place, placed) in forces), [])[:-1]]
+    return line(*(_terms(acting) or ["0"]), " = ", *(told or ["0"]), *where, label=Name(scene.q[i].name))
+
+
+def _terms(terms: "Sequence[tuple[Node, Any]]") -> list:
+    """Σ coefficient·text as parts of a formula, without what is zero."""
+    parts: list = []
+    for node, text in terms:
+        node = textbook(node)
+        if node.is_zero:
+            continue
+        negative = node.op != "sum" and node.coefficient < 0
+        size = -node if negative else node
+        sign = " − " if negative and parts else "−" if negative else " + " if parts else ""
+        parts += [sign, text] if size is size.table.one else [sign, Factor(size), "·", text]
+    return [part for part in parts if part != ""]
