@@ -42,8 +42,10 @@ def frequency_function(table: "Table", order: int, pieces: "Sequence[UniformPiec
     space = {free[0]: {(): table.one}}
     for node, impedance in enumerate(impedances):
         for motion, (force, Z) in enumerate(zip(forces, impedance, strict=True)):
-            changed = _held(space, motion, force) if Z is None else _loaded(space, motion, force, -Z if force == 3 else Z)
-            space = _collected(table, changed)
+            if Z is None:
+                space = _collected(table, _held(space, motion, force))
+            else:
+                space = _collected(table, _loaded(space, motion, force, -Z if force == 3 else Z))
         if node < len(pieces):
             space = _collected(table, _carried(space, node, pieces[node], order))
     return space.get(free[1], {})

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 MOST = 2            # pieces of a chain whose equation is written out
-WAVE_NUMBER = "βL"
+WAVE_NUMBER = "βL"      # of notation.PRODUCTS
 
 
 class FrequencyEquation(NamedTuple):
@@ -46,9 +46,9 @@ def chains(pieces: "Sequence[PlacedPiece]") -> "list[list[PlacedPiece]]":
     """The pieces in chains from left to right, each beginning where the one before it ends."""
     found: list = []
     for piece in pieces:
-        ends = len(piece.rows) // 2
-        before = next((chain for chain in found if any(piece.rows[:ends]) and chain[-1].rows[ends:] == piece.rows[:ends]),
-                      None)
+        half = len(piece.rows) // 2
+        left = piece.rows[:half]
+        before = next((chain for chain in found if any(left) and chain[-1].rows[half:] == left), None)
         if before is None and found and found[-1][-1].owner == piece.owner:
             before = found[-1]
         if before is None:

@@ -7,7 +7,7 @@
 from typing import TYPE_CHECKING
 
 from vibcli.symbolic.common_denominator import single
-from vibcli.symbolic.normal_form import expanded, factors_of, reduced, textbook
+from vibcli.symbolic.normal_form import expanded, factors_of, reduced
 
 if TYPE_CHECKING:
     from vibcli.analyses.closed_form.member_frequencies import FrequencyEquation
@@ -29,7 +29,7 @@ def sides(found: "FrequencyEquation") -> "tuple[Node, Node]":
 def _of_second_order(found):
     table, x, function = found.wave_number.table, found.wave_number, found.function
     sine, cosine = function.get(((0, "sin"),)), function.get(((0, "cos"),))
-    for name, alone, other in (("sin", sine, cosine), ("cos", cosine, sine)):
+    for name, other in (("sin", cosine), ("cos", sine)):
         if other is None:
             return table.call(name, x), table.zero
     ratio = _quotient(-cosine, sine)

@@ -4,9 +4,11 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.report.blocks import Factor, Heading, Line, Name, Section, Words, equations, line, paragraph, section
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
+    from vibcli.report.document import Report
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
@@ -72,6 +74,31 @@ def _conditions(member, pieces, matrices, scene):
         left = right
 
 
+def frequency_equation(problem: "Problem", _: "Report") -> Iterator[Section]:
+    """Frequency equations as textbooks write them, and what their roots are."""
+    if not problem.scene.pieces or problem.scene.loops is not None:
+        return
+    from vibcli.analyses.closed_form.member_frequencies import frequency_equations
+    from vibcli.analyses.closed_form.textbook_equation import sides
+
+    found = [one for one in frequency_equations(problem.symbolic) if one is not None]
+    lines, several = [], len(problem.scene.members) > 1
+    for one in found:
+        left, right = sides(one)
+        label = Words(", ".join(one.members)) if several else None
+        lines += [line(left, " = ", right, label=label), _frequency(one)]
+    yield from section("Frequency equation" + "s" * (len(found) > 1), equations(lines) if lines else None)
+
+
+def _frequency(found):
+    """ω = (βL)²·√(EI/(μL⁴)), or its square where a foundation adds to it."""
+    x, order = found.wave_number, found.order
+    alone = textbook(found.square / x ** order)
+    if x in reachable([alone]):
+        return line("ω² = ", found.square, inset=2)
+    return line("ω = ", x ** (order // 2) * found.wave_number.table.sqrt(alone), inset=2)
+
+
 def member_energies(problem: "Problem", kind: str) -> list:
     """What members add to T and V, as integrals along each: parts of a formula, each after a plus."""
     told: list = []
@@ -123,10 +150,9 @@ def _carried(i, pieces, matrices, scene):
         for end, place in enumerate((placed.start, textbook(placed.start + piece.length))):
             for (force, sign), row in zip(kinds, placed.rows[end * len(kinds):], strict=False):
                 if i in row:
-                    forces.append((row[i] * stiffness * (-sign if end else sign), (force.format(u=u), place, placed)))
-    told = _terms([(node, force) for node, (force, *_) in forces])
-    where = [Words("   at "), *sum(([f"{placed.owner}, x = ", place, ", "] for _, (_, place, placed) in forces), [])[:-1]]
-    return line(*(_terms(acting) or ["0"]), " = ", *(told or ["0"]), *where, label=Name(scene.q[i].name))
+                    told = (force.format(u=u), Words(f" of {placed.owner} at x = "), place)
+                    forces.append((row[i] * stiffness * (-sign if end else sign), told))
+    return line(*(_terms(acting) or ["0"]), " = ", *(_terms(forces) or ["0"]), label=Name(scene.q[i].name))
 
 
 def _terms(terms: "Sequence[tuple[Node, Any]]") -> list:
@@ -139,5 +165,6 @@ def _terms(terms: "Sequence[tuple[Node, Any]]") -> list:
         negative = node.op != "sum" and node.coefficient < 0
         size = -node if negative else node
         sign = " − " if negative and parts else "−" if negative else " + " if parts else ""
-        parts += [sign, text] if size is size.table.one else [sign, Factor(size), "·", text]
+        told = text if isinstance(text, tuple) and not isinstance(text, Name) else (text,)
+        parts += [sign, *told] if size is size.table.one else [sign, Factor(size), "·", *told]
     return [part for part in parts if part != ""]
