@@ -82,3 +82,14 @@ def mistake(spec: "Spec", signal: "SignalName") -> Mistake | None:
                        "give it a `section`, as in {circle: d}, or ask for "
                        + signal._replace(part={"bars": "force"}.get(section, "moment")).text)
     return None
+
+
+def start_mistake(spec: "Spec", signal: "SignalName") -> Mistake | None:
+    """What is wrong with the name of a field that a member starts with; None where nothing is."""
+    section = spec.members[signal.name]
+    motion = next(iter(PARTS[section]))
+    if signal.part == motion and signal.primes < 2 and not signal.place:
+        return None
+    field = signal._replace(part=motion, place="", primes=0)
+    return Mistake(f"a {section[:-1]} starts with a field of '{motion}' and one of its rate, found '{signal.text}'",
+                   f"write {field.text}: … or {field._replace(primes=1).text}: …, x being the place")

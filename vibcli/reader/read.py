@@ -181,7 +181,8 @@ def _sections(root, reader):
                 sections[key] = record
         if len(reader.diagnostics) > before and key not in ("answers", "find", "cases", "choose", "initial"):
             reader.not_whole()
-    return _with_member_points({key: sections[key] for key in SECTIONS if key in sections})
+    found = _with_member_points({key: sections[key] for key in SECTIONS if key in sections})
+    return initial.with_fields_apart(found) if reader.members else found
 
 
 def _with_member_points(sections):
