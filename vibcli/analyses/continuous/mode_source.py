@@ -4,11 +4,15 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from vibcli.analyses.continuous.brackets import KnownCounts
 from vibcli.analyses.continuous.counting import count
 from vibcli.analyses.continuous.natural_frequencies import SURE, NaturalFrequency, better, natural_frequencies
 from vibcli.analyses.continuous.rigid_motions import rigid_count, rigid_shapes
 from vibcli.analyses.continuous.system import continuous_system
+from vibcli.analyses.continuous.uniform_members import uniform_member
+from vibcli.analyses.continuous.uniform_shapes import uniform_modes
 from vibcli.analyses.modal.undamped import Mode
 from vibcli.base.errors import PhysicsError
 
@@ -33,6 +37,8 @@ class NaturalModes:
         self.elements, self.precise, self.digits = elements, precise, digits
         self.floor = rigid_count(elements)
         self._known: dict[int | None, KnownCounts] = {}
+        uniform = uniform_member(elements) if digits is None else None
+        self.uniform = uniform if uniform is not None and uniform.resting == self.floor else None
         if any(elements.G.values()):
             self._check_held()
 
@@ -44,6 +50,9 @@ class NaturalModes:
             return found
         if self.digits is not None:
             roots = self._precise_roots(start, last, {}, 10.0 ** -self.digits)
+        elif self.uniform is not None:
+            known = uniform_modes(self.uniform, self._at(None).system, start - self.floor, last - self.floor)
+            roots = {root.index: root for root in known}
         else:
             roots = natural_frequencies(self._at(None), start, last, self.floor)
             for low, high in _runs([i for i in range(start, last + 1) if _doubtful(roots, i)]):
@@ -92,13 +101,21 @@ class NaturalModes:
         """A root as a Mode, in floats unless digits are asked for."""
         n, digits = self.elements.n, self.digits
         with working((digits or 16) + DEEPER[0]):
-            size = abs(root.z) ** 0.5 if digits is None or not root.z else _root(root.z)
+            size = self._rate(root)
         number = float if digits is None else lambda x: x
         rate, error = number(size), root.error if digits is not None else max(root.error, NEVER_BELOW)
         shape = root.shape[:n] if digits is not None else root.shape[:n].astype(
             complex if root.shape.dtype.kind == "c" else float)
         rates = (None, rate) if root.z < 0 else (rate, None)
         return Mode(root.index, *rates, shape, shape, error if root.z else 0.0, root)
+
+    def _rate(self, root):
+        """√|z|."""
+        if root.z and self.digits is not None:
+            return _root(root.z)
+        if self.uniform is not None and root.z:
+            return self.uniform.frequencies(np.array([root.index - self.uniform.resting]))[0]
+        return abs(root.z) ** 0.5
 
     def _check_held(self):
         """Gyroscopic terms leave the count what it is only where nothing grows or moves freely without them."""

@@ -17,7 +17,7 @@ import numpy as np
 from vibcli.analyses.continuous.brackets import Bracket, KnownCounts, parted, reached
 from vibcli.analyses.continuous.counting import GUARD, SLACK, count, rounding, scales
 from vibcli.analyses.continuous.local_modes import local_modes
-from vibcli.analyses.continuous.rayleigh_steps import rayleigh_step, start
+from vibcli.analyses.continuous.rayleigh_steps import rayleigh_step, settled, start
 from vibcli.numerics.sparse_elimination import quadratic
 
 if TYPE_CHECKING:
@@ -99,7 +99,8 @@ def _polished(system, brackets):
 def certified(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, indices: Sequence[int],
               wanted: np.ndarray) -> dict[int, NaturalFrequency]:
     """Roots with the bound that counts on both sides of each prove; without those they do not."""
-    _, sizes, slope = system.dynamic_stiffness(z)
+    entries, sizes, slope = system.dynamic_stiffness(z)
+    x = settled(system, z, entries, x)
     inertia = abs(quadratic(system.pattern, slope, x).real)
     room = (abs(x) ** 2 * rounding(system, sizes, scales(system, z, sizes, slope))).sum(axis=0)
     error = np.maximum(GUARD * system.unit / 4, SLACK * room / (inertia * abs(z)))

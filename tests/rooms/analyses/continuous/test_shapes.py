@@ -1,5 +1,6 @@
 """Shapes of modes along members: known nodes, orthogonality by quadrature, ends."""
 
+import mpmath
 import numpy as np
 import pytest
 
@@ -21,8 +22,13 @@ def test_nodes_and_antinodes_of_a_cantilever():
     modes = modes_of(2, ({}, {}, {0: 1.0}, {1: 1.0}))
     found = [nodes(moved_pieces(mode, "member")) for mode in modes]
     assert [len(places) for places in found] == [0, 1, 2, 3]
-    assert found[1] == pytest.approx([0.783444550474], abs=1e-11)       # Blevins, Formulas for Dynamics, table 4.2
-    assert antinodes(moved_pieces(modes[1], "member")) == pytest.approx([0.470821974790], abs=1e-11)
+    with mpmath.workdps(40):
+        b = mpmath.findroot(lambda x: 1 + mpmath.cos(x) * mpmath.cosh(x), 4.69)
+        ratio = (mpmath.cosh(b) + mpmath.cos(b)) / (mpmath.sinh(b) + mpmath.sin(b))
+        shape = lambda x: mpmath.cosh(b*x) - mpmath.cos(b*x) - ratio * (mpmath.sinh(b*x) - mpmath.sin(b*x))  # noqa: E731
+        node, top = mpmath.findroot(shape, 0.78), mpmath.findroot(lambda x: mpmath.diff(shape, x), 0.47)
+    assert found[1] == pytest.approx([float(node)], rel=4e-15)
+    assert antinodes(moved_pieces(modes[1], "member")) == pytest.approx([float(top)], rel=4e-15)
 
 
 def test_supports_are_no_nodes_and_modes_at_rest_at_joints_have_a_shape():
