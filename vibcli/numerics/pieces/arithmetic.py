@@ -15,7 +15,9 @@ class Arithmetic(NamedTuple):
     exp: "Callable"
     real: "Callable"
     whole: "Callable"               # the nearest whole numbers, as integers
+    inverse: "Callable"             # of matrices (…, m, m)
     pi: Any
+    i: Any                          # the imaginary unit
     eps: float
     number: "Callable | None"       # one of mpmath's numbers of any
 
@@ -25,6 +27,10 @@ class Arithmetic(NamedTuple):
         if self.number is not None:
             return np.asarray(self.number(found), object)
         return found.astype(complex if found.dtype.kind == "c" else float, copy=False)
+
+    def terms(self, order: int) -> int:
+        """How many terms the power series of parts of varying tension take: of strings they fall like 5⁻ᵏ."""
+        return 8 - int(np.log(self.eps) / (1.6 if order == 2 else 1.2))
 
     def is_real(self, values: np.ndarray) -> bool:
         """Are all of them numbers of a real type?"""
@@ -38,7 +44,8 @@ def _root(values):
     return np.sqrt(values.astype(complex)) if values.dtype.kind == "c" or (values < 0).any() else np.sqrt(values)
 
 
-_DOUBLES = Arithmetic(_root, np.exp, np.real, lambda values: np.rint(values).astype(int), np.pi, 2.0**-52, None)
+_DOUBLES = Arithmetic(_root, np.exp, np.real, lambda values: np.rint(values).astype(int), np.linalg.inv,
+                      np.pi, 1j, 2.0**-52, None)
 
 
 def arithmetic_of(*values: Any) -> Arithmetic:
@@ -50,7 +57,17 @@ def arithmetic_of(*values: Any) -> Arithmetic:
     functions = [np.frompyfunc(function, 1, 1) for function in (mpmath.sqrt, mpmath.exp, mpmath.re)]
     nearest = np.frompyfunc(lambda value: int(mpmath.nint(value)), 1, 1)
     number = np.frompyfunc(mpmath.mpmathify, 1, 1)
-    return Arithmetic(*functions, lambda values: nearest(values).astype(int), +mpmath.pi, float(mpmath.mp.eps), number)
+    return Arithmetic(*functions, lambda values: nearest(values).astype(int), _inverse, +mpmath.pi, mpmath.mpc(0, 1),
+                      float(mpmath.mp.eps), number)
+
+
+def _inverse(values):
+    """Of arrays of mpmath's numbers, one matrix at a time."""
+    import mpmath
+
+    m = values.shape[-1]
+    found = [(mpmath.matrix(one.tolist()) ** -1).tolist() for one in values.reshape(-1, m, m)]
+    return np.array(found, object).reshape(values.shape)
 
 
 def _of_mpmath(value):

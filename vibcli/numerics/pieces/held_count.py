@@ -4,7 +4,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.numerics.pieces.arithmetic import arithmetic_of
+from vibcli.numerics.pieces.flattening import flattened
+from vibcli.numerics.pieces.graded import graded_count
 from vibcli.numerics.pieces.parity import parity_functions
 from vibcli.numerics.pieces.scaled_functions import even_functions
 from vibcli.numerics.pieces.uniform import fourth_order
@@ -21,18 +22,14 @@ def held_count(piece: "Piece", omega: Any) -> np.ndarray:
     what a relative change of ω by a few roundings explains. How far a pole is: |d| / |∂d/∂κ| of stiffness_and_slope
     (in norms) tends to the distance of κ to it.
     """
-    kappa = piece.undamped_reaction(omega)
-    numbers = arithmetic_of(*piece, kappa)
-    values = [numbers.array(value) for value in (piece.length, piece.bending, piece.tension, kappa)]
-    shape = np.broadcast_shapes(*(value.shape for value in values))
-    length, bending, tension, kappa = (np.broadcast_to(value, shape).ravel() for value in values)
-    if np.any(piece.gradient):
-        raise NotImplementedError("tension that varies along a piece")
-    if piece.order == 2:
-        found = _second_order(length, tension, kappa, numbers)
-    else:
-        found = _fourth_order(length, bending, tension, kappa, numbers)
-    return found.reshape(shape)
+    flat = flattened(piece, piece.undamped_reaction(omega))
+
+    def uniform(one, kappa):
+        if flat.order == 2:
+            return _second_order(one.length, one.tension, kappa, flat.numbers)
+        return _fourth_order(one.length, one.bending, one.tension, kappa, flat.numbers)
+
+    return flat.filled((), uniform, lambda one, kappa: graded_count(one, kappa, flat.numbers)).astype(int)
 
 
 def _second_order(length, tension, kappa, numbers):

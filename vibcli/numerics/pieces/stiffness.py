@@ -4,7 +4,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.numerics.pieces.arithmetic import arithmetic_of
+from vibcli.numerics.pieces.flattening import flattened
+from vibcli.numerics.pieces.graded import graded_stiffness
 from vibcli.numerics.pieces.uniform import fourth_order, second_order
 
 if TYPE_CHECKING:
@@ -26,15 +27,17 @@ def stiffness_and_slope(piece: "Piece", kappa: Any) -> tuple[np.ndarray, np.ndar
     Undamped at ω with piece.undamped_reaction(ω), real; ∂d/∂(s²) is μ ∂d/∂κ, ∂d/∂s is (2 μ s + c) ∂d/∂κ. φᵀ ∂d/∂κ φ is
     ∫ u² dx of the deflection with end values φ.
     """
-    numbers = arithmetic_of(*piece, kappa)
-    values = [numbers.array(value) for value in (piece.length, piece.bending, piece.tension, kappa)]
-    shape = np.broadcast_shapes(*(value.shape for value in values))
-    length, bending, tension, kappa = (np.broadcast_to(value, shape).ravel() for value in values)
-    if np.any(piece.gradient):
-        raise NotImplementedError("tension that varies along a piece")
-    if piece.order == 2:
-        found = second_order(length, tension, kappa, numbers)
-    else:
-        found = fourth_order(length, bending, tension, kappa, numbers)
-    ends = (*shape, *found[0].shape[-2:])
-    return found[0].reshape(ends), found[1].reshape(ends)
+    flat = flattened(piece, kappa)
+
+    def uniform(one, kappa):
+        if flat.order == 2:
+            found = second_order(one.length, one.tension, kappa, flat.numbers)
+        else:
+            found = fourth_order(one.length, one.bending, one.tension, kappa, flat.numbers)
+        return np.stack(found, axis=1)
+
+    def graded(one, kappa):
+        return np.stack(graded_stiffness(one, kappa, flat.numbers), axis=1)
+
+    found = flat.filled((2, flat.order, flat.order), uniform, graded)
+    return found[..., 0, :, :], found[..., 1, :, :]

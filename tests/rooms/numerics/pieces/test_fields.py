@@ -22,9 +22,9 @@ def far(found, expected):
 @mpmath.workdps(60)
 def test_fields_to_the_last_digits(seed):
     rng, part = random.Random(seed), mpmath.mpf(2) ** -70
-    for piece, kappa in pieces(seed, 12):
+    for piece, kappa in pieces(seed, 6):
         ends = [rng.gauss(0, 1) / (piece.length if i % 2 and piece.order == 4 else 1) for i in range(piece.order)]
-        places = piece.length * np.array([0, 1e-9, 0.1, 0.37, 0.5, 0.9, 1 - 1e-8, 1])
+        places = piece.length * np.array([0, 1e-9, 0.37, 0.5, 1 - 1e-8, 1])
         kappa = complex(kappa) if isinstance(kappa, complex) else kappa
         expected = reference.fields(piece, kappa, ends, places)
         nearby = np.array(reference.fields(piece, mpmath.mpmathify(kappa) * (1 + part), ends, places), object)
