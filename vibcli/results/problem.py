@@ -151,6 +151,10 @@ class Problem:
         """The motion in time, as `motion:` of the file says."""
         from vibcli.results import responses
 
+        if self.scene.pieces:
+            from vibcli.results.member_response import member_response
+
+            return member_response(self)
         if not self.scene.q and self.scene.timed:
             from vibcli.results.prescribed_motion import PrescribedResponse
 

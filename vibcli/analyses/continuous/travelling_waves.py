@@ -13,6 +13,7 @@ from vibcli.analyses.continuous.travelling_waves_curves import LEVELS, SAME, Loa
 from vibcli.analyses.continuous.travelling_waves_fields import straight
 from vibcli.analyses.continuous.travelling_waves_march import WaveMarch, WavePiece
 from vibcli.analyses.continuous.travelling_waves_station import EPSILON, WaveEnd, WaveStation
+from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Work
 
 if TYPE_CHECKING:
@@ -85,9 +86,8 @@ class WaveMotion:
         self.march.reach(t.max(initial=0.0))
         found = np.full(t.shape, EPSILON * abs(output.constant))
         for factor, curve, level, delay in self._terms(output, order):
-            count = np.searchsorted(curve.starts, t - delay, "right")
-            faster = curve.scale[min(level + 1, LEVELS - 1)]
-            found += EPSILON * abs(factor) * ((16 + 4 * count) * curve.scale[level] + 4 * t * faster)
+            found += EPSILON * abs(factor) * (curve.rounding(t - delay, level) + 4 * t * curve.scale[min(
+                level + 1, LEVELS - 1)])
         return found
 
     def breaks(self, output: "LinearOutput", until: float) -> np.ndarray:
@@ -98,16 +98,15 @@ class WaveMotion:
             found.append(np.array([piece.start for piece in self.forcing.segments(until, self.work)]))
         return np.unique(np.concatenate([np.zeros(1), *found]))
 
-    def fronts(self, output: "LinearOutput", until: float) -> list[tuple[float, float, float]]:
-        """(t, value before, value after) of the instants at which the output leaps."""
-        at = self.breaks(output, until)
-        at = at[(at > 0) & (at <= until)]
-        before, after, off = self.values(output, at, before=True), self.values(output, at), self.errors(output, at)
-        found: list[tuple[float, float, float]] = []
-        for t, one, other, noise in zip(at.tolist(), before.tolist(), after.tolist(), off.tolist(), strict=True):
-            if abs(one - other) > 4 * noise and not (found and t - found[-1][0] <= SAME * t):
-                found.append((t, one, other))
-        return found
+    def require_bounded(self, output: "LinearOutput", until: float) -> None:
+        """PhysicsError where a slope or a rate in the output is infinite at an instant, as a displacement leaps."""
+        self.march.reach(until)
+        spikes = [leap + delay for _, curve, level, delay in self._terms(output, 0) if level
+                  for leap in curve.leaps if 0 <= leap + delay <= until]
+        if spikes:
+            raise PhysicsError(f"this signal is infinite for an instant, at t = {min(spikes):.6g} s: a displacement "
+                               "leaps there", "let a blow on what has no mass last for a while, or give it a mass; "
+                               "values between the fronts are found")
 
     def _terms(self, output, order) -> Iterable[tuple[float, PiecewiseSeries, int, float]]:
         """(factor, curve, which of its rates, how much later) of all in an output."""

@@ -17,12 +17,13 @@ SAME = 1e-12        # relative distance of instants that are one
 
 class PiecewiseSeries:
     """A function known stretch by stretch, with its first two rates, each a Chebyshev series. Stretches begin at exact
-    instants, so that delays add up without rounding. scale: the largest that each level has been."""
+    instants, so that delays add up without rounding. scale: the largest that each level has been; leaps: the
+    instants at which the function itself leaps, so that its rates are infinite there."""
 
-    __slots__ = ("_lengths", "_series", "_starts", "count", "exact", "scale")
+    __slots__ = ("_lengths", "_series", "_starts", "count", "exact", "leaps", "scale")
 
     def __init__(self):
-        self.count, self.scale, self.exact = 0, np.zeros(LEVELS), []
+        self.count, self.scale, self.exact, self.leaps = 0, np.zeros(LEVELS), [], []
         self._starts, self._lengths, self._series = np.empty(16), np.empty(16), np.empty((16, LEVELS, WIDTH))
 
     def append(self, start: Fraction, length: Fraction, series: np.ndarray) -> None:
@@ -53,6 +54,15 @@ class PiecewiseSeries:
         for _ in range(level - LEVELS + 1):
             series = series @ RATE * (2 / length[:, None])
         return summed(series, 2 * (times - self._starts[place]) / length - 1)
+
+    def rounding(self, times: np.ndarray, level: int) -> np.ndarray:
+        """How often the rounding of a number the values may be off: that of each stretch so far adds to it, and each
+        differentiation of a series multiplies it."""
+        count = np.maximum(np.searchsorted(self.starts, times, "right"), 1)
+        found = (16 + 4 * count) * self.scale[min(level, LEVELS - 1)]
+        if level >= LEVELS - 1:
+            found = found + (16 + 4 * count) * self.scale[1] * (N * N / self._lengths[count - 1])**(level - 1)
+        return found
 
     def series(self, start: Fraction, length: Fraction) -> np.ndarray:
         """(LEVELS, WIDTH): its series on a stretch."""

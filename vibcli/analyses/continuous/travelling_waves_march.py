@@ -44,9 +44,22 @@ class WavePiece(NamedTuple):
         return (self.tension * self.inertia) ** 0.5
 
 
+def wave_piece(placed: Any, left: tuple[dict, int | None], right: tuple[dict, int | None]) -> WavePiece:
+    """The WavePiece of a PlacedPiece between two ends; NotByWaves where waves change their form along it."""
+    length, bending, tension, gradient, inertia, drag, foundation = map(float, placed.piece)
+    reasons = (("beams disperse their waves", bending), ("its tension varies along it", gradient),
+               ("drag damps its waves on their way", drag), ("its foundation disperses its waves", foundation))
+    for reason, coefficient in reasons:
+        if coefficient:
+            raise NotByWaves(f"'{placed.owner}' is not followed by travelling waves: {reason}")
+    if not inertia > 0 or not tension > 0:
+        raise NotByWaves(f"no waves travel along '{placed.owner}'")
+    return WavePiece(length, tension, inertia, left, right)
+
+
 class WaveMarch:
     """leaving: what leaves each end, coordinates: the motion of each coordinate, as PiecewiseSeries up to `known` at
-    least; fronts: the instants at which each station is reached by a front."""
+    least."""
 
     def __init__(self, pieces: Sequence[WavePiece], stations: Sequence[WaveStation], fields: "Sequence[Forcing]",
                  forcing: "Forcing", n: int, work: "Work"):
@@ -55,7 +68,6 @@ class WaveMarch:
         self.coordinates, self.leaving = [PiecewiseSeries() for _ in range(n)], []
         self.home = {end.number: k for k, station in enumerate(stations) for end in station.ends}
         self.now, self.known = [Fraction(0)] * len(stations), 0.0
-        self.fronts: list[list[Fraction]] = [[] for _ in stations]
         self._events: list[list[tuple]] = [[(Fraction(0), -1, 0.0)] for _ in stations]
         self._pace = [inf] * len(stations)
         self._loads, self._load_until = Loads(forcing.channels, []), -1.0
@@ -69,11 +81,12 @@ class WaveMarch:
                     self._announce(2 * number, after, leap / 2)
 
     def reach(self, until: float) -> None:
-        """Follow the waves up to an instant."""
+        """Follow the waves up to an instant, and as far beyond as makes no stretch of time short."""
         if until <= self.known or not self.stations:
             return
-        end = Fraction(until)
-        self._tell_loads(until)
+        beyond = float(max(self.delays, default=0)) + until / 64
+        end = Fraction(until + beyond)
+        self._tell_loads(until + 2 * beyond)
         heap = [(now, k) for k, now in enumerate(self.now)]
         heap.sort()
         with self.work.task("the waves from front to front", MOST, _too_many) as task:
@@ -81,7 +94,7 @@ class WaveMarch:
                 _, k = heappop(heap)
                 self._advance(k, end, task)
                 heappush(heap, (self.now[k], k))
-        self.known = until
+        self.known = float(end)
 
     def _tell_loads(self, until):
         """Announce where the loads jump or bend up to an instant."""
@@ -111,8 +124,8 @@ class WaveMarch:
         station, now, events = self.stations[k], self.now[k], self._events[k]
         if events and events[0][0] <= now + self._tolerance(now):
             self._front(k)
-        limit = min([until, *(self.now[self.home[end.number ^ 1]] + self.delays[end.number // 2]
-                              for end in station.ends)])
+        limit = min((self.now[self.home[end.number ^ 1]] + self.delays[end.number // 2] for end in station.ends),
+                    default=until)
         if events and events[0][0] <= limit + self._tolerance(limit):
             limit = events[0][0]
         if limit - now > 1.5 * self._pace[k]:
@@ -155,8 +168,11 @@ class WaveMarch:
             if number >= 0:
                 arrived[number] += leap
         impulses, driven = self._blows(station, now)
-        leaps = station.struck(impulses, np.array([arrived[end.number] for end in station.ends]), driven)
-        self.fronts[k].append(now)
+        moved, leaps = station.struck(impulses, np.array([arrived[end.number] for end in station.ends]), driven)
+        curves = [*(self.coordinates[i] for i in station.indices), *(self.leaving[end.number] for end in station.ends)]
+        for curve, leap in zip(curves, (*moved, *leaps), strict=True):
+            if leap:
+                curve.leaps.append(float(now))
         for end, leap in zip(station.ends, leaps, strict=True):
             self._announce(end.number ^ 1, now + self.delays[end.number // 2], float(leap))
 

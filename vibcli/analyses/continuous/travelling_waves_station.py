@@ -68,9 +68,9 @@ class WaveStation:
             raise NotByWaves("inertia and dampers of this scene do not fix how its coordinates move, each by itself")
         return np.linalg.inv(self.principal)
 
-    def struck(self, impulses: np.ndarray, arrived: np.ndarray, driven: np.ndarray) -> np.ndarray:
+    def struck(self, impulses: np.ndarray, arrived: np.ndarray, driven: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Take impulses on the coordinates, and leaps of what arrives at the ends and of what moves them; the leaps of
-        what leaves the ends."""
+        the coordinates, and of what leaves the ends."""
         total = impulses + sum((end.impedance * (2 * a - s) * end.row
                                 for end, a, s in zip(self.ends, arrived, driven, strict=True)), np.zeros(len(self.q)))
         jump = self.inverse @ total
@@ -80,7 +80,8 @@ class WaveStation:
         self.v = self.v + np.where(self.rates == 2, jump, 0.0)
         moved = np.where(self.rates == 1, jump, 0.0)
         self.q = self.q + moved
-        return np.array([end.row @ moved + s - a for end, a, s in zip(self.ends, arrived, driven, strict=True)])
+        return moved, np.array([end.row @ moved + s - a
+                                for end, a, s in zip(self.ends, arrived, driven, strict=True)])
 
     def along(self, half: float, arriving: np.ndarray, driven: np.ndarray, forces: np.ndarray,
               scales: np.ndarray) -> Stretch:
