@@ -1,7 +1,7 @@
 """Numbers of frequency responses: their values at a frequency, peaks, half-power points, fixed points."""
 
 import cmath
-from math import isfinite, pi, tau
+from math import pi, tau
 
 from vibcli.base import units
 from vibcli.base.errors import PhysicsError
@@ -63,15 +63,15 @@ def _of_curve(find):
 
 
 def _peak(curve, number, attribute):
-    Omega, value = _numbered(curve.peaks, number, "peak")
-    if attribute != "Omega" and not isfinite(value):
+    Omega, value, _ = curve.peak(number)
+    if attribute != "Omega" and value is None:
         raise PhysicsError("an undamped peak has no bound", f"add damping, or ask for peak[{number}](…).Omega")
     off, relative = curve.error_of_peak(number)
     return (Omega, off / Omega) if attribute == "Omega" else (value, relative)
 
 
 def _antiresonance(curve, number, attribute):
-    Omega = _numbered(curve.antiresonances, number, "antiresonance")
+    Omega = curve.antiresonance(number)
     return Omega, curve.error_of_antiresonance(Omega) / Omega
 
 

@@ -1,7 +1,8 @@
 """The frequency response of a signal of a scene to an input, and what is read off its graph."""
 
 from functools import cached_property
-from typing import TYPE_CHECKING
+from math import isfinite
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
 
@@ -14,6 +15,15 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 MOST = 10_000      # steps of a million products
+FAR = 2.0**12      # times as far as peaks are shown, where those without end are counted
+
+
+class Listing(NamedTuple):
+    """The Extremes up to a frequency, and which of them are peaks and antiresonances."""
+
+    extremes: "list[Extreme]"
+    peaks: "list[Extreme]"
+    antiresonances: "list[Extreme]"
 
 
 class FrequencyResponse:
@@ -23,7 +33,9 @@ class FrequencyResponse:
         from vibcli.analyses.frequency_response.transfer_function import transfer
 
         self.problem, self.signal, self.driver = problem, signal, driver
-        self.transfer, self._fixed = transfer(problem.configuration, signal, driver, modal=problem.modal), {}
+        self.transfer = transfer(problem.configuration, signal, driver, modal=problem.modal)
+        self._fixed: dict[str, Any] = {}
+        self._listed: dict[float, Listing] = {}
 
     def at(self, Omega: float) -> tuple[complex, float]:
         """(complex H, relative error bound)."""
@@ -47,46 +59,66 @@ class FrequencyResponse:
 
         return ResponseErrors(self.transfer)
 
-    @cached_property
-    def extremes(self) -> "list[Extreme]":
+    def listed(self, end: float) -> "Listing":
+        """The Listing up to a frequency, kept."""
         from vibcli.analyses.frequency_response.extremes import extremes
+        from vibcli.analyses.frequency_response.peaks import antiresonances, peaks
 
-        with self.problem.work.task("the search for peaks", MOST):
-            return extremes(self.transfer, 0.0, self.transfer.end)
+        if end not in self._listed:
+            with self.problem.work.task("the search for peaks", MOST):
+                found = extremes(self.transfer, 0.0, end)
+                self._listed[end] = Listing(found, peaks(self.transfer, found, end),
+                                            antiresonances(self.transfer, found, end))
+        return self._listed[end]
 
-    @cached_property
+    @property
     def marked(self) -> "list[Extreme]":
-        """The Extremes that are peaks."""
-        from vibcli.analyses.frequency_response.peaks import peaks
-
-        with self.problem.work.task("the search for peaks", MOST):
-            return peaks(self.transfer, self.extremes, self.transfer.end)
+        """The Extremes that are peaks, of those without end the ones that are shown."""
+        return self.listed(self.transfer.end).peaks
 
     @property
     def peaks(self) -> list[tuple[float, float]]:
         """[(Ω, |H|)], the value infinite without damping."""
         return [(one.Omega, float("inf") if one.value is None else one.value) for one in self.marked]
 
-    @cached_property
+    @property
     def antiresonances(self) -> list[float]:
-        """Ω of the antiresonances."""
-        from vibcli.analyses.frequency_response.peaks import antiresonances
+        """Ω of the antiresonances, of those without end the ones that are shown."""
+        return [one.Omega for one in self.listed(self.transfer.end).antiresonances]
 
-        with self.problem.work.task("the search for antiresonances", MOST):
-            return [one.Omega for one in antiresonances(self.transfer, self.extremes, self.transfer.end)]
+    def peak(self, number: int) -> "Extreme":
+        """A peak, counted from 1."""
+        return self._numbered(number, "peaks", "peak")[0]
+
+    def antiresonance(self, number: int) -> float:
+        """Ω of an antiresonance, counted from 1."""
+        return self._numbered(number, "antiresonances", "antiresonance")[0].Omega
+
+    def _numbered(self, number, kind, noun):
+        """(the one of this number, the Listing it is in), which reaches as far as it has to."""
+        end = self.transfer.end
+        found = self.listed(end)
+        while number > len(getattr(found, kind)) and end < FAR * self.transfer.end:
+            end *= 2
+            found = self.listed(end)
+        count = len(getattr(found, kind))
+        if number > count:
+            raise PhysicsError(f"this frequency response has {count or 'no'} {noun}{'s' * (count != 1)}"
+                               + f" up to {end:.6g} rad/s" * isfinite(end), "ask for one that it has")
+        return getattr(found, kind)[number - 1], found
 
     def half_power_of(self, number: int) -> tuple[float, float]:
         """(Ω₁, Ω₂) about a peak, counted from 1."""
         from vibcli.analyses.frequency_response.peaks import half_power
 
-        peak = self._peak(number)
+        peak, found = self._numbered(number, "peaks", "peak")
         with self.problem.work.task("the search for half-power points", MOST):
-            return half_power(self.transfer, peak, self.extremes)
+            return half_power(self.transfer, peak, found.extremes)
 
     def quality(self, number: int) -> float:
         """Q of a peak, counted from 1."""
         low, high = self.half_power_of(number)
-        return self._peak(number).Omega / (high - low)
+        return self.peak(number).Omega / (high - low)
 
     def fixed_points(self, damper: str) -> "list[FixedPoint]":
         """The FixedPoints of the curves for all values of one damper."""
@@ -102,16 +134,9 @@ class FrequencyResponse:
                 self._fixed[damper] = free, fixed_points(free, self.transfer)
         return self._fixed[damper][1]
 
-    def _peak(self, number):
-        if number > len(self.marked):
-            count = len(self.marked)
-            raise PhysicsError(f"this frequency response has {count or 'no'} peak{'s' * (count != 1)}",
-                               "ask for one that it has")
-        return self.marked[number - 1]
-
     def error_of_peak(self, number: int) -> tuple[float, float]:
         """(|δΩ|, relative error of |H|) of a peak, counted from 1."""
-        peak = self._peak(number)
+        peak = self.peak(number)
         if peak.value is None:
             return self.transfer.error_of_pole(peak.Omega), 0.0
         return self.errors.of_top(peak.Omega)
@@ -130,7 +155,7 @@ class FrequencyResponse:
         """Relative, of Q of a peak."""
         low, high = self.half_power_of(number)
         return (sum(self.errors_of_half_power(number)) / (high - low)
-                + self.error_of_peak(number)[0] / self._peak(number).Omega)
+                + self.error_of_peak(number)[0] / self.peak(number).Omega)
 
     def error_of_fixed_point(self, damper: str, Omega: float) -> tuple[float, float]:
         """(|δΩ|, relative error of |H|) of a fixed point of the curves for all values of a damper."""
@@ -145,7 +170,7 @@ class FrequencyResponse:
         from vibcli.analyses.frequency_response.frequency_grid import adaptive
 
         with self.problem.work.task("the curve of H", MOST):
-            return adaptive(self.transfer, low, high, True, self.extremes)[0]
+            return adaptive(self.transfer, low, high, True, self.listed(max(high, self.transfer.end)).extremes)[0]
 
     def values(self, Omega: "np.ndarray") -> "np.ndarray":
         """H at frequencies; NaN where an undamped mode has no bound."""
@@ -162,4 +187,4 @@ class FrequencyResponse:
         """The range of Ω in which what matters lies: from a fifth of the lowest frequency to five times the highest."""
         places = [Omega for Omega, _ in self.peaks] + self.antiresonances
         places += self.transfer.natural() or [1.0]
-        return 0.2 * min(places), 5.0 * max(places)
+        return 0.2 * min(places), min(5.0 * max(places), self.transfer.end)

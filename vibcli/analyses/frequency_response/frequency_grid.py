@@ -25,7 +25,7 @@ def adaptive(system: "FrequencyResponseFunction", low: float, high: float, log: 
     known = extremes(system) if known is None else known
     endless = np.array([one.Omega for one in known if not one.value])
     even = np.geomspace(low, high, EVEN) if log else np.linspace(low, high, EVEN)
-    near = [*places(system), *(one.Omega for one in known)]
+    near = [*places(system, 0.0, max(high, system.end)), *(one.Omega for one in known)]
     Omega = np.unique([*even, *(x for x in near if low < x < high)])
     Omega = _clear(Omega[np.append(True, np.diff(Omega) > NARROW * Omega[1:])], endless)
     values = sampled(system, Omega)[0]

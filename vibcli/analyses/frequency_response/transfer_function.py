@@ -118,6 +118,10 @@ def transfer(configuration: "Configuration", signal: str, driven_by: str, order:
     if is_load(configuration.spec, signal_name(signal).still.text):
         raise PhysicsError(f"'{signal}' is that of a load, and no response to one", "ask for a coordinate, a place or "
                            "the force of a spring")
+    if configuration.linear_system.pieces:
+        from vibcli.analyses.frequency_response.member_transfer import member_transfer
+
+        return member_transfer(configuration, signal_name(signal), driven_by, order, modal)
     row, chosen = linear_row(configuration, signal), named_input(configuration, driven_by)
     n = len(configuration.scene.q)
     M, C, K = system(configuration)
