@@ -24,7 +24,9 @@ def axis_of(name: str, scene: Any) -> "tuple[str, Node] | None":
     if name in scene.bodies:
         return scene.bodies[name].lumped
     found = station_of(name, scene)
-    return None if found is None else ("turn" if found[0].kind.torsional else "slide", found[1].u)
+    if found is None or found[0].line is not None:
+        return None
+    return "turn" if found[0].kind.torsional else "slide", found[1].u
 
 
 def stretch(record: "Record", scene: Any, torsion: Any):

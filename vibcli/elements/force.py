@@ -21,7 +21,8 @@ _AT = OneOf("the name of a point or body (name a place under `points`)",
 def _settle(record, reader):
     if "speed" in record.places and "unbalance" not in record.places:
         reader.report(record.place("speed"), "'speed' is that of an unbalance, and there is none", "leave it out")
-    for first, others in (("force", ("at",)), ("moment", () if "at" in record.places else ("body",)), ("value", ("coordinate",)),
+    turned = () if "at" in record.places else ("body",)
+    for first, others in (("force", ("at",)), ("moment", turned), ("value", ("coordinate",)),
                           ("unbalance", ("at", "speed"))):
         for key in others if first in record.places else ():
             if key not in record.places:

@@ -2,19 +2,21 @@
 
 Stations are the ends, the steps of section, and every place with an attachment, a point or a joint. A motion that is
 free is a coordinate, named as its signal: `wing.u(L/2)`, `wing.slope(L)`, `line.phi(0 m)`; what is held to a body or
-another member is a function of theirs; what is clamped is zero.
+another member is a function of theirs; what is clamped is zero. In the plane a bar stretches and stays straight, hinged
+at its ends; beams and strings keep their length, their mass going along.
 """
 
 from functools import partial
-from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from vibcli.elements.member_attachments import attach, held_end
-from vibcli.elements.member_ends import GUIDED, PINNED
+from vibcli.elements.member_attachments import attach
 from vibcli.elements.member_fields import MemberKind, members_of
+from vibcli.elements.member_holds import held_at
+from vibcli.elements.member_line import DrawnLine, Station, line_of
+from vibcli.elements.member_pieces import add_pieces
 from vibcli.elements.member_places import places_of
 from vibcli.elements.member_segments import segments_of
-from vibcli.elements.member_springs import springs_across, springs_along
+from vibcli.language.named_elements import load
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -23,28 +25,19 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 
-class Station(NamedTuple):
-    """A place on a member, as it is written, and its motions: u or φ, and the slope of beams (None of the rest)."""
-
-    place: Any
-    text: str
-    u: Any
-    slope: Any
-
-    @property
-    def motions(self) -> "list[Node]":
-        """(u,), of beams (u, slope)."""
-        return [self.u] if self.slope is None else [self.u, self.slope]
-
-
 class Member(NamedTuple):
-    """A member as built: its kind, record, MemberSegments, and Stations from left to right."""
+    """A member as built: its kind, record, MemberSegments, and Stations from left to right; the DrawnLine along which it is
+    drawn; `stretches`: the coordinates, one a station, by which it is cut open to find its tension, which
+    is `settled` where it is the same wherever the scene rests."""
 
     name: str
     kind: MemberKind
     record: Any
     segments: list
     stations: list
+    line: DrawnLine | None = None
+    stretches: tuple = ()
+    settled: bool = True
 
     @property
     def length(self) -> "Node":
@@ -54,13 +47,16 @@ class Member(NamedTuple):
     @property
     def nodes(self) -> "list[Node]":
         """The motions of its stations."""
-        return [node for station in self.stations for node in station.motions]
+        return [node for station in self.stations for node in station.nodes]
 
     def over(self, new: "Mapping[Node, Node]") -> "Member":
         """Itself with its motions replaced, {node: node}."""
-        return self._replace(stations=[
-            station._replace(u=new[station.u], slope=None if station.slope is None else new[station.slope])
-            for station in self.stations])
+        return self._replace(stations=[station.over(new) for station in self.stations])
+
+    def position(self, station: Station) -> "tuple[Node, Node]":
+        """Where a station is now, in the plane."""
+        (x, y), (dx, dy) = self.line.drawn(station.place), self.line.displaced(station.along, station.u)
+        return x + dx, y + dy
 
     def signal(self, scene: Any, signal: "SignalName", place: "Node"):
         """The PlaceSignal of a name: a motion, force or stress at a place; None beyond the ends."""
@@ -91,82 +87,31 @@ def _built(name, kind, record, scene):
     if scene.spec.get("motion") == "full":
         scene.report(record.where, f"'{name}' is linear about its drawn line: its motions are small ones",
                      "leave out `motion: full`")
-    segments = segments_of(record, kind, scene)
+    line = line_of(record, scene)
+    segments = segments_of(record, kind, line, scene)
     places = places_of(name, record, segments, scene)
+    member = Member(name, kind, record, segments, [], line)
     if len(scene.diagnostics) > before:
-        return Member(name, kind, record, segments, [])
-    held = [_held(place, kind, scene) for place in places]
-    stations = [_station(name, kind, place, motions, scene) for place, motions in zip(places, held, strict=True)]
-    member = Member(name, kind, record, segments, stations)
-    for segment in segments:
-        inside = [station for station in stations if _within(station, segment, scene)]
-        for left, right in pairwise(inside):
-            _add_piece(member, segment, left, right, scene)
-    for place, station in zip(places, stations, strict=True):
+        return member
+    held = [held_at(place, kind, line, scene, built) for place in places]
+    if line is None:
+        member = member._replace(stations=[_station(name, kind, place, motions, scene)
+                                           for place, motions in zip(places, held, strict=True)])
+    else:
+        tensions = scene.tensions.get(name)
+        member = load("member_plane").placed(member, places, held, scene)._replace(
+            settled=tensions is None or tensions.settled)
+    scene.members[name] = member
+    add_pieces(member, scene)
+    for place, station in zip(places, member.stations, strict=True):
         for here in (*(end for end in place.ends if not isinstance(end, str)), *place.attached):
             attach(here, member, station, scene)
     return member
 
 
-def _within(station, segment, scene):
-    x, start, end = (scene.number(node) for node in (station.place, segment.start, segment.end))
-    slack = 1e-9 * abs(end)
-    return start - slack <= x <= end + slack
-
-
-def _held(place, kind, scene):
-    """[u, slope] of a place as ends and supports hold them, None what is free."""
-    motions = [None, None] if kind.bends else [None]
-    for holds in (*(held_end(end, kind, scene, built) for end in place.ends), *(
-            _support(record["support"], kind, scene) for record in place.attached if "support" in record)):
-        for i, motion in enumerate(holds):
-            if motion is not None and motions[i] is not None:
-                where = next((r.place("support") for r in place.attached if "support" in r), place.where)
-                scene.report(where, f"what stands at {place.text} is held there already", "leave one of both out")
-            elif motion is not None:
-                motions[i] = motion
-    return motions
-
-
-def _support(word, kind, scene):
-    zero = scene.table.zero
-    if not kind.bends:
-        return [zero]
-    return [None if word == GUIDED else zero, None if word == PINNED else zero]
-
-
-def _station(name, kind, place, motions, scene):
+def _station(name, kind, place, held, scene):
     """The Station of a place: what is not held is a coordinate."""
-    signals = [kind.motion, "slope"]
-    found = [scene.coordinates.further(f"{name}.{signal}({place.text})") if motion is None else motion
-             for signal, motion in zip(signals, motions, strict=False)]
-    return Station(place.node, place.text, found[0], found[1] if kind.bends else None)
-
-
-def _tension(member, scene):
-    """The tension as drawn of a beam, zero where none is given, or of a string, which must be positive."""
-    if "preload" not in member.record:
-        return scene.table.zero
-    preload = member.record["preload"]
-    return scene.lower(preload) if member.kind.bends else scene.positive(preload, f"the tension of '{member.name}'")
-
-
-def _add_piece(member, segment, left, right, scene):
-    """The springs of the piece between two stations, and the piece itself where it has inertia or drag."""
-    table, kind = scene.table, member.kind
-    length, ends = right.place - left.place, [*left.motions, *right.motions]
-    tension = _tension(member, scene)
-    if kind.bends:
-        bending = segment.stiffness
-        springs = springs_across(scene, length, bending, tension, segment.foundation, ends)
-    else:
-        bending, tension = table.zero, tension if segment.stiffness is None else segment.stiffness
-        springs = springs_along(scene, length, tension, segment.foundation, ends)
-    springs = [(weight, stretch) for weight, stretch in springs if stretch.mask and not weight.is_zero]
-    light = segment.inertia.is_zero and segment.drag.is_zero
-    if light:
-        for weight, stretch in springs:
-            scene.add_spring(weight, table.zero, stretch)
-    else:
-        coefficients = (length, bending, tension, table.zero, segment.inertia, segment.drag, segment.foundation)
-        scene.add_piece(left.place, coefficients, ends, springs)
+    signals = {"u": kind.motion, "slope": "slope"} if kind.bends else {"u": kind.motion}
+    found = {motion: held[motion] if motion in held else scene.coordinates.further(f"{name}.{signal}({place.text})")
+             for motion, signal in signals.items()}
+    return Station(place.node, place.text, **found)

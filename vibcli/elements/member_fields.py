@@ -3,9 +3,10 @@
 from typing import Any, NamedTuple
 
 from vibcli.elements.cross_sections import SECTION
-from vibcli.elements.member_ends import attachment, end_kind
+from vibcli.elements.member_ends import HOLDS, attachment, end_kind
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Many, Quantity
+from vibcli.language.named_place import DRAWN
 from vibcli.language.reader import Reader, Record
 
 
@@ -67,7 +68,9 @@ def member_element(kind: MemberKind, about: str, example: str) -> Element:
     segment = Element("segment", "A segment of a member, from the left; what it leaves out is the member's.",
                       {"length": Field(Quantity("m"), "its length", required=True), **along}, exclusive=exclusive)
     fields = {"length": Field(Quantity("m"), "its length"), **along}
-    if kind.stiffness != "EA" and not kind.torsional:
+    if not kind.torsional:
+        fields |= {"from": Field(DRAWN, "where its left end is drawn, in the plane"),
+                   "to": Field(DRAWN, "where its right end is drawn")}
         fields["preload"] = Field(Quantity("N"), "its tension as drawn; negative where it is compressed")
     fields["segments"] = Field(Many(segment, 1, 1000, "a list of segments"), "its segments from the left: "
                                "`[{length: L1, section: …}, …]`")
@@ -75,12 +78,19 @@ def member_element(kind: MemberKind, about: str, example: str) -> Element:
         fields[side] = Field(end_kind(kind.torsional, kind.bends), f"what holds its {side} end (default: free)")
     fields["attached"] = Field(Many(attachment(kind.torsional, kind.bends), 1, 1000, "a list of attachments"),
                                "what is attached to it: `[{at: L, mass: M}, {at: a, k: k}]`")
-    return Element(kind.name, about, fields, exclusive=exclusive, needs=(("length", "segments"),),
+    return Element(kind.name, about, fields, exclusive=exclusive,
+                   needs=(("length", "segments", *(() if kind.torsional else ("from",))),),
                    settle=_settle, example=example)
 
 
 def _settle(record: Record, reader: Reader) -> None:
     """A mass per length without sections or the like; a string needs its tension."""
+    for one, other in (("from", "to"), ("to", "from")):
+        if one in record and other not in record:
+            reader.report(record.place(one), f"'{one}' needs '{other}'", "a member is drawn from one place to another")
+    if record.element.name == "bar" and "preload" in record and "from" not in record:
+        reader.report(record.place("preload"), "the tension of a bar plays no part in what moves along it",
+                      "leave it out, or draw the bar in the plane, `from` a place `to` another")
     if record.element.name == "string" and "preload" not in record:
         reader.report(record.where, f"nothing tells the tension of '{record.name}'", "give `preload: T`")
 
@@ -89,3 +99,22 @@ def members_of(spec: Any) -> "dict[str, tuple[MemberKind, Record]]":
     """{name: (kind, record)} of all members of a scene."""
     return {name: (kind, record) for section, kind in KINDS.items()
             for name, record in (spec.get(section) or {}).items()}
+
+
+def bodies_that_hold(name: str, spec: Any) -> list[str]:
+    """A body itself; of a point on a member the bodies that hold it, directly or through other members."""
+    points, members, seen = spec.get("member_points") or {}, members_of(spec), []
+    if name not in points:
+        return [name]
+    waiting, found = [points[name]["body"].text], []
+    while waiting:
+        member = waiting.pop()
+        seen.append(member)
+        for side in ("left", "right"):
+            end = members[member][1].get(side, "free")
+            for other in [] if isinstance(end, str) else [end[word].text for word in HOLDS if word in end]:
+                if other not in members:
+                    found.append(other)
+                elif other not in seen:
+                    waiting.append(other)
+    return found

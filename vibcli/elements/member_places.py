@@ -35,7 +35,17 @@ def right_text(record: "Record") -> str:
     """The right end of a member as a place: its length as written, or the sum of its segments."""
     if "length" in record:
         return record["length"].text
+    if "segments" not in record:
+        return _drawn_length(record)
     return " + ".join(segment["length"].text for segment in record["segments"])
+
+
+def _drawn_length(record):
+    """The one coordinate by which the ends of a member lie apart as drawn, or a word."""
+    ends = [[part.text.strip() for part in record[key]] for key in ("from", "to")]
+    apart = [i for i in (0, 1) if ends[0][i] != ends[1][i]]
+    from_zero = len(apart) == 1 and ends[0][apart[0]].partition(" ")[0] == "0"
+    return ends[1][apart[0]].removeprefix("-").strip() if from_zero else "right end"
 
 
 def asked_places(name: str, spec: "Spec") -> "Iterator[Any]":

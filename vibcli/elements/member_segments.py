@@ -6,6 +6,7 @@ from vibcli.elements.cross_sections import CrossSection, cross_section
 from vibcli.elements.member_fields import MemberKind
 
 if TYPE_CHECKING:
+    from vibcli.elements.member_line import DrawnLine
     from vibcli.language.reader import Record
     from vibcli.symbolic.node import Node
 
@@ -31,14 +32,16 @@ class MemberSegment(NamedTuple):
                 if node is not None]
 
 
-def segments_of(record: "Record", kind: MemberKind, scene: Any) -> list[MemberSegment]:
+def segments_of(record: "Record", kind: MemberKind, line: "DrawnLine | None", scene: Any) -> list[MemberSegment]:
     """The Segments of a member; what does not add up, has no stiffness or no section is reported."""
     found, start = [], scene.table.zero
     given = _Given(record, kind, scene)
     for part in record.get("segments", [record]):
-        end = start + scene.positive(part["length"], f"the length of {_called(part, record)}")
+        end = start + (scene.positive(part["length"], f"the length of {_called(part, record)}") if "length" in part else
+                       line.length)
         own = given.within(part)
-        found.append(MemberSegment(start, end, part["length"].text, own.stiffness(), own.inertia(),
+        text = part["length"].text if "length" in part else ""
+        found.append(MemberSegment(start, end, text, own.stiffness(), own.inertia(),
                                    own.per_length("foundation"), own.per_length("drag"), own.modulus(), own.section()))
         start = end
     if "segments" in record and "length" in record:
@@ -46,6 +49,9 @@ def segments_of(record: "Record", kind: MemberKind, scene: Any) -> list[MemberSe
         scene.require_equal(start, length, record["length"].where,
                             f"the segments of '{record.name}' make {{}} m, its length is {{}} m",
                             "mend one of them, or leave `length` out")
+    if line is not None and ("segments" in record or "length" in record):
+        scene.require_equal(start, line.length, record.where, f"'{record.name}' is {{}} m long, and drawn {{}} m long",
+                            "mend one of them; without `length` it is as long as it is drawn")
     return found
 
 

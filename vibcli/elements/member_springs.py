@@ -46,6 +46,29 @@ def springs_across(scene: Any, length: "Node", bending: "Node", tension: "Node",
             (bending / length * odd, (turned + turned_last) / 2 - (last - first) / length)]
 
 
+def mean_along(scene: Any, length: "Node", tension: "Node", foundation: "Node", ends: "Sequence[Node]") -> "Node":
+    """Mean displacement of a piece of order 2 without loads of its own, by which loads spread evenly act."""
+    first, last = ends
+    mean = (first + last) / 2
+    if foundation.is_zero:
+        return mean
+    half = scene.table.sqrt(foundation / tension) * length / 2
+    return mean * scene.table.call("tanh", half) / half
+
+
+def mean_across(scene: Any, length: "Node", bending: "Node", tension: "Node", foundation: "Node",
+                ends: "Sequence[Node]") -> "Node":
+    """The same of a piece of a beam; on a foundation its force, k times this, is that on the ends."""
+    first, turned, last, turned_last = ends
+    mean = (first + last) / 2
+    if not foundation.is_zero:
+        a, b, _ = _end_stiffness(even_solutions(scene, length / 2, bending, tension, foundation), bending, tension)
+        return (a * mean + b * (turned_last - turned) / 2) * 2 / (foundation * length)
+    odd = scene.table.number(12) if tension.is_zero else _stability_functions(
+        scene, tension * length * length / (4 * bending))[1]
+    return mean - length / odd * (turned_last - turned)
+
+
 def _stability_functions(scene, z):
     """g(z) = λ coth λ and 4z/(g − 1), z = λ²; near z = 0, where their difference loses digits, by Lambert's continued
     fraction g = 1 + z/(3 + z/(5 + …)), which is then right to more digits than anybody asks for."""

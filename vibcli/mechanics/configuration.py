@@ -62,6 +62,10 @@ class Configuration:
         if self._equilibrium is not None:
             return self._equilibrium
         found = self._reached()
+        if self.scene.members:
+            from vibcli.mechanics.member_tensions import require_tensions
+
+            require_tensions(self.about(found))
         if self.scene.timed:
             from vibcli.mechanics.autonomous import require_autonomous
 

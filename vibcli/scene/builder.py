@@ -21,12 +21,14 @@ from vibcli.scene.places import Frame, Places
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats
 from vibcli.symbolic.expression import Table
+from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
     from fractions import Fraction
 
     from vibcli.elements.body import Body
     from vibcli.language.spec import Spec
+    from vibcli.scene.member_tensions import Tensions
     from vibcli.scene.scene import Variant
     from vibcli.symbolic.node import Node
 
@@ -39,7 +41,9 @@ class Builder:
 
     owner: str
 
-    def __init__(self, spec: "Spec", given: "Mapping[str, Fraction]", attempt: int, variant: "Variant"):
+    def __init__(self, spec: "Spec", given: "Mapping[str, Fraction]", attempt: int, variant: "Variant",
+                 tensions: "Mapping[str, Tensions]"):
+        self.tensions = tensions
         self.spec, self.variant, self.owner, self.reports = spec, variant, None, Reports()
         records = spec.sections.get("records") or {}
         self.table = table = Table({name: record["samples"] for name, record in records.items()})
@@ -53,8 +57,9 @@ class Builder:
                                for record in spec.coordinates.values()])
         self.contents, self.displacements = Contents.empty(table), Displacements(self.expressions, variant)
         self._offer(self.expressions, self.displacements, Places(
-            spec, self.expressions, self.contents.bodies, self.contents.points,
-            lambda record, drawn: load("point").driven(record, drawn, self)))
+            spec, self.expressions, self.contents.bodies, self.contents.points, self.contents.members,
+            lambda record, drawn: load("point").driven(record, drawn, self),
+            lambda name: load("member").built(name, self)))
 
     def _offer(self, expressions, displacements, places):
         """The services of expressions, of what is driven, and of bodies and points."""
@@ -105,8 +110,10 @@ class Builder:
         for name, (section, _) in ELEMENTS.items():
             if section in sections and section not in FIRST:
                 self._add_section(name, section)
-        for name, record in (sections.get("points") or {}).items():
-            if "moves" in record:
+        along = {name: record for name, record in (sections.get("member_points") or {}).items()
+                 if "from" in self.members[record["body"].text].record}
+        for name, record in {**(sections.get("points") or {}), **along}.items():
+            if "moves" in record or name in along:
                 self.place(Reference(name, record.where))
 
     def _add_section(self, name, section):
@@ -144,6 +151,11 @@ class Builder:
         """preload·s + ½·k·s² to V."""
         self.contents.springs.append(Spring(k, s, preload, self.owner))
 
+    def tension(self, name: str, piece: int) -> "Node | None":
+        """What statics finds in a piece of a member; None where nothing tells."""
+        found = self.tensions.get(name)
+        return found and copied([found.pieces[piece]], self.table)[0]
+
     def drifts(self, motion: "Node") -> bool:
         """Is a motion driven, and not to and fro?"""
         drives = self.displacements.driven
@@ -157,12 +169,12 @@ class Builder:
         return found
 
     def add_piece(self, start: "Node", coefficients: "Sequence[Node]", ends: "Sequence[Node]",
-                  springs: "Sequence[tuple[Node, Node]]") -> None:
-        """A piece of a member, whose `springs` at rest are (stiffness, stretch)."""
+                  springs: "Sequence[tuple[Node, Node, Node]]") -> None:
+        """A piece of a member, whose `springs` at rest are (stiffness, stretch, tension as drawn)."""
         from vibcli.scene.piece_terms import PieceSpring, PieceTerm
 
-        for k, s in springs:
-            self.contents.springs.append(PieceSpring(k, s, self.table.zero, self.owner))
+        for k, s, preload in springs:
+            self.contents.springs.append(PieceSpring(k, s, preload, self.owner))
         self.contents.pieces.append(PieceTerm(self.owner, start, tuple(coefficients), tuple(ends), len(springs)))
 
     def add_damper(self, c: "Node", s: "Node") -> None:

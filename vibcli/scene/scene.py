@@ -27,12 +27,14 @@ BENT = ("abs", "sign", "min", "max", "step", "ramp")
 
 class Variant(NamedTuple):
     """What a scene is beside that of its file: its constraints held by multipliers, its supports `released`, its drives
-    and loads as further coordinates, the `inputs`; `preloaded`: with the force that lets go where the motion starts."""
+    and loads as further coordinates, the `inputs`; `preloaded`: with the force that lets go where the motion starts;
+    `stretched`: its beams and strings in the plane cut open at their stations, to find their tension."""
 
     multipliers: bool = False
     released: bool = False
     inputs: bool = False
     preloaded: bool = False
+    stretched: bool = False
 
 
 class Setting(NamedTuple):
@@ -94,7 +96,7 @@ class Scene:
         (self.gravity, self.bodies, self.points, self.members, self.inertias, self.springs, self.dampers, self.weights,
          self.forces, self.laws, self.constraints, self.pieces, self.energies, self.matrices, self.static_preloads,
          self.shaken) = contents
-        places = Places(self.spec, expressions, self.bodies, self.points)
+        places = Places(self.spec, expressions, self.bodies, self.points, self.members)
         self.frame, self.place, self.place_of, self.rim = places.frame, places.place, places.place_of, places.rim
         self.extent, self.unit_of = places.extent, places.unit_of
         self.driven, self.inputs, self.released = drives
