@@ -25,7 +25,8 @@ WAVE_NUMBER = "βL"      # of notation.PRODUCTS
 
 class FrequencyEquation(NamedTuple):
     """What vanishes at the natural frequencies of the `members`: {functions of the arguments: coefficient}; βL, β that
-    of the first piece and L the length of the chain, ω² by βL, and the argument of each piece."""
+    of the first piece and L the length of the chain, ω² by βL, the argument of each piece, what acts on the stations,
+    and the coordinates of what hangs on those."""
 
     members: tuple
     order: int
@@ -34,6 +35,8 @@ class FrequencyEquation(NamedTuple):
     arguments: list
     function: dict
     pieces: "list[PlacedPiece]"
+    impedances: "list[tuple]"
+    hung: list
 
 
 def frequency_equations(symbolic: "SymbolicSystem") -> "list[FrequencyEquation | None]":
@@ -82,9 +85,9 @@ def _equation(form, chain):
             return None         # on a foundation of its own
         number = beta * ratio ** (HALF if order == 2 else HALF / 2)
         pieces.append(UniformPiece(number, number * part.piece.length, own))
-    function = frequency_function(table, order, pieces, acting)
+    function = frequency_function(table, order, pieces, acting[0])
     return FrequencyEquation(tuple(dict.fromkeys(part.owner for part in chain)), order, x, square,
-                             [piece.argument for piece in pieces], function, chain)
+                             [piece.argument for piece in pieces], function, chain, *acting)
 
 
 def _stiffness(piece):
@@ -98,8 +101,8 @@ def _stations(chain):
 
 
 def _impedances(n, M, K, square, stations, table):
-    """(Z of the displacement, of beams of the turn) of each station, None of what is held; None where what acts on one
-    motion is coupled to another."""
+    """[(Z of the displacement, of beams of the turn)] of the stations, None of what is held, and the coordinates of
+    what hangs on them; None where what acts on one motion is coupled to another."""
     moving = [next(iter(row)) for rows in stations for row in rows if row]
     if len(set(moving)) != len(moving):
         return None
@@ -110,7 +113,7 @@ def _impedances(n, M, K, square, stations, table):
     hung = {j: i for i in moving for j in beside[i]}
     if any(beside[j] != {hung[j]} for j in hung):
         return None
-    return [tuple(_impedance(row, entries, beside, table) for row in rows) for rows in stations]
+    return [tuple(_impedance(row, entries, beside, table) for row in rows) for rows in stations], list(hung)
 
 
 def _impedance(row: "Mapping[int, Node]", entries: Any, beside: Any, table: Any):

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 FORCES = {2: [("∂{u}/∂x", 1)], 4: [("∂³{u}/∂x³", -1), ("∂²{u}/∂x²", 1)]}
 MOTIONS = ("{u}", "∂{u}/∂x")
 RATES = (("∂²{u}/∂t²", "∂³{u}/∂x∂t²"), ("∂{u}/∂t", "∂²{u}/∂x∂t"), MOTIONS)     # of M, C, K
+SIMPLE, PRINTED = {"sin": "n·π", "cos": "(2n − 1)·π/2"}, 5
 REMARK = "x counts from the left end of each member; [ ] is the jump at a place, right less left"
 
 
@@ -79,15 +80,57 @@ def frequency_equation(problem: "Problem", _: "Report") -> Iterator[Section]:
     if not problem.scene.pieces or problem.scene.loops is not None:
         return
     from vibcli.analyses.closed_form.member_frequencies import frequency_equations
-    from vibcli.analyses.closed_form.textbook_equation import sides
 
     found = [one for one in frequency_equations(problem.symbolic) if one is not None]
-    lines, several = [], len(problem.scene.members) > 1
-    for one in found:
-        left, right = sides(one)
-        label = Words(", ".join(one.members)) if several else None
-        lines += [line(left, " = ", right, label=label), _frequency(one)]
-    yield from section("Frequency equation" + "s" * (len(found) > 1), equations(lines) if lines else None)
+    several = len(problem.scene.members) > 1
+    blocks = [equations([*_solved(one, Words(", ".join(one.members)) if several else None),
+                         *_orthogonality(problem, one)]) for one in found]
+    yield from section("Frequency equation" + "s" * (len(found) > 1), *blocks)
+
+
+def _solved(found, label):
+    """The equation, its roots, the frequencies, the shape and the orthogonality."""
+    from vibcli.analyses.closed_form.member_shapes import roots, shape
+    from vibcli.analyses.closed_form.textbook_equation import sides
+
+    left, right = sides(found)
+    yield line(left, " = ", right, label=label)
+    simple = SIMPLE.get(left.name) if right.is_zero and left.op == "call" else None
+    values = simple is None and roots(found, PRINTED)
+    if simple:
+        yield line("βL = ", simple, ", n = 1, 2, …", inset=2)
+    elif values:
+        yield line("βL = ", ", ".join(f"{value:.10g}" for value in values), ", …", inset=2)
+    yield _frequency(found)
+    drawn = shape(found)
+    if drawn is not None:
+        second = [] if drawn.sigma is None else [" − σ·", Factor(drawn.second)]
+        yield line("X(x) = ", drawn.first, *second, inset=2)
+        if drawn.sigma is not None:
+            above, below = drawn.sigma
+            yield line("σ = ", Factor(above), "/", Factor(below), inset=2)
+
+
+def _orthogonality(problem, found):
+    """∫ μ X_i X_j dx + M X_i(L) X_j(L) = 0 of two modes."""
+    scene, M = problem.scene, problem.symbolic.matrices[0]
+    along = list(dict.fromkeys(tuple(_terms([(placed.piece.inertia, "X_i·X_j·dx")])) for placed in found.pieces))
+    told = [part for text in along for part in (" + ∫" if text is not along[0] else "∫", *text)]
+    stations = {scene.q.index(node): (part, station.place) for name in found.members
+                for station in scene.members[name].stations for part, node in enumerate(station.motions)
+                if node in scene.q}
+    for i in [*stations, *found.hung]:
+        if (i, i) in M:
+            told += [" + ", Factor(M[i, i]), *_product(*stations[i])] if i in stations else [
+                " + ", Factor(M[i, i]), "·Y_i·Y_j"]
+    hung = [scene.q[i].name for i in found.hung if (i, i) in M]
+    yield line(*told, " = 0, i ≠ j", *([Words("   Y that of " + ", ".join(hung))] if hung else []), inset=2)
+
+
+def _product(part, place):
+    """X_i(L)·X_j(L) of displacements, of slopes ∂X_i/∂x(L)·∂X_j/∂x(L)."""
+    for index in "ij":
+        yield from (f"·∂X_{index}/∂x(" if part else f"·X_{index}(", place, ")")
 
 
 def _frequency(found):

@@ -51,6 +51,10 @@ def _frequencies_in_letters(problem):
     from vibcli.report.sections.symbolic_modes import damping_blocks, frequency_blocks
 
     problem.symbolic.equilibrium_position  # noqa: B018, refused where there is none
+    if problem.scene.pieces:
+        yield from section("Natural frequencies", paragraph("numbers: the roots of the frequency equations; give the "
+                                                            "parameters values with --set"))
+        return
     M, C, _, K = problem.symbolic.matrices
     if not M and not C:
         raise Inertless

@@ -1,9 +1,13 @@
 """Frequency equations in letters: as textbooks print them, and zero at the natural frequencies that counting finds."""
 
+import re
+from math import pi
+
 import pytest
 from support.scenes import problem
 
 from vibcli.analyses.closed_form.member_frequencies import frequency_equations
+from vibcli.analyses.closed_form.member_shapes import roots, shape
 from vibcli.analyses.closed_form.textbook_equation import sides
 from vibcli.notation.plain import plain
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -38,8 +42,6 @@ OTHERS = [
 
 
 def _scene(text):
-    import re
-
     used = "".join(f"{name}: {value}, " for name, value in re.findall(r"(\w+): ([^,}]+)", PARAMETERS)
                    if re.search(rf"\b{name}\b(?!:)", text.replace(": EI, ", ": EI , ")))
     return problem(f"parameters: {{{used[:-2]}}}\n{text}\n")
@@ -60,10 +62,55 @@ def test_is_zero_at_the_natural_frequencies(text):
     elastic = [mode for mode in found.modal.modes.first(6) if mode.omega]
     assert elastic
     for mode in elastic:
-        low, high = 0.0, 1.0
-        square = lambda at: evaluate([equation.square], Floats, {**values, x.name: at})[0]     # noqa: E731
-        while square(high) < mode.omega**2:
-            high *= 2
-        for _ in range(200):
-            low, high = (low, middle) if square(middle := (low + high) / 2) > mode.omega**2 else (middle, high)
-        assert residual(low * (1 - 1e-9)) * residual(low * (1 + 1e-9)) < 0
+        at = _wave_number(equation, values, mode.omega)
+        assert residual(at * (1 - 1e-9)) * residual(at * (1 + 1e-9)) < 0
+
+
+def _wave_number(equation, values, omega):
+    """βL of a frequency, by bisection of ω² as it is printed."""
+    def square(at):
+        return evaluate([equation.square], Floats, {**values, equation.wave_number.name: at})[0]
+
+    low, high = 0.0, 1.0
+    while square(high) < omega**2:
+        high *= 2
+    for _ in range(200):
+        low, high = (low, middle) if square(middle := (low + high) / 2) > omega**2 else (middle, high)
+    return low
+
+
+@pytest.mark.parametrize("text", [text for text in TEXTBOOK if "M}" not in text and "k}" not in text])
+def test_roots_without_letters(text):
+    """The first roots of what holds no letter are those of the natural frequencies (sin βL = 0 also has n·π)."""
+    found = _scene(text)
+    equation, = frequency_equations(found.symbolic)
+    elastic = [mode for mode in found.modal.modes.first(6) if mode.omega][:4]
+    expected = [_wave_number(equation, found.numeric.floats, mode.omega) for mode in elastic]
+    assert roots(equation, 4) == pytest.approx(expected, rel=1e-12)
+
+
+@pytest.mark.parametrize("left", ["clamped", "pinned", "guided", "free"])
+@pytest.mark.parametrize("right", ["clamped", "pinned", "guided", "free", "{k: k}"])
+def test_shapes_fulfil_what_holds_at_both_ends(left, right):
+    found = _scene(f"beams: {{b: {{{BEAM}, left: {left}, right: {right}}}}}")
+    equation, = frequency_equations(found.symbolic)
+    told, values = shape(equation), found.numeric.floats
+    omega = next(mode.omega for mode in found.modal.modes.first(4) if mode.omega and mode.index > 1)
+    at = _wave_number(equation, values, omega)
+
+    def X(z):
+        def value(node, name, place):
+            return evaluate([node], Floats, {name: place})[0]
+
+        sigma = 0 if told.sigma is None else value(told.sigma[0], "βL", at) / value(told.sigma[1], "βL", at)
+        return value(told.first, "βx", z * at) - sigma * value(told.second, "βx", z * at)
+
+    h = 1e-3
+    for end, way, what in ((0.0, 1, left), (1.0, -1, right)):
+        u = [X(end + way * i * h) for i in range(6)]
+        slopes = {0: u[0], 1: (u[1] - u[0]) / h, 2: (u[2] - 2 * u[1] + u[0]) / h**2,
+                  3: (u[3] - 3 * u[2] + 3 * u[1] - u[0]) / h**3}
+        vanish = {"clamped": (0, 1), "pinned": (0, 2), "guided": (1, 3), "free": (2, 3), "{k: k}": (2,)}[what]
+        size = max(abs(X(i / 20)) for i in range(21))
+        for order in vanish:
+            assert abs(slopes[order]) < 0.03 * size * max(at, pi) ** order
