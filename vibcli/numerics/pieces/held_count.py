@@ -70,7 +70,7 @@ def _halved(length, bending, tension, kappa, numbers):
     between clamps does not buckle for −N l² < 4π² B."""
     if not (-tension * length * length > 36 * bending).any():
         return np.zeros(length.shape, int)
-    d, _ = fourth_order(length / 2, bending, tension, kappa, numbers)
+    d = fourth_order(length / 2, bending, tension, kappa, numbers)[:, 0]
     middle = (d[..., 0, 0] < 0).astype(int) + (d[..., 1, 1] < 0)
     return 2 * _halved(length / 2, bending, tension, kappa, numbers) + middle
 

@@ -18,7 +18,7 @@ AT_ONCE = 200_000       # fields at a time
 
 
 def end_loads(piece: Piece, kappa: Any, load: Callable[[np.ndarray], np.ndarray], rate: float) -> np.ndarray:
-    """∫ q H_i dx, (…, order): the forces that act on the ends in place of a load q(x) e^{st}, d · ends = forces + these.
+    """∫ q H_i dx, (…, order): what acts on the ends in place of a load q(x) e^{st}: d · ends = forces + these.
 
     H_i is the field with the i-th end value 1, so that ∫ q u dx of a field is these times its end values. q: an array
     function of x, smooth on the piece; rate: the largest |λ| of its e^{λx}, 0 of polynomials. By Gauss's rule to

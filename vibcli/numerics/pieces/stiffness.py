@@ -25,19 +25,23 @@ def stiffness_and_slope(piece: "Piece", kappa: Any) -> tuple[np.ndarray, np.ndar
     """(d, ∂d/∂κ), each (…, m, m), as functions of κ = μ s² + c s + k alone.
 
     Undamped at ω with piece.undamped_reaction(ω), real; ∂d/∂(s²) is μ ∂d/∂κ, ∂d/∂s is (2 μ s + c) ∂d/∂κ. φᵀ ∂d/∂κ φ is
-    ∫ u² dx of the deflection with end values φ.
+    ∫ u² dx of the deflection with end values φ. Rounding costs d a few roundings of its largest entry (lengths as
+    units) and what a few roundings of κ and N change. Near a held frequency d has a pole: there |d|/|∂d/∂κ| is the
+    distance of κ to it. An end without tension of what does not bend bears no force and its rows are 0: no coordinate
+    belongs there.
     """
-    flat = flattened(piece, kappa)
+    waves = np.asarray(kappa)
+    plain = waves.dtype.kind == "c" and not waves.imag.any()        # real but for its type: half as dear
+    flat = flattened(piece, waves.real if plain else kappa)
 
     def uniform(one, kappa):
         if flat.order == 2:
-            found = second_order(one.length, one.tension, kappa, flat.numbers)
-        else:
-            found = fourth_order(one.length, one.bending, one.tension, kappa, flat.numbers)
-        return np.stack(found, axis=1)
+            return second_order(one.length, one.tension, kappa, flat.numbers)
+        return fourth_order(one.length, one.bending, one.tension, kappa, flat.numbers)
 
     def graded(one, kappa):
         return np.stack(graded_stiffness(one, kappa, flat.numbers), axis=1)
 
     found = flat.filled((2, flat.order, flat.order), uniform, graded)
+    found = found.astype(complex) if plain else found
     return found[..., 0, :, :], found[..., 1, :, :]

@@ -12,8 +12,8 @@ if TYPE_CHECKING:
 
 
 def second_order(length: np.ndarray, tension: np.ndarray, kappa: np.ndarray,
-                 numbers: "Arithmetic") -> tuple[np.ndarray, np.ndarray]:
-    """(d, ∂d/∂κ) of −N u″ + κ u = 0, arrays (…, 2, 2) over flat arrays of equal shape.
+                 numbers: "Arithmetic") -> np.ndarray:
+    """d and ∂d/∂κ of −N u″ + κ u = 0, (…, 2, 2, 2), over flat arrays of equal shape.
 
     With z = κ a²/N, a = l/2: evenly N/a z S/C, oddly N/a C/S.
     """
@@ -27,13 +27,14 @@ def second_order(length: np.ndarray, tension: np.ndarray, kappa: np.ndarray,
     safe = np.where(near, 1, z)
     odd_slope = half * np.where(near, (1 / 2 - f.c * f.slope / f.s**2), (1 / ratio - fading / f.s**2) / (2 * safe))
     own, own_slope = (even + odd) / 2, (even_slope + odd_slope) / 2
-    return (_square([[own, coupling / 2], [coupling / 2, own]]),
-            _square([[own_slope, (even_slope - odd_slope) / 2], [(even_slope - odd_slope) / 2, own_slope]]))
+    coupling, coupling_slope = coupling / 2, (even_slope - odd_slope) / 2
+    return _squares([[own, coupling], [coupling, own]],
+                    [[own_slope, coupling_slope], [coupling_slope, own_slope]])
 
 
 def fourth_order(length: np.ndarray, bending: np.ndarray, tension: np.ndarray, kappa: np.ndarray,
-                 numbers: "Arithmetic") -> tuple[np.ndarray, np.ndarray]:
-    """(d, ∂d/∂κ) of B u⁗ − N u″ + κ u = 0, arrays (…, 4, 4) over flat arrays of equal shape.
+                 numbers: "Arithmetic") -> np.ndarray:
+    """d and ∂d/∂κ of B u⁗ − N u″ + κ u = 0, (…, 2, 4, 4), over flat arrays of equal shape.
 
     Right ends moving with (u, a θ), evenly (the left end: u, −θ) and oddly (−u, θ), are answered in B/a³ by
 
@@ -50,8 +51,9 @@ def fourth_order(length: np.ndarray, bending: np.ndarray, tension: np.ndarray, k
                   (chi * f.sigma * lean - f.sigma - chi * f.sigma_slope) / f.d, (f.c_slope - f.c * lean) / f.d)
     odd_slope = ((f.c_slope - f.c * turn) / f.sigma, (f.d * turn - f.d_slope) / f.sigma,
                  (f.s_slope - f.s * turn) / f.sigma)
-    return (_four(even, odd, coupling, half, bending / half**3),
-            _four(even_slope, odd_slope, [e - o for e, o in zip(even_slope, odd_slope, strict=True)], half, half))
+    coupling_slope = [e - o for e, o in zip(even_slope, odd_slope, strict=True)]
+    return _squares(_four(even, odd, coupling, half, bending / half**3),
+                    _four(even_slope, odd_slope, coupling_slope, half, half))
 
 
 def _four(even, odd, coupling, half, scale):
@@ -60,12 +62,15 @@ def _four(even, odd, coupling, half, scale):
     ut, tt = ut * half, tt * half * half
     xuu, xut, xtt = (value / 2 * scale for value in coupling)
     xut, xtt = xut * half, xtt * half * half
-    return _square([[uu, -ut, xuu, xut],
-                    [-ut, tt, -xut, -xtt],
-                    [xuu, -xut, uu, ut],
-                    [xut, -xtt, ut, tt]])
+    return ((uu, -ut, xuu, xut), (-ut, tt, -xut, -xtt), (xuu, -xut, uu, ut), (xut, -xtt, ut, tt))
 
 
-def _square(rows):
-    """(…, m, m) of m rows of m arrays."""
-    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+def _squares(*matrices):
+    """(…, number of matrices, m, m) of m rows of m arrays each."""
+    m, kind = len(matrices[0]), np.result_type(*(values for rows in matrices for row in rows for values in row))
+    found = np.empty((*matrices[0][0][0].shape, len(matrices), m, m), kind)
+    for which, rows in enumerate(matrices):
+        for i, row in enumerate(rows):
+            for j, values in enumerate(row):
+                found[..., which, i, j] = values
+    return found
