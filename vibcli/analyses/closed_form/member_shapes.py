@@ -84,7 +84,8 @@ def roots(found: "FrequencyEquation", count: int) -> list[float] | None:
     values = dict.fromkeys(names | {x.name}, 1.0)
     whole = table.total(
         coefficient * table.product(*((table.call(name, found.arguments[i]), 1)
-                                      for i, *names in functions for name in names)) for functions, coefficient in found.function.items())
+                                      for i, *called in functions for name in called))
+        for functions, coefficient in found.function.items())
 
     def residual(at: float) -> float:
         return evaluate([whole], Floats, {**values, x.name: at})[0]

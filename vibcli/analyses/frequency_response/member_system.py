@@ -114,7 +114,7 @@ class MemberSystem:
         D = np.moveaxis(D * scale[:, None] * scale[None, :], -1, 0)
         b, seen = -np.einsum("ijk,jk->ik", ahead, g) * scale, c[self.free] * scale
         sides = [b.T, np.broadcast_to(probe(len(self.free)), b.T.shape)]
-        symmetric = steep and bool((D == np.swapaxes(D, 1, 2)).all())
+        symmetric = steep and bool((np.swapaxes(D, 1, 2) == D).all())
         x = solutions(D, np.stack([*sides, seen.T] if symmetric else sides, axis=2))
         suspicious = ~(np.abs(x[:, :, 1]).max(axis=1, initial=0.0) * SINGULAR * 64 < 1)
         z = np.where(suspicious[:, None], 0.0, x[:, :, 0]).T

@@ -3,8 +3,8 @@
 from typing import TYPE_CHECKING
 
 from vibcli.analyses.continuous.dynamic_matrix import dynamic_matrix
-from vibcli.analyses.frequency_response.member_places import seen_at
 from vibcli.analyses.frequency_response.member_marks import Marks
+from vibcli.analyses.frequency_response.member_places import seen_at
 from vibcli.analyses.frequency_response.member_response import MemberResponse
 from vibcli.analyses.frequency_response.member_system import MemberInput, MemberOutput, MemberSystem
 from vibcli.analyses.modal.modal_analysis import ModalAnalysis
