@@ -51,6 +51,12 @@ class Pattern:
         self.above = pairs[:, 0], pairs[:, 1]
 
     @property
+    def tree(self) -> bool:
+        """Has each coordinate at most one later neighbour? Then rounding is that of the entries, whatever grows, as
+        with Sturm sequences."""
+        return all(len(step.after) < 2 for step in self.steps)
+
+    @property
     def size(self) -> int:
         """How many entries are kept."""
         return len(self.places)

@@ -66,6 +66,8 @@ def _negative(system, entries, sizes, scale, room):
     shifted = entries.copy()
     shifted[:system.n] = shifted[:system.n] + room
     factors = system.eliminated(shifted, sizes)
+    if system.pattern.tree:
+        return factors.negative(), np.ones(room.shape[1], bool)
     rounded = rounding(system, factors.products, scale) * (ELIMINATED / GUARD)
     return factors.negative(), (rounded <= abs(room) * (1 - 1 / SLACK)).all(axis=0)
 

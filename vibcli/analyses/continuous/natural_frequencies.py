@@ -24,7 +24,6 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.system import ContinuousSystem
 
 STEPS = 12
-SETTLED = 1e-9      # the last relative step of what has come to a frequency
 WIDEST = 1e-9       # a bound that is not worth a proof
 SURE = 1e-12        # a relative bound that is good enough
 DOUBTED = 0.5       # the bound of what counts do not prove
@@ -86,13 +85,13 @@ def _polished(system, brackets):
         return {}
     indices = list(brackets)
     low, high = (system.numbers(getattr(brackets[i], end) for i in indices) for end in ("low", "high"))
-    z, x = (low + high) / 2, start(system, len(indices))
+    z, x, last = (low + high) / 2, start(system, len(indices)), system.aside ** 1.5
     for _ in range(STEPS):
         z, x, moved = rayleigh_step(system, z, x)
         z = np.where((z > low) & (z < high), z, (low + high) / 2)
-        if (abs(moved) <= 8 * system.unit * abs(z)).all():
+        if (abs(moved) <= last * abs(z)).all():
             break
-    within = (z > low) & (z < high) & (abs(moved) <= SETTLED * abs(z))
+    within = (z > low) & (z < high) & (abs(moved) <= last * abs(z))
     return {} if not within.any() else certified(system, z, x, indices, within)
 
 
@@ -102,8 +101,9 @@ def certified(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, indices:
     entries, sizes, slope = system.dynamic_stiffness(z)
     x = settled(system, z, entries, x)
     inertia = abs(quadratic(system.pattern, slope, x).real)
+    z = z + quadratic(system.pattern, entries, x).real / inertia
     room = (abs(x) ** 2 * rounding(system, sizes, scales(system, z, sizes, slope))).sum(axis=0)
-    error = np.maximum(GUARD * system.unit / 4, SLACK * room / (inertia * abs(z)))
+    error = np.maximum(system.fine, SLACK * room / (inertia * abs(z)))
     numbers, proved = np.array(indices), np.zeros(len(indices), bool)
     left = np.flatnonzero(wanted & (z != 0))
     while len(left := left[error[left] < WIDEST]):

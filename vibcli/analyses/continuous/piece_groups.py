@@ -15,20 +15,21 @@ if TYPE_CHECKING:
 
 
 class PieceGroup:
-    """pieces: PlacedPieces of one order, all with or all without tension and gradient."""
+    """pieces: PlacedPieces of one order, with or without tension and gradient as one; equal ones are evaluated once."""
 
-    __slots__ = ("_ends", "_entries", "_factors", "_sources", "_starts", "pieces", "stacked")
+    __slots__ = ("_ends", "_entries", "_factors", "_same", "_sources", "_starts", "pieces", "stacked")
 
     def __init__(self, pattern: "Pattern", pieces: "Sequence[PlacedPiece]", digits: int | None):
         self.pieces = list(pieces)
         kind: Any = float if digits is None else object
-        self.stacked = stacked([placed.piece for placed in pieces], kind)
+        self._same, distinct = _distinct(placed.piece for placed in pieces)
+        self.stacked, count = stacked(distinct, kind), len(distinct)
         self._ends = pieces[0].piece.order
         parts = [(a, b) for a in range(self._ends) for b in range(a, self._ends)]
         share: dict = defaultdict(lambda: defaultdict(int))
         for place, placed in enumerate(self.pieces):
             for at, (a, b) in enumerate(parts):
-                source = at * len(self.pieces) + place
+                source = at * count + self._same[place]
                 for i, x in placed.rows[a].items():
                     for j, y in placed.rows[b].items():
                         if a == b and i > j:
@@ -54,12 +55,18 @@ class PieceGroup:
 
     def held(self, z: np.ndarray) -> np.ndarray:
         """J₀ of each piece, (pieces, number of z)."""
-        return held_counts(self.stacked, z)
+        return held_counts(self.stacked, z)[self._same]
 
     def _terms(self, d):
         """The upper triangle of d for all pieces, (triangle × pieces, number of z), as it enters entry by entry."""
         flat = np.concatenate([d[..., a, b] for a in range(self._ends) for b in range(a, self._ends)])
         return self._factors * flat[self._sources]
+
+
+def _distinct(pieces):
+    """For each piece its place among those that differ, and these."""
+    places: dict[Piece, int] = {}
+    return [places.setdefault(piece, len(places)) for piece in pieces], list(places)
 
 
 def stacked(pieces: Sequence[Piece], kind: Any) -> Piece:
@@ -68,9 +75,8 @@ def stacked(pieces: Sequence[Piece], kind: Any) -> Piece:
 
 
 def held_by(pieces: Sequence[Piece], z: Sequence[Any]) -> np.ndarray:
-    """J₀ of pieces of one kind at each z, (pieces, number of z)."""
-    kind: Any = object if hasattr(pieces[0].length, "_mpf_") else float
-    return held_counts(stacked(pieces, kind), np.array(z, kind))
+    """J₀ of pieces of one kind at each z, (pieces, number of z), in floats."""
+    return held_counts(stacked(pieces, float), np.array(z, float))
 
 
 def held_counts(piece: Piece, z: np.ndarray) -> np.ndarray:

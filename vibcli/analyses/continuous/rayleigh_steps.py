@@ -19,27 +19,34 @@ def start(system: "ContinuousSystem", count_: int) -> np.ndarray:
 
 
 def rayleigh_step(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, np.ndarray, Any]:
-    """One Rayleigh quotient of each column: z, x with xᵀD′x = 1, and by how much z has moved."""
-    entries, _, slope = system.dynamic_stiffness(z)
-    x = nearer(system, z, product(system.pattern, slope, x))
+    """One Rayleigh quotient of each column: z, x with xᵀD′x = 1, and by how much z has moved. Taken beside z, where D
+    has an inverse: it ends within aside² of the frequency."""
+    here = beside(system, z)
+    entries, sizes, slope = system.dynamic_stiffness(here)
+    x = system.eliminated(entries, sizes).solved(product(system.pattern, slope, x))
     x = x / np.sqrt(quadratic(system.pattern, slope, x).real)
-    moved = quadratic(system.pattern, entries, x).real
-    return z + moved, x, moved
+    new = here + quadratic(system.pattern, entries, x).real
+    return new, x, new - z
 
 
 def nearer(system: "ContinuousSystem", z: np.ndarray, loads: np.ndarray) -> np.ndarray:
     """x of D x = load close to z: at z itself D can have no inverse."""
-    return _beside(system, z).solved(loads)
+    return _factors(system, z).solved(loads)
 
 
 def settled(system: "ContinuousSystem", z: np.ndarray, entries: np.ndarray, x: np.ndarray) -> np.ndarray:
     """Shapes near those of D(z) x = 0 with what is not of them taken out: x ← x − D⁻¹ D(z) x, D⁻¹ taken beside z."""
-    factors = _beside(system, z)
+    factors = _factors(system, z)
     for _ in range(TAKEN_OUT):
         x = x - factors.solved(product(system.pattern, entries, x))
     return x
 
 
-def _beside(system, z):
-    entries, sizes, _ = system.dynamic_stiffness(z + system.aside * (abs(z) + system.aside * system.scale))
+def beside(system: "ContinuousSystem", z: np.ndarray) -> Any:
+    """A z that is close, but none of those where D has no inverse."""
+    return z + system.aside * (abs(z) + system.aside * system.scale)
+
+
+def _factors(system, z):
+    entries, sizes, _ = system.dynamic_stiffness(beside(system, z))
     return system.eliminated(entries, sizes)

@@ -20,32 +20,32 @@ CLEAR = 3                           # place in NEAR: a piece without a pole as n
 
 def away_from_poles(system: "ContinuousSystem", low: Any, high: Any) -> "ContinuousSystem":
     """The system with nodes within those pieces that have a frequency of their own between or near low and high."""
-    places, known = {}, {}
-    for index, placed in enumerate(system.ordered):
-        piece = placed.piece
-        if piece not in known:
-            known[piece] = _best_part(piece, low, high, system.number)
-        if known[piece] is not None:
-            places[index] = known[piece]
+    places, index = {}, 0
+    for group in system.groups:
+        pieces = [placed.piece._make(float(x) for x in placed.piece) for placed in group.pieces]
+        known = _best_parts(list(dict.fromkeys(pieces)), float(low), float(high))
+        for number, piece in enumerate(pieces, index):
+            if piece in known:
+                places[number] = system.number(known[piece])
+        index += len(pieces)
     return system.refined(places) if places else system
 
 
-def _best_part(piece, low, high, number):
-    """The part of its length where a piece had better be divided; None where it is well as it is."""
-    whole = _clearance([piece], low, high)[0]
-    if whole < CLEAR:
-        return None
-    parts = [number(share) for share in PARTS]
-    distances = _clearance([half for part in parts for half in divided(piece, part)], low, high)
-    worst = distances.reshape(-1, 2).max(axis=1)
-    best = int(np.argmin(worst))
-    return parts[best] if worst[best] < whole else None
+def _best_parts(pieces, low, high):
+    """The parts of their length where pieces of one kind had better be divided, of those for which it is better."""
+    whole = dict(zip(pieces, _clearance(pieces, low, high).tolist(), strict=True))
+    near = [piece for piece in pieces if whole[piece] >= CLEAR]
+    if not near:
+        return {}
+    distances = _clearance([half for piece in near for part in PARTS for half in divided(piece, part)], low, high)
+    worst = distances.reshape(len(near), len(PARTS), 2).max(axis=2)
+    return {piece: PARTS[row.argmin()] for piece, row in zip(near, worst, strict=True) if row.min() < whole[piece]}
 
 
 def _clearance(pieces, low, high):
     """For each piece the place in NEAR of the widest surrounding of low … high that is without a pole of it."""
-    widths = NEAR if not hasattr(low, "_mpf_") else [type(low)(x) for x in NEAR.tolist()]
-    held = held_by(pieces, [low - abs(low) * x for x in widths] + [high + abs(high) * x for x in widths])
+    z = np.concatenate([low - abs(low) * NEAR, high + abs(high) * NEAR])
+    held = held_by(pieces, z)
     same = held[:, :len(NEAR)] == held[:, len(NEAR):]
     return np.where(same.any(axis=1), same.argmax(axis=1), len(NEAR))
 

@@ -46,7 +46,8 @@ class ContinuousSystem:
     """D and J of a system of n coordinates, in floats or, `digits` given, in numbers of mpmath.
 
     pieces: PlacedPieces; stiffness, inertia: Matrix; turning: the entries of G. unit: the rounding of a number;
-    aside: the part of a z by which one stays away from where D has no inverse; scale: a z natural to the system.
+    fine: a relative bound that need not be narrower; aside: the part of a z by which one stays away from where D has
+    no inverse; scale: a z natural to the system.
     """
 
     def __init__(self, n: int, stiffness: Matrix, inertia: Matrix, turning: Mapping[tuple[int, int], Any],
@@ -55,6 +56,7 @@ class ContinuousSystem:
         self.pieces, self.digits = tuple(pieces), digits
         self.unit = 2.0 ** -53 if digits is None else 10.0 ** -digits
         self.aside = 2.0 ** -20 if digits is None else self.number(10) ** (-digits // 3)
+        self.fine = 4 * self.unit if digits is None else 10.0 ** (20 - digits)
         self.scale = _scale(self)
         tied = [pair for part in (stiffness.entries, inertia.entries, turning) for pair in part]
         tied += [(i, j) for piece in self.pieces for i in _touched(piece) for j in _touched(piece)]
