@@ -74,7 +74,7 @@ def stacked(pieces: Sequence[Piece], kind: Any) -> Piece:
     return Piece(*(np.array([[getattr(piece, name)] for piece in pieces], kind) for name in Piece._fields))
 
 
-def held_by(pieces: Sequence[Piece], z: Sequence[Any]) -> np.ndarray:
+def held_by(pieces: Sequence[Piece], z: Any) -> np.ndarray:
     """J₀ of pieces of one kind at each z, (pieces, number of z), in floats."""
     return held_counts(stacked(pieces, float), np.array(z, float))
 
