@@ -4,7 +4,7 @@ A signal is an expression of coordinates, places, forces (vibcli/language/signal
 constant factors is exact at any time; products and powers are evaluated instant by instant, their extremes refined.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from math import tau
 from typing import TYPE_CHECKING, Any
@@ -23,8 +23,11 @@ from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef, Power, QuantityRef, Sum
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from vibcli.language.spec import Spec
     from vibcli.results.problem import Problem
+    from vibcli.results.signal import Signal
     from vibcli.symbolic.node import Node
 
 LONGEST = 1e12      # seconds
@@ -63,6 +66,12 @@ class Response:
             raise PhysicsError(f"a motion cannot end at t = {end:.6g} s",
                                f"ask for an instant between its start, t = 0, and {LONGEST:.0e} s", where)
         return end
+
+    def instants(self, signals: "Sequence[Signal]", points: int) -> "np.ndarray":
+        """The instants at which it is sampled for pictures and files, ascending."""
+        import numpy as np
+
+        return np.linspace(0.0, self.known, points)
 
     @property
     def start(self) -> tuple[dict[str, float], dict[str, float]]:

@@ -32,6 +32,11 @@ class Signal:
     values: Callable[..., "np.ndarray"]
     extreme: Callable[..., tuple[float, float]]
 
+    def sampled(self, times: "np.ndarray") -> "np.ndarray":
+        """Its values at ascending instants; where it leaps and an instant stands twice, before the leap and after
+        it."""
+        return self.values(times)
+
     def precise(self, t: "Fraction", digits: int) -> "mpmath.mpf":
         """Its value at an instant, correct to so many digits."""
         from vibcli.results.precise_instants import value_to

@@ -9,6 +9,10 @@ from vibcli.results.responses import SmallResponse
 from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    import numpy as np
+
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
@@ -88,9 +92,40 @@ class WaveResponse(SmallResponse):
 
     @property
     def fields(self):
-        """What each piece starts with, as Forcing over its length; None of those that are at rest between their
-        ends."""
-        return [None] * len(self.placed)
+        """What each piece starts with, counted from the equilibrium, as Forcing over its length; None of those that are
+        at rest, straight between their ends."""
+        from vibcli.mechanics.initial_fields import member_fields
+
+        given = member_fields(self.problem.scene)
+        return [self._field(piece, given[piece.owner]) if piece.owner in given else None for piece in self.placed]
+
+    def _field(self, piece, given):
+        """u and u̇ over one piece; the time of the scene stands for the place along it."""
+        from vibcli.analyses.excitation.decompose import forcing_of
+        from vibcli.notation.plain import plain
+        from vibcli.symbolic.derivatives import substitute
+
+        scene, table = self.problem.scene, self.problem.scene.table
+        place = scene.time + table.number(fraction_of(float(piece.start)))
+        length = table.number(fraction_of(float(piece.piece.length)))
+        left, right = (table.number(fraction_of(x)) for x in self._ends_at_rest(piece))
+        if given.displacement is None:
+            left, right = (table.number(fraction_of(sum(x * self.deviations[0][i] for i, x in row.items() if i < len(
+                self.deviations[0])))) for row in piece.rows)
+            nodes = {0: left + (right - left) / length * scene.time}
+        else:
+            nodes = {0: substitute([given.displacement], {scene.time: place})[0]
+                     - (left + (right - left) / length * scene.time)}
+        if given.rate is not None:
+            nodes[1] = substitute([given.rate], {scene.time: place})[0]
+        return forcing_of(nodes, scene.time, self.problem.numeric.floats, 2, write=plain, work=self.problem.work)
+
+    def _ends_at_rest(self, piece):
+        """The displacements of the ends of a piece in equilibrium."""
+        from vibcli.symbolic.evaluation import Floats, evaluate
+
+        term = self.problem.scene.resting.pieces[self.placed.index(piece)]
+        return evaluate(list(term.s), Floats, self.configuration.at_rest)
 
     def _forcing_of(self, nodes):
         from vibcli.analyses.excitation.decompose import forcing_of
@@ -103,6 +138,15 @@ class WaveResponse(SmallResponse):
     def moved(self, direct: Any = ()):
         """The same motion, read with nodes of the time on further channels."""
         return self.alone.under(self.forcing(direct)) if direct else self.alone
+
+    def instants(self, signals: "Sequence[Any]", points: int) -> "np.ndarray":
+        """With those of fronts, each twice."""
+        import numpy as np
+
+        from vibcli.results.wave_signals import leaps
+
+        found = sorted({t for signal in signals for t, *_ in leaps(signal, self.known)})[:points]
+        return np.sort(np.concatenate([super().instants(signals, points), found, found]))
 
     def lasting(self):
         from vibcli.analyses.transient.duration import duration

@@ -31,6 +31,9 @@ class WaveSignal(Signal):
         """Its values at instants, at a front those before it."""
         return self.waves.values(self.reads, times, before=True)
 
+    def sampled(self, times: "np.ndarray") -> "np.ndarray":
+        return _both(self, times)
+
     def breaks(self, end: float) -> "np.ndarray":
         """The instants up to an end between which it is smooth, ascending."""
         return self.waves.breaks(self.reads, end)
@@ -93,6 +96,9 @@ class ComposedOfWaves(ComposedSignal):
         """Its values at instants, at a front those before it."""
         return self.composed(times, {name: part.values_before(times) for name, part in self.signals.items()})
 
+    def sampled(self, times: "np.ndarray") -> "np.ndarray":
+        return _both(self, times)
+
     def extreme(self, start: float, end: float, sense: int) -> tuple[float, float]:
         return _extreme(self, start, end, sense)
 
@@ -102,6 +108,15 @@ class ComposedOfWaves(ComposedSignal):
     def final(self) -> float:
         """It is not found: waves are followed up to an instant."""
         raise PhysicsError(f"the limit of {self.KIND} is not found", "ask for its value at a late instant")
+
+
+def _both(signal, times):
+    import numpy as np
+
+    found = signal.values(times)
+    first = np.flatnonzero(times[:-1] == times[1:])
+    found[first] = signal.values_before(times[first])
+    return found
 
 
 def _along(signal, start, end) -> "Stretches":
@@ -114,7 +129,7 @@ def _along(signal, start, end) -> "Stretches":
 def _extreme(signal, start, end, sense):
     from vibcli.analyses.continuous.travelling_waves_search import extreme
 
-    return extreme(_along(signal, start, end), sense)
+    return extreme(_along(signal, start, end), sense, signal.error(end))
 
 
 def _zeros(signal, start, end):
@@ -123,7 +138,7 @@ def _zeros(signal, start, end):
     return zeros(_along(signal, start, end), end).tolist()
 
 
-def fronts(signal: "WaveSignal | ComposedOfWaves", end: float) -> list[tuple[float, float, float]]:
+def leaps(signal: "WaveSignal | ComposedOfWaves", end: float) -> list[tuple[float, float, float]]:
     """(t, value before, value after) of the instants up to an end at which a signal leaps."""
     import numpy as np
 

@@ -9,7 +9,7 @@ from support.scenes import problem
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signals_of_places import with_places
 from vibcli.results.wave_response import WaveResponse
-from vibcli.results.wave_signals import fronts
+from vibcli.results.wave_signals import leaps
 from vibcli.symbolic.parser import parse
 
 UNIT = "parameters: {L: 1 m, E: 1 Pa, A: 1 m^2, rho: 1 kg/m^3}\n"
@@ -50,7 +50,7 @@ def test_free_end_leaves_a_rectangle():
     assert force.values(np.array([0.7, 0.75, 1.2, 1.25, 2.7, 3.3])) == pytest.approx([1.0, 0.0, 0.0, -1.0, -1.0, 1.0],
                                                                                      abs=1e-15)
     assert force.values_before(np.array([0.75, 1.25])) == pytest.approx([1.0, 0.0], abs=1e-15)
-    assert [t for t, *_ in fronts(force, 4.0)] == pytest.approx([0.75, 1.25, 2.75, 3.25])
+    assert [t for t, *_ in leaps(force, 4.0)] == pytest.approx([0.75, 1.25, 2.75, 3.25])
     assert force.extreme(0.0, 4.0, -1) == pytest.approx((1.25, -1.0))
     assert signal(scene, "rod.u(L)").zeros(0.0, 4.0) == pytest.approx([1.0, 3.0])
     product = signal(scene, "rod.force(0)*rod.u(L)")
@@ -117,3 +117,50 @@ def test_a_blow_on_what_has_no_mass_makes_slopes_infinite():
     assert values(scene, "cord.slope(0)", [0.2, 0.7]) == pytest.approx([0.0, 0.0], abs=1e-15)
     with pytest.raises(PhysicsError, match=r"infinite for an instant, at t = 0\.5 s"):
         signal(scene, "cord.slope(0)").extreme(0.0, 2.0, 1)
+
+
+PLUCKED = """\
+    parameters: {L: 1 m, N: 100 N, mu: 10 g/m, h: 3 mm, a: 0.3 m}
+    strings: {cord: {length: L, preload: N, mass_per_length: mu, left: clamped, right: clamped}}
+    initial: {cord.u: "h*min(x/a, (L - x)/(L - a))"}
+    """
+
+
+def test_string_that_is_plucked_where_nothing_stands():
+    scene, c = problem(PLUCKED), 100.0
+    times = np.linspace(0, 0.05, 200)
+
+    def odd(x):
+        x = np.mod(x + 1, 2) - 1
+        return 0.003 * np.sign(x) * np.minimum(np.abs(x) / 0.3, (1 - np.abs(x)) / 0.7)
+
+    for text, x in (("cord.u(L/2)", 0.5), ("cord.u(0.9*L)", 0.9)):
+        assert np.abs(values(scene, text, times) - (odd(x - c * times) + odd(x + c * times)) / 2).max() < 1e-16
+    assert leaps(signal(scene, "cord.slope(0)"), 0.02) == [
+        pytest.approx((0.003, 0.01, -0.003 / 0.7)), pytest.approx((0.017, -0.003 / 0.7, 0.01))]
+    instants = scene.response.instants([signal(scene, "cord.slope(0)")], 3)
+    assert signal(scene, "cord.slope(0)").sampled(instants)[1:3] == pytest.approx([0.01, -0.003 / 0.7])
+
+
+def test_the_earliest_of_equal_extremes_counts():
+    assert signal(problem(PLUCKED), "cord.u(L/2)").extreme(0.0, 1.0, -1) == pytest.approx((0.008, -0.003 * 5 / 7))
+
+
+def test_fields_on_segments_start_from_the_equilibrium_and_carry_what_is_attached():
+    scene = problem("""\
+        parameters: {L: 1 m, E: 1 Pa, A: 1 m^2, rho: 1 kg/m^3, F: 2 N}
+        bars:
+          rod: {segments: [{length: L/2}, {length: L/2}], E: E, A: A, rho: rho, left: clamped, attached: [
+            {at: L, mass: rho*A*L}]}
+        points: {tip: {body: rod, at: L}}
+        forces: {held: {at: tip, force: F}}
+        initial: {rod.u: 3*x}
+        """)
+    tau = np.linspace(0, 2, 21)
+    assert values(scene, "rod.u(L)", tau) == pytest.approx(2 + (2 - tau - np.exp(-tau)), abs=1e-13)
+    assert values(scene, "rod.force(0)", [0.5, 1.5]) == pytest.approx([3.0, 2 + 2 * np.exp(-0.5) - 1], abs=1e-13)
+    thrown = problem("""\
+        bars: {rod: {length: 1 m, E: 1 Pa, A: 1 m^2, rho: 1 kg/m^3, left: clamped}}
+        initial: {rod.u': -1 m/s}
+        """)
+    assert values(thrown, "rod.force(0)", [0.0, 1.9, 2.1]) == pytest.approx([-1.0, -1.0, 1.0])

@@ -48,12 +48,12 @@ def stretches(values: Callable, breaks: np.ndarray, start: float, end: float, wo
     return Stretches(*(part[order] for part in found))
 
 
-def extreme(parts: Stretches, sense: int) -> tuple[float, float]:
-    """(t, value) of the largest (sense 1) or smallest (−1) value, the earliest of equals; at a front both its values
-    count."""
+def extreme(parts: Stretches, sense: int, off: float = 0.0) -> tuple[float, float]:
+    """(t, value) of the largest (sense 1) or smallest (−1) value, the earliest of equals but for errors `off`; at a
+    front both its values count."""
     series = sense * parts.series
     ends = [(series * signs).sum(axis=1) for signs in ((-1.0) ** np.arange(WIDTH), np.ones(WIDTH))]
-    rounding = EQUAL * np.abs(series).sum(axis=1).max()
+    rounding = max(EQUAL * np.abs(series).sum(axis=1).max(), 2 * off)
     best, found = max(values.max() for values in ends), []
     most = series[:, 0] + np.abs(series[:, 1:]).sum(axis=1)
     for k in np.argsort(-most):
@@ -63,8 +63,7 @@ def extreme(parts: Stretches, sense: int) -> tuple[float, float]:
             value = float(summed(series[k], np.array([x]))[0])
             found.append((float(parts.starts[k] + parts.lengths[k] * (1 + x) / 2), value))
             best = max(best, value)
-    t, value = min(item for item in found if item[1] >= best - rounding)
-    return t, sense * value
+    return min(t for t, value in found if value >= best - rounding), sense * best
 
 
 def zeros(parts: Stretches, end: float) -> np.ndarray:

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import NotFixed, PhysicsError, SpecError
 from vibcli.language.reader import Reader
+from vibcli.language.signal_names import signal_name
 from vibcli.quantities.dimensions import checker
 from vibcli.quantities.signal_dimensions import input_dimension, inputs, output_dimension
 from vibcli.reader.sections.find import FREQUENCY_RESPONSE, RESPONSE
@@ -64,7 +65,24 @@ def trees_asked(problem: "Problem", word: str, given: "Sequence[Expression]" = (
     record = find.about(word) if find is not None else None
     if record is not None and "of" in record:
         return [(signal.text, signal.tree) for signal in record["of"]]
-    return [(name, NameRef(0, len(name), name, 0)) for name in problem.spec.coordinates]
+    return [(name, NameRef(0, len(name), name, 0)) for name in _usual(problem)]
+
+
+def _usual(problem):
+    """The names of the coordinates, of members those of their stations that are displacements or turns; where there is
+    none, the middles of members."""
+    spec = problem.spec
+    if not spec.members:
+        return spec.coordinates
+    stations = [name for name in problem.scene.coordinates if signal_name(name).part in ("u", "phi")]
+    return [*spec.coordinates, *stations] or [_middle(spec, name) for name in spec.members]
+
+
+def _middle(spec, name):
+    record, motion = spec.get(spec.members[name])[name], "phi" if spec.members[name] == "shafts" else "u"
+    parts = [record["length"].text] if "length" in record else [one["length"].text for one in record["segments"]]
+    length = " + ".join(parts)
+    return f"{name}.{motion}({length if length.isidentifier() else f'({length})'}/2)"
 
 
 def signals_asked(problem: "Problem", given: "Sequence[Expression]" = ()) -> list[RequestedSignal]:

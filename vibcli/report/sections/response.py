@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters, PhysicsError, Unknown
 from vibcli.base.units import TIME, times
-from vibcli.language.sections.initial import let_go
+from vibcli.language.sections.initial import FIELDS, let_go
 from vibcli.notation.numbers import figure, supported, with_unit
 from vibcli.reader.sections.find import RESPONSE
 from vibcli.report import blocks
@@ -71,6 +71,10 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
     yield from _at_instants(problem, asked, report.wanted, known)
     if not at_instants_alone(motion, report.wanted):
         yield from _extremes(asked, min(known, motion.until), report.wanted.digits)
+    if motion.KIND == "waves":
+        from vibcli.report.sections.fronts import fronts
+
+        yield from fronts(asked, motion.until)
     missing = unknown(problem, report.wanted)
     if missing is not None:
         raise missing
@@ -147,12 +151,14 @@ def _start(problem, motion, drive):
         parts += [", "] * bool(parts) + [maths(Name(name), "(0) = "), with_unit(value, dimension)]
         if speeds[name]:
             parts += [", ", maths(Name(name + "'"), "(0) = "), with_unit(speeds[name], times(dimension, TIME, -1))]
+    for signal, expression in (problem.spec.get(FIELDS) or {}).items():
+        parts += [", "] * bool(parts) + [f"{signal.text}(x) = {expression.text}"]
     given = problem.initial.given
     if any(name not in given for name in places) and not problem.system.named_start and problem.configuration.falls:
         parts += ["   (as drawn: no equilibrium is reached)"]
     force = let_go(problem.spec)
     parts += [f", where {force} lets go"] if force else []
-    yield from section(f"Motion in time ({motion.WORDS})", paragraph("from ", *parts), *drive)
+    yield from section(f"Motion in time ({motion.WORDS})", paragraph("from ", *(parts or ["rest"])), *drive)
 
 
 def _drive(problem, motion):

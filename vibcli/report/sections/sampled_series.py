@@ -40,13 +40,12 @@ class SampledCurve(NamedTuple):
 
 def sampled(problem: "Problem", wanted: "Wanted") -> list[SampledSignal]:
     """The Series of the signals asked for."""
-    import numpy as np
-
-    times = np.linspace(0.0, problem.response.known, wanted.points)
+    asked = signals_asked(problem, wanted.signals)
+    times = problem.response.instants([one.signal for one in asked], wanted.points)
     found = []
-    for one in signals_asked(problem, wanted.signals):
+    for one in asked:
         parts = {part: getattr(one.signal, part).values(times) for part in wanted.parts}
-        found.append(SampledSignal(one.text, one.unit, times, one.signal.values(times), parts,
+        found.append(SampledSignal(one.text, one.unit, times, one.signal.sampled(times), parts,
                             _bounds(problem, one.signal, times)))
     return found
 
