@@ -68,10 +68,11 @@ def graded_fields(piece: "Piece", kappa: np.ndarray, ends: np.ndarray, x: np.nda
         return found * numbers.array([1, -1])
     values, back = np.unique(kappa, return_inverse=True) if kappa.dtype.kind != "O" else (kappa, np.arange(len(kappa)))
     found = np.empty((len(x), piece.order), np.result_type(kappa, ends, x))
+    real = numbers.is_real(kappa) and numbers.is_real(ends)
     for i in range(len(values)):
         chosen = np.flatnonzero(back.ravel() == i)
         one = _one_field(piece, values[i:i + 1], ends[chosen], x[chosen], numbers)
-        found[chosen] = one if found.dtype.kind != "f" else numbers.real(one)
+        found[chosen] = numbers.real(one) if real else one
     return found
 
 

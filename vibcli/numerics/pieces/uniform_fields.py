@@ -46,6 +46,7 @@ def fourth_order_fields(xi: np.ndarray, near: np.ndarray, half: np.ndarray, bend
     small = np.abs(nu) + 2 * np.abs(root) <= ALIKE
     alike = ~small & ((sums[0] < 1) | (sums[1] < 1))
     found = np.zeros((*chi.shape, 4), np.result_type(chi, nu, ends, xi))
+    real = numbers.is_real(chi) and numbers.is_real(nu) and numbers.is_real(ends)
     for chosen, form in ((small, _by_series), (alike, _by_means), (~small & ~alike, _by_roots)):
         if chosen.any():
             parts = ends[chosen]
@@ -54,7 +55,7 @@ def fourth_order_fields(xi: np.ndarray, near: np.ndarray, half: np.ndarray, bend
             amplitudes = ((u_l + u_0) / 2, (t_l - t_0) / 2 * size, (u_l - u_0) / 2, (t_l + t_0) / 2 * size)
             values = form(nu[chosen], chi[chosen], xi[chosen], near[chosen], amplitudes, numbers)
             values = np.stack([value / size**k for k, value in enumerate(values)], axis=-1)
-            found[chosen] = values if found.dtype.kind != "f" else numbers.real(values)
+            found[chosen] = numbers.real(values) if real else values
     return found
 
 

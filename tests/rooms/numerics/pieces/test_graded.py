@@ -87,6 +87,9 @@ def test_many_digits_and_many_pieces():
         found = dynamic_stiffness(chain, mpmath.mpc(0, 2))[1, 1]
         exact = -mpmath.mpf(0.7) * mpmath.sqrt(mpmath.mpf(9.81) * 2) * 2 * bessel(1, 2, 2) / bessel(0, 2, 2)
         assert abs(found / exact - 1) < 1e-37
+        u = fields(chain, mpmath.mpf(0.7) * -4, np.array([0, 1]), mpmath.mpf(1))[0]
+        assert isinstance(u, mpmath.mpf)
+        assert abs(u - bessel(0, 1, 2) / bessel(0, 2, 2)) < 1e-37
     pieces = [piece for piece, _ in graded(3, 10) if piece.order == 4]
     together = Piece(*(np.array(values) for values in zip(*pieces, strict=True)))
     found, _ = stiffness_and_slope(together, -2.0)
