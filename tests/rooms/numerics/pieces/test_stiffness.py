@@ -96,3 +96,20 @@ def test_pressed_on_a_foundation_the_count_is_that_of_halves():
         half = beam._replace(length=0.5)
         middle = stiffness_and_slope(half, beam.undamped_reaction(omega))[0]
         assert held_count(beam, omega) == 2 * held_count(half, omega) + (middle[0, 0] < 0) + (middle[1, 1] < 0)
+
+
+def test_nothing_is_lost_from_tiny_to_huge_pieces():
+    """Doubles beside sixty digits of the formulas, which the tests above hold to the exponential where it can go."""
+    rng, n = np.random.default_rng(4), 40
+    size, sign, waves = 10 ** rng.uniform(-6, 4, n), rng.choice([-1, 1], n), rng.choice([-1, 0, 1], n)
+    kappa = sign * size**4
+    double = rng.choice([-2, 2], n) * np.sqrt(abs(kappa)) * (1 + rng.choice([0, 1e-14, -1e-9, 1e-3], n))
+    tension = np.where(rng.random(n) < 0.3, double, waves * 10 ** rng.uniform(-8, 7, n))
+    found, _ = stiffness_and_slope(Piece(1.0, 1.0, tension, 0.0, 1.0, 0.0, 0.0), kappa)
+    with mpmath.workdps(60):
+        tension, kappa = (np.array([mpmath.mpf(float(x)) for x in values], object) for values in (tension, kappa))
+        piece, part = Piece(mpmath.mpf(1), mpmath.mpf(1), tension, 0, 1, 0, 0), mpmath.mpf(10) ** -30
+        exact, _ = stiffness_and_slope(piece, kappa)
+        nearby = [piece._replace(tension=tension * (1 + part)), piece._replace(length=1 + part)]
+        turned = sum(abs(stiffness_and_slope(one, kappa)[0] - exact) for one in nearby).max(axis=(1, 2)) / part
+        assert (abs(found - exact).max(axis=(1, 2)) <= 4 * EPS * (abs(exact).max(axis=(1, 2)) + turned)).all()
