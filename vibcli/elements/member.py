@@ -14,7 +14,7 @@ from vibcli.elements.member_fields import MemberKind, members_of
 from vibcli.elements.member_holds import held_at
 from vibcli.elements.member_line import DrawnLine, Station, line_of
 from vibcli.elements.member_pieces import add_pieces
-from vibcli.elements.member_places import places_of
+from vibcli.elements.member_places import ROUNDING, places_of
 from vibcli.elements.member_segments import segments_of
 from vibcli.language.named_elements import load
 
@@ -26,9 +26,9 @@ if TYPE_CHECKING:
 
 
 class Member(NamedTuple):
-    """A member as built: its kind, record, MemberSegments, and Stations from left to right; the DrawnLine along which it is
-    drawn; `stretches`: the coordinates, one a station, by which it is cut open to find its tension, which
-    is `settled` where it is the same wherever the scene rests."""
+    """A member as built: its kind, record, MemberSegments, and Stations from left to right; its DrawnLine in the plane;
+    `stretches`: the coordinates, one a station, by which it is cut open to find its tension, which is `settled` where
+    it is the same wherever the scene rests."""
 
     name: str
     kind: MemberKind
@@ -67,7 +67,11 @@ class Member(NamedTuple):
     def at(self, scene: Any, place: "Node") -> Station:
         """The Station at a place, which stands for those that differ from it by rounding alone."""
         x = scene.number(place)
-        return min(self.stations, key=lambda station: abs(scene.number(station.place) - x))
+        found = min(self.stations, key=lambda station: abs(scene.number(station.place) - x))
+        if abs(scene.number(found.place) - x) > ROUNDING * scene.number(self.length):
+            scene.reports.report(self.record.where, f"nothing holds to the slack end of '{self.name}'", "a mass there "
+                                 "makes it taut")
+        return found
 
 
 def built(name: str, scene: Any) -> Member | None:
@@ -103,9 +107,11 @@ def _built(name, kind, record, scene):
             settled=tensions is None or tensions.settled)
     scene.members[name] = member
     add_pieces(member, scene)
-    for place, station in zip(places, member.stations, strict=True):
+    member = member._replace(stations=[station for station in member.stations if station.u is not None])
+    scene.members[name] = member
+    for place in places:
         for here in (*(end for end in place.ends if not isinstance(end, str)), *place.attached):
-            attach(here, member, station, scene)
+            attach(here, member, member.at(scene, place.node), scene)
     return member
 
 

@@ -3,7 +3,7 @@
 from typing import Any, NamedTuple
 
 from vibcli.elements.cross_sections import SECTION
-from vibcli.elements.member_ends import HOLDS, attachment, end_kind
+from vibcli.elements.member_ends import FREE, HOLDS, attachment, end_kind
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Many, Quantity
 from vibcli.language.named_place import DRAWN
@@ -91,8 +91,14 @@ def _settle(record: Record, reader: Reader) -> None:
     if record.element.name == "bar" and "preload" in record and "from" not in record:
         reader.report(record.place("preload"), "the tension of a bar plays no part in what moves along it",
                       "leave it out, or draw the bar in the plane, `from` a place `to` another")
-    if record.element.name == "string" and "preload" not in record:
+    if record.element.name == "string" and "preload" not in record and (
+            "from" not in record or all(holds_along(record.get(side, FREE)) for side in ("left", "right"))):
         reader.report(record.where, f"nothing tells the tension of '{record.name}'", "give `preload: T`")
+
+
+def holds_along(end: Record | str) -> bool:
+    """Is an end held along its line?"""
+    return end != FREE if isinstance(end, str) else any(word in end for word in HOLDS)
 
 
 def members_of(spec: Any) -> "dict[str, tuple[MemberKind, Record]]":

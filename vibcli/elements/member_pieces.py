@@ -52,21 +52,26 @@ def preload_of(member: "Member", scene: Any) -> "Node":
 
 
 def add_piece(segment: "MemberSegment", left: "Station", right: "Station", tension: "Node", ends: "list[Node]",
-              scene: Any, preload: "Node | None" = None, longer: "Node | None" = None) -> None:
+              scene: Any, preload: "Node | None" = None, longer: "Node | None" = None,
+              gradient: "Node | None" = None) -> None:
     """A piece of order 2 between two stations, `ends` being its displacements; `longer`: what a bar lengthens besides,
-    under its tension as drawn."""
-    springs = springs_along(scene, right.place - left.place, tension, segment.foundation, ends)
+    under its tension as drawn; `gradient`: of the tension along it."""
+    gradient = gradient or scene.table.zero
+    springs = springs_along(scene, right.place - left.place, tension, segment.foundation, ends, gradient)
     if longer is not None:
         stiffness, stretch = springs[0]
         springs[0] = stiffness, stretch + longer, preload
-    _add(segment, left, right, (scene.table.zero, tension), ends, springs, scene)
+    _add(segment, left, right, (scene.table.zero, tension, gradient), ends, springs, scene)
 
 
-def add_across(segment: "MemberSegment", left: "Station", right: "Station", tension: "Node", scene: Any) -> None:
-    """A piece of a beam between two stations."""
-    ends = [*left.motions, *right.motions]
-    springs = springs_across(scene, right.place - left.place, segment.stiffness, tension, segment.foundation, ends)
-    _add(segment, left, right, (segment.stiffness, tension), ends, springs, scene)
+def add_across(segment: "MemberSegment", left: "Station", right: "Station", tension: "Node", scene: Any,
+               gradient: "Node | None" = None) -> None:
+    """A piece of a beam between two stations; where its tension has a gradient, the springs are those under the mean,
+    for which exact ones stand in numbers."""
+    gradient, length = gradient or scene.table.zero, right.place - left.place
+    ends, mean = [*left.motions, *right.motions], tension + gradient * length / 2
+    springs = springs_across(scene, length, segment.stiffness, mean, segment.foundation, ends)
+    _add(segment, left, right, (segment.stiffness, tension, gradient), ends, springs, scene)
 
 
 def _add(segment, left, right, stiff, ends, springs, scene):
@@ -77,5 +82,5 @@ def _add(segment, left, right, stiff, ends, springs, scene):
         for weight, stretch, preload in springs:
             scene.add_spring(weight, preload, stretch)
     else:
-        coefficients = (right.place - left.place, *stiff, zero, segment.inertia, segment.drag, segment.foundation)
+        coefficients = (right.place - left.place, *stiff, segment.inertia, segment.drag, segment.foundation)
         scene.add_piece(left.place, coefficients, ends, springs)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.elements.member_line import Station
 from vibcli.elements.member_pieces import add_across, add_piece, preload_of
 from vibcli.elements.member_springs import mean_across, mean_along
+from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import HALF
 
 if TYPE_CHECKING:
@@ -21,6 +22,8 @@ if TYPE_CHECKING:
     from vibcli.elements.member_segments import MemberSegment
     from vibcli.symbolic.node import Node
 
+SLACK = 2.0**-40        # of the largest tension of a string: an end with less has none
+
 
 def placed(member: "Member", places: "Sequence[PlaceAlong]", held: "Sequence[Mapping[str, Node]]",
            scene: Any) -> "Member":
@@ -28,8 +31,10 @@ def placed(member: "Member", places: "Sequence[PlaceAlong]", held: "Sequence[Map
     if member.kind.name == "bar":
         return member._replace(stations=_straight(member, places, held, scene))
     along, stretches = _along(member, places, held, scene)
-    return member._replace(stations=[_station(member, place, motions, node, scene) for place, motions, node in zip(
-        places, held, along, strict=True)], stretches=stretches)
+    slack = [places[i] for i in _slack(member, places, scene)]
+    return member._replace(stations=[_station(member, place, motions, node, place in slack, scene) for
+                                     place, motions, node in zip(places, held, along, strict=True)],
+                           stretches=stretches)
 
 
 def _straight(member, places, held, scene):
@@ -46,8 +51,10 @@ def _straight(member, places, held, scene):
     return found
 
 
-def _station(member, place, motions, along, scene):
-    """A Station of a beam or string: what is not held is a coordinate."""
+def _station(member, place, motions, along, slack, scene):
+    """A Station of a beam or string: what is not held is a coordinate; at a `slack` end there is none to hold it by."""
+    if slack:
+        return Station(place.node, place.text, None, along=along)
     named = ("u", "slope") if member.kind.bends else ("u",)
     found = {motion: motions[motion] if motion in motions else
              scene.coordinates.further(f"{member.name}.{motion}({place.text})") for motion in named}
@@ -81,22 +88,60 @@ def add_placed_piece(member: "Member", segment: "MemberSegment", left: Station, 
         means = mean_along(scene, length, segment.stiffness, segment.foundation, (left.along, right.along)), (
             left.u + right.u) * HALF
     else:
-        tension = scene.tension(member.name, i) or preload_of(member, scene)
-        if member.kind.bends:
-            add_across(segment, left, right, tension, scene)
-            mean = mean_across(scene, length, segment.stiffness, tension, segment.foundation,
-                               [*left.motions, *right.motions])
-        else:
-            if not scene.number(tension) > 0:
-                scene.report(member.record.where, f"'{member.name}' is not taut: statics finds the tension "
-                             f"{scene.number(tension):.6g} N in it", "let its loads, or a `preload`, pull it")
-                return
-            add_piece(segment, left, right, tension, [left.u, right.u], scene)
-            mean = mean_along(scene, length, tension, segment.foundation, (left.u, right.u))
         scene.add_inertia(mass, right.along)
-        means = right.along, mean
+        means = right.along, (_cut if scene.variant.stretched else _add_taut)(member, segment, left, right, i, scene)
     if not mass.is_zero and scene.contents.gravity is not None:
-        _add_weight(member, mass, (left.place + right.place) * HALF, means, scene)
+        (x, y), (dx, dy) = (member.line.drawn((left.place + right.place) * HALF), member.line.displaced(*means))
+        scene.add_weight(mass, x + dx, y + dy)
+
+
+def _cut(_member, _segment, left, right, _i, _scene):
+    """What bends plays no part in the tension."""
+    return (left.u + right.u) * HALF
+
+
+def _add_taut(member, segment, left, right, i, scene):
+    """A piece of a beam or string under the tension that statics finds; its mean displacement across."""
+    length = right.place - left.place
+    tension = scene.tension(member.name, i) or preload_of(member, scene)
+    gradient = _gradient(member, segment, scene)
+    if member.kind.bends:
+        add_across(segment, left, right, tension, scene, gradient)
+        return mean_across(scene, length, segment.stiffness, tension + gradient * length / 2, segment.foundation,
+                           [*left.motions, *right.motions])
+    ends = [scene.table.zero if station.u is None else station.u for station in (left, right)]
+    least = min(scene.number(tension), scene.number(tension + gradient * length))
+    if not (least > 0 or None in (left.u, right.u)):
+        scene.report(member.record.where, f"'{member.name}' is not taut: statics finds the tension {least:.6g} N in it",
+                     "let its loads, or a `preload`, pull it")
+    elif not gradient.is_zero and not segment.foundation.is_zero:
+        scene.report(member.record.where, f"the tension of '{member.name}' varies along it, and it rests on a "
+                     "foundation: this does not work yet", "leave out the weight or the foundation")
+    else:
+        add_piece(segment, left, right, tension, ends, scene, gradient=gradient)
+        return mean_along(scene, length, tension, segment.foundation, ends, gradient)
+    return scene.table.zero
+
+
+def _gradient(member, segment, scene):
+    """N′ = −μ g·e, the weight along the line."""
+    zero = scene.table.zero
+    if scene.contents.gravity is None or segment.inertia.is_zero:
+        return zero
+    (gx, gy), line = scene.contents.gravity, member.line
+    along = textbook(gx * line.ex + gy * line.ey)
+    size = abs(scene.number(gx)) + abs(scene.number(gy))
+    return zero if abs(scene.number(along)) <= 1e-12 * size else -segment.inertia * along
+
+
+def _slack(member, places, scene):
+    """The ends, 0 or -1, of a string that bear no tension: free ones, where its weight hangs or has not begun."""
+    if member.kind.name != "string" or member.name not in scene.tensions:
+        return []
+    first, last = (scene.tension(member.name, i) for i in (0, -1))
+    last = last + _gradient(member, member.segments[-1], scene) * (places[-1].node - places[-2].node)
+    sizes = [abs(scene.number(node)) for node in (first, last)]
+    return [i for i, size in zip((0, -1), sizes, strict=True) if size <= SLACK * max(sizes)]
 
 
 def _add_bar(member, segment, left, right, mass, scene):
@@ -108,15 +153,3 @@ def _add_bar(member, segment, left, right, mass, scene):
               (right.place - left.place) / member.length * longer)
     scene.add_inertia(mass, (left.u + right.u) * HALF)
     scene.add_inertia(mass / 12, right.u - left.u)
-
-
-def _add_weight(member, mass, middle, means, scene):
-    """The weight of a piece by the means of what it moves along and across."""
-    (x, y), (dx, dy) = member.line.drawn(middle), member.line.displaced(*means)
-    if member.kind.name != "bar":
-        gx, gy = (scene.number(part) for part in scene.contents.gravity)
-        pull = gx * scene.number(member.line.ex) + gy * scene.number(member.line.ey)
-        if abs(pull) > 1e-12 * (gx * gx + gy * gy) ** 0.5:
-            scene.report(member.record.where, f"the weight of '{member.name}' acts along it: tension that varies along "
-                         "a member does not work yet", "draw it level, or leave `gravity` out")
-    scene.add_weight(mass, x + dx, y + dy)

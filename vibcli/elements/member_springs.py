@@ -20,9 +20,14 @@ SMALL, DEPTH = 0.25, 24
 
 
 def springs_along(scene: Any, length: "Node", tension: "Node", foundation: "Node",
-                  ends: "Sequence[Node]") -> "list[tuple[Node, Node]]":
-    """[(stiffness, stretch)] of a piece of order 2."""
+                  ends: "Sequence[Node]", gradient: "Node") -> "list[tuple[Node, Node]]":
+    """[(stiffness, stretch)] of a piece of order 2; none where the tension N + n x vanishes at an end."""
     first, last = ends
+    if not gradient.is_zero:
+        share = _share(length, tension, gradient)
+        if not scene.number(share * share) < 1 - 2.0**-39:
+            return []
+        return [((tension + gradient * length / 2) / length * _graded(scene, share)[0], last - first)]
     if foundation.is_zero:
         return [(tension / length, last - first)]
     beta = scene.table.sqrt(foundation / tension)
@@ -46,14 +51,39 @@ def springs_across(scene: Any, length: "Node", bending: "Node", tension: "Node",
             (bending / length * odd, (turned + turned_last) / 2 - (last - first) / length)]
 
 
-def mean_along(scene: Any, length: "Node", tension: "Node", foundation: "Node", ends: "Sequence[Node]") -> "Node":
+def mean_along(scene: Any, length: "Node", tension: "Node", foundation: "Node", ends: "Sequence[Node]",
+               gradient: "Node | None" = None) -> "Node":
     """Mean displacement of a piece of order 2 without loads of its own, by which loads spread evenly act."""
     first, last = ends
     mean = (first + last) / 2
+    if gradient is not None and not gradient.is_zero:
+        share = _share(length, tension, gradient)
+        value = scene.number(share)
+        if not value * value < 1 - 2.0**-39:
+            return last if value > 0 else first
+        return mean + (last - first) * _graded(scene, share)[1] / 2
     if foundation.is_zero:
         return mean
     half = scene.table.sqrt(foundation / tension) * length / 2
     return mean * scene.table.call("tanh", half) / half
+
+
+def _share(length, tension, gradient):
+    """r = n l/(2N + n l), how far the tension varies about its mean."""
+    return gradient * length / (2 * tension + gradient * length)
+
+
+def _graded(scene, r):
+    """(r/artanh r, (1 − r/artanh r)/r) of u′ ~ 1/(N + n x), near r = 0 by the continued fraction
+    r/artanh r = 1 − r²/(3 − 4r²/(5 − …))."""
+    table = scene.table
+    if abs(scene.number(r)) < SMALL:
+        below = table.number(2 * DEPTH + 1)
+        for k in range(DEPTH - 1, 0, -1):
+            below = 2 * k + 1 - (k + 1) ** 2 * r * r / below
+        return 1 - r * r / below, r / below
+    found = 2 * r / table.call("log", (1 + r) / (1 - r))
+    return found, (1 - found) / r
 
 
 def mean_across(scene: Any, length: "Node", bending: "Node", tension: "Node", foundation: "Node",

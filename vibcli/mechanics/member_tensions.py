@@ -21,6 +21,11 @@ def require_tensions(configuration: "Configuration") -> None:
         if not member.settled and not configuration.equilibrium.drawn:
             raise PhysicsError(f"the tension of '{member.name}' depends on where the scene rests: this does not work "
                                "yet", "draw the scene where it rests", member.record.where)
+        bent = any(not piece.piece.gradient.is_zero for piece in configuration.system.linearisation.pieces
+                   if piece.owner == member.name)
+        if bent and member.kind.bends and not configuration.equilibrium.drawn:
+            raise PhysicsError(f"'{member.name}' is bent by its loads, and its tension varies along it: this does not "
+                               "work yet", "let it stand or hang upright, or leave out `gravity`", member.record.where)
     tied = {member.name: member for member in placed
             if any(constraint.name == member.name for constraint in scene.constraints)}
     if not tied:

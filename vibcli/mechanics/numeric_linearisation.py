@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.mechanics.factored_system import FactoredSystem
 from vibcli.mechanics.linearisation import Linearisation, nodes_of
-from vibcli.symbolic.evaluation import evaluate, evaluate_rational
+from vibcli.symbolic.evaluation import Rationals, evaluate, evaluate_rational
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -49,7 +49,18 @@ def in_numbers(form: Linearisation, arithmetic: Any, values: Mapping[str, Any],
                                  pieces=form.pieces)
     elements = expressions.each(known.__getitem__).with_parts(
         K=K, K_size=size, massless=massless(form, known), rational_rows=_rational_rows(form, rational))
+    if any(piece.piece.gradient for piece in elements.pieces):
+        elements = _graded(elements, arithmetic)
     return Numbers(elements, residual, residual_size)
+
+
+def _graded(elements, arithmetic):
+    """With the exact springs of beams whose tension varies; there are none in Fractions."""
+    from vibcli.mechanics.placed_pieces import exact_springs
+
+    if isinstance(arithmetic, Rationals):
+        raise Rationals.Irrational
+    return elements.with_parts(pieces=[piece._replace(springs=exact_springs(piece)) for piece in elements.pieces])
 
 
 def _accumulate(K, size, pair, term):
