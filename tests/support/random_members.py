@@ -40,7 +40,8 @@ def at_rest(piece, rows):
     if piece.order == 2:
         return [(piece.tension / size, combined((1, rows[1]), (-1, rows[0])))]
     sway = combined((1, rows[2]), (-1, rows[0]), (-size / 2, rows[1]), (-size / 2, rows[3]))
-    return [(12 * piece.bending / size**3, sway), (piece.bending / size, combined((1, rows[3]), (-1, rows[1])))]
+    springs = [(12 * piece.bending / size**3, sway), (piece.bending / size, combined((1, rows[3]), (-1, rows[1])))]
+    return springs + ([(piece.tension / size, combined((1, rows[2]), (-1, rows[0])))] if piece.tension else [])
 
 
 def random_members(seed):

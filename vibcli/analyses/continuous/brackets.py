@@ -70,31 +70,58 @@ class KnownCounts:
         return Bracket(self.z[i], self.z[j], int(self.above[i]), int(self.below[j]), self.held[i] != self.held[j])
 
 
-def reached(counts: KnownCounts, last: int, floor: int | None) -> None:
-    """Adds counts down to where none, and up to where `last` frequencies lie below.
+class Ground(NamedTuple):
+    """growing: how many z are negative; rigid: how many are zero, from structure."""
 
-    floor: how many there are at z ≤ 0 where there is none below 0; else None.
-    """
-    scale = counts.scale
-    if floor is not None:
-        counts.known(0, floor)
-    else:
-        step = scale
+    growing: int
+    rigid: int
+
+    @property
+    def resting(self) -> int:
+        """How many do not oscillate."""
+        return self.growing + self.rigid
+
+
+def ground(counts: KnownCounts, rigid: int, never_grows: bool) -> Ground | None:
+    """The Ground; None where z are so close to zero that this arithmetic does not tell their sign."""
+    if never_grows:
+        counts.known(0, rigid)
+        return Ground(0, rigid)
+    system, near = counts.system, counts.scale * LADDER ** -2
+    closest = counts.scale * system.closest
+    while near > closest:
+        found = count(system, system.numbers([-near, near]))
+        if found.above[0] + rigid == found.below[1]:
+            counts.add([-near, near])
+            return Ground(int(found.above[0]), rigid)
+        near = near / LADDER ** 4
+    return None
+
+
+def flat(counts: KnownCounts) -> Bracket | None:
+    """What lies so close to z = 0 that it is taken for zero; None where not even that is told."""
+    system, near = counts.system, counts.scale * counts.system.closest
+    found = count(system, system.numbers([-near, near]))
+    if (found.below != found.above).any():
+        return None
+    return Bracket(-near, near, int(found.above[0]), int(found.below[1]), False)
+
+
+def reached(counts: KnownCounts, first: int, last: int) -> None:
+    """Adds counts down to where fewer than `first`, and up to where `last` frequencies lie below."""
+    step = top = counts.scale
+    while not len(counts.above) or counts.above.min() >= first:
         counts.add([-step])
-        while counts.above[0] > 0:
-            step *= LADDER ** 2
-            counts.add([-step])
-            if len(counts.z) > LONGEST:
-                raise PhysicsError("what grows has no end: a coordinate without inertia has a negative stiffness",
-                                   "give what it moves a mass or inertia")
-    top = scale
-    counts.add([top])
-    while counts.below.max() < last:
-        top *= LADDER
+        step *= LADDER ** 2
+        if len(counts.z) > LONGEST:
+            raise PhysicsError("what grows has no end: a coordinate without inertia has a negative stiffness",
+                               "give what it moves a mass or inertia")
+    while not len(counts.below) or counts.below.max() < last:
         counts.add([top])
-    if last > 4:
-        share = counts.system.numbers(np.linspace(0, 1, 3 * last + 1)[1:-1])
-        counts.add(top * share * share)
+        top *= LADDER
+    if last - first > 4 and counts.below.max() > last // 2:
+        share = counts.system.numbers(np.linspace(0, 1, 3 * (last - first) + 1)[1:-1])
+        counts.add(max(counts.z) * share * share)
 
 
 def parted(counts: KnownCounts, indices: Any, finished: Any) -> dict[int, Bracket]:

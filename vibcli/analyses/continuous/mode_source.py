@@ -6,15 +6,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from vibcli.analyses.continuous.brackets import KnownCounts
+from vibcli.analyses.continuous.brackets import Ground, KnownCounts, flat, ground
 from vibcli.analyses.continuous.counting import count
+from vibcli.analyses.continuous.local_modes import local_modes
 from vibcli.analyses.continuous.natural_frequencies import SURE, NaturalFrequency, better, natural_frequencies
-from vibcli.analyses.continuous.rigid_motions import rigid_count, rigid_shapes
+from vibcli.analyses.continuous.rigid_motions import never_grows, rigid_count, rigid_shapes
 from vibcli.analyses.continuous.system import continuous_system
 from vibcli.analyses.continuous.uniform_members import uniform_member
 from vibcli.analyses.continuous.uniform_shapes import uniform_modes
 from vibcli.analyses.modal.undamped import Mode
 from vibcli.base.errors import PhysicsError
+from vibcli.numerics.sparse_elimination import quadratic
 
 if TYPE_CHECKING:
     from vibcli.mechanics.factored_system import FactoredSystem
@@ -35,29 +37,34 @@ class NaturalModes:
             raise PhysicsError("modes of members are not found where forces follow what they act on",
                                "take the force along a fixed direction, or make the member massless")
         self.elements, self.precise, self.digits = elements, precise, digits
-        self.floor = rigid_count(elements)
         self._known: dict[int | None, KnownCounts] = {}
+        self.ground, self._resting = self._grounded()
         uniform = uniform_member(elements) if digits is None else None
-        self.uniform = uniform if uniform is not None and uniform.resting == self.floor else None
+        self.uniform = uniform if uniform is not None and uniform.resting == self.ground.resting else None
         if any(elements.G.values()):
             self._check_held()
 
     def numbered(self, first: int, last: int) -> list[Mode]:
         """The modes with an index from first to last."""
-        found = self._rigid(first, last)
-        start = max(first, (self.floor or 0) + 1)
-        if start > last:
-            return found
+        growing, resting = self.ground.growing, self.ground.resting
+        found = self._found(first, min(last, growing)) if first <= growing else []
+        found += self._rigid(first, last)
+        start = max(first, resting + 1)
+        return found + self._found(start, last) if start <= last else found
+
+    def _found(self, first, last):
+        """Modes that are not rigid."""
         if self.digits is not None:
-            roots = self._precise_roots(start, last, {}, 10.0 ** -self.digits)
+            roots = self._precise_roots(first, last, {}, 10.0 ** -self.digits)
         elif self.uniform is not None:
-            known = uniform_modes(self.uniform, self._at(None).system, start - self.floor, last - self.floor)
+            resting = self.uniform.resting
+            known = uniform_modes(self.uniform, self._at(None).system, first - resting, last - resting)
             roots = {root.index: root for root in known}
         else:
-            roots = natural_frequencies(self._at(None), start, last, self.floor)
-            for low, high in _runs([i for i in range(start, last + 1) if _doubtful(roots, i)]):
+            roots = natural_frequencies(self._at(None), first, last)
+            for low, high in _runs([i for i in range(first, last + 1) if _doubtful(roots, i)]):
                 roots |= self._precise_roots(low, high, roots, SURE)
-        return found + [self._mode(roots[i]) for i in range(start, last + 1)]
+        return [self._mode(roots[i]) for i in range(first, last + 1)]
 
     def count(self, Omega: float) -> int:
         """How many have ω ≤ Omega, those that grow and the rigid ones among them."""
@@ -83,19 +90,33 @@ class NaturalModes:
                 for i in range(first, last + 1):
                     if i in roots:
                         counts.add([counts.system.number(roots[i].z) * (1 + side * 1e-8) for side in (-1, 1)])
-                found = better(found, natural_frequencies(counts, first, last, self.floor))
+                found = better(found, natural_frequencies(counts, first, last))
             if all(i in found and found[i].error < goal for i in range(first, last + 1)):
                 return found
-        raise PhysicsError("the frequencies are so close to one another, or the data so far apart, that digits do not "
-                           "tell them", "look for stiffnesses of very different size")
+        raise _undecided()
+
+    def _grounded(self):
+        """The Ground, and the shapes of what is rigid: from structure, or of what no number of digits tells from it."""
+        rigid, sure = rigid_count(self.elements), never_grows(self.elements)
+        found = ground(self._at(None), rigid, sure)
+        for digits in DEEPER if found is None else ():
+            with working(digits):
+                found = found or ground(self._at(digits), rigid, sure)
+        if found is not None:
+            return found, rigid_shapes(self.elements, self._at(None).system, rigid) if rigid else None
+        with working(DEEPER[-1]):
+            near = flat(self._at(DEEPER[-1]))
+            if near is None:
+                raise _undecided()
+            system, _, shapes, _ = local_modes(self._at(DEEPER[-1]).system, near)
+            shapes = shapes / _sizes(system, shapes)
+        return Ground(near.below, near.above - near.below), shapes
 
     def _rigid(self, first, last):
-        if not self.floor or first > self.floor:
-            return []
-        counts = self._at(None)
-        shapes = rigid_shapes(self.elements, counts.system, self.floor)
-        return [self._mode(NaturalFrequency(i, 0.0, 0.0, shapes[:, i - 1], counts.system))
-                for i in range(first, min(last, self.floor) + 1)]
+        growing, resting = self.ground.growing, self.ground.resting
+        system = self._at(None).system
+        return [self._mode(NaturalFrequency(i, 0.0, 0.0, self._resting[:, i - growing - 1], system))
+                for i in range(max(first, growing + 1), min(last, resting) + 1)]
 
     def _mode(self, root):
         """A root as a Mode, in floats unless digits are asked for."""
@@ -120,9 +141,19 @@ class NaturalModes:
     def _check_held(self):
         """Gyroscopic terms leave the count what it is only where nothing grows or moves freely without them."""
         counts = self._at(None)
-        if self.floor != 0 and count(counts.system, counts.system.numbers([0])).above[0]:
+        if self.ground.resting or count(counts.system, counts.system.numbers([0])).above[0]:
             raise PhysicsError("modes of members beside gyroscopic terms are counted only where every motion is held "
                                "by a positive stiffness", "hold what is free, or take the turning out")
+
+
+def _undecided():
+    return PhysicsError("the frequencies are so close to one another, or the data so far apart, that digits do not "
+                        "tell them", "look for stiffnesses of very different size")
+
+
+def _sizes(system, shapes):
+    """√(xᵀ ∂D/∂s² x) of columns, at rest."""
+    return quadratic(system.pattern, system.dynamic_stiffness(system.numbers([0]))[2], shapes) ** 0.5
 
 
 def _doubtful(roots, i):

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 STEPS = 12
 WIDEST = 1e-9       # a bound that is not worth a proof
 SURE = 1e-12        # a relative bound that is good enough
+NOTHING = 256       # roundings of the largest, below which a part of a shape is zero
 DOUBTED = 0.5       # the bound of what counts do not prove
 WIDTHS = 1.3, 1.04, 1.001       # of z: from where on a Rayleigh quotient is tried
 NEAR_POLE = 1.001   # where a pole lies between
@@ -43,9 +44,9 @@ class NaturalFrequency(NamedTuple):
     system: "ContinuousSystem"
 
 
-def natural_frequencies(counts: KnownCounts, first: int, last: int, floor: int | None) -> dict[int, NaturalFrequency]:
-    """Those whose index lies from first to last, as far as this arithmetic tells them; floor as in reached()."""
-    reached(counts, last, floor)
+def natural_frequencies(counts: KnownCounts, first: int, last: int) -> dict[int, NaturalFrequency]:
+    """Those whose index lies from first to last, as far as this arithmetic tells them; none of them is rigid."""
+    reached(counts, first, last)
     indices, found = list(range(first, last + 1)), {}
     brackets: dict[int, Bracket] = {}
     for width in WIDTHS:
@@ -102,7 +103,10 @@ def certified(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, indices:
     x = settled(system, z, entries, x)
     inertia = abs(quadratic(system.pattern, slope, x).real)
     z = z + quadratic(system.pattern, entries, x).real / inertia
-    room = (abs(x) ** 2 * rounding(system, sizes, scales(system, z, sizes, slope))).sum(axis=0)
+    scale = scales(system, z, sizes, slope)
+    room = (abs(x) ** 2 * rounding(system, sizes, scale)).sum(axis=0)
+    felt = abs(x) * scale
+    x = np.where(felt > NOTHING * system.unit * felt.max(axis=0, initial=0), x, 0 * x)
     error = np.maximum(system.fine, SLACK * room / (inertia * abs(z)))
     numbers, proved = np.array(indices), np.zeros(len(indices), bool)
     left = np.flatnonzero(wanted & (z != 0))

@@ -11,20 +11,24 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.system import ContinuousSystem
 
 
-def rigid_count(elements: Any) -> int | None:
-    """How many rigid motions there are where nothing can grow; None where signs leave that open."""
+def never_grows(elements: Any) -> bool:
+    """Is all stiffness that of springs and pieces which cannot be negative?"""
     if any(elements.K.values()) or any(k < 0 for k, _ in elements.springs):
-        return None
-    if any(placed.piece.tension < 0 or placed.piece.foundation < 0 or placed.piece.gradient for placed in
-           elements.pieces):
-        return None
+        return False
+    return not any(placed.piece.tension < 0 or placed.piece.foundation < 0 or placed.piece.gradient
+                   for placed in elements.pieces)
+
+
+def rigid_count(elements: Any) -> int:
+    """How many motions nothing resists, whatever its stiffness is; those that entries of K touch are not among them."""
     return elements.n - rank(elements.n, _rows(elements))
 
 
 def _rows(elements):
-    """The rows of all springs, those of pieces at rest among them."""
+    """The rows of all springs, those of pieces at rest among them, and of what is no spring."""
     rows = [row for k, row in elements.static_springs if k]
-    return rows + [row for placed in elements.pieces if placed.piece.foundation for row in placed.rows]
+    rows += [row for placed in elements.pieces if placed.piece.foundation for row in placed.rows]
+    return rows + [{i: 1.0} for i in {i for pair, x in elements.K.items() if x for i in pair}]
 
 
 def rigid_shapes(elements: Any, system: "ContinuousSystem", count: int) -> np.ndarray:

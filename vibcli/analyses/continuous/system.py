@@ -47,7 +47,7 @@ class ContinuousSystem:
 
     pieces: PlacedPieces; stiffness, inertia: Matrix; turning: the entries of G. unit: the rounding of a number;
     fine: a relative bound that need not be narrower; aside: the part of a z by which one stays away from where D has
-    no inverse; scale: a z natural to the system.
+    no inverse; scale: a z natural to the system; closest: the part of it below which a z is not told from zero.
     """
 
     def __init__(self, n: int, stiffness: Matrix, inertia: Matrix, turning: Mapping[tuple[int, int], Any],
@@ -57,6 +57,7 @@ class ContinuousSystem:
         self.unit = 2.0 ** -53 if digits is None else 10.0 ** -digits
         self.aside = 2.0 ** -20 if digits is None else self.number(10) ** (-digits // 3)
         self.fine = 4 * self.unit if digits is None else 10.0 ** (20 - digits)
+        self.closest = 1e-13 if digits is None else 10.0 ** (-digits // 2)
         self.scale = _scale(self)
         tied = [pair for part in (stiffness.entries, inertia.entries, turning) for pair in part]
         tied += [(i, j) for piece in self.pieces for i in _touched(piece) for j in _touched(piece)]
