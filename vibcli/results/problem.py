@@ -152,9 +152,9 @@ class Problem:
         from vibcli.results import responses
 
         if self.scene.pieces:
-            from vibcli.results.member_response import member_response
+            from vibcli.results.members_in_time import members_in_time
 
-            return member_response(self)
+            return members_in_time(self)
         if not self.scene.q and self.scene.timed:
             from vibcli.results.prescribed_motion import PrescribedResponse
 

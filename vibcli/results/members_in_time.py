@@ -1,0 +1,28 @@
+"""The motion in time of scenes with members: by travelling waves where these are exact and their fronts few."""
+
+from typing import TYPE_CHECKING
+
+from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
+from vibcli.base.errors import PhysicsError
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+    from vibcli.results.wave_response import WaveResponse
+
+
+def members_in_time(problem: "Problem") -> "WaveResponse":
+    """The response of a scene whose members vibrate."""
+    from vibcli.results.wave_response import WaveResponse
+
+    if problem.spec.get("motion") == "full":
+        raise PhysicsError("members are linear about their drawn line: the full equations of this scene are not found",
+                           "write motion: small")
+    waves = WaveResponse(problem)
+    try:
+        if waves.ends:
+            waves.alone.march.reach(waves.until)
+        else:
+            waves.alone  # noqa: B018 - is its motion one of waves?
+    except NotByWaves as reason:
+        raise PhysicsError(f"the motion in time of this scene is not found: {reason.message}", reason.hint) from None
+    return waves
