@@ -1,7 +1,7 @@
 """Quantities that answers and conditions name, in the order of the manual: the file in which each is declared."""
 
 FAMILIES = {
-    **dict.fromkeys(("omega", "frequency", "period", "growth_rate", "mode", "modal_mass"), "modal"),
+    **dict.fromkeys(("omega", "frequency", "period", "growth_rate", "mode", "node", "modal_mass"), "modal"),
     **dict.fromkeys(("zeta", "omega_d", "period_d", "decay", "eigenvalue", "mode_d"), "damped"),
     **dict.fromkeys(("sensitivity", "rayleigh", "dunkerley", "ritz"), "modal"),
     **dict.fromkeys(("equilibrium", "Q", "stable", "equilibria"), "equilibrium"),

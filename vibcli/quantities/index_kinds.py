@@ -4,6 +4,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from vibcli.language.signals import coordinate_name, near_signals, signal_dimension
+from vibcli.language.spec import MEMBERS
 from vibcli.quantities.signal_dimensions import input_dimension, inputs, output_dimension
 
 MOST_COUNTED = 1000
@@ -79,5 +80,6 @@ INDICES = {
                            lambda spec, index: index in spec.independent_parameters, "parameter", ("p",), "parameter"),
     "damper": _named("damper", (), "dampers")._replace(sample="d"),
     "body": _named("body", ("body",), "bodies"),
+    "member": _named("member", ("member",), *MEMBERS),
     "place": _named("place", ("O",), "bodies", "points"),
 }

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.base.errors import NotInLetters, PhysicsError
+from vibcli.language.signal_names import signal_name
 from vibcli.language.signals import coordinate_name
 from vibcli.quantities.matrices import entry_dimension
 from vibcli.quantities.quantity import COMPLEX, PERIOD, ROUNDING, Declaration, as_asked, full_turn, rounded
@@ -86,9 +87,42 @@ def ten(problem: "Problem", tree: "QuantityRef") -> float:
 
 def _shape(problem, tree, args):
     signal = coordinate_name(problem.spec, tree.indices[1]) or tree.indices[1]
-    shape = problem.modal.shape(_mode(problem, tree))
+    mode = _mode(problem, tree)
+    shape, placed = problem.modal.shape(mode), signal_name(signal)
+    if placed.name in problem.spec.members:
+        return amplitude_as_asked(problem, *_along_member(problem, mode, placed))
     amplitude = along(problem, shape, signal)
     return amplitude_as_asked(problem, amplitude, shape)
+
+
+def _along_member(problem, mode, signal):
+    """(amplitude of a signal of a place on a member, [how large it is elsewhere on the member])."""
+    from vibcli.mechanics.inputs_outputs.displacements import signal_of_place
+    from vibcli.symbolic.evaluation import Floats, evaluate
+
+    scene = problem.scene.resting
+    found, fields = signal_of_place(scene, signal), problem.modal.fields(mode)
+    arithmetic, values = Floats, problem.configuration.at_rest
+    if problem.digits is not None:
+        arithmetic, values = problem.configuration.precise_rest(problem.digits)
+    place, factor = evaluate([found.left.place + found.at, found.factor], arithmetic, values)
+    unit = factor * problem.modal.scale(mode)
+    return fields.at(signal.name, place)[found.order] * unit, [fields.size(signal.name, found.order) * unit]
+
+
+def _node(problem, tree, args):
+    number, member, count = int(tree.indices[0]), tree.indices[1], int(tree.indices[2])
+    mode = _mode(problem, tree)
+    fields = problem.modal.fields(mode)
+    found = fields.node_places(member)
+    if count > len(found):
+        known = counted(len(found), "node") if found else "no node"
+        raise PhysicsError(f"'{member}' has {known} in mode {number}, its ends and supports not counted",
+                           "ask for one that it has" if found else "ask in a higher mode")
+    place = found[count - 1]
+    off = float(abs(fields.largest(member)[1] / fields.at(member, place)[1]))
+    exact = SHAPE if problem.digits is None else 10.0 ** (LOST - problem.digits)
+    return place, min(1.0, exact * off / float(place))
 
 
 def amplitude_as_asked(problem: "Problem", amplitude: "complex | mpmath.mpc",
@@ -104,9 +138,12 @@ def amplitude_as_asked(problem: "Problem", amplitude: "complex | mpmath.mpc",
 def _modal_mass(problem, tree, args):
     from vibcli.mechanics.inner_products import inner
 
-    configuration, digits = problem.configuration, problem.digits
+    configuration, digits, mode = problem.configuration, problem.digits, _mode(problem, tree)
+    if getattr(mode, "motion", None) is not None:
+        found = problem.modal.scale(mode) ** 2
+        return as_asked(problem, found), 2 * (SHAPE if digits is None else 10.0 ** (LOST - digits))
     elements = configuration.linear_system if digits is None else configuration.precise_system(digits)
-    shape = problem.modal.shape(_mode(problem, tree))
+    shape = problem.modal.shape(mode)
     if any(amplitude.imag for amplitude in shape):
         raise PhysicsError(f"the coordinates do not move in phase in mode {tree.indices[0]}: it has no modal mass",
                            f"ask for mode[{tree.indices[0]}] of a coordinate")
@@ -190,7 +227,7 @@ def _ritz(problem, tree, args):
 
 def one_degree(problem: "Problem") -> "list[Node]":
     """M, C, K of a scene with one coordinate, in letters."""
-    if len(problem.scene.q) != 1:
+    if len(problem.scene.q) != 1 or problem.scene.pieces:
         raise NotInLetters("this is found in letters for one degree of freedom")
     M, C, _, K = problem.symbolic.matrices
     zero = problem.scene.table.zero
@@ -223,10 +260,15 @@ QUANTITIES = {
     "growth_rate": Declaration(
         "growth rate of unstable mode i", "1/s", _growth_rate, ("mode",), size=largest, several=True),
     "mode": Declaration(
-        "amplitude of a coordinate or signal in mode i, the first coordinate that moves being 1", None, _shape,
+        "amplitude of a coordinate or signal in mode i, the first coordinate that moves being 1, where none does the "
+        "largest displacement of the first member that moves", None, _shape,
         ("mode", "signal"), size=ten, kind=COMPLEX, dimension=of_shape),
+    "node": Declaration(
+        "place of the k-th node of mode i on a member, from its left end, ends and supports not counted", "m", _node,
+        ("mode", "member", "number"), size=lambda problem, tree: 1.0),
     "modal_mass": Declaration(
-        "φᵀMφ of mode i, the first coordinate that moves being 1: a mass, or a moment of inertia", None, _modal_mass,
+        "φᵀMφ of mode i, ∫ μ φ² dx of members included, the first coordinate that moves being 1, where none does the "
+        "largest displacement of the first member that moves: a mass, or a moment of inertia", None, _modal_mass,
         ("mode",), dimension=_of_coordinates, several=True,
         symbolic=in_letters(lambda m, c, k, omega, table: m)),
     "sensitivity": Declaration(

@@ -13,6 +13,7 @@ from vibcli.base.stage import Stage
 if TYPE_CHECKING:
     import mpmath
 
+    from vibcli.analyses.continuous.mode_fields import ModeFields
     from vibcli.analyses.modal.damped_modes import DampedMode
     from vibcli.analyses.modal.stability import Stability
     from vibcli.analyses.modal.undamped import Mode
@@ -32,7 +33,7 @@ class ModalAnalysis:
         self.configuration, self.free = configuration, free
         self.numeric, self.system, self.spec = configuration.numeric, configuration.system, configuration.spec
         self.work, self.costs = configuration.work, configuration.costs
-        self._results = {}
+        self._results, self._scales = {}, {}
 
     @cached_property
     def scene(self) -> "Scene":
@@ -95,9 +96,32 @@ class ModalAnalysis:
 
     def shape(self, mode: "DampedMode | Mode", how: str = "first") -> "list[complex | mpmath.mpf]":
         """The shape of a mode in the normalisation asked for, as a list of numbers."""
-        from vibcli.analyses.modal.normalisation import normalised, weights
+        from vibcli.analyses.modal.normalisation import cleaned, normalised, weights
 
-        return normalised(mode.shape, how, weights(self.configuration.linear_system))
+        if not self.scene.members or not hasattr(mode, "motion"):
+            return normalised(mode.shape, how, weights(self.configuration.linear_system))
+        factor = self.scale(mode, how)
+        return [cleaned(x * factor) for x in mode.shape]
+
+    def scale(self, mode: Any, how: str = "first") -> "float | mpmath.mpf":
+        """What the shape of a Mode of a scene with members, of unit modal mass, is multiplied by."""
+        from vibcli.analyses.modal.normalisation import weights
+
+        if (id(mode), how) not in self._scales:
+            found = weights(self.configuration.linear_system)
+            self._scales[id(mode), how] = mode, self.fields(mode).scale(how, found, len(self.spec.coordinates))
+        return self._scales[id(mode), how][1]
+
+    def fields(self, mode: Any) -> "ModeFields":
+        """The ModeFields of a mode, in its numbers."""
+        from vibcli.analyses.continuous.mode_fields import ModeFields
+        from vibcli.symbolic.evaluation import Floats
+
+        if isinstance(mode.error, float) and isinstance(mode.omega or mode.growth_rate or 0.0, float):
+            return ModeFields(mode, self.scene.resting, Floats, self.configuration.at_rest)
+        from mpmath import mp
+
+        return ModeFields(mode, self.scene.resting, *self.configuration.precise_rest(mp.dps), mp.mpf)
 
     def solved(self, solve: Callable, *args: Any,
                **options: "Sequence[Mode] | int | Work | Callable") -> "list[DampedMode | Mode] | LinearMotion | None":

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from math import tau
 from typing import TYPE_CHECKING, Any
 
-from vibcli.analyses.modal.normalisation import WORDS
+from vibcli.analyses.modal.normalisation import words
 from vibcli.base.errors import Inertless
 from vibcli.report.blocks import Section, TableBlock, equations, line, paragraph, section
 from vibcli.report.keys import Key, data
@@ -84,13 +84,14 @@ def modes(problem: "Problem", report: "Report") -> Iterator[Section]:
             yield from section("Mode shapes (the first coordinate that moves is 1)",
                                *shape_blocks(problem, names, problem.closed_forms))
         return
+    normalised = words(report.normalise, problem.spec.members)
     if problem.modal.modes:
-        yield from _shapes(problem, report, shown(problem, report.wanted), f"Mode shapes ({WORDS[report.normalise]})")
+        yield from _shapes(problem, report, shown(problem, report.wanted), f"Mode shapes ({normalised})")
     if problem.modal.damped is not None:
         damped = shown_damped(problem, report.wanted)
         one_each = {mode.index: mode for mode in reversed(damped)}       # two eigenvalues have one shape
         yield from _shapes(problem, report, [one_each[i] for i in sorted(one_each)],
-                           f"Shapes of the damped modes ({WORDS[report.normalise]})", only_complex=True)
+                           f"Shapes of the damped modes ({normalised})", only_complex=True)
 
 
 def _shapes(problem, report, modes, title, only_complex=False):
