@@ -10,6 +10,7 @@ from vibcli.results.responses import SmallResponse
 from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
+    from vibcli.results.steady_response import SteadyResponse
     from vibcli.symbolic.node import Node
 
 
@@ -103,6 +104,19 @@ class MemberResponse(SmallResponse):
 
         term = self.problem.scene.resting.pieces[self.placed.index(piece)]
         return evaluate(list(term.s), Floats, self.configuration.at_rest)
+
+    @cached_property
+    def kept_up(self) -> "SteadyResponse":
+        """The response of which the steady state alone is asked."""
+        from vibcli.results.steady_response import SteadyResponse
+
+        return SteadyResponse(self.problem, PhysicsError(f"this is not found of {self.WORDS}",
+                                                         "ask for max(x), min(x) or values in time"))
+
+    def _one(self, part, source=()):
+        if getattr(part[0], "head", "") == "steady":
+            return self.kept_up.signal(part[0].args[0]).steady
+        return super()._one(part, source)
 
     def lasting(self):
         from vibcli.analyses.transient.duration import duration

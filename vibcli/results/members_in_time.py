@@ -7,10 +7,10 @@ from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
-    from vibcli.results.wave_response import WaveResponse
+    from vibcli.results.responses import SmallResponse
 
 
-def members_in_time(problem: "Problem") -> "WaveResponse":
+def members_in_time(problem: "Problem") -> "SmallResponse":
     """The response of a scene whose members vibrate."""
     from vibcli.results.wave_response import WaveResponse
 
@@ -24,5 +24,8 @@ def members_in_time(problem: "Problem") -> "WaveResponse":
         else:
             waves.alone  # noqa: B018 - is its motion one of waves?
     except NotByWaves as reason:
-        raise PhysicsError(f"the motion in time of this scene is not found: {reason.message}", reason.hint) from None
+        from vibcli.results.steady_response import SteadyResponse
+
+        return SteadyResponse(problem, PhysicsError(
+            f"the motion in time of this scene is not found: {reason.message}", reason.hint))
     return waves

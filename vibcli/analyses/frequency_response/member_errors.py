@@ -13,7 +13,7 @@ from vibcli.analyses.transient.data_errors import DATA
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.dynamic_matrix import EvaluatedMatrix
-    from vibcli.analyses.frequency_response.member_response import MemberResponse
+    from vibcli.analyses.frequency_response.member_response import MemberTransfer
     from vibcli.analyses.frequency_response.member_system import MemberSystem
 
 EPSILON = 2.0**-52
@@ -21,7 +21,7 @@ GUARD = 8       # roundings of what d is made of
 GIVEN = 4 * DATA
 
 
-def of_value(response: "MemberResponse", Omega: float) -> float:
+def of_value(response: "MemberTransfer", Omega: float) -> float:
     """|δH| at a frequency."""
     s = np.array([1j * Omega])
     systems = [response.system, *(response.system.divided(share) for share in SHARES)]

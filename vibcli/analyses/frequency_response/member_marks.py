@@ -11,7 +11,7 @@ from vibcli.analyses.frequency_response.member_poles_and_zeros import distinct, 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from vibcli.analyses.frequency_response.member_response import MemberResponse
+    from vibcli.analyses.frequency_response.member_response import MemberTransfer
     from vibcli.analyses.modal.modal_analysis import ModalAnalysis
     from vibcli.analyses.modal.undamped import Mode
     from vibcli.mechanics.factored_system import FactoredSystem
@@ -52,7 +52,7 @@ def still(elements: "FactoredSystem") -> "FactoredSystem":
     return elements.with_parts(dampers=(), C=None, drag=None, pieces=pieces)
 
 
-def poles(response: "MemberResponse", low: float, high: float) -> np.ndarray:
+def poles(response: "MemberTransfer", low: float, high: float) -> np.ndarray:
     """The poles with low ≤ Im s ≤ high."""
     start = 1j * np.array([mode.omega for mode in response.marks.natural(low, high)])
     if response.undamped:
@@ -60,7 +60,7 @@ def poles(response: "MemberResponse", low: float, high: float) -> np.ndarray:
     return distinct(followed(response.system.to_pole, start))
 
 
-def zeros(response: "MemberResponse", low: float, high: float) -> np.ndarray:
+def zeros(response: "MemberTransfer", low: float, high: float) -> np.ndarray:
     """The zeros with low ≤ Im s ≤ high."""
     if not response.undamped:
         start = zeros(response.without_damping, low, high)

@@ -7,6 +7,7 @@ lies between two poles, tells whether any is missing.
 """
 
 import math
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -33,7 +34,7 @@ def zeros_on_axis(response: FrequencyResponseFunction, poles: np.ndarray, low: f
     """Ω of the zeros without damping, ascending; poles: Ω of those that take part in H, ascending."""
     edges = np.unique([low, *poles[(poles > low) & (poles < high)], high])
     found = []
-    for a, b in zip(edges, edges[1:], strict=False):
+    for a, b in pairwise(edges):
         found.append(_between(response, a, b))
     return np.concatenate(found) if found else np.zeros(0)
 

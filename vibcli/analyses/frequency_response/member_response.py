@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.frequency_response.member_system import MemberSystem
 
 
-class MemberResponse(FrequencyResponseFunction):
+class MemberTransfer(FrequencyResponseFunction):
     """system: the MemberSystem; marks: its Marks."""
 
     __slots__ = ("_kept", "marks", "system")
@@ -80,9 +80,9 @@ class MemberResponse(FrequencyResponseFunction):
         return self._kept[find, low, high]
 
     @property
-    def without_damping(self) -> "MemberResponse":
+    def without_damping(self) -> "MemberTransfer":
         """The same without dampers and drag."""
-        return MemberResponse(self.system.without_damping(), self.marks, self.order)
+        return MemberTransfer(self.system.without_damping(), self.marks, self.order)
 
     def endless(self, low: float = 0.0, high: float = math.inf) -> list[np.ndarray]:
         places = [taking_part(self, np.unique(self.poles(low, high).imag)), self.zeros(low, high).imag]
@@ -94,8 +94,8 @@ class MemberResponse(FrequencyResponseFunction):
     def error_of_pole(self, Omega: float) -> float:
         return Omega * error_of(self.marks.natural(0.5 * Omega, 1.5 * Omega), Omega)
 
-    def with_damper(self, other: Any, c: float) -> "MemberResponse":
-        return MemberResponse(self.system.mixed(other.system, c), self.marks, self.order)
+    def with_damper(self, other: Any, c: float) -> "MemberTransfer":
+        return MemberTransfer(self.system.mixed(other.system, c), self.marks, self.order)
 
     def felt(self, other: Any) -> float:
         one, two = self.system.matrix.polynomial, other.system.matrix.polynomial

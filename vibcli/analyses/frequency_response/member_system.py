@@ -53,7 +53,8 @@ class MemberSystem:
 
     __slots__ = ("_divided", "driven", "free", "given", "matrix", "output")
 
-    def __init__(self, matrix: "DynamicMatrix", driven: "Sequence[int] | np.ndarray", given: MemberInput, output: MemberOutput):
+    def __init__(self, matrix: "DynamicMatrix", driven: "Sequence[int] | np.ndarray", given: MemberInput,
+                 output: MemberOutput):
         self.matrix, self.given, self.output = matrix, given, output
         self.driven = np.array(driven, int)
         self.free = np.array([i for i in range(matrix.n) if i not in driven], int)

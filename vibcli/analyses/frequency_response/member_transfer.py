@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 from vibcli.analyses.continuous.dynamic_matrix import dynamic_matrix
 from vibcli.analyses.frequency_response.member_marks import Marks
 from vibcli.analyses.frequency_response.member_places import seen_at
-from vibcli.analyses.frequency_response.member_response import MemberResponse
+from vibcli.analyses.frequency_response.member_response import MemberTransfer
 from vibcli.analyses.frequency_response.member_system import MemberInput, MemberOutput, MemberSystem
 from vibcli.analyses.modal.modal_analysis import ModalAnalysis
 from vibcli.base.errors import PhysicsError
@@ -20,13 +20,20 @@ if TYPE_CHECKING:
 
 
 def member_transfer(configuration: "Configuration", signal: "SignalName", driven_by: str, order: int,
-                    modal: "ModalAnalysis | None") -> MemberResponse:
-    """The MemberResponse of a signal to a named input."""
-    opened, chosen = configuration.with_inputs, named_input(configuration, driven_by)
+                    modal: "ModalAnalysis | None") -> MemberTransfer:
+    """The MemberTransfer of a signal to a named input."""
+    chosen = named_input(configuration, driven_by)
     if chosen.carried:
         raise PhysicsError("responses of members to a load that turns with what is driven are not found",
                            "name a coordinate, or a force that keeps its line")
-    opened.require_steady(chosen.weights)
+    return transfer_to(configuration, signal, MemberInput(chosen.weights, chosen.turns), order, modal)
+
+
+def transfer_to(configuration: "Configuration", signal: "SignalName", given: MemberInput, order: int = 0,
+                modal: "ModalAnalysis | None" = None) -> MemberTransfer:
+    """The MemberTransfer of a signal to inputs."""
+    opened = configuration.with_inputs
+    opened.require_steady(given.weights)
     elements, n = opened.numbers.elements, len(opened.scene.q)
     pieces, size = list(elements.pieces), n
     place = place_output(configuration, signal.text)
@@ -39,6 +46,5 @@ def member_transfer(configuration: "Configuration", signal: "SignalName", driven
     else:
         row = linear_row(configuration, signal.text)
         output = MemberOutput((row.q, row.v, row.a))
-    given = MemberInput(chosen.weights, chosen.turns)
     system = MemberSystem(dynamic_matrix(elements, pieces, size), range(opened.n, n), given, output)
-    return MemberResponse(system, Marks(modal or ModalAnalysis(configuration), system.shared()), order)
+    return MemberTransfer(system, Marks(modal or ModalAnalysis(configuration), system.shared()), order)

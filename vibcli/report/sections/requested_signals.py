@@ -55,7 +55,7 @@ def require_known(spec: "Spec", signals: "Sequence[Expression]", inputs: "Sequen
 
 
 def trees_asked(problem: "Problem", word: str, given: "Sequence[Expression]" = ()) -> list[tuple[str, NameRef | Sum]]:
-    """[(text, tree)] of the signals asked: those given, else those of `find`, else the coordinates."""
+    """[(text, tree)] of the signals asked: those given, else those of `find`, else the usual ones."""
     if given:
         reader = Reader(members=problem.spec.members)
         given = [signal.with_tree(reader.at_places(signal.tree)) for signal in given]
@@ -142,4 +142,11 @@ def _input_asked(problem, given):
         return given.text
     find = problem.spec.get("find")
     record = find.about(FREQUENCY_RESPONSE) if find is not None else None
-    return record["to"].text if record is not None and "to" in record else inputs(problem.spec)[0]
+    if record is not None and "to" in record:
+        return record["to"].text
+    known = inputs(problem.spec)
+    if not known:
+        raise PhysicsError("nothing drives this scene", "add a force on a point of a member, as in `points: {tip: "
+                           f"{{body: {next(iter(problem.spec.members))}, at: …}}}}`, `forces: {{drive: {{at: tip, "
+                           "force: 1 N}}`")
+    return known[0]
