@@ -28,6 +28,11 @@ _PRECOMPOSED = {"x\u0307": "ẋ", "x\u0308": "ẍ", "y\u0307": "ẏ", "y\u0308":
                 "u\u0308": "ü", "r\u0307": "ṙ"}
 
 
+def lowered(number: int) -> str:
+    """'₁₂' of 12."""
+    return str(number).translate(_SUBSCRIPT)
+
+
 def split_name(name: str) -> tuple[str, str, str]:
     """('φ', '1', "'") of phi1': letter, subscript, primes; a word such as length stays whole."""
     bare = name.rstrip("'")

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 PRECISE = 40        # digits where floats do not tell
 DEEPER = 40, 80, 160
+ABOVE = 1e-14, 1e-13, 1e-12, 1e-11      # relative distances above a frequency that are tried in turn
 NEVER_BELOW = 2.0 ** -53
 
 
@@ -72,6 +73,16 @@ class NaturalModes:
         counts = self._at(None)
         found = count(counts.system, counts.system.numbers([z]))
         return int(found.below[0])
+
+    def counted_above(self, mode: Mode) -> int | None:
+        """J just above the frequency of a mode, certain; None where close ones leave it open."""
+        home = mode.motion.system
+        system, omega = home if home.digits is None else self._at(None).system, float(mode.omega)
+        for away in (4 * float(mode.error), *ABOVE):
+            found = count(system, system.numbers([(omega * (1 + away)) ** 2]))
+            if found.below[0] == found.above[0]:
+                return int(found.below[0])
+        return None
 
     def _at(self, digits):
         """The KnownCounts in floats or in so many digits."""

@@ -92,6 +92,11 @@ class Modes(Sequence):
             wanted = USUAL + len({mode.index for mode in found if not mode.omega or mode.growth_rate is not None})
         return found
 
+    def counted_above(self, mode: "Mode") -> int | None:
+        """How many modes have at most the frequency of this one, certain by a count just above it; None where that
+        does not tell, or the modes are a list."""
+        return None if self.finite else self._solved(self._source.counted_above, mode)
+
     @property
     def _reached(self):
         """The index up to which all are known."""

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.modal.normalisation import words
 from vibcli.base.errors import Inertless
+from vibcli.notation.plain import lowered
 from vibcli.report.blocks import Section, TableBlock, equations, line, paragraph, section
 from vibcli.report.keys import Key, data
 from vibcli.report.sections.equilibrium import EQUILIBRIUM
@@ -34,7 +35,20 @@ def frequencies(problem: "Problem", report: "Report") -> Iterator[Section]:
     rows = [mode_row(mode, modal.zero_modes.get(mode.index), mode.index in same) for mode in found]
     damped = "of the undamped system" if modal.damped else "undamped"
     head = ("mode", "ω [rad/s]", "f [Hz]", "T [s]", "relative error ≤", "")
-    yield from section(f"Natural frequencies ({damped})", TableBlock(head, tuple(rows)), _form(problem))
+    yield from section(f"Natural frequencies ({damped})", TableBlock(head, tuple(rows)), _counted(modal.modes, found),
+                       _form(problem))
+
+
+def _counted(modes, found):
+    """The proof that none is missing: the count just above the last frequency, where modes have no end."""
+    last = found[-1] if found else None
+    if modes.finite or not last.omega:
+        return None
+    count = modes.counted_above(last)
+    if count is None or count < last.index:
+        return None
+    close = "".join(f" ≈ ω{lowered(number)}" for number in range(last.index + 1, count + 1))
+    return paragraph(f"J = {count} just above ω{lowered(last.index)}{close}: none is missing")
 
 
 def _form(problem):

@@ -84,6 +84,14 @@ def test_a_free_beam_moves_rigidly_first():
     assert math.sqrt(modes[2].omega) == pytest.approx(4.730040744862704, rel=1e-14)
 
 
+def test_what_grows_is_followed_by_what_is_free():
+    rows = [[{i: 1.0} for i in range(2, 6)], [{}, {0: 1.0}, {}, {1: 1.0}]]
+    pieces = [placed(beam(), *rows[0]), placed(beam(tension=-15.0), *rows[1])]
+    source = NaturalModes(FactoredSystem(6, pieces=pieces))
+    assert [mode.kind for mode in source.numbered(1, 4)] == ["divergence", "rigid", "rigid", "oscillation"]
+    assert source.counted_above(source.numbered(6, 6)[0]) == 6
+
+
 def test_a_beam_beyond_its_buckling_load_grows():
     load = 1.5 * math.pi**2
     pinned = FactoredSystem(2, pieces=[placed(beam(tension=-load), {}, {0: 1.0}, {}, {1: 1.0})])
@@ -105,7 +113,9 @@ def test_a_chain_of_sixty_spans_has_all_its_frequencies():
 def test_random_members_have_as_many_frequencies_as_their_finite_elements():
     for seed in range(12):
         system = random_members(seed)
-        modes = NaturalModes(system).numbered(1, 6)
+        source = NaturalModes(system)
+        modes = source.numbered(1, 6)
+        assert modes[-1].rigid or source.counted_above(modes[-1]) == 6
         exact = squares_by_finite_elements(system, 6)
         found = [0.0 if mode.rigid else -mode.growth_rate**2 if mode.growth_rate else mode.omega**2 for mode in modes]
         assert found == pytest.approx(exact, rel=1e-2, abs=1e-7 * exact[-1])

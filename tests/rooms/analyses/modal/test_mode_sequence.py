@@ -35,6 +35,9 @@ class Rod:
     def count(self, Omega):
         return self.growing + self.rigid + int(Omega / pi)
 
+    def counted_above(self, mode):
+        return mode.index
+
     def _mode(self, index):
         shape, beyond = np.array([1.0, (-1.0) ** index]), index - self.growing - self.rigid
         rates = (None, 1.0 / index) if index <= self.growing else (max(0, beyond) * pi, None)
