@@ -21,6 +21,7 @@ from vibcli.language.named_elements import load
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from vibcli.elements.member_segments import MemberSegment
     from vibcli.language.signal_names import SignalName
     from vibcli.symbolic.node import Node
 
@@ -38,6 +39,7 @@ class Member(NamedTuple):
     line: DrawnLine | None = None
     stretches: tuple = ()
     settled: bool = True
+    tensions: Any = ()
 
     @property
     def length(self) -> "Node":
@@ -57,6 +59,24 @@ class Member(NamedTuple):
         """Where a station is now, in the plane."""
         (x, y), (dx, dy) = self.line.drawn(station.place), self.line.displaced(station.along, station.u)
         return x + dx, y + dy
+
+    @property
+    def turns(self) -> bool:
+        """Is it a bar in the plane, which turns besides?"""
+        return self.line is not None and self.kind.name == "bar"
+
+    def motions(self, station: Station) -> "list[Node]":
+        """What a station does in the sense of u: u or φ, of beams its slope too."""
+        return [station.along] if self.turns else station.motions
+
+    def tension(self, number: int, segment: "MemberSegment", scene: Any) -> "tuple[Node, Node]":
+        """(N at the left end of a piece, N′): EA and GI_o of bars and shafts, of strings and beams the tension."""
+        zero = scene.table.zero
+        if segment.stiffness is not None and not self.kind.bends:
+            return segment.stiffness, zero
+        if self.tensions:
+            return self.tensions[number]
+        return scene.lower(self.record["preload"]) if "preload" in self.record else zero, zero
 
     def signal(self, scene: Any, signal: "SignalName", place: "Node"):
         """The PlaceSignal of a name: a motion, force or stress at a place; None beyond the ends."""
@@ -94,7 +114,7 @@ def _built(name, kind, record, scene):
     line = line_of(record, scene)
     segments = segments_of(record, kind, line, scene)
     places = places_of(name, record, segments, scene)
-    member = Member(name, kind, record, segments, [], line)
+    member = Member(name, kind, record, segments, [], line, tensions=[])
     if len(scene.diagnostics) > before:
         return member
     held = [held_at(place, kind, line, scene, built) for place in places]

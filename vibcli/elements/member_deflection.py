@@ -17,21 +17,54 @@ if TYPE_CHECKING:
 
 
 def static_signal(scene: "Scene", signal: "PlaceSignal") -> "Node":
-    """The signal as a function of the coordinates, everything being at rest."""
+    """The signal as a function of the coordinates, everything being at rest, under a tension that does not vary."""
     if signal.motion is not None:
         return signal.motion
-    length, ends = signal.right.place - signal.left.place, [*signal.left.motions, *signal.right.motions]
-    tension, foundation = signal.tension(scene), signal.segment.foundation
+    tension, own = signal.tension(scene)[0], _given_along(scene, signal)
+    foundation, length = signal.segment.foundation, signal.length
+    load = _particular(scene, signal, tension, foundation)
+    shift = [_derivative(scene, load, k, x) for x in (scene.table.zero, length)
+             for k in range(2 if signal.member.kind.bends else 1)]
+    ends = [end - part for end, part in zip(signal.ends, shift, strict=True)]
+    found = _between(scene, signal, (length, tension, foundation), ends)
+    return signal.factor * (found + _derivative(scene, load, signal.order, signal.at)) + own
+
+
+def _between(scene, signal, piece, ends):
+    """The derivative of u that the ends alone leave."""
+    length, tension, foundation = piece
     bends = signal.member.kind.bends
     if foundation.is_zero and (not bends or tension.is_zero):
         shapes = (_cubic if bends else _linear)(scene, length)
-        found = scene.table.total([_derivative(scene, shape, signal.order, signal.at) * end
-                                   for shape, end in zip(shapes, ends, strict=True)])
-    elif bends:
-        found = _across(scene, signal, (length, tension, foundation), ends)
-    else:
-        found = _along(scene, signal, scene.table.sqrt(foundation / tension), length, ends)
-    return signal.factor * found
+        return scene.table.total([_derivative(scene, shape, signal.order, signal.at) * end
+                                  for shape, end in zip(shapes, ends, strict=True)])
+    if bends:
+        return _across(scene, signal, piece, ends)
+    return _along(scene, signal, scene.table.sqrt(foundation / tension), length, ends)
+
+
+def _particular(scene, signal, tension, foundation):
+    """Powers of x in one u that the weight w leaves: w/k, −w x²/(2N), w x⁴/(24B)."""
+    zero, load = scene.table.zero, signal.weight(scene)
+    if load.is_zero:
+        return []
+    if not foundation.is_zero:
+        return [load / foundation]
+    if not tension.is_zero:
+        return [zero, zero, -load / (2 * tension)]
+    return [zero, zero, zero, zero, load / (24 * signal.segment.stiffness)]
+
+
+def _given_along(scene, signal):
+    """What the force or stress of a bar in the plane holds besides: its tension as drawn, and what it lengthens as it
+    turns."""
+    if not signal.member.turns or signal.order != 1:
+        return scene.table.zero
+    record, first, last = signal.member.record, signal.member.stations[0], signal.member.stations[-1]
+    apart = signal.member.length + (last.along - first.along)
+    longer = (scene.distance(apart, last.u - first.u) - apart) / signal.member.length
+    preload = scene.lower(record["preload"]) if "preload" in record else scene.table.zero
+    return signal.factor * (longer + preload / signal.segment.stiffness)
 
 
 def _linear(scene: Any, length: "Node") -> "list[list[Node]]":

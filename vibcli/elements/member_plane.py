@@ -105,6 +105,7 @@ def _add_taut(member, segment, left, right, i, scene):
     length = right.place - left.place
     tension = scene.tension(member.name, i) or preload_of(member, scene)
     gradient = _gradient(member, segment, scene)
+    member.tensions.append((tension, gradient))
     if member.kind.bends:
         add_across(segment, left, right, tension, scene, gradient)
         return mean_across(scene, length, segment.stiffness, tension + gradient * length / 2, segment.foundation,

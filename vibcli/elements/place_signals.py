@@ -19,12 +19,13 @@ SAME = 1e-9         # of the length of a member: places nearer than that are one
 
 
 class PlaceSignal(NamedTuple):
-    """factor · ∂ᵒʳᵈᵉʳu/∂xᵒʳᵈᵉʳ at the distance `at` from the station `left`, on the piece up to `right`; `station`: the
-    one that stands there, if any."""
+    """factor · ∂ᵒʳᵈᵉʳu/∂xᵒʳᵈᵉʳ at the distance `at` from the station `left`, on piece `number` up to `right`;
+    `station`: the one that stands there, if any."""
 
     member: "Member"
     left: Any
     right: Any
+    number: int
     segment: "MemberSegment"
     at: "Node"
     station: Any
@@ -34,16 +35,29 @@ class PlaceSignal(NamedTuple):
     @property
     def motion(self) -> "Node | None":
         """Itself where it is a motion of a station."""
-        if self.station is None or self.order >= len(self.station.motions):
-            return None
-        return self.station.motions[self.order]
+        motions = () if self.station is None else self.member.motions(self.station)
+        return motions[self.order] if self.order < len(motions) else None
 
-    def tension(self, scene: "Scene") -> "Node":
-        """N of its equation: EA and GI_o, of strings and beams the tension."""
-        if self.segment.stiffness is not None and not self.member.kind.bends:
-            return self.segment.stiffness
-        record = self.member.record
-        return scene.lower(record["preload"]) if "preload" in record else scene.table.zero
+    @property
+    def ends(self) -> "list[Node]":
+        """The motions of the ends of its piece: u, of beams u and slope."""
+        return [*self.member.motions(self.left), *self.member.motions(self.right)]
+
+    @property
+    def length(self) -> "Node":
+        """That of its piece."""
+        return self.right.place - self.left.place
+
+    def tension(self, scene: "Scene") -> "tuple[Node, Node]":
+        """(N at the left end of its piece, N′)."""
+        return self.member.tension(self.number, self.segment, scene)
+
+    def weight(self, scene: "Scene") -> "Node":
+        """The weight that acts on its piece in the sense of u, per length."""
+        line = self.member.line
+        if line is None or scene.gravity is None or self.segment.inertia.is_zero:
+            return scene.table.zero
+        return self.segment.inertia * line.seen(*scene.gravity)[0 if self.member.turns else 1]
 
     def static(self, scene: "Scene") -> "Node":
         """Itself as a function of the coordinates, everything being at rest."""
@@ -72,7 +86,7 @@ def place_signal(scene: "Scene", member: "Member", signal: "SignalName", place: 
     segment = _segment(scene, member, left, right)
     order, factor = _part(scene, member, segment, signal)
     at = (place if there is None else there.place) - left.place
-    return PlaceSignal(member, left, right, segment, at, there, order, factor)
+    return PlaceSignal(member, left, right, number, segment, at, there, order, factor)
 
 
 def _segment(scene, member, left, right):

@@ -73,6 +73,10 @@ def _parts(spec, name):
     for section, parts in (("bodies", BODY), ("points", POINT)):
         if name in (spec.get(section) or {}):
             return _signals_of(spec, spec.get(section)[name], parts)
+    point = (spec.get("member_points") or {}).get(name)
+    if point is not None:
+        carrier = point["body"].text
+        return {"x": "m", "y": "m"} if "from" in spec.get(spec.members[carrier])[carrier] else {}
     if name == "ground":
         return GROUND
     record = spec.connection(name)

@@ -3,6 +3,7 @@ that normalises a shape. Pieces without inertia deflect as at rest between their
 """
 
 from collections.abc import Callable, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -33,7 +34,7 @@ class ModeFields:
         motion, found = self.mode.motion, []
         for placed in motion.system.ordered if motion is not None else ():
             if placed.owner == member:
-                piece = placed.piece._make(map(self.number, placed.piece))
+                piece = Piece(*map(self.number, placed.piece))
                 kappa = piece.foundation - piece.inertia * self.number(motion.z)
                 ends = [self._times(row, motion.shape) for row in placed.rows]
                 found.append(self._moved(placed.start, piece, kappa, ends, not any(placed.rows[0].values())))
@@ -43,20 +44,19 @@ class ModeFields:
     def _light(self, name):
         """The pieces without inertia and drag."""
         member = self.scene.members[name]
-        for left, right in zip(member.stations, member.stations[1:], strict=False):
+        for number, (left, right) in enumerate(pairwise(member.stations)):
             middle = (self.scene.number(left.place) + self.scene.number(right.place)) / 2
             segment = next(part for part in member.segments if middle < self.scene.number(part.end))
             if segment.inertia.is_zero and segment.drag.is_zero:
-                yield self._at_rest(member, segment, left, right)
+                tension, _ = member.tension(number, segment, self.scene)
+                yield self._at_rest(member, segment, tension, left, right)
 
-    def _at_rest(self, member, segment, left, right):
+    def _at_rest(self, member, segment, tension, left, right):
         zero, bends = self.scene.table.zero, member.kind.bends
-        own = self.scene.lower(member.record["preload"]) if "preload" in member.record else zero
-        stiff = own if segment.stiffness is None or bends else segment.stiffness
-        nodes = [left.place, right.place - left.place, segment.stiffness if bends else zero, stiff, zero, zero, zero,
+        nodes = [left.place, right.place - left.place, segment.stiffness if bends else zero, tension, zero, zero, zero,
                  segment.foundation]
         start, *coefficients = map(self.number, evaluate(nodes, self.arithmetic, self.values))
-        rows = [gradient(motion) for motion in (*left.motions, *right.motions)]
+        rows = [gradient(motion) for motion in (*member.motions(left), *member.motions(right))]
         numbers = [dict(zip(row, evaluate(list(row.values()), self.arithmetic, self.values), strict=True))
                    for row in rows]
         ends = [self._times({self.scene.q.index(q): x for q, x in row.items() if q in self.scene.q}, self.mode.shape)
@@ -111,7 +111,7 @@ class ModeFields:
         return [self._polished(member, x, 0) for x in nodes(self._in_floats(member))]
 
     def _in_floats(self, member):
-        return [Moved(float(moved.start), moved.piece._make([float(x) for x in moved.piece]), float(moved.kappa),
+        return [Moved(float(moved.start), Piece(*map(float, moved.piece)), float(moved.kappa),
                       moved.ends.astype(complex if any(map(_is_complex, moved.ends)) else float), moved.supported)
                 for moved in self.pieces(member)]
 

@@ -20,6 +20,8 @@ def displacement(scene: "Scene", text: str) -> "Node | None":
     name, part, *_ = signal_name(text)
     if name in scene.members:
         return _on_member(scene, text)
+    if name in (scene.spec.get("member_points") or {}):
+        return _of_point(scene, name, part)
     if part in ("x", "y", "angle") and name in scene.bodies and scene.bodies[name].frame is None:
         return _lumped(scene.bodies[name], part)
     if part in ("x", "y"):
@@ -31,6 +33,14 @@ def displacement(scene: "Scene", text: str) -> "Node | None":
         drawn, = scene.at_drawn(_stretch(scene, scene.terms_of(name, undriven=True)))
         return _stretch(scene, scene.terms_of(name)) - drawn
     return None
+
+
+def _of_point(scene, name, part):
+    """The displacement x or y of a point on a member in the plane."""
+    record = scene.spec.get("member_points")[name]
+    member = scene.members[record["body"].text]
+    station = member.at(scene, scene.lower(record["at"]))
+    return member.line.displaced(station.along, station.u)["xy".index(part)]
 
 
 def signal_of_place(scene: "Scene", signal: SignalName):
@@ -50,8 +60,14 @@ def _on_member(scene, text, resting=False):
     signal = signal_name(text)
     found = signal_of_place(scene, signal)
     if signal.part == "force" and found.member.kind.stiffness is None:
-        return found.tension(scene)
-    return found.static(scene) if resting or found.motion is not None or found.is_light else None
+        tension, gradient = found.tension(scene)
+        return tension + gradient * found.at
+    if not (resting or found.motion is not None or found.is_light):
+        return None
+    if found.motion is None and not found.tension(scene)[1].is_zero:
+        raise PhysicsError(f"how '{signal.name}' deflects at rest between its stations is not found, as its tension "
+                           "varies along it", "ask for a place where something is attached")
+    return found.static(scene)
 
 
 def resting(scene: "Scene", text: str) -> "Node | None":
