@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 ELEMENT = member_element(
     BAR,
     "An elastic bar that moves along its axis: `{length: L, E: E, A: A, rho: rho, left: clamped}`.",
-    "bar")
+    "bars")
 
 
 def build(record: "Record", scene: Any) -> None:

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 ELEMENT = member_element(
     BEAM,
     "A slender beam that bends across its axis: `{length: L, EI: E*I, mass_per_length: mu, left: clamped}`.",
-    "beam")
+    "beams")
 
 
 def build(record: "Record", scene: Any) -> None:

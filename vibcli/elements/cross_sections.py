@@ -25,6 +25,7 @@ SECTION = Element(
     },
     exclusive=(("circle", "tube", "rectangle"),),
     needs=(("circle", "tube", "rectangle"),),
+    example="beams",
 )
 
 

@@ -41,7 +41,8 @@ def end_kind(torsional: bool, bends: bool) -> OneOf:
         fields["k"] = _STIFFNESS
     if torsional or bends:
         fields["torsion"] = _TORSION
-    element = Element("end", "An end of a member.", fields, exclusive=(holds,), settle=_settle_end)
+    element = Element("end", "An end of a member.", fields, exclusive=(holds,), settle=_settle_end,
+                      example="beams")
     words = (FREE, *HOLDS) if bends else (FREE, CLAMPED, PINNED)
     wanted = f"{', '.join(words)}, or a mapping such as {{clamped: base}}"
     return OneOf(wanted, scalar=Choice(*words), mapping=element)
@@ -71,7 +72,8 @@ def attachment(torsional: bool, bends: bool) -> Element:
     holds = (PINNED, CLAMPED, GUIDED) if bends else (PINNED, CLAMPED)
     fields = {"at": Field(Quantity("m"), "the place, from the left end", required=True)}
     oscillator = Element("oscillator", "A mass on a spring and a damper, hung on a member; on a shaft an inertia.",
-                         _TURNING if torsional else _SLIDING, settle=_settle_oscillator)
+                         _TURNING if torsional else _SLIDING, settle=_settle_oscillator,
+                         example="beams")
     if not torsional:
         fields["mass"] = Field(Quantity("kg"), "a mass")
         fields["k"] = _STIFFNESS
@@ -83,4 +85,4 @@ def attachment(torsional: bool, bends: bool) -> Element:
     fields["oscillator"] = Field(oscillator, "a mass on a spring: `{mass: m, k: k, c: c}`, on shafts "
                                  "`{inertia: J, torsion: kt, c: c}`")
     return _Attachment("attachment", "What is attached to a member at a place: a mass, a spring or damper to the "
-                       "ground, a support, an oscillator.", fields)
+                       "ground, a support, an oscillator.", fields, example="beams")

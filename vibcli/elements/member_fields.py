@@ -66,7 +66,8 @@ def member_element(kind: MemberKind, about: str, example: str) -> Element:
     exclusive = (("section", kind.geometry), (kind.inertia, "rho"), *(
         [(kind.stiffness, kind.modulus)] if kind.stiffness else []))
     segment = Element("segment", "A segment of a member, from the left; what it leaves out is the member's.",
-                      {"length": Field(Quantity("m"), "its length", required=True), **along}, exclusive=exclusive)
+                      {"length": Field(Quantity("m"), "its length", required=True), **along}, exclusive=exclusive,
+                      example="beams")
     fields = {"length": Field(Quantity("m"), "its length"), **along}
     if not kind.torsional:
         fields |= {"from": Field(DRAWN, "where its left end is drawn, in the plane"),

@@ -12,7 +12,7 @@ ELEMENT = member_element(
     SHAFT,
     "An elastic shaft that turns about its axis: `{length: L, G: G, rho: rho, section: {circle: d}, left: "
     "clamped}`.",
-    "shaft")
+    "shafts")
 
 
 def build(record: "Record", scene: Any) -> None:

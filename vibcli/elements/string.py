@@ -12,7 +12,7 @@ ELEMENT = member_element(
     STRING,
     "A string under tension, across its axis: `{length: L, mass_per_length: mu, preload: T, left: clamped, "
     "right: clamped}`.",
-    "string")
+    "strings")
 
 
 def build(record: "Record", scene: Any) -> None:
