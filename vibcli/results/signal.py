@@ -37,6 +37,10 @@ class Signal:
         it."""
         return self.values(times)
 
+    def before(self, t: float) -> float | None:
+        """Its value before an instant at which it leaps; None where it does not."""
+        return None
+
     def precise(self, t: "Fraction", digits: int) -> "mpmath.mpf":
         """Its value at an instant, correct to so many digits."""
         from vibcli.results.precise_instants import value_to

@@ -4,7 +4,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
-from vibcli.results.member_response import MemberResponse
+from vibcli.results.response_of_members import ResponseOfMembers
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 
-class WaveResponse(MemberResponse):
+class WaveResponse(ResponseOfMembers):
     """Small oscillations about the equilibrium, followed from front to front. NotByWaves where a member disperses its
     waves or loses them on their way, or where the fronts are too many."""
 

@@ -34,6 +34,9 @@ class WaveSignal(Signal):
     def sampled(self, times: "np.ndarray") -> "np.ndarray":
         return _both(self, times)
 
+    def before(self, t: float) -> float | None:
+        return _before(self, t)
+
     def breaks(self, end: float) -> "np.ndarray":
         """The instants up to an end between which it is smooth, ascending."""
         return self.waves.breaks(self.reads, end)
@@ -99,6 +102,9 @@ class ComposedOfWaves(ComposedSignal):
     def sampled(self, times: "np.ndarray") -> "np.ndarray":
         return _both(self, times)
 
+    def before(self, t: float) -> float | None:
+        return _before(self, t)
+
     def extreme(self, start: float, end: float, sense: int) -> tuple[float, float]:
         return _extreme(self, start, end, sense)
 
@@ -108,6 +114,14 @@ class ComposedOfWaves(ComposedSignal):
     def final(self) -> float:
         """It is not found: waves are followed up to an instant."""
         raise PhysicsError(f"the limit of {self.KIND} is not found", "ask for its value at a late instant")
+
+
+def _before(signal, t):
+    import numpy as np
+
+    at = np.array([t])
+    before, after = float(signal.values_before(at)[0]), float(signal.values(at)[0])
+    return before if t > 0 and abs(before - after) > 4 * signal.error(t) + FRONT * max(abs(before), abs(after)) else None
 
 
 def _both(signal, times):

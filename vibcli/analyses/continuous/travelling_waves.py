@@ -98,6 +98,15 @@ class WaveMotion:
             found.append(np.array([piece.start for piece in self.forcing.segments(until, self.work)]))
         return np.unique(np.concatenate([np.zeros(1), *found]))
 
+    def still_from(self, until: float) -> float:
+        """The instant up to `until` from which nothing moves any more; infinite where something does."""
+        march, loads = self.march, self.march.forcing
+        march.reach(until)
+        ends = [curve.still_from + float(march.delays[number // 2]) for number, curve in enumerate(march.leaving)]
+        last = max([0.0, *ends, *(curve.still_from for curve in march.coordinates)])
+        lasting = not loads.listed or any(piece.start > last for piece in loads.pieces)
+        return np.inf if last > until or lasting else last
+
     def require_bounded(self, output: "LinearOutput", until: float) -> None:
         """PhysicsError where a slope or a rate in the output is infinite at an instant, as a displacement leaps."""
         self.march.reach(until)

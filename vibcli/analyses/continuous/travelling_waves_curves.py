@@ -55,6 +55,13 @@ class PiecewiseSeries:
             series = series @ RATE * (2 / length[:, None])
         return summed(series, 2 * (times - self._starts[place]) / length - 1)
 
+    @property
+    def still_from(self) -> float:
+        """The instant from which it has not changed any more, as far as it is known; infinite where it still does."""
+        moving = np.flatnonzero(self._series[:self.count, 1].any(axis=1))
+        last = int(moving[-1]) + 1 if len(moving) else 0
+        return float(self._starts[last]) if last < self.count else np.inf
+
     def rounding(self, times: np.ndarray, level: int) -> np.ndarray:
         """How often the rounding of a number the values may be off: that of each stretch so far adds to it, and each
         differentiation of a series multiplies it."""

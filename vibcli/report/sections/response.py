@@ -75,6 +75,9 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
         from vibcli.report.sections.fronts import fronts
 
         yield from fronts(asked, motion.until)
+        end = motion.alone.still_from(motion.until)
+        if 0 < end < inf:
+            yield from section("End of the motion", paragraph(f"all is at rest from t = {figure(end)} s on"))
     missing = unknown(problem, report.wanted)
     if missing is not None:
         raise missing
@@ -132,7 +135,9 @@ def value_at(problem: "Problem", one: RequestedSignal, t: "Fraction", digits: in
     if digits is None:
         from vibcli.results.escalation import value_of_signal
 
-        return supported(*value_of_signal(one.signal, t), 12)
+        value, error = value_of_signal(one.signal, t)
+        text, before = supported(value, error, 12), one.signal.before(float(t))
+        return text if before is None else f"{text} (before {supported(before, error, 12)})"
     return precise_text(one.signal.precise(t, digits), digits)
 
 

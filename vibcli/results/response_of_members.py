@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 
-class MemberResponse(SmallResponse):
+class ResponseOfMembers(SmallResponse):
     """Small oscillations of a scene whose members vibrate. `moved(direct)` gives its motion, read by LinearOutputs with
     FieldPoints; `matrices` leave the pieces out, which stand apart."""
 
