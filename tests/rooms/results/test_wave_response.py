@@ -164,3 +164,12 @@ def test_fields_on_segments_start_from_the_equilibrium_and_carry_what_is_attache
         initial: {rod.u': -1 m/s}
         """)
     assert values(thrown, "rod.force(0)", [0.0, 1.9, 2.1]) == pytest.approx([-1.0, -1.0, 1.0])
+
+
+def test_a_matched_damper_ends_the_motion():
+    scene = problem(BAR.replace("RIGHT", "right: {c: A*sqrt(E*rho)}"))
+    assert scene.response.alone.still_from(5.0) == 2.0
+    force = signal(scene, "rod.force(L/4)")
+    assert (force.before(1.25), force.before(1.0)) == (pytest.approx(0.5), None)
+    assert not force.values(np.array([1.25, 1.7, 4.9])).any()
+    assert problem(BAR.replace("RIGHT", "right: {c: 2*A*sqrt(E*rho)}")).response.alone.still_from(5.0) == np.inf
