@@ -121,7 +121,8 @@ def _before(signal, t):
 
     at = np.array([t])
     before, after = float(signal.values_before(at)[0]), float(signal.values(at)[0])
-    return before if t > 0 and abs(before - after) > 4 * signal.error(t) + FRONT * max(abs(before), abs(after)) else None
+    rounding = 4 * signal.error(t) + FRONT * max(abs(before), abs(after))
+    return before if t > 0 and abs(before - after) > rounding else None
 
 
 def _both(signal, times):

@@ -6,7 +6,7 @@ by stretches on which Chebyshev series tell what happens to rounding.
 
 from collections.abc import Sequence
 from fractions import Fraction
-from heapq import heappop, heappush
+from heapq import heapify, heappop, heappush
 from math import inf
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -87,14 +87,36 @@ class WaveMarch:
         beyond = float(max(self.delays, default=0)) + until / 64
         end = Fraction(until + beyond)
         self._tell_loads(until + 2 * beyond)
+        self._require_few(float(end))
         heap = [(now, k) for k, now in enumerate(self.now)]
         heap.sort()
-        with self.work.task("the waves from front to front", MOST, _too_many) as task:
+        with self.work.task("the waves from front to front", MOST, self._refusal) as task:
             while heap[0][0] < end:
                 _, k = heappop(heap)
                 self._advance(k, end, task)
                 heappush(heap, (self.now[k], k))
         self.known = float(end)
+
+    def _refusal(self, task):
+        return _too_many(task.limit, self.work.patience)
+
+    def _require_few(self, end):
+        """NotByWaves where there are more fronts up to an instant than stretches are followed: seen before any is."""
+        limit, grain = MOST * self.work.patience, 1e-6 * float(min(self.delays, default=end))
+        coming = [(float(event[0]), k) for k, events in enumerate(self._events) for event in events]
+        ways = [[(float(self.delays[one.number // 2]), self.home[one.number ^ 1]) for one in station.ends]
+                for station in self.stations]
+        seen: set[tuple[int, int]] = set()
+        heapify(coming)
+        while coming and coming[0][0] < end:
+            t, k = heappop(coming)
+            if (round(t / grain), k) in seen:
+                continue
+            seen.add((round(t / grain), k))
+            if len(seen) > limit:
+                raise _too_many(limit, self.work.patience)
+            for delay, other in ways[k]:
+                heappush(coming, (t + delay, other))
 
     def _tell_loads(self, until):
         """Announce where the loads jump or bend up to an instant."""
@@ -202,6 +224,7 @@ class WaveMarch:
         return u - end.row @ station.q
 
 
-def _too_many(task: Any):
-    return NotByWaves(f"the fronts in this scene multiply: after {task.limit:.0f} stretches of time between them they "
-                      "are not followed further", task.hint())
+def _too_many(limit, patience):
+    return NotByWaves(f"the fronts in this scene multiply: after {limit:.0f} stretches of time between them they are "
+                      "not followed further", f"ask for an earlier end, or --patience {10 * patience} follows ten "
+                      "times as many")
