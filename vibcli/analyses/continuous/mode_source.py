@@ -42,8 +42,6 @@ class NaturalModes:
         self.ground, self._resting = self._grounded()
         uniform = uniform_member(elements) if digits is None else None
         self.uniform = uniform if uniform is not None and uniform.resting == self.ground.resting else None
-        if any(elements.G.values()):
-            self._check_held()
 
     def numbered(self, first: int, last: int) -> list[Mode]:
         """The modes with an index from first to last."""
@@ -108,6 +106,8 @@ class NaturalModes:
 
     def _grounded(self):
         """The Ground, and the shapes of what is rigid: from structure, or of what no number of digits tells from it."""
+        if any(self.elements.G.values()):
+            return self._held_and_turning(), None
         rigid, sure = rigid_count(self.elements), never_grows(self.elements)
         found = ground(self._at(None), rigid, sure)
         for digits in DEEPER if found is None else ():
@@ -149,12 +149,14 @@ class NaturalModes:
             return self.uniform.frequencies(np.array([root.index - self.uniform.resting]))[0]
         return abs(root.z) ** 0.5
 
-    def _check_held(self):
-        """Gyroscopic terms leave the count what it is only where nothing grows or moves freely without them."""
+    def _held_and_turning(self):
+        """The Ground beside gyroscopic terms, which leave the count what it is only where a positive stiffness holds
+        every motion."""
         counts = self._at(None)
-        if self.ground.resting or count(counts.system, counts.system.numbers([0])).above[0]:
+        if count(counts.system, counts.system.numbers([0])).above[0]:
             raise PhysicsError("modes of members beside gyroscopic terms are counted only where every motion is held "
                                "by a positive stiffness", "hold what is free, or take the turning out")
+        return ground(counts, 0, True)
 
 
 def _undecided():

@@ -95,7 +95,8 @@ class ContinuousSystem:
             group.add(z, found, sizes, slope)
         if self._turning is not None:
             omega = self._root(z)
-            found, slope = found + 1j * self._turning * omega, slope - 0.5j * self._turning / omega
+            found = found + 1j * self._turning * omega
+            slope = slope - 0.5j * self._turning / np.where(omega == 0, omega + 1, omega)
         return found, sizes, slope
 
     def _root(self, z):

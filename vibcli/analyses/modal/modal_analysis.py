@@ -45,7 +45,7 @@ class ModalAnalysis:
         from vibcli.analyses.modal.modes import natural_modes
 
         elements = self.configuration.linear_system
-        if elements.massless:
+        if elements.massless and not elements.pieces:
             from vibcli.analyses.modal.massless_coordinates import only_damped
 
             if only_damped(elements):
@@ -68,7 +68,7 @@ class ModalAnalysis:
     def damped(self) -> Modes | None:
         """The damped modes; None where nothing damps."""
         elements = self.configuration.linear_system
-        if not (elements.dampers or elements.C):
+        if not (elements.dampers or elements.C or any(placed.piece.drag for placed in elements.pieces)):
             return None
         from vibcli.analyses.modal.modes import damped_modes
 

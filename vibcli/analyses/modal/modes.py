@@ -13,15 +13,16 @@ import numpy as np
 
 from vibcli.analyses.modal.method import SQUARES, damped_at_all, form_of
 from vibcli.analyses.modal.undamped import Mode, undamped
+from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.factored_system import summed
 
 if TYPE_CHECKING:
+    from vibcli.analyses.continuous.mode_source import NaturalModes
     from vibcli.analyses.modal.damped_modes import DampedMode
-    from vibcli.analyses.modal.mode_sequence import ModeSource
 
 
 def natural_modes(elements: Any, precise: Callable | None = None, exact: Callable | None = None,
-                  digits: int | None = None) -> "list[Mode] | ModeSource":
+                  digits: int | None = None) -> "list[Mode] | NaturalModes":
     """The modes of the system without its dampers: those that grow, the rigid ones, the others by ascending ω.
 
     What decays is left out where it only mirrors what grows: where there is no G, or K is symmetric. With members that
@@ -49,6 +50,9 @@ def natural_modes(elements: Any, precise: Callable | None = None, exact: Callabl
 def damped_modes(elements: Any, natural: Callable, precise: Callable | None = None, exact: Callable | None = None,
                  digits: int | None = None) -> "list[DampedMode] | None":
     """The damped modes, None where nothing damps; `natural()` gives the modes without dampers."""
+    if any(placed.piece.drag for placed in elements.pieces) or (elements.pieces and damped_at_all(elements)):
+        raise PhysicsError("damped modes of members with distributed inertia are not found",
+                           "take the dampers out for the modes without them, or ask for frequency responses")
     if not damped_at_all(elements) and not any(elements.drag.values()):
         return None
     from vibcli.analyses.modal.damped import damped

@@ -8,6 +8,7 @@ import pytest
 
 from tests.support.random_members import at_rest, random_members, squares_by_finite_elements
 from vibcli.analyses.continuous.mode_source import NaturalModes
+from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
 from vibcli.numerics.pieces.piece import Piece
 
@@ -108,6 +109,21 @@ def test_a_chain_of_sixty_spans_has_all_its_frequencies():
     assert (np.diff(found) > 0).all()
     assert np.sqrt(found[[0, 60, 120]]) == pytest.approx([math.pi, 2 * math.pi, 3 * math.pi], rel=1e-14)
     assert all(mode.error < 1e-12 for mode in modes)
+
+
+def test_bars_tied_by_gyroscopic_terms_and_free_ones_that_are_refused():
+    def coupled(*ends):
+        pieces = [placed(bar(), end, {i: 1.0}) for i, end in enumerate(ends)]
+        masses = [(1.0, {i: 1.0}) for i in (0, 1)]
+        n = 2 + sum(map(len, ends))
+        return FactoredSystem(n, masses, G={(0, 1): 0.7, (1, 0): -0.7}, pieces=pieces)
+
+    exact = sorted(mpmath.findroot(lambda w, sign=sign: mpmath.cot(w) - w - 0.7 * sign, near)
+                   for sign, near in ((1, 0.6), (-1, 1.1), (1, 3.4), (-1, 3.5), (1, 6.4)))
+    found = [mode.omega for mode in NaturalModes(coupled({}, {})).numbered(1, 5)]
+    assert found == pytest.approx([float(w) for w in exact], rel=1e-14)
+    with pytest.raises(PhysicsError, match="gyroscopic"):
+        NaturalModes(coupled({2: 1.0}, {3: 1.0}))
 
 
 def test_random_members_have_as_many_frequencies_as_their_finite_elements():
