@@ -66,13 +66,14 @@ def _equation(form, chain):
                   for part in chain)
     if len(chain) > MOST or not uniform or any(len(row) > 1 for part in chain for row in part.rows):
         return None
+    elsewhere = {i for piece in form.pieces if piece not in chain for row in piece.rows for i in row}
     M, _, G, K = matrices_in_letters(form)
     table, first = form.table, chain[0].piece
     x, order = table.parameter(WAVE_NUMBER), 2 if first.bending.is_zero else 4
     stiffness = _stiffness(first)
     length = textbook(table.total([part.piece.length for part in chain]))
     square = (stiffness * (x / length) ** order + first.foundation) / first.inertia
-    acting = None if G else _impedances(form.n, M, K, square, _stations(chain), table)
+    acting = None if G else _impedances(form.n, M, K, square, _stations(chain), elsewhere, table)
     if acting is None:
         return None
     pieces, beta = [], x / length
@@ -100,18 +101,18 @@ def _stations(chain):
     return [chain[0].rows[:half], *(part.rows[half:] for part in chain)]
 
 
-def _impedances(n, M, K, square, stations, table):
+def _impedances(n, M, K, square, stations, elsewhere, table):
     """[(Z of the displacement, of beams of the turn)] of the stations, None of what is held, and the coordinates of
-    what hangs on them; None where what acts on one motion is coupled to another."""
+    what hangs on them; None where what acts on one motion is coupled to another, or to another member (`elsewhere`)."""
     moving = [next(iter(row)) for rows in stations for row in rows if row]
-    if len(set(moving)) != len(moving):
+    if len(set(moving)) != len(moving) or elsewhere.intersection(moving):
         return None
     entries = {pair: K.get(pair, table.zero) - square * M.get(pair, table.zero) for pair in {*K, *M}}
     beside = {i: {j for i2, j in entries if i2 == i and j != i} for i in range(n)}
     if any(j in moving for i in moving for j in beside[i]):
         return None
     hung = {j: i for i in moving for j in beside[i]}
-    if any(beside[j] != {hung[j]} for j in hung):
+    if any(beside[j] != {hung[j]} for j in hung) or elsewhere.intersection(hung):
         return None
     return [tuple(_impedance(row, entries, beside, table) for row in rows) for rows in stations], list(hung)
 

@@ -114,3 +114,16 @@ def test_shapes_fulfil_what_holds_at_both_ends(left, right):
         size = max(abs(X(i / 20)) for i in range(21))
         for order in vanish:
             assert abs(slopes[order]) < 0.03 * size * max(at, pi) ** order
+
+
+def test_members_that_share_a_motion_have_no_equation_of_their_own():
+    found = problem(f"""
+        parameters: {{L: 0.6 m, EI: 70 N*m^2, mu: 0.27 kg/m, M: 0.05 kg}}
+        bodies: {{block: {{mass: M, slide: x}}}}
+        beams:
+          one: {{{BEAM}, left: clamped, right: {{clamped: block}}}}
+          two: {{{BEAM}, left: clamped, right: {{pinned: block}}}}
+          three: {{{BEAM}, left: clamped}}
+        """)
+    assert [equation and equation.members for equation in frequency_equations(found.symbolic)] == [
+        None, None, ("three",)]
