@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 SAME = 1e-9         # of the largest displacement: how far a field may be from what holds the member
+POINTS = 61         # between which a field is looked at for its size
 
 
 class MemberFields(NamedTuple):
@@ -51,9 +52,9 @@ def _along(configuration, member, field, primes):
     parts = [field, gradient(field).get(scene.time, scene.table.zero)] if member.kind.bends else [field]
     where = scene.spec.get("initial").place(f"{member.name}.{member.kind.motion}{primes}")
     values = [_values(configuration, parts, station, where) for station in member.stations]
-    sizes = [max(map(abs, row), default=0.0) for row in zip(*values, strict=True)]
+    sizes = _sizes(configuration, parts, member)
     for station, row in zip(member.stations, values, strict=True):
-        for motion, value, size in zip(station.motions, row, sizes, strict=False):
+        for motion, value, size in zip(member.motions(station), row, sizes, strict=False):
             if motion.op == "symbol" and motion.name in scene.coordinates:
                 found[motion.name + primes] = value
             elif motion.mask:
@@ -63,6 +64,14 @@ def _along(configuration, member, field, primes):
                 raise PhysicsError(f"'{member.name}' is held at {station.text}, where this field is {value:.6g}",
                                    "a field of displacements fits the supports", where)
     return found
+
+
+def _sizes(configuration, parts, member):
+    """How large functions of x are somewhere on a member."""
+    floats, time = configuration.numeric.floats, configuration.scene.time.name
+    length, = evaluate([member.length], Floats, floats)
+    found = [evaluate(parts, Floats, {**floats, time: length * k / POINTS}) for k in range(POINTS + 1)]
+    return [max((abs(x) for x in row if isfinite(x)), default=0.0) for row in zip(*found, strict=True)]
 
 
 def _values(configuration, parts, station, where):

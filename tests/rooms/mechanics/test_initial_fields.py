@@ -57,3 +57,11 @@ def test_wrong_fields_are_told(initial, words, hint):
         given(initial)
     told = refusal.value.diagnostics[0]
     assert words in told.message and hint in (told.hint or "")
+
+
+def test_what_is_left_of_a_field_at_a_support_is_rounding():
+    scene = """
+        strings: {cord: {length: 2 m, preload: 100 N, mass_per_length: 1 kg/m, left: pinned, right: pinned}}
+        initial: {cord.u: 1 mm*sin(pi*x/(2 m))}
+    """
+    assert problem(scene).initial.given == {}
