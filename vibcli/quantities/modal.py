@@ -182,6 +182,9 @@ def along(problem: "Problem", shape: "Sequence[complex | mpmath.mpf]", signal: s
     if signal in scene.coordinates:
         return shape[scene.coordinates.index(signal)]
     node = displacement(scene, signal)
+    if node is None and signal_name(signal).name in problem.spec.members:
+        raise PhysicsError(f"the shape between stations that '{signal}' asks for is found of undamped modes alone",
+                           "ask for a place where something is attached, or for mode[1]")
     if node is None:
         raise PhysicsError(f"'{signal}' is a force: it has no amplitude in a mode", "ask for a place, turn or stretch")
     slopes, configuration = gradient(node), problem.configuration
