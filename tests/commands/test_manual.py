@@ -218,7 +218,7 @@ def test_tables_of_texts_match_what_runs():
     assert set(topics.FUNCTIONS) == set(FUNCTIONS)
 
 
-def test_json_keys_are_those_that_are_printed(capsys):
+def test_json_keys_are_those_that_are_printed(capsys, tmp_path):
     printed = set()
     for name, *options in (("mass_spring_damper", "--insight"), ("given_matrices",), ("bead_on_a_rail",),
                            ("hanging_rod",), ("mast_on_two_stays",), ("ropes_and_links",), ("buckled_post",),
@@ -228,6 +228,11 @@ def test_json_keys_are_those_that_are_printed(capsys):
         assert code == 0
         printed |= _paths(json.loads(out))
     code, out, _ = call(capsys, "response", scenes.path("forced_vibration"), "--json", "--at", "0.5")
+    assert code == 0
+    printed |= _paths(json.loads(out))
+    bar = tmp_path / "bar.yaml"
+    bar.write_text("bars: {NAME: {length: 2 m, EA: 2 N, mass_per_length: 1 kg/m, left: clamped}}\n", encoding="utf-8")
+    code, out, _ = call(capsys, "frequencies", str(bar), "--json")
     assert code == 0
     printed |= _paths(json.loads(out))
     assert printed - set(KEYS) == set()

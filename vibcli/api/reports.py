@@ -68,7 +68,9 @@ def data(problem: "Problem", parts: Sequence[str], normalise: str, digits: int |
         from vibcli.report.sections.equilibria import EQUILIBRIA, SEARCH
 
         found |= keys.data([EQUILIBRIA, SEARCH], problem)
-    if "equations" in parts:
+    if "equations" in parts and problem.scene.pieces:       # they are differential equations along members
+        found |= dict.fromkeys(("energies", "equations", "matrices"))
+    elif "equations" in parts:
         refusal = problem.symbolic.equations.refusal
         if refusal and not (isinstance(refusal, NotInLetters) or _without_slope(problem, refusal, sections)
                             or _listed_alone(problem, sections)):

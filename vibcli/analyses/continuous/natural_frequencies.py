@@ -99,10 +99,11 @@ def _polished(system, brackets):
 def certified(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, indices: Sequence[int],
               wanted: np.ndarray) -> dict[int, NaturalFrequency]:
     """Roots with the bound that counts on both sides of each prove; without those they do not."""
-    entries, sizes, slope = system.dynamic_stiffness(z)
-    x = settled(system, z, entries, x)
-    inertia = abs(quadratic(system.pattern, slope, x).real)
-    z = z + quadratic(system.pattern, entries, x).real / inertia
+    for _ in range(2):      # the shape and the inertia are those at the last z
+        entries, sizes, slope = system.dynamic_stiffness(z)
+        x = settled(system, z, entries, x)
+        inertia = abs(quadratic(system.pattern, slope, x).real)
+        z = z + quadratic(system.pattern, entries, x).real / inertia
     scale = scales(system, z, sizes, slope)
     room = (abs(x) ** 2 * rounding(system, sizes, scale)).sum(axis=0)
     felt = abs(x) * scale

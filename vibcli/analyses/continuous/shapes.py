@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 CLOSE = 1e-6        # part of a piece by which one stays away from its ends
 FINE = 8            # places for each half-wave
-HALVINGS = 60
+STEPS, SETTLED = 60, 4e-16
 
 
 class Moved(NamedTuple):
@@ -51,8 +51,7 @@ def shape_along(pieces: Sequence[Moved], x: Any) -> np.ndarray:
     """(u, u′) or (u, u′, u″, u‴) at places x of a member, (…, order): at a jump that on the right, at the right end
     that on its left."""
     places = np.asarray(x, float)
-    starts = np.array([moved.start for moved in pieces])
-    which = np.maximum(np.searchsorted(starts, places, side="right") - 1, 0)
+    which = _piece_at(pieces, places)
     found = np.zeros((*places.shape, pieces[0].piece.order), pieces[0].ends.dtype)
     for number in np.unique(which):
         chosen = which == number
@@ -81,11 +80,37 @@ def crossings(pieces: Sequence[Moved], derivative: int, left_out: Sequence[float
     low, high, below = places[turns], places[turns + 1], values[turns]
     kept = [not any(a < place < b for place in left_out) for a, b in zip(low, high, strict=True)]
     low, high, below = low[kept], high[kept], below[kept]
-    for _ in range(HALVINGS):
-        middle = (low + high) / 2
-        same = shape_along(pieces, middle)[:, derivative].real * below > 0
-        low, high = np.where(same, middle, low), np.where(same, high, middle)
-    return ((low + high) / 2).tolist()
+    return _narrowed(pieces, derivative, low, high, below).tolist()
+
+
+def _narrowed(pieces, derivative, low, high, below):
+    """The zeros of u or u′ between places, by Newton steps that stay between them; below: the values at `low`."""
+    place = (low + high) / 2
+    for _ in range(STEPS if len(place) else 0):
+        value, slope = _with_slope(pieces, derivative, place)
+        same = value * below > 0
+        low, high = np.where(same, place, low), np.where(same, high, place)
+        with np.errstate(all="ignore"):
+            step = place - value / slope
+        place, before = np.where((step >= low) & (step <= high), step, (low + high) / 2), place
+        if (abs(place - before) <= SETTLED * abs(place)).all():
+            break
+    return place
+
+
+def _with_slope(pieces, derivative, places):
+    """u or u′ and its slope; u″ = κ u / N of bars, shafts and strings."""
+    found = shape_along(pieces, places).real
+    if derivative + 1 < found.shape[1]:
+        return found[:, derivative], found[:, derivative + 1]
+    ratios = np.array([moved.kappa / moved.piece.tension for moved in pieces])
+    return found[:, derivative], found[:, 0] * ratios[_piece_at(pieces, places)]
+
+
+def _piece_at(pieces, places):
+    """The numbers of the pieces that places are on."""
+    starts = np.array([moved.start for moved in pieces])
+    return np.maximum(np.searchsorted(starts, places, side="right") - 1, 0)
 
 
 def _grid(moved):

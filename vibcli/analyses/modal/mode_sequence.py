@@ -31,7 +31,7 @@ class Modes(Sequence):
 
     Where they have none a `source` finds them: source.numbered(first, last) those of the indices from `first` to
     `last`, counted from 1, source.count(Omega) how many have ω ≤ Omega, those that grow and the rigid ones among them.
-    Their number and what walks through all of them are refused then.
+    What needs all of them is refused then.
     """
 
     __slots__ = ("_apart", "_known", "_solved", "_source", "finite")

@@ -17,12 +17,11 @@ from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.factored_system import summed
 
 if TYPE_CHECKING:
-    from vibcli.analyses.continuous.mode_source import NaturalModes
     from vibcli.analyses.modal.damped_modes import DampedMode
 
 
 def natural_modes(elements: Any, precise: Callable | None = None, exact: Callable | None = None,
-                  digits: int | None = None) -> "list[Mode] | NaturalModes":
+                  digits: int | None = None) -> list[Mode] | Any:
     """The modes of the system without its dampers: those that grow, the rigid ones, the others by ascending ω.
 
     What decays is left out where it only mirrors what grows: where there is no G, or K is symmetric. With members that

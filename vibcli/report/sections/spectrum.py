@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.modal.normalisation import words
 from vibcli.base.errors import Inertless
-from vibcli.notation.plain import lowered
 from vibcli.report.blocks import Section, TableBlock, equations, line, paragraph, section
 from vibcli.report.keys import Key, data
 from vibcli.report.sections.equilibrium import EQUILIBRIUM
@@ -33,16 +32,20 @@ def frequencies(problem: "Problem", report: "Report") -> Iterator[Section]:
     found = shown(problem, report.wanted)
     same = repeated(found)
     rows = [mode_row(mode, modal.zero_modes.get(mode.index), mode.index in same) for mode in found]
-    damped = "of the undamped system" if modal.damped else "undamped"
     head = ("mode", "ω [rad/s]", "f [Hz]", "T [s]", "relative error ≤", "")
-    yield from section(f"Natural frequencies ({damped})", TableBlock(head, tuple(rows)), _counted(modal.modes, found),
-                       _form(problem))
+    if not modal.modes.finite:
+        yield from _of_members(problem, found, head, rows)
+        return
+    damped = "of the undamped system" if modal.damped else "undamped"
+    yield from section(f"Natural frequencies ({damped})", TableBlock(head, tuple(rows)), _form(problem))
 
 
 def _counted(modes, found):
-    """The proof that none is missing: the count just above the last frequency, where modes have no end."""
-    last = found[-1] if found else None
-    if modes.finite or not last.omega:
+    """The proof that none is missing: the count just above the last frequency."""
+    from vibcli.notation.plain import lowered
+
+    last = found[-1]
+    if not last.omega:
         return None
     count = modes.counted_above(last)
     if count is None or count < last.index:
@@ -51,10 +54,23 @@ def _counted(modes, found):
     return paragraph(f"J = {count} just above ω{lowered(last.index)}{close}: none is missing")
 
 
+def _of_members(problem, found, head, rows):
+    """The table of those without end, with wave numbers and the count that proves it complete."""
+    from vibcli.report.sections.member_modes import wave_numbers
+
+    beta = wave_numbers(problem, found)
+    if beta is not None:
+        head = (head[0], "β [1/m]", *head[1:])
+        rows = [(row[0], one, *row[1:]) for row, one in zip(rows, beta, strict=True)]
+    elements = problem.configuration.linear_system
+    damped = elements.dampers or elements.C or any(placed.piece.drag for placed in elements.pieces)
+    yield from section(f"Natural frequencies ({'of the undamped system' if damped else 'undamped'})",
+                       TableBlock(head, tuple(rows)), _counted(problem.modal.modes, found))
+
+
 def _form(problem):
     """The closed form of the frequency of one degree of freedom."""
-    if len(problem.scene.coordinates) == 1 and problem.modal.modes.finite and problem.symbolic.linearisable and (
-            problem.modal.modes[0].omega):
+    if len(problem.scene.coordinates) == 1 and problem.symbolic.linearisable and problem.modal.modes[0].omega:
         form = problem.closed_forms
         if form is not None:
             return equations([line("ω = ", form.modes[0].omega, hang=None)])
@@ -89,7 +105,7 @@ def damping(problem: "Problem", report: "Report") -> Iterator[Section]:
 
 def modes(problem: "Problem", report: "Report") -> Iterator[Section]:
     names = problem.scene.coordinates
-    if len(names) < 2:
+    if len(names) < 2 and not problem.scene.pieces:
         return
     if problem.numeric.has_free_symbols:
         from vibcli.report.sections.symbolic_modes import shape_blocks
@@ -98,9 +114,13 @@ def modes(problem: "Problem", report: "Report") -> Iterator[Section]:
             yield from section("Mode shapes (the first coordinate that moves is 1)",
                                *shape_blocks(problem, names, problem.closed_forms))
         return
-    normalised = words(report.normalise, problem.spec.members)
-    if problem.modal.modes:
-        yield from _shapes(problem, report, shown(problem, report.wanted), f"Mode shapes ({normalised})")
+    normalised, found = words(report.normalise, problem.spec.members), shown(problem, report.wanted)
+    if found and names:
+        yield from _shapes(problem, report, found, f"Mode shapes ({normalised})")
+    if found and not problem.modal.modes.finite:
+        from vibcli.report.sections.member_modes import along_members
+
+        yield from along_members(problem, found, report.normalise)
     if problem.modal.damped is not None:
         damped = shown_damped(problem, report.wanted)
         one_each = {mode.index: mode for mode in reversed(damped)}       # two eigenvalues have one shape
@@ -156,15 +176,33 @@ def frequencies_data(problem: "Problem", normalise: str = "first",
         closed = _closed_forms(problem)
         return found | data((MODES, DAMPED_MODES, *[POLYNOMIAL] * (POLYNOMIAL.name in closed)), closed)
     if digits is None:
-        modes = _modes(problem, shown(problem, wanted), shown_damped(problem, wanted), normalise, tau)
-        return found | data((MODES, DAMPED_MODES), modes)
+        still, modes = shown(problem, wanted), shown_damped(problem, wanted)
+        found |= data((MODES, DAMPED_MODES), _modes(problem, still, modes, normalise, tau))
+    else:
+        still, told = _to_digits(problem, normalise, digits, wanted)
+        found |= told
+    return found if problem.modal.modes.finite else _with_members(problem, found, still, normalise)
+
+
+def _to_digits(problem, normalise, digits, wanted):
+    """(the modes shown, {modes, damped}) to so many digits."""
     import mpmath
 
     with mpmath.workdps(digits + 15):
         still, damped = problem.modal.to_digits(digits)
-        modes = _modes(problem, shown(problem, wanted, still), shown_damped(problem, wanted, damped), normalise,
-                       2 * mpmath.pi)
-        return found | data((MODES, DAMPED_MODES), modes, digits)
+        still = shown(problem, wanted, still)
+        modes = _modes(problem, still, shown_damped(problem, wanted, damped), normalise, 2 * mpmath.pi)
+        return still, data((MODES, DAMPED_MODES), modes, digits)
+
+
+def _with_members(problem, found, modes, normalise):
+    """The same with the shapes of members and the count that proves the modes complete."""
+    from vibcli.report.sections.member_modes import member_shapes
+
+    rows = [row | {"members": member_shapes(problem, mode.index, normalise)}
+            for row, mode in zip(found["modes"], modes, strict=True)]
+    count = problem.modal.modes.counted_above(modes[-1]) if modes[-1].omega else None
+    return found | {"matrices": None, "modes": rows, "count": count}
 
 
 def _modes(problem, modes, damped, normalise, turn):
