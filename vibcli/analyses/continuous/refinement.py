@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.system import ContinuousSystem
 
 PARTS = 0.5, 0.4375, 0.390625, 0.359375, 0.328125, 0.296875, 0.265625, 0.234375
-NEAR = 2.0 ** -np.arange(1, 24)     # relative distances in z at which poles are looked for
-CLEAR = 3                           # place in NEAR: a piece without a pole as near as that stays whole
+NEAR = 2.0 ** -np.array([1, 2, 3, 4, 6, 9, 13, 18, 23])     # relative distances in z at which poles are looked for
+CLEAR = 3           # place in NEAR: a piece without a pole as near as that stays whole
 
 
 def away_from_poles(system: "ContinuousSystem", low: Any, high: Any) -> "ContinuousSystem":
@@ -37,9 +37,15 @@ def _best_parts(pieces, low, high):
     near = [piece for piece in pieces if whole[piece] >= CLEAR]
     if not near:
         return {}
-    distances = _clearance([half for piece in near for part in PARTS for half in divided(piece, part)], low, high)
-    worst = distances.reshape(len(near), len(PARTS), 2).max(axis=2)
-    return {piece: PARTS[row.argmin()] for piece, row in zip(near, worst, strict=True) if row.min() < whole[piece]}
+    best: dict[Any, tuple[int, float]] = {}
+    for part in PARTS:
+        distances = _clearance([half for piece in near for half in divided(piece, part)], low, high)
+        for piece, worst in zip(near, distances.reshape(-1, 2).max(axis=1).tolist(), strict=True):
+            best[piece] = min(best.get(piece, (whole[piece], 0.0)), (worst, part))
+        near = [piece for piece in near if best[piece][0] >= CLEAR]
+        if not near:
+            break
+    return {piece: part for piece, (_, part) in best.items() if part}
 
 
 def _clearance(pieces, low, high):
