@@ -75,7 +75,7 @@ class ResponseOfMembers(SmallResponse):
         from vibcli.mechanics.initial_fields import member_fields
 
         given = member_fields(self.problem.scene)
-        return [self._field(piece, given[piece.owner]) if piece.owner in given else None for piece in self.placed]
+        return [self._field(piece, given.get(piece.owner)) for piece in self.placed]
 
     def _field(self, piece, given):
         """u and u̇ over one piece; the time of the scene stands for the place along it."""
@@ -83,27 +83,39 @@ class ResponseOfMembers(SmallResponse):
         from vibcli.notation.plain import plain
         from vibcli.symbolic.derivatives import substitute
 
-        scene, table = self.problem.scene, self.problem.scene.table
-        place = scene.time + table.number(fraction_of(float(piece.start)))
-        length = table.number(fraction_of(float(piece.piece.length)))
-        left, right = (table.number(fraction_of(x)) for x in self._ends_at_rest(piece))
-        if given.displacement is None:
-            left, right = (table.number(fraction_of(sum(x * self.deviations[0][i] for i, x in row.items() if i < len(
-                self.deviations[0])))) for row in piece.rows)
-            nodes = {0: left + (right - left) / length * scene.time}
+        scene, held = self.problem.scene, self.configuration.preloaded
+        place = {scene.time: scene.time + scene.table.number(fraction_of(float(piece.start)))}
+        if given is not None and given.displacement is not None:
+            u = substitute([given.displacement], place)[0] - self._resting(self.configuration, piece)
+        elif held is not None and (given is not None or scene.gravity):
+            u = self._resting(held, piece) - self._resting(self.configuration, piece)
+        elif given is not None:
+            u = self._powers(piece, *(sum(x * self.deviations[0][i] for i, x in row.items() if i < len(
+                self.deviations[0])) for row in piece.rows))
         else:
-            nodes = {0: substitute([given.displacement], {scene.time: place})[0]
-                     - (left + (right - left) / length * scene.time)}
-        if given.rate is not None:
-            nodes[1] = substitute([given.rate], {scene.time: place})[0]
+            return None
+        nodes = {0: u}
+        if given is not None and given.rate is not None:
+            nodes[1] = substitute([given.rate], place)[0]
         return forcing_of(nodes, scene.time, self.problem.numeric.floats, 2, write=plain, work=self.problem.work)
 
-    def _ends_at_rest(self, piece):
-        """The displacements of the ends of a piece in equilibrium."""
+    def _resting(self, configuration, piece):
+        """u of a piece in the equilibrium of a Configuration: a parabola, as weight may lengthen it."""
+        from vibcli.mechanics.inputs_outputs.displacements import resting
         from vibcli.symbolic.evaluation import Floats, evaluate
 
-        term = self.problem.scene.resting.pieces[self.placed.index(piece)]
-        return evaluate(list(term.s), Floats, self.configuration.at_rest)
+        scene, start, length = configuration.scene.resting, float(piece.start), float(piece.piece.length)
+        signal = f"{piece.owner}.{scene.members[piece.owner].kind.motion}"
+        nodes = [resting(scene, f"{signal}({start + share * length!r} m)") for share in (0.0, 0.5, 1.0)]
+        left, middle, right = evaluate(nodes, Floats, configuration.at_rest)
+        return self._powers(piece, left, right, 2 * (left + right) - 4 * middle)
+
+    def _powers(self, piece, left, right, bend=0.0):
+        """left + (right − left) ξ + bend·(ξ² − ξ), ξ being the part of the piece up to a place."""
+        scene = self.problem.scene
+        number, xi = scene.table.number, scene.time / scene.table.number(fraction_of(float(piece.piece.length)))
+        return (number(fraction_of(left)) + number(fraction_of(right - left)) * xi
+                + number(fraction_of(bend)) * (xi * xi - xi))
 
     @cached_property
     def kept_up(self) -> "SteadyResponse":
