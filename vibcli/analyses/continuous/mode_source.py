@@ -21,8 +21,7 @@ from vibcli.numerics.sparse_elimination import quadratic
 if TYPE_CHECKING:
     from vibcli.mechanics.factored_system import FactoredSystem
 
-PRECISE = 40        # digits where floats do not tell
-DEEPER = 40, 80, 160
+DEEPER = 40, 80, 160    # digits that are tried in turn where floats do not tell
 ABOVE = 1e-14, 1e-13, 1e-12, 1e-11      # relative distances above a frequency that are tried in turn
 NEVER_BELOW = 2.0 ** -53
 
@@ -132,8 +131,7 @@ class NaturalModes:
     def _mode(self, root):
         """A root as a Mode, in floats unless digits are asked for."""
         n, digits = self.elements.n, self.digits
-        with working((digits or 16) + DEEPER[0]):
-            size = self._rate(root)
+        size = self._rate(root)
         number = float if digits is None else lambda x: x
         rate, error = number(size), root.error if digits is not None else max(root.error, NEVER_BELOW)
         shape = root.shape[:n] if digits is not None else root.shape[:n].astype(
@@ -144,10 +142,13 @@ class NaturalModes:
     def _rate(self, root):
         """√|z|."""
         if root.z and self.digits is not None:
-            return _root(root.z)
+            from mpmath import mp
+
+            with working(self.digits + DEEPER[0]):
+                return mp.sqrt(abs(root.z))
         if self.uniform is not None and root.z:
             return self.uniform.frequencies(np.array([root.index - self.uniform.resting]))[0]
-        return abs(root.z) ** 0.5
+        return abs(float(root.z)) ** 0.5
 
     def _held_and_turning(self):
         """The Ground beside gyroscopic terms, which leave the count what it is only where a positive stiffness holds
@@ -194,12 +195,6 @@ def _in_digits(elements, precise, digits):
     from mpmath import mp
 
     return elements.each(mp.mpf) if precise is None else precise(digits + 5)
-
-
-def _root(z):
-    from mpmath import mp
-
-    return mp.sqrt(abs(z))
 
 
 @contextmanager

@@ -1,6 +1,8 @@
 """Natural frequencies of members: against known zeros to the last digits, and counted against finite elements."""
 
 import math
+import subprocess
+import sys
 
 import mpmath
 import numpy as np
@@ -39,6 +41,15 @@ def test_cantilever_with_half_its_mass_at_the_tip_to_two_roundings():
     for mode, x in zip(modes, exact, strict=True):
         assert abs(math.sqrt(mode.omega) / x - 1) <= 2 * EPS
         assert abs(mode.omega / (x * x) - 1) <= mode.error < 1e-13
+
+
+def test_floats_do_not_import_what_digits_need():
+    program = ("import sys; from tests.support.random_members import random_members; "
+               "from vibcli.analyses.continuous.mode_source import NaturalModes; "
+               "NaturalModes(random_members(4)).numbered(1, 6); "
+               "print({'mpmath', 'scipy', 'sympy'} & set(sys.modules))")
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert done.stdout == "set()\n"
 
 
 def test_many_digits_agree_with_mpmath():
