@@ -11,7 +11,6 @@ import numpy as np
 from vibcli.numerics.pieces.fields import fields
 
 if TYPE_CHECKING:
-    from vibcli.analyses.modal.undamped import Mode
     from vibcli.numerics.pieces.piece import Piece
 
 CLOSE = 1e-6        # part of a piece by which one stays away from its ends
@@ -32,19 +31,6 @@ class Moved(NamedTuple):
     def along(self, x: Any) -> np.ndarray:
         """(u, u′) of bars, shafts and strings, (u, u′, u″, u‴) of beams at places x of the member, (…, order)."""
         return fields(self.piece, self.kappa, self.ends, np.clip(np.asarray(x) - self.start, 0.0, self.piece.length))
-
-
-def moved_pieces(mode: "Mode", member: str) -> list[Moved]:
-    """The pieces of a member from left to right, as they move in a mode; in floats."""
-    motion, found = mode.motion, []
-    for placed in motion.system.ordered:
-        if placed.owner == member:
-            piece = placed.piece._make(float(x) for x in placed.piece)
-            ends = np.array([_number(sum(x * motion.shape[i] for i, x in row.items())) for row in placed.rows])
-            supported = not any(placed.rows[0].values())
-            found.append(Moved(float(placed.start), piece, piece.foundation - piece.inertia * float(motion.z), ends,
-                               supported))
-    return sorted(found, key=lambda moved: moved.start)
 
 
 def shape_along(pieces: Sequence[Moved], x: Any) -> np.ndarray:
@@ -122,8 +108,3 @@ def _grid(moved):
         waves += np.sqrt(-piece.tension / piece.bending) * piece.length / np.pi
     inner = np.linspace(CLOSE, 1 - CLOSE, int(FINE * (waves + 1)) + 2)
     return moved.start + piece.length * inner
-
-
-def _number(x):
-    """A float, or a complex number where there is a gyroscopic term."""
-    return complex(x) if getattr(x, "imag", 0) else float(x.real if hasattr(x, "real") else x)

@@ -4,9 +4,10 @@ import mpmath
 import numpy as np
 import pytest
 
+from tests.support.moved_pieces import moved_pieces
 from tests.support.random_members import at_rest, random_members
 from vibcli.analyses.continuous.mode_source import NaturalModes
-from vibcli.analyses.continuous.shapes import antinodes, moved_pieces, nodes, shape_along
+from vibcli.analyses.continuous.shapes import antinodes, nodes, shape_along
 from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
 from vibcli.numerics.pieces.piece import Piece
 

@@ -6,9 +6,10 @@ import mpmath
 import numpy as np
 import pytest
 
+from tests.support.moved_pieces import moved_pieces
 from tests.support.random_members import at_rest
 from vibcli.analyses.continuous.mode_source import NaturalModes
-from vibcli.analyses.continuous.shapes import moved_pieces, shape_along
+from vibcli.analyses.continuous.shapes import shape_along
 from vibcli.analyses.continuous.uniform_members import CLAMPED, FREE, GUIDED, PINNED, UniformMember
 from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
 from vibcli.numerics.pieces.piece import Piece
