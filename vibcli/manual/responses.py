@@ -95,6 +95,9 @@ FREQUENCY_RESPONSE = [
         ("fixed_point[1, d](frf[x, drive]).Omega", "through which all curves pass, whatever the damper `d` is; "
          "`.value` its height. An absorber is tuned by `k2: fixed_point[1, d](frf[x1, F]).value = "
          "fixed_point[2, d](frf[x1, F]).value`"),
+        ("modal_frf[5, x, drive](5 Hz)", "the same as the sum of the first five modes that oscillate; "
+         "`truncation[5, x, drive](5 Hz)` says how far that is off. Members have modes without end: `frf` itself is "
+         "exact"),
         ("transmissibility[y, base](Omega)", "|H|: of motion from a driven point or body `base`"),
         ("transmissibility[ground.force, F](Omega)", "the part of a force that reaches the ground"),
     ],

@@ -13,7 +13,7 @@ FAMILIES = {
                      "decrement", "beat_period", "harmonic", "zero", "time_to", "cycles_to", "steady", "transient",
                      "envelope"), "response"),
     **dict.fromkeys(("frf", "transmissibility", "peak", "antiresonance", "half_power", "fixed_point", "quality", "arg",
-                     "re", "im"), "frequency_response"),
+                     "re", "im", "modal_frf", "truncation"), "frequency_response"),
 }
 
 # what the same word means otherwise: with indices, with arguments, of a frequency response; "value" is that of x(2 s)

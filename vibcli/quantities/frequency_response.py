@@ -10,6 +10,8 @@ from vibcli.quantities.precise_numbers import settled_on_curve, settled_response
 from vibcli.quantities.quantity import COMPLEX, ROUNDING, Declaration, one
 from vibcli.quantities.signal_dimensions import input_dimension, output_dimension
 
+MODAL = 1e-10      # relative, of the residues of a sum of modes
+
 
 def wrapped(angle: float) -> float:
     """The angle in (−π, π]."""
@@ -22,6 +24,19 @@ def _frf(problem, tree, args):
         raise PhysicsError(f"'{tree.text}' is a function of frequency", f"write {tree.text}(5 Hz)")
     found, error = problem.frequency_response(*tree.indices).at(args[0])
     return settled_response(problem, tree, found, error)
+
+
+def _modal_frf(problem, tree, args):
+    count, *curve = tree.indices
+    return problem.frequency_response(*curve).by_modes(int(count), args[0]), MODAL
+
+
+def _truncation(problem, tree, args):
+    count, *curve = tree.indices
+    response = problem.frequency_response(*curve)
+    exact, error = response.at(args[0])
+    off = abs(response.by_modes(int(count), args[0]) - exact) / abs(exact)
+    return off, min(1.0, (error + MODAL) / (off or 1.0))
 
 
 def _complex_part(part):
@@ -99,7 +114,7 @@ def _numbered(items, number, noun):
 
 def _ratio(spec, tree):
     """The dimension of an output over that of an input."""
-    output, driver = output_dimension(spec, tree.indices[0]), input_dimension(spec, tree.indices[1])
+    output, driver = output_dimension(spec, tree.indices[-2]), input_dimension(spec, tree.indices[-1])
     return None if output is None or driver is None else units.times(output, driver, -1)
 
 
@@ -134,6 +149,12 @@ QUANTITIES = {
     "transmissibility": Declaration(
         "ratio of amplitudes |frf|", None, _transmissibility, ("output", "input"), ("Omega",), dimension=_ratio,
         size=_size, optional=True),
+    "modal_frf": Declaration(
+        "the same as a sum of so many modes that oscillate, and of what moves freely", None, _modal_frf,
+        ("number", "output", "input"), ("Omega",), dimension=_ratio, kind=COMPLEX),
+    "truncation": Declaration(
+        "how far such a sum of modes is off, |modal_frf − frf|/|frf|", "1", _truncation, ("number", "output", "input"),
+        ("Omega",), size=one),
     "peak": _of_response(
         "i-th peak of |frf|: its place Ω, or its value", None, _of_curve(_peak), components=("Omega", "value"),
         dimension=_of_argument),

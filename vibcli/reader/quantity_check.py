@@ -199,7 +199,7 @@ def _response(spec, reader, expression, tree, arg, wants_value):
     """The argument of peak, arg, phase …: frf[x, F] as a function, or its value frf[x, F](5 Hz)."""
     place = expression.scalar.place(arg.start, arg.end - arg.start)
     found = declared(arg) if isinstance(arg, QuantityRef) else None
-    if wants_value and found is not None and not found.args and found.kind == COMPLEX:
+    if wants_value and found is not None and found.kind == COMPLEX and not (found.args and found.optional):
         return can_be_asked(spec, reader, expression, arg)
     if wants_value and found is not None and found.kind != COMPLEX:
         reader.report(place, f"{quoted(arg.text)} is a real number", f"ask for {arg.text} itself")

@@ -44,6 +44,13 @@ class FrequencyResponse:
         found = complex(frf(self.transfer, Omega))
         return found, self.transfer.error(Omega) / (abs(found) or 1e-300)
 
+    def by_modes(self, count: int, Omega: float) -> complex:
+        """H of so many modes that oscillate."""
+        from vibcli.analyses.frequency_response.modal_sum import by_modes
+
+        with self.problem.work.task("the sum of modes", MOST):
+            return by_modes(self.transfer, count, Omega)
+
     @property
     def undamped(self) -> bool:
         return self.transfer.undamped
