@@ -29,7 +29,7 @@ SURE = 1e-12        # a relative bound that is good enough
 NOTHING = 256       # roundings of the largest, below which a part of a shape is zero
 DOUBTED = 0.5       # the bound of what counts do not prove
 WIDTHS = 1.3, 1.04, 1.001       # of z: from where on a Rayleigh quotient is tried
-NEAR_POLE = 1.001   # where a pole lies between
+NEAR_POLE = 0.02    # of the spacing of high frequencies, where a pole lies between
 TIGHT = 1 + 1e-6    # where there are several
 
 
@@ -72,7 +72,9 @@ def better(one: dict[int, NaturalFrequency], other: dict[int, NaturalFrequency])
 
 def _ready(bracket, width):
     """Is a bracket narrow enough to leave counting?"""
-    return _ratio(bracket) < ((min(width, NEAR_POLE) if bracket.pole else width) if bracket.single else TIGHT)
+    if not bracket.single:
+        return _ratio(bracket) < TIGHT
+    return _ratio(bracket) < (1 + NEAR_POLE / (20 + bracket.above) if bracket.pole else width)
 
 
 def _ratio(bracket):

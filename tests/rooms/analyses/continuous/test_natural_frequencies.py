@@ -77,6 +77,13 @@ def test_a_bar_without_a_coordinate_and_two_alike_that_do_not_touch():
     assert inertia == pytest.approx(2 * np.eye(2), abs=1e-12)
 
 
+def test_high_modes_are_found_without_those_below():
+    source = NaturalModes(random_members(21))
+    modes = source.numbered(100_000, 100_003)
+    assert [source.counted_above(mode) for mode in modes] == [100_000, 100_001, 100_002, 100_003]
+    assert all(mode.error < 1e-12 for mode in modes)
+
+
 def test_two_weakly_tied_cantilevers_are_told_apart():
     pieces = [placed(beam(), {}, {}, {2 * i: 1.0}, {2 * i + 1: 1.0}) for i in (0, 1)]
     modes = NaturalModes(FactoredSystem(4, [], [(1.5e-14, {0: 1.0, 2: -1.0})], pieces=pieces)).numbered(1, 4)
