@@ -44,5 +44,5 @@ def _turned(member, configuration):
         slopes += [(right.u - left.u) / (right.place - left.place) for left, right in pairwise(member.stations)]
     largest = max(map(abs, evaluate(slopes, Floats, configuration.at_rest)), default=0.0)
     if largest > SMALL:
-        yield (f"'{member.name}' turns by {largest:.3g} rad in equilibrium, more than 0.1 rad: members are linear about "
-               "their drawn line")
+        yield (f"'{member.name}' turns by {largest:.3g} rad in equilibrium, more than 0.1 rad: members are linear "
+               "about their drawn line")
