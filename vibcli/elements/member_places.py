@@ -56,6 +56,9 @@ def asked_places(name: str, spec: "Spec") -> "Iterator[Any]":
     for point in (spec.get("member_points") or {}).values():
         if point["body"].text == name:
             yield point["at"]
+    for load in (spec.get("forces") or {}).values():
+        if "per_length" in load and load["body"].text == name:
+            yield from (load[key] for key in ("from", "to") if key in load)
     for _, other in members_of(spec).values():
         for side in ("left", "right"):
             end = other.get(side)

@@ -54,10 +54,21 @@ class PlaceSignal(NamedTuple):
 
     def weight(self, scene: "Scene") -> "Node":
         """The weight that acts on its piece in the sense of u, per length."""
-        line = self.member.line
+        line, spread = self.member.line, self._spread(scene)
         if line is None or scene.gravity is None or self.segment.inertia.is_zero:
-            return scene.table.zero
-        return self.segment.inertia * line.seen(*scene.gravity)[0 if self.member.turns else 1]
+            return spread
+        return spread + self.segment.inertia * line.seen(*scene.gravity)[0 if self.member.turns else 1]
+
+    def _spread(self, scene):
+        """The even loads spread along its piece, per length; one that is not even is reported."""
+        middle, total = scene.number(self.left.place + self.right.place) / 2, scene.table.zero
+        for load in scene.spread_loads:
+            if load.member == self.member.name and scene.number(load.start) < middle < scene.number(load.end):
+                if not load.even:
+                    scene.report(load.where, f"the deflection between stations under '{load.owner}' does not work yet",
+                                 "let it act evenly in parts, or ask at a point of the member")
+                total = total + load.q
+        return total
 
     def static(self, scene: "Scene") -> "Node":
         """Itself as a function of the coordinates, everything being at rest."""

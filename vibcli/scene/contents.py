@@ -42,14 +42,16 @@ class Constraint(NamedTuple):
 
 
 class Contents(NamedTuple):
-    """`points`: {name: (drawn, present)}; `energies`: T, V and Φ that are written out, and the laws once they are
-    settled; `static_preloads`: [(symbol, record)] of unknown tensions; `shaken`: {kind: terms} as functions of the
-    symbols of driven displacements, empty where nothing is driven."""
+    """`points`: {name: (drawn, present)}; `spread_loads`: SpreadLoads along members; `energies`: T, V and Φ that
+    are written out, and the laws once they are settled; `static_preloads`: [(symbol, record)] of unknown
+    tensions; `shaken`: {kind: terms} as functions of the symbols of driven displacements, empty where nothing is
+    driven."""
 
     gravity: tuple
     bodies: dict
     points: dict
     members: dict
+    spread_loads: list
     inertias: list
     springs: list
     dampers: list
@@ -67,7 +69,7 @@ class Contents(NamedTuple):
     def empty(cls, table: "Table") -> "Contents":
         """Contents to which elements may add."""
         energies = {"T": table.zero, "V": table.zero, "Phi": table.zero}
-        return cls(None, {}, {}, {}, *([] for _ in TERMS), energies, {}, [], {})  # type: ignore[arg-type]
+        return cls(None, {}, {}, {}, [], *([] for _ in TERMS), energies, {}, [], {})  # type: ignore[arg-type]
 
     @property
     def nodes(self) -> "list[Node]":

@@ -65,16 +65,17 @@ class Expressions:
                         "mind the signs" if value < 0 else None)
         return node
 
-    def load(self, expression: Expression):
+    def load(self, expression: Expression, local: "tuple[str, Node] | None" = None):
         """(steady part, part in time) of a load: what holds the time are its summands as they are written, so that
         F0*(1 - cos(W*t)) is in time as a whole."""
         tree, parts = expression.tree, ([], [])
         for sign, part in tree.parts if isinstance(tree, Sum) else [(1, tree)]:
             parts["t" in {name for name, *_ in parts_of(part).names}].append((sign, part))
         if not all(parts):
-            whole = self.lower(expression)
+            whole = self.lower(expression, local)
             return (self.table.zero, whole) if parts[1] else (whole, self.table.zero)
-        return tuple(self.lower(Expression(expression.scalar, tree._replace(parts=tuple(part)))) for part in parts)
+        return tuple(self.lower(Expression(expression.scalar, tree._replace(parts=tuple(part))), local)
+                     for part in parts)
 
     def pair(self, expressions: Sequence[Expression]) -> "tuple[Node, Node]":
         """The nodes of two fields, such as a place [x, y]."""
