@@ -96,8 +96,8 @@ def test_responses(ask):
     assert {key: data["response"][key] for key in ("until", "initial", "balance")} == {
         "until": 0.5, "initial": {"x": 0.0, "y": 0.02, "x'": 0.0, "y'": 0.1}, "balance": None}
     stretch, = data["response"]["signals"]
-    assert list(stretch) == ["signal", "unit", "max", "argmax", "min", "argmin", "steady", "at"]
-    assert (stretch["signal"], stretch["unit"]) == ("y - x", "m")
+    assert list(stretch) == ["signal", "unit", "max", "argmax", "min", "argmin", "steady", "at", "fronts"]
+    assert (stretch["signal"], stretch["unit"], stretch["fronts"]) == ("y - x", "m", [])
     assert stretch["min"] < 0 < stretch["max"] and 0 <= stretch["argmin"] <= 0.5
     wave, = stretch["steady"]
     H = -1.5 / (800 - 25 + 3j * 5)          # relative motion z'' + 2 c/m z' + 2 k/m z = −f/m

@@ -37,6 +37,11 @@ class Signal:
         it."""
         return self.values(times)
 
+    def leaps(self, end: float) -> list[tuple[float, float, float]]:
+        """(t, value before, value after) of the fronts up to an end at which it leaps, as far as these are looked
+        for."""
+        return []
+
     def before(self, t: float) -> float | None:
         """Its value before an instant at which it leaps; None where it does not."""
         return None

@@ -53,9 +53,7 @@ class WaveResponse(ResponseOfMembers):
         """With those of fronts, each twice."""
         import numpy as np
 
-        from vibcli.results.wave_signals import leaps
-
-        found = sorted({t for signal in signals for t, *_ in leaps(signal, self.known)})[:points]
+        found = sorted({t for signal in signals for t, *_ in signal.leaps(self.known)})[:points]
         return np.sort(np.concatenate([super().instants(signals, points), found, found]))
 
     def _linear(self, constant, terms, source=()):

@@ -37,6 +37,9 @@ class WaveSignal(Signal):
     def before(self, t: float) -> float | None:
         return _before(self, t)
 
+    def leaps(self, end: float) -> list[tuple[float, float, float]]:
+        return _leaps(self, end)
+
     def breaks(self, end: float) -> "np.ndarray":
         """The instants up to an end between which it is smooth, ascending."""
         return self.waves.breaks(self.reads, end)
@@ -105,6 +108,9 @@ class ComposedOfWaves(ComposedSignal):
     def before(self, t: float) -> float | None:
         return _before(self, t)
 
+    def leaps(self, end: float) -> list[tuple[float, float, float]]:
+        return _leaps(self, end)
+
     def extreme(self, start: float, end: float, sense: int) -> tuple[float, float]:
         return _extreme(self, start, end, sense)
 
@@ -153,8 +159,7 @@ def _zeros(signal, start, end):
     return zeros(_along(signal, start, end), end).tolist()
 
 
-def leaps(signal: "WaveSignal | ComposedOfWaves", end: float) -> list[tuple[float, float, float]]:
-    """(t, value before, value after) of the instants up to an end at which a signal leaps."""
+def _leaps(signal, end):
     import numpy as np
 
     at = signal.breaks(end)

@@ -10,7 +10,6 @@ from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signals_of_places import with_places
 from vibcli.results.wave_response import WaveResponse
-from vibcli.results.wave_signals import leaps
 from vibcli.symbolic.parser import parse
 
 UNIT = "parameters: {L: 1 m, E: 1 Pa, A: 1 m^2, rho: 1 kg/m^3}\n"
@@ -51,7 +50,7 @@ def test_free_end_leaves_a_rectangle():
     assert force.values(np.array([0.7, 0.75, 1.2, 1.25, 2.7, 3.3])) == pytest.approx([1.0, 0.0, 0.0, -1.0, -1.0, 1.0],
                                                                                      abs=1e-15)
     assert force.values_before(np.array([0.75, 1.25])) == pytest.approx([1.0, 0.0], abs=1e-15)
-    assert [t for t, *_ in leaps(force, 4.0)] == pytest.approx([0.75, 1.25, 2.75, 3.25])
+    assert [t for t, *_ in force.leaps(4.0)] == pytest.approx([0.75, 1.25, 2.75, 3.25])
     assert force.extreme(0.0, 4.0, -1) == pytest.approx((1.25, -1.0))
     assert signal(scene, "rod.u(L)").zeros(0.0, 4.0) == pytest.approx([1.0, 3.0])
     product = signal(scene, "rod.force(0)*rod.u(L)")
@@ -138,7 +137,7 @@ def test_string_that_is_plucked_where_nothing_stands():
 
     for text, x in (("cord.u(L/2)", 0.5), ("cord.u(0.9*L)", 0.9)):
         assert np.abs(values(scene, text, times) - (odd(x - c * times) + odd(x + c * times)) / 2).max() < 1e-16
-    assert leaps(signal(scene, "cord.slope(0)"), 0.02) == [
+    assert signal(scene, "cord.slope(0)").leaps(0.02) == [
         pytest.approx((0.003, 0.01, -0.003 / 0.7)), pytest.approx((0.017, -0.003 / 0.7, 0.01))]
     instants = scene.response.instants([signal(scene, "cord.slope(0)")], 3)
     assert signal(scene, "cord.slope(0)").sampled(instants)[1:3] == pytest.approx([0.01, -0.003 / 0.7])

@@ -14,11 +14,9 @@ SHOWN = 8           # fronts of a signal
 
 def fronts(asked: "Sequence[RequestedSignal]", until: float) -> Iterator[Section]:
     """A table of the first fronts of each signal that leaps."""
-    from vibcli.results.wave_signals import leaps
-
-    rows = []
+    rows: list[tuple[str, ...]] = []
     for one in asked:
-        found = leaps(one.signal, until)
+        found = one.signal.leaps(until)
         for t, before, after in found[:SHOWN]:
             error = one.signal.error(t)
             rows.append((f"{one.label} [{one.unit}]".replace(" []", ""), figure(t), supported(before, error),

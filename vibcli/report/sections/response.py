@@ -208,7 +208,8 @@ def response_data(problem: "Problem", wanted: "Wanted") -> dict[str, Any]:
     ends = [(one, None, None) for one in asked] if alone else extremes(asked, end)
     found = [SIGNALS.row(one.text, one.unit, *(number for which in both for number in (
                          (None, None) if which is None else (which.value, which.time))),
-                         None if alone else _steady(motion, one.signal, wanted.phase), values)
+                         None if alone else _steady(motion, one.signal, wanted.phase), values,
+                         [] if alone else one.signal.leaps(end))
              for (one, *both), values in zip(ends, instants, strict=True)]
     missing = unknown(problem, wanted)
     return data((*KNOWN, UNKNOWN), {
@@ -256,7 +257,11 @@ SIGNALS = Key("signals", "a list, one entry to each signal", each=(
             Key("phase", "its θ in X sin(Omega t − θ), or as --phase says", lambda one: one[2]))),
     Key("at", "a list, one entry to each --at; empty without", each=(
         Key("t", "the instant, in s", lambda one: float(one[0])),
-        Key("value", "the value then, null where it is not known; with --digits a decimal", lambda one: one[1])))))
+        Key("value", "the value then, null where it is not known; with --digits a decimal", lambda one: one[1]))),
+    Key("fronts", "a list of the fronts of travelling waves at which the signal leaps; empty of other motions", each=(
+        Key("t", "the instant, in s", lambda one: one[0]),
+        Key("before", "the value before it", lambda one: one[1]),
+        Key("after", "the value after it", lambda one: one[2])))))
 KNOWN = (
     Key("until", "its end, in s, as far as it is known; null where a motion that is all prescribed is asked for at "
         "instants alone"),
