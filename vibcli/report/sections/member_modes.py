@@ -49,6 +49,8 @@ def along_members(problem: "Problem", modes: "Sequence[Mode]", how: str) -> Iter
 
 
 def _row(place, largest, nodes):
+    if not largest:
+        return "0", "–", "rests"
     told = ", ".join(figure(x) for x in nodes[:LISTED]) + (
         f", … ({len(nodes)} in all)" if len(nodes) > LISTED else "")
     size = f"{abs(largest):.6g}" if getattr(largest, "imag", 0) else figure(float(largest.real))

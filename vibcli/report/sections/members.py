@@ -18,11 +18,15 @@ FORCES = {2: [("∂{u}/∂x", 1)], 4: [("∂³{u}/∂x³", -1), ("∂²{u}/∂x�
 MOTIONS = ("{u}", "∂{u}/∂x")
 RATES = (("∂²{u}/∂t²", "∂³{u}/∂x∂t²"), ("∂{u}/∂t", "∂²{u}/∂x∂t"), MOTIONS)     # of M, C, K
 SIMPLE, PRINTED = {"sin": "n·π", "cos": "(2n − 1)·π/2"}, 5
+CLOSE = 1e-8        # of ω²: frequencies that are one
 REMARK = "x counts from the left end of each member; [ ] is the jump at a place, right less left"
 
 
 def member_equations(problem: "Problem") -> Iterator[Section]:
     """The equations of free vibration of members, and of what they are tied to."""
+    if not problem.symbolic.linearisable:
+        yield from section("Equations of free vibration", paragraph("not found in letters, as the equilibrium is not"))
+        return
     form, scene = problem.symbolic.linearisation, problem.scene
     M, C, _, K = problem.symbolic.matrices
     blocks: list = []
@@ -77,26 +81,26 @@ def _conditions(member, pieces, matrices, scene):
 
 def frequency_equation(problem: "Problem", _: "Report") -> Iterator[Section]:
     """Frequency equations as textbooks write them, and what their roots are."""
-    if not problem.scene.pieces or problem.scene.loops is not None:
+    if not problem.scene.pieces or problem.scene.loops is not None or not problem.symbolic.linearisable:
         return
     from vibcli.analyses.closed_form.member_frequencies import frequency_equations
 
     found = [one for one in frequency_equations(problem.symbolic) if one is not None]
     several = len(problem.scene.members) > 1
-    blocks = [equations([*_solved(one, Words(", ".join(one.members)) if several else None),
+    blocks = [equations([*_solved(problem, one, Words(", ".join(one.members)) if several else None),
                          *_orthogonality(problem, one)]) for one in found]
     yield from section("Frequency equation" + "s" * (len(found) > 1), *blocks)
 
 
-def _solved(found, label):
+def _solved(problem, found, label):
     """The equation, its roots, the frequencies, the shape and the orthogonality."""
-    from vibcli.analyses.closed_form.member_shapes import roots, shape
+    from vibcli.analyses.closed_form.member_shapes import shape
     from vibcli.analyses.closed_form.textbook_equation import sides
 
     left, right = sides(found)
     yield line(left, " = ", right, label=label)
     simple = SIMPLE.get(left.name) if right.is_zero and left.op == "call" else None
-    values = simple is None and roots(found, PRINTED)
+    values = simple is None and _roots(problem, found)
     if simple:
         yield line("βL = ", simple, ", n = 1, 2, …", inset=2)
     elif values:
@@ -111,6 +115,23 @@ def _solved(found, label):
             yield line("σ = ", Factor(above), "/", Factor(below), inset=2)
 
 
+def _roots(problem, found):
+    """The first βL that fulfil an equation, as numbers; where modes are known, only if these have them all."""
+    from vibcli.analyses.closed_form.member_shapes import roots
+    from vibcli.symbolic.evaluation import Floats, evaluate
+
+    values = roots(found, PRINTED)
+    if not values or None in values or problem.numeric.has_free_symbols:
+        return None if values and None in values else values
+    squares = [evaluate([found.square], Floats, {**problem.numeric.floats, found.wave_number.name: value})[0]
+               for value in values]
+    known = [float(mode.omega) ** 2 for mode in problem.modal.modes.up_to(squares[-1] ** 0.5 * (1 + CLOSE))
+             if mode.omega]
+    kept = [value for value, square in zip(values, squares, strict=True)
+            if any(abs(square - one) <= CLOSE * one for one in known)]
+    return kept if len(kept) == len(known) else None
+
+
 def _orthogonality(problem, found):
     """∫ μ X_i X_j dx + M X_i(L) X_j(L) = 0 of two modes."""
     scene, M = problem.scene, problem.symbolic.matrices[0]
@@ -119,11 +140,11 @@ def _orthogonality(problem, found):
     stations = {scene.q.index(node): (part, station.place) for name in found.members
                 for station in scene.members[name].stations for part, node in enumerate(station.motions)
                 if node in scene.q}
-    for i in [*stations, *found.hung]:
+    for i in dict.fromkeys([*stations, *found.hung]):
         if (i, i) in M:
             told += [" + ", Factor(M[i, i]), *_product(*stations[i])] if i in stations else [
                 " + ", Factor(M[i, i]), "·Y_i·Y_j"]
-    hung = [scene.q[i].name for i in found.hung if (i, i) in M]
+    hung = [scene.q[i].name for i in found.hung if (i, i) in M and i not in stations]
     yield line(*told, " = 0, i ≠ j", *([Words("   Y that of " + ", ".join(hung))] if hung else []), inset=2)
 
 
@@ -145,7 +166,8 @@ def _frequency(found):
 def member_energies(problem: "Problem", kind: str) -> list:
     """What members add to T and V, as integrals along each: parts of a formula, each after a plus."""
     told: list = []
-    for placed in problem.symbolic.linearisation.pieces:
+    form = problem.symbolic.linearisation if problem.symbolic.linearisable else problem.system.linearisation
+    for placed in form.pieces:
         piece, u = placed.piece, problem.scene.members[placed.owner].kind.motion
         terms = {"T": [(piece.inertia, f"(∂{u}/∂t)²")], "Phi": [(piece.drag, f"(∂{u}/∂t)²")],
                  "V": [(piece.bending, f"(∂²{u}/∂x²)²"), (piece.tension, f"(∂{u}/∂x)²"), (piece.foundation, f"{u}²")]}
@@ -165,6 +187,10 @@ def _is_own(node, member, scene):
 def _balance(i, part, sides, matrices, scene, member):
     """Internal force = what acts on the station; the jump of it at an inner one."""
     u, (left, right) = member.kind.motion, sides
+    acting = [(node, RATES[kind][part].format(u=u) if j == i else Name(scene.q[j].name + "'" * (2 - kind)))
+              for kind, matrix in enumerate(matrices) for (row, j), node in matrix.items() if row == i]
+    if left is None and right is None:      # parts without inertia on both sides, springs among the others
+        return [*_terms(acting), " = 0"]
     piece = (right or left).piece
     force, sign = FORCES[2 if piece.bending.is_zero else 4][part]
     stiffness = piece.tension if piece.bending.is_zero else piece.bending
@@ -173,13 +199,7 @@ def _balance(i, part, sides, matrices, scene, member):
         own = ["[", *own, "]"]
     if not right:
         sign = -sign
-    acting = []
-    for kind, matrix in enumerate(matrices):
-        for (row, j), node in matrix.items():
-            if row == i:
-                name = RATES[kind][part].format(u=u) if j == i else Name(scene.q[j].name + "'" * (2 - kind))
-                acting.append((sign * node, name))
-    return [*own, " = ", *(_terms(acting) or ["0"])]
+    return [*own, " = ", *(_terms([(sign * node, name) for node, name in acting]) or ["0"])]
 
 
 def _carried(i, pieces, matrices, scene):

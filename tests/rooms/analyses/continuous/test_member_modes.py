@@ -119,3 +119,29 @@ def test_damped_modes_of_members_are_refused_by_name():
     assert "of the undamped system" in told(scene, "frequencies")
     with pytest.raises(PhysicsError, match="damped modes of members"):
         _ = scene.modal.damped
+
+
+def test_parts_without_inertia_are_springs_in_what_is_told():
+    scene = problem("""
+        bars:
+          rod: {segments: [{length: 1 m, EA: 1e6 N, mass_per_length: 2 kg/m}, {length: 1 m, EA: 2e6 N}], left: clamped,
+                attached: [{at: 2 m, mass: 3 kg}]}""")
+    written = told(scene, "energies", "equations", "frequency_equation", "frequencies", "modes")
+    first = mpmath.findroot(lambda y: y * mpmath.tan(y) - mpmath.mpf(2) / 3 + y * y / 2, 0.63)
+    assert f"βL = {float(first):.10g}, 2.39747" in written and "1.154" not in written
+    assert value(scene, "omega[1]") == pytest.approx(float(first) * sqrt(1e6 / 2), rel=1e-13)
+
+
+def test_a_member_that_turns_in_equilibrium_has_no_equations_in_letters_but_modes():
+    scene = problem("""
+        gravity: 9.81 m/s^2
+        beams:
+          arm: {from: [0, 0], to: [1.2 m, 0], EI: 2400 N*m^2, mass_per_length: 3 kg/m, left: clamped,
+                right: {clamped: motor}}
+        bodies:
+          motor: {mass: 5 kg, at: [1.2 m, 0], move: [0, y, psi]}
+          bob: {mass: 1 kg, at: [1.2 m, -0.3 m], pin: {at: [1.2 m, 0], carrier: motor, by: phi}}""")
+    written = told(scene, "energies", "equations", "frequency_equation", "frequencies", "modes")
+    assert "not found in letters, as the equilibrium is not" in written
+    assert "  1     0          –         rests" in written
+    assert value(scene, "omega[1]") == pytest.approx(sqrt(9.81 / 0.3), rel=1e-12)
