@@ -175,8 +175,8 @@ class ModalAnalysis:
         from vibcli.analyses.modal.modes_precise import sharp_modes
 
         if not self.modes.finite:
-            raise PhysicsError("shares, sensitivities and estimates are found where there are finitely many modes; a "
-                               "member with distributed inertia has modes without end",
+            raise PhysicsError("shares, sensitivities and Ritz's bounds are found where there are finitely many modes; "
+                               "a member with distributed inertia has modes without end",
                                "see `vibcli frequencies` for the modes themselves")
         return self.solved(sharp_modes, self.configuration)
 
