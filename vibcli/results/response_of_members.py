@@ -4,6 +4,7 @@ that they start with, and signals of places between stations."""
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 from vibcli.analyses.excitation.linear_output import FieldPoint, LinearOutput
 from vibcli.base.errors import PhysicsError
 from vibcli.results.responses import SmallResponse
@@ -12,6 +13,8 @@ from vibcli.symbolic.rationals import fraction_of
 if TYPE_CHECKING:
     from vibcli.results.steady_response import SteadyResponse
     from vibcli.symbolic.node import Node
+
+CHECKED, SAME = 0.2, 1e-9       # where on a piece a parabola is checked, relative to its length, and how closely
 
 
 class ResponseOfMembers(SmallResponse):
@@ -87,7 +90,7 @@ class ResponseOfMembers(SmallResponse):
         place = {scene.time: scene.time + scene.table.number(fraction_of(float(piece.start)))}
         if given is not None and given.displacement is not None:
             u = substitute([given.displacement], place)[0] - self._resting(self.configuration, piece)
-        elif held is not None and (given is not None or scene.gravity):
+        elif held is not None and (given is not None or scene.gravity or held.scene.spread_loads):
             u = self._resting(held, piece) - self._resting(self.configuration, piece)
         elif given is not None:
             u = self._powers(piece, *(sum(x * self.deviations[0][i] for i, x in row.items() if i < len(
@@ -106,9 +109,13 @@ class ResponseOfMembers(SmallResponse):
 
         scene, start, length = configuration.scene.resting, float(piece.start), float(piece.piece.length)
         signal = f"{piece.owner}.{scene.members[piece.owner].kind.motion}"
-        nodes = [resting(scene, f"{signal}({start + share * length!r} m)") for share in (0.0, 0.5, 1.0)]
-        left, middle, right = evaluate(nodes, Floats, configuration.at_rest)
-        return self._powers(piece, left, right, 2 * (left + right) - 4 * middle)
+        nodes = [resting(scene, f"{signal}({start + share * length!r} m)") for share in (0.0, 0.5, 1.0, CHECKED)]
+        left, middle, right, other = evaluate(nodes, Floats, configuration.at_rest)
+        bend = 2 * (left + right) - 4 * middle
+        found = left + (right - left) * CHECKED + bend * (CHECKED**2 - CHECKED)
+        if abs(found - other) > SAME * max(map(abs, (left, middle, right))):
+            raise NotByWaves(f"'{piece.owner}' rests under a load that varies along it")
+        return self._powers(piece, left, right, bend)
 
     def _powers(self, piece, left, right, bend=0.0):
         """left + (right − left) ξ + bend·(ξ² − ξ), ξ being the part of the piece up to a place."""
