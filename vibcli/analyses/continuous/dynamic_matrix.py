@@ -108,9 +108,15 @@ class DynamicMatrix:
 
     def _polynomial(self, s, steep):
         """K + s C + s² M and its slope, real where it may be: (n, n, N)."""
-        K, C, M = (part[:, :, None] for part in self.polynomial)
         square = s * s if s.real.any() else -s.imag**2
-        return K + square * M if self.undamped else K + s * (C + s * M), 2 * s * M + C if steep else None
+        n, kind = self.n, square.dtype if self.undamped else complex
+        D, slope = np.zeros((n, n, len(s)), kind), np.zeros((n, n, len(s)), complex) if steep else None
+        for i, j in zip(*np.nonzero(self.polynomial.any(axis=0)), strict=True):
+            k, c, m = self.polynomial[:, i, j].tolist()
+            D[i, j] = k + square * m if not c else k + s * c + square * m
+            if slope is not None:
+                slope[i, j] = 2 * s * m + c
+        return D, slope
 
 
 def _added(D, rows, d):

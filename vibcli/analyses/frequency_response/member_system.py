@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from vibcli.analyses.frequency_response.direct import SINGULAR, apart_from_poles, probe, solutions
+from vibcli.analyses.frequency_response.direct import apart_from_poles, probe, solutions
+from vibcli.analyses.frequency_response.member_solution import motions, pattern_of, scaled, scales
 from vibcli.analyses.frequency_response.quadratics import polynomial, slope
 
 if TYPE_CHECKING:
@@ -51,13 +52,14 @@ class Solved(NamedTuple):
 class MemberSystem:
     """matrix: the DynamicMatrix with the inputs among its coordinates; driven: numbers of these."""
 
-    __slots__ = ("_divided", "driven", "free", "given", "matrix", "output")
+    __slots__ = ("_divided", "driven", "free", "given", "matrix", "output", "pattern")
 
     def __init__(self, matrix: "DynamicMatrix", driven: "Sequence[int] | np.ndarray", given: MemberInput,
                  output: MemberOutput):
         self.matrix, self.given, self.output = matrix, given, output
         self.driven = np.array(driven, int)
         self.free = np.array([i for i in range(matrix.n) if i not in driven], int)
+        self.pattern = pattern_of(matrix, self.free)
         self._divided: dict[float, MemberSystem] = {}
 
     def divided(self, share: float) -> "MemberSystem":
@@ -96,9 +98,8 @@ class MemberSystem:
     def to_pole(self, s: np.ndarray) -> np.ndarray:
         """Newton's step towards the next pole, of 1/h with h = rᵀ D⁻¹ r."""
         found = self.matrix.at(s, True)
-        size = np.where(found.size[self.free] > 0, found.size[self.free], 1.0)
-        scale = np.exp2(-np.round(np.log2(size) / 2))
-        D = np.moveaxis(found.D[np.ix_(self.free, self.free)] * scale[:, None] * scale[None, :], -1, 0)
+        scale = scales(found.size[self.free])
+        D = scaled(found.D[np.ix_(self.free, self.free)], scale)
         r = np.broadcast_to(probe(len(self.free)), D.shape[:2])[:, :, None] + 0j
         x = solutions(D, r)[:, :, 0] * scale.T
         y = solutions(np.swapaxes(D, 1, 2), r)[:, :, 0] * scale.T
@@ -109,29 +110,22 @@ class MemberSystem:
         """At each s: (N,)."""
         found = self.matrix.at(s, steep)
         (g, g_slope), (c, c_slope) = self.driving(s), self.seen(found, s, steep)
-        D, size = found.D[np.ix_(self.free, self.free)], found.size[self.free]
-        ahead = found.D[np.ix_(self.free, self.driven)]
-        scale = np.exp2(-np.round(np.log2(np.where(size > 0, size, 1.0)) / 2))
-        D = np.moveaxis(D * scale[:, None] * scale[None, :], -1, 0)
-        b, seen = -np.einsum("ijk,jk->ik", ahead, g) * scale, c[self.free] * scale
-        sides = [b.T, np.broadcast_to(probe(len(self.free)), b.T.shape)]
-        symmetric = steep and bool((np.swapaxes(D, 1, 2) == D).all())
-        x = solutions(D, np.stack([*sides, seen.T] if symmetric else sides, axis=2))
-        suspicious = ~(np.abs(x[:, :, 1]).max(axis=1, initial=0.0) * SINGULAR * 64 < 1)
-        z = np.where(suspicious[:, None], 0.0, x[:, :, 0]).T
-        values, slopes, resonant = np.einsum("ik,ik->k", seen, z) + 0j, None, np.zeros(len(s), bool)
-        direct = np.einsum("ik,ik->k", c[self.driven], g)
+        D, ahead = found.D[np.ix_(self.free, self.free)], found.D[np.ix_(self.free, self.driven)]
+        b, seen, scale = -np.einsum("ijk,jk->ik", ahead, g), c[self.free], scales(found.size[self.free])
+        loads = [b, seen] if steep and self.pattern is not None else [b]
+        x, singular = motions(D, scale, loads, self.pattern)
+        values, slopes, resonant = np.einsum("ik,ik->k", seen, x[0]) + 0j, None, np.zeros(len(s), bool)
         if steep:
-            y = x[:, :, 2] if symmetric else solutions(np.swapaxes(D, 1, 2), seen.T[:, :, None])[:, :, 0]
-            y = np.where(suspicious[:, None], 0.0, y).T * scale
+            y = x[1] if len(x) > 1 else motions(D.swapaxes(0, 1), scale, [seen], None)[0][0]
             whole = np.zeros((self.matrix.n, len(s)), complex)
-            whole[self.free], whole[self.driven] = z * scale, g
+            whole[self.free], whole[self.driven] = x[0], g
             moved = np.einsum("ijk,jk->ik", found.slope[self.free], whole) + np.einsum("ijk,jk->ik", ahead, g_slope)
             slopes = (np.einsum("ik,ik->k", c_slope, whole) - np.einsum("ik,ik->k", y, moved)
                       + np.einsum("ik,ik->k", c[self.driven], g_slope))
-        for k in np.flatnonzero(suspicious):
-            values[k], resonant[k] = apart_from_poles(D[k], b[:, k], seen[:, k])
-        return Solved(values + direct, slopes, resonant, found.excess)
+        for k in np.flatnonzero(singular):
+            at = scale[:, k]
+            values[k], resonant[k] = apart_from_poles(D[:, :, k] * np.outer(at, at), b[:, k] * at, seen[:, k] * at)
+        return Solved(values + np.einsum("ik,ik->k", c[self.driven], g), slopes, resonant, found.excess)
 
     def driving(self, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """The inputs g and dg/ds, (inputs, N)."""

@@ -154,3 +154,48 @@ def test_damped_peaks():
 def test_forces_of_supports_are_refused():
     with pytest.raises(PhysicsError, match="is not found"):
         curve(TWO, "ground.force", "at_two")
+
+
+def finite_elements(Omega, per_length=60):
+    """u(L) to a force at 0.4 m of the scene TWO, by Hermite's cubics."""
+    count, h = round(1.2 * per_length), 1 / per_length
+    stiff = np.array([[12, 6 * h, -12, 6 * h], [6 * h, 4 * h * h, -6 * h, 2 * h * h], [-12, -6 * h, 12, -6 * h],
+                      [6 * h, 2 * h * h, -6 * h, 4 * h * h]]) / h**3
+    mass = np.array([[156, 22 * h, 54, -13 * h], [22 * h, 4 * h * h, 13 * h, -3 * h * h], [54, 13 * h, 156, -22 * h],
+                     [-13 * h, -3 * h * h, -22 * h, 4 * h * h]]) * h / 420
+    n, s = 2 * count + 3, 1j * Omega
+    D = np.zeros((n, n), complex)
+    for e in range(count):
+        EI, mu, drag = (2400, 3, 0) if (e + 0.5) * h < 0.5 else (900, 2, 3)
+        at = np.arange(2 * e, 2 * e + 4)
+        D[np.ix_(at, at)] += EI * stiff + (mu * s * s + drag * s) * mass
+
+    def u(x):
+        return 2 * round(x * per_length)
+
+    D[u(0.3), u(0.3)] += s * s
+    D[u(0.8), u(0.8)] += 4 * s
+    D[u(1.2), u(1.2)] += 5e3
+    D[u(1.2) + 1, u(1.2) + 1] += 10
+    D[np.ix_([u(1.0), n - 1], [u(1.0), n - 1])] += (800 + s) * np.array([[1, -1], [-1, 1]])
+    D[n - 1, n - 1] += 0.5 * s * s
+    load = np.zeros(n)
+    load[u(0.4)] = 1.0
+    return np.linalg.solve(D[2:, 2:], load[2:])[u(1.2) - 2]
+
+
+def test_a_stepped_beam_against_finite_elements():
+    found = curve(TWO, "arm.u(L)", "at_one").transfer
+    for Omega in (2.0, 39.0, 123.0, 300.0):
+        assert frf(found, Omega) == pytest.approx(finite_elements(Omega), rel=1e-6)
+
+
+def test_points_by_elimination_without_exchanges_are_those_of_LU():
+    """Many frequencies, through those at which pieces or parts of the beam resonate by themselves."""
+    transfer = curve(TWO, "arm.moment(0.2 m)", "at_two").transfer
+    s = 1j * np.linspace(0.5, 6000.0, 3001)
+    quick = transfer.at(s, True)
+    transfer.system.pattern = None
+    slow = transfer.at(s, True)
+    for one, two in zip(quick[:2], slow[:2], strict=True):
+        assert np.abs(one / two - 1).max() < 1e-9
