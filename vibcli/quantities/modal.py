@@ -87,7 +87,7 @@ def ten(problem: "Problem", tree: "QuantityRef") -> float:
 
 def _shape(problem, tree, args):
     signal = coordinate_name(problem.spec, tree.indices[1]) or tree.indices[1]
-    mode = _mode(problem, tree)
+    mode = problem.modal.told_apart(_mode(problem, tree))
     shape, placed = problem.modal.shape(mode), signal_name(signal)
     if placed.name in problem.spec.members:
         return amplitude_as_asked(problem, *_along_member(problem, mode, placed))
@@ -112,7 +112,7 @@ def _along_member(problem, mode, signal):
 
 def _node(problem, tree, args):
     number, member, count = int(tree.indices[0]), tree.indices[1], int(tree.indices[2])
-    mode = _mode(problem, tree)
+    mode = problem.modal.told_apart(_mode(problem, tree))
     fields = problem.modal.fields(mode)
     found = fields.node_places(member)
     if count > len(found):
@@ -120,7 +120,7 @@ def _node(problem, tree, args):
         raise PhysicsError(f"'{member}' has {known} in mode {number}, its ends and supports not counted",
                            "ask for one that it has" if found else "ask in a higher mode")
     place = found[count - 1]
-    off = float(abs(fields.largest(member)[1] / fields.at(member, place)[1]))
+    off = fields.size(member, 0) / float(abs(fields.at(member, place)[1]))
     exact = SHAPE if problem.digits is None else 10.0 ** (LOST - problem.digits)
     return place, min(1.0, exact * off / float(place))
 
@@ -138,7 +138,7 @@ def amplitude_as_asked(problem: "Problem", amplitude: "complex | mpmath.mpc",
 def _modal_mass(problem, tree, args):
     from vibcli.mechanics.inner_products import inner
 
-    configuration, digits, mode = problem.configuration, problem.digits, _mode(problem, tree)
+    configuration, digits, mode = problem.configuration, problem.digits, problem.modal.told_apart(_mode(problem, tree))
     if getattr(mode, "motion", None) is not None:
         found = problem.modal.scale(mode) ** 2
         return as_asked(problem, found), 2 * (SHAPE if digits is None else 10.0 ** (LOST - digits))

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
 
 SAME = 1e-9         # of a length or displacement: nearer ones are one
+SHARES = np.append(np.arange(1, 62) * 0.6180339887498949 % 1, [0.0, 1.0])
 STEPS = 8           # of Newton's method, from a place that is known in floats
 
 
@@ -101,10 +102,10 @@ class ModeFields:
         return x, self.at(member, x)[0]
 
     def size(self, member: str, order: int) -> float:
-        """How large a derivative of u by x is somewhere on a member."""
-        pieces = self._in_floats(member)
-        ends = [place for moved in pieces for place in (moved.start, moved.start + moved.piece.length)]
-        return float(np.abs(shape_along(pieces, [*ends, *antinodes(pieces), *nodes(pieces)])[:, order]).max())
+        """How large a derivative of u by x is on a member, or would be if it moved as far as any: what its rounding is
+        measured by."""
+        most = max(_most(moved, 0) for name in self.scene.members for moved in self._in_floats(name))
+        return max(max(_most(moved, order), most * _wave_number(moved)**order) for moved in self._in_floats(member))
 
     def node_places(self, member: str) -> list[Any]:
         """The places from left to right at which a member rests, its ends and supports not counted."""
@@ -134,21 +135,32 @@ class ModeFields:
         shape, moves = self.mode.shape, MOVES * max(1.0, *map(abs, self._weighted(weights)))
         if how == "mass":
             return 1
-        tops = [self.largest(member)[1] for member in self.scene.members]
-        if how == "largest":
-            return 1 / max([*shape[:named], *tops], key=abs)
         first = next((x for x, part in zip(shape[:named], self._weighted(weights), strict=False) if abs(part) > moves),
                      None)
-        if first is None:
-            most = max(map(abs, tops))
-            first = next(top for top in tops if abs(top) > MOVES * most)
-        return 1 / first
+        if how == "first" and first is not None:
+            return 1 / first
+        tops = [self.largest(member)[1] for member in self.scene.members]
+        most = max(map(abs, tops))
+        if how == "largest":
+            return 1 / max([*shape[:named], *tops], key=abs)
+        return 1 / next(top for top in tops if abs(top) > MOVES * most)
 
     def _weighted(self, weights):
         return [x * weight for x, weight in zip(self.mode.shape, weights, strict=True)] or [0.0]
 
 
 MOVES = 1e-9        # of a mode of unit modal mass: what moves less rests
+
+
+def _most(moved, order):
+    """The largest of a derivative of u on a piece, at places that no mode finds all at rest."""
+    return float(np.abs(moved.along(moved.start + moved.piece.length * SHARES)[:, order]).max())
+
+
+def _wave_number(moved):
+    """Of what vibrates on a piece, at least as many as one on its length."""
+    piece = moved.piece
+    return max(abs(moved.kappa / (piece.bending or piece.tension)) ** (1 / piece.order), 1 / piece.length)
 
 
 def _is_complex(x):

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
 
 MOST = 10_000       # steps of a million products
+CLOSE, COINCIDING = 1e-2, 1e-13     # relative gaps of frequencies: where shapes in floats lose digits; of equal ones
+MORE = 20           # digits that tell them apart
 
 
 class ModalAnalysis:
@@ -100,8 +102,22 @@ class ModalAnalysis:
 
         if not self.scene.members or not hasattr(mode, "motion"):
             return normalised(mode.shape, how, weights(self.configuration.linear_system))
-        factor = self.scale(mode, how)
-        return [cleaned(x * factor) for x in mode.shape]
+        told = self.told_apart(mode)
+        factor = self.scale(told, how)
+        found = [x * factor for x in told.shape]
+        return [cleaned(x if told is mode else complex(x) if x.imag else float(x.real)) for x in found]
+
+    def told_apart(self, mode: Any) -> "Mode":
+        """A Mode of members in more digits where another frequency is so close that its shape in floats is a mix of
+        both; where they coincide to rounding any mix is one."""
+        motion = getattr(mode, "motion", None)
+        if motion is None or motion.system.digits is not None or not mode.omega:
+            return mode
+        beside = self.modes.numbered(max(mode.index - 1, 1), mode.index + 1)
+        gaps = [abs(float(other.omega or 0.0) / mode.omega - 1) for other in beside if other.index != mode.index]
+        if not any(COINCIDING < gap < CLOSE for gap in gaps):
+            return mode
+        return self.modes_to(MORE).numbered(mode.index, mode.index)[0]
 
     def scale(self, mode: Any, how: str = "first") -> "float | mpmath.mpf":
         """What the shape of a Mode of a scene with members, of unit modal mass, is multiplied by."""
