@@ -16,6 +16,11 @@ RESPONSE = [
          "once. `motion: full` needs an inertia for each."),
         ("small", "`motion: small`, the default where there is an equilibrium: small oscillations about it, exact at "
          "any time."),
+        ("waves", "Bars, shafts and strings without drag and foundation, whose tension does not vary along them, are "
+         "followed by travelling waves, exact but for rounding: f(t − x/c) + g(t + x/c) between what stands on them. "
+         "Fronts stay sharp: at a front values in time are those after it, `--at` tells both, `max` and `min` look at "
+         "both, files and plots hold the instant twice. Members start with fields, `initial: {rod.u: a*x/L, rod.u': "
+         "-v}`. Where the fronts multiply, as on pieces of many lengths, they are given up: `--patience`."),
         ("full", "`motion: full`: the full equations, integrated, for wide swings, laws, dry friction, stops, slack. "
          "Events and the balance of the energies are printed; a motion whose energies do not balance to 1e-8 is "
          "refused. It is found twice, by rules of another order and with another last digit of its start: what the two "
