@@ -231,10 +231,13 @@ def test_json_keys_are_those_that_are_printed(capsys, tmp_path):
     assert code == 0
     printed |= _paths(json.loads(out))
     bar = tmp_path / "bar.yaml"
-    bar.write_text("bars: {NAME: {length: 2 m, EA: 2 N, mass_per_length: 1 kg/m, left: clamped}}\n", encoding="utf-8")
-    code, out, _ = call(capsys, "frequencies", str(bar), "--json")
-    assert code == 0
-    printed |= _paths(json.loads(out))
+    bar.write_text("bars: {NAME: {length: 2 m, EA: 2 N, mass_per_length: 1 kg/m, left: clamped}}\n"
+                   "initial: {NAME.u': 1 m/s}\nfind: [{response: {of: [\"NAME.u'(1 m)\"], until: 6 s}}]\n",
+                   encoding="utf-8")
+    for command in ("frequencies", "response"):
+        code, out, _ = call(capsys, command, str(bar), "--json")
+        assert code == 0
+        printed |= _paths(json.loads(out))
     assert printed - set(KEYS) == set()
     assert set(KEYS) - printed <= {"characteristic_polynomial", "remark"}
 

@@ -72,7 +72,7 @@ INDICES = {
     "input": IndexKind(lambda spec, index: inputs(spec), lambda spec, index: input_dimension(spec, index) is not None,
                        "F", (), "input"),
     "number": _free(f"a whole number from 1 to {MOST_COUNTED}",
-                    lambda index: _whole(index) and int(index) <= MOST_COUNTED, "1"),
+                    lambda index: _whole(index) and int(index) <= MOST_COUNTED, "1")._replace(letters=("k",)),
     "root": _free("1 or 2, of two real eigenvalues by ascending |λ|", lambda index: index in ("1", "2"), "1")._replace(
         letters=("j",)),
     "fraction": _free("a fraction between 0 and 1", _fraction, "0.1"),
