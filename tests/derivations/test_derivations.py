@@ -27,6 +27,9 @@ LEAST_FILES, LEAST_ANSWERS = 45, 300
 LITERAL = re.compile(r"\s*[-+]?\s*(\d*)\.?(\d*)(?:[eE]([-+]?\d+))?(\s+[A-Za-z%°µ][\w/*^·%°µ²³-]*)?\s*")
 
 
+SHARED = HERE.parent / "support" / "transfer_matrices.py"      # which they may import
+
+
 def derivation(path):
     """The module tests/derivations/STEM.py of a problem file."""
     spec = spec_from_file_location("derivation_" + path.stem, HERE / (path.stem + ".py"))
@@ -158,12 +161,13 @@ def test_every_derivation_belongs_to_a_problem():
     assert {path.stem for path in DERIVATIONS} == {path.stem for path in PROBLEMS}
 
 
-@pytest.mark.parametrize("path", DERIVATIONS, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", [*DERIVATIONS, SHARED], ids=lambda path: path.stem)
 def test_derivations_do_not_import_what_they_test(path):
     tree = ast.parse(path.read_text())
     names = [alias.name for node in ast.walk(tree) if isinstance(node, ast.Import) for alias in node.names]
     names += [node.module or "." for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)]
-    assert {name.split(".")[0] for name in names} <= {"math", "cmath", "mpmath", "numpy", "scipy", "fractions"}
+    known = {"math", "cmath", "mpmath", "numpy", "scipy", "fractions"}
+    assert {name.split(".")[0] for name in names if name != "support.transfer_matrices"} <= known
     assert ast.get_docstring(tree), "a derivation says by which route it goes"
 
 
