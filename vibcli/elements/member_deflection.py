@@ -7,6 +7,8 @@
 from typing import TYPE_CHECKING, Any
 
 from vibcli.elements.member_springs import even_solutions, odd_solutions
+from vibcli.symbolic.antiderivatives import antiderivative
+from vibcli.symbolic.derivatives import gradient, substitute
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -22,12 +24,20 @@ def static_signal(scene: "Scene", signal: "PlaceSignal") -> "Node":
         return signal.motion
     tension, own = signal.tension(scene)[0], _given_along(scene, signal)
     foundation, length = signal.segment.foundation, signal.length
-    load = _particular(scene, signal, tension, foundation)
-    shift = [_derivative(scene, load, k, x) for x in (scene.table.zero, length)
+    xi = scene.table.variable("the place on a piece")
+    load = _particular(scene, signal, tension, foundation, xi)
+    shift = [_at(scene, load, xi, k, x) for x in (scene.table.zero, length)
              for k in range(2 if signal.member.kind.bends else 1)]
     ends = [end - part for end, part in zip(signal.ends, shift, strict=True)]
     found = _between(scene, signal, (length, tension, foundation), ends)
-    return signal.factor * (found + _derivative(scene, load, signal.order, signal.at)) + own
+    return signal.factor * (found + _at(scene, load, xi, signal.order, signal.at)) + own
+
+
+def _at(scene, load, xi, order, place):
+    """A derivative of a function of ξ at a place."""
+    for _ in range(order):
+        load = gradient(load).get(xi, scene.table.zero)
+    return substitute([load], {xi: place})[0]
 
 
 def _between(scene, signal, piece, ends):
@@ -43,16 +53,23 @@ def _between(scene, signal, piece, ends):
     return _along(scene, signal, scene.table.sqrt(foundation / tension), length, ends)
 
 
-def _particular(scene, signal, tension, foundation):
-    """Powers of x in one u that the weight w leaves: w/k, −w x²/(2N), w x⁴/(24B)."""
-    zero, load = scene.table.zero, signal.weight(scene)
-    if load.is_zero:
-        return []
-    if not foundation.is_zero:
-        return [load / foundation]
-    if not tension.is_zero:
-        return [zero, zero, -load / (2 * tension)]
-    return [zero, zero, zero, zero, load / (24 * signal.segment.stiffness)]
+def _particular(scene, signal, tension, foundation, xi):
+    """One u(ξ) that the loads leave: w/k, −w ξ²/(2N), w ξ⁴/(24B) of the even ones; of others q, which stand where there
+    is neither foundation nor tension of a beam, −∫∫ q/N or ∫∫∫∫ q/B."""
+    bending, bends = signal.segment.stiffness, signal.member.kind.bends
+    even, found = signal.weight(scene), scene.table.zero
+    if not even.is_zero:
+        found = even / foundation if not foundation.is_zero else -even * xi**2 / (2 * tension) if not (
+            tension.is_zero) else even * xi**4 / (24 * bending)
+    for load in signal.uneven(scene):
+        q = substitute([load.q], {load.x: signal.left.place + xi})[0]
+        for _ in range(4 if bends else 2):
+            q = None if q is None else antiderivative(q, xi)
+        if q is None:
+            return scene.report(load.where, f"the deflection under '{load.owner}' is not found in closed form",
+                                "let it be a sum of powers, sines and exponentials")
+        found = found + (q / bending if bends else -q / tension)
+    return found
 
 
 def _given_along(scene, signal):

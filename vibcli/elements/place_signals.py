@@ -53,22 +53,20 @@ class PlaceSignal(NamedTuple):
         return self.member.tension(self.number, self.segment, scene)
 
     def weight(self, scene: "Scene") -> "Node":
-        """The weight that acts on its piece in the sense of u, per length."""
-        line, spread = self.member.line, self._spread(scene)
+        """The even loads and the weight that act on its piece in the sense of u, per length."""
+        line, spread = self.member.line, scene.table.total([load.q for load in self._spread(scene) if load.even])
         if line is None or scene.gravity is None or self.segment.inertia.is_zero:
             return spread
         return spread + self.segment.inertia * line.seen(*scene.gravity)[0 if self.member.turns else 1]
 
+    def uneven(self, scene: "Scene") -> list:
+        """The SpreadLoads along its piece that are not the same all along."""
+        return [load for load in self._spread(scene) if not load.even]
+
     def _spread(self, scene):
-        """The even loads spread along its piece, per length; one that is not even is reported."""
-        middle, total = scene.number(self.left.place + self.right.place) / 2, scene.table.zero
-        for load in scene.spread_loads:
-            if load.member == self.member.name and scene.number(load.start) < middle < scene.number(load.end):
-                if not load.even:
-                    scene.report(load.where, f"the deflection between stations under '{load.owner}' does not work yet",
-                                 "let it act evenly in parts, or ask at a point of the member")
-                total = total + load.q
-        return total
+        middle = scene.number(self.left.place + self.right.place) / 2
+        return [load for load in scene.spread_loads if load.member == self.member.name
+                and scene.number(load.start) < middle < scene.number(load.end)]
 
     def static(self, scene: "Scene") -> "Node":
         """Itself as a function of the coordinates, everything being at rest."""
