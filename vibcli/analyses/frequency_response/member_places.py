@@ -7,7 +7,7 @@ and the left end of the right one show
     beams      B u″ = M_l = −M₀,  B u‴ = N u′ − Q_l = N u′ + Q₀.
 """
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.continuous.divided_pieces import divided_at
 from vibcli.analyses.frequency_response.member_system import MemberOutput
@@ -19,16 +19,16 @@ if TYPE_CHECKING:
     from vibcli.mechanics.inputs_outputs.place_signals import PlaceOutput
 
 
-def seen_at(place: "PlaceOutput", pieces: "Sequence[PlacedPiece]",
-            n: int) -> "tuple[list[PlacedPiece], int, MemberOutput]":
+def seen_at(place: "PlaceOutput", pieces: "Sequence[PlacedPiece]", n: int,
+            number: Any = float) -> "tuple[list[PlacedPiece], int, MemberOutput]":
     """(pieces divided at a place, how many coordinates they have with the new node, the MemberOutput); pieces: all of
-    a scene of n coordinates."""
-    pieces, k, share = list(pieces), place.piece, float(place.share)
-    if 0.0 < share < 1.0:
+    a scene of n coordinates; number: makes a number of its arithmetic."""
+    pieces, k, share = list(pieces), place.piece, number(place.share)
+    if 0 < share < 1:
         half = pieces[k].piece.order // 2
         pieces[k:k + 1] = divided_at(pieces[k], share * pieces[k].piece.length, n)
-        k, n, share = k + 1, n + half, 0.0
-    return pieces, n, _derivative(pieces[k], k, share == 1.0, place.order, float(place.factor))
+        k, n, share = k + 1, n + half, number(0)
+    return pieces, n, _derivative(pieces[k], k, share == 1, place.order, number(place.factor))
 
 
 def _derivative(placed, k, right, order, factor):
@@ -47,4 +47,4 @@ def _derivative(placed, k, right, order, factor):
 
 
 def _scaled(row, factor):
-    return {i: float(x) * factor for i, x in row.items() if x and factor}
+    return {i: x * factor for i, x in row.items() if x and factor}

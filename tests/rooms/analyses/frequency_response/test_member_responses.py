@@ -10,6 +10,7 @@ from support.scenes import problem
 
 from vibcli.analyses.frequency_response.evaluate import frf, sloped
 from vibcli.base.errors import PhysicsError
+from vibcli.results.precise_member_response import PreciseMemberCurve
 
 CANTILEVER = """
     parameters: {L: 1.2 m, EI: 2400 N*m^2, mu: 3 kg/m, r: %s}
@@ -37,14 +38,14 @@ def curve(text, signal="arm.u(L)", driver="drive"):
     return problem(text).frequency_response(signal, driver)
 
 
-def tip(Omega, drag=0.0):
+def tip(Omega, drag=0.0, number=complex):
     """(sin z cosh z − cos z sinh z)/(EI β³ (1 + cos z cosh z)), z = βL, β⁴ = −(μ s² + r s)/EI."""
     with mpmath.workdps(40):
-        s, L = mpmath.mpc(0, float(Omega)), mpmath.mpf(1.2)
+        s, L = mpmath.mpc(0, Omega), mpmath.mpf("1.2")
         beta = (-(3 * s * s + mpmath.mpf(drag) * s) / 2400) ** mpmath.mpf("0.25")
         z = beta * L
-        return complex((mpmath.sin(z) * mpmath.cosh(z) - mpmath.cos(z) * mpmath.sinh(z))
-                       / (2400 * beta**3 * (1 + mpmath.cos(z) * mpmath.cosh(z))))
+        return number((mpmath.sin(z) * mpmath.cosh(z) - mpmath.cos(z) * mpmath.sinh(z))
+                      / (2400 * beta**3 * (1 + mpmath.cos(z) * mpmath.cosh(z))))
 
 
 @pytest.mark.parametrize("drag", [0.0, 2.0])
@@ -61,6 +62,20 @@ def test_cantilever_at_its_tip(places, drag):
     assert (np.abs(H - exact) <= bounds).all()
     assert (bounds[:42] <= 1e-6 * np.abs(exact[:42])).all()
     assert np.abs(H[40:42] / exact[40:42] - 1).max() < 1e-12
+
+
+@pytest.mark.parametrize("places", ["", "many"])
+def test_more_digits(places):
+    """To 36 of 40 digits, at a frequency of a held piece too; of the moment as the floats have it."""
+    scene = problem(CANTILEVER % ("2 N*s/m^2", PLACES[places]))
+    with mpmath.workdps(40):
+        for Omega in (mpmath.mpf(700), mpmath.mpf(HELD)):
+            exact = tip(Omega, 2.0, mpmath.mpmathify)
+            found, = PreciseMemberCurve(scene, "arm.u(L)", "drive").at(Omega)
+            assert abs(found / exact - 1) < 1e-36
+        moment, = PreciseMemberCurve(scene, "arm.moment'(0.7 m)", "drive").at(mpmath.mpf(700))
+    floats = frf(scene.frequency_response("arm.moment'(0.7 m)", "drive").transfer, 700.0)
+    assert complex(moment) == pytest.approx(floats, rel=1e-11)
 
 
 def test_slopes():
