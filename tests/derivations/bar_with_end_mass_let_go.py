@@ -1,4 +1,4 @@
-"""u(L) = u0 (2 - tau - e^-tau) to tau = 2, the strain at the clamp u0/L (2 e^(1 - tau) - 1) from 1 to 3; c = 500 m/s."""
+"""u(L) = u0 (2 - t - e^-t) to t = 2, the strain at the clamp u0/L (2 e^(1 - t) - 1) from 1 to 3; t in L/c = 2 ms."""
 from math import exp, sqrt
 
 

@@ -1,4 +1,4 @@
-"""Until the wave is back at 0.4 ms: M v' = -Z v with Z = A sqrt(E rho); the force -Z v travels and doubles at the clamp."""
+"""Until the wave is back, 0.4 ms: M v' = -Z v, Z = A sqrt(E rho); the force -Z v travels, and doubles at the clamp."""
 from math import exp, sqrt
 
 
