@@ -152,17 +152,17 @@ class Problem:
         """The motion in time, as `motion:` of the file says."""
         from vibcli.results import responses
 
-        if self.scene.pieces:
-            from vibcli.results.members_in_time import members_in_time
-
-            return members_in_time(self)
-        if not self.scene.q and self.scene.timed:
+        if not self.scene.q and self.scene.timed and not self.scene.pieces:
             from vibcli.results.prescribed_motion import PrescribedResponse
 
             return PrescribedResponse(self)
         kind = self.spec.get("motion")
         if kind is None and self.scene.laws:
             raise responses.nonlinear(self.spec, self.scene.laws[0].owner)
+        if self.scene.pieces:
+            from vibcli.results.members_in_time import members_in_time
+
+            return members_in_time(self)
         if kind == "full" and self.digits is not None:
             from vibcli.results.series_response import SeriesResponse
 
