@@ -94,6 +94,7 @@ def nonlinear(spec: "Spec", owner: str) -> PhysicsError:
     """The refusal of a motion in time that nobody said to linearise."""
     record = spec.connection(owner)
     return PhysicsError(f"'{owner}' has a nonlinear law: its motion in time is not that of small oscillations",
+                        "write motion: small where the motion stays small" if spec.members else
                         "write motion: full, or motion: small where the motion stays small", record and record.where)
 
 

@@ -28,7 +28,10 @@ class WaveResponse(ResponseOfMembers):
         """The WaveMotion under the excitation."""
         from vibcli.analyses.continuous.travelling_waves import wave_motion
         from vibcli.analyses.continuous.travelling_waves_march import wave_piece
+        from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 
+        if self.problem.spec.get("damping") is not None:
+            raise NotByWaves("damping that is given of modes acts on modes, not on travelling waves")
         channels = iter(range(len(self.matrices[0]), len(self.matrices[0]) + len(self.ends_of_pieces)))
         numbered = [(row, None if node is None else next(channels), node) for row, node in self.ends_of_pieces]
         pieces = [wave_piece(placed, *(end[:2] for end in numbered[2 * k:2 * k + 2]))
