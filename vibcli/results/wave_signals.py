@@ -77,8 +77,16 @@ class WaveSignal(Signal):
         return _zeros(self, start, end)
 
     def final(self) -> float:
-        """It is not found: waves are followed up to an instant."""
-        raise PhysicsError(f"the limit of {self.KIND} is not found", "ask for its value at a late instant")
+        """Its value where all is at rest, if waves that die out have left it so; else it is not found."""
+        import numpy as np
+
+        end = self.waves.still_from(self.waves.long_after)
+        if not end < np.inf:
+            raise PhysicsError(f"the limit of {self.KIND} is not found", "ask for its value at a late instant")
+        return float(self.values(np.array([2 * end]))[0])
+
+    def error_of_final(self) -> float:
+        return self.error(self.waves.long_after)
 
 
 class ComposedOfWaves(ComposedSignal):

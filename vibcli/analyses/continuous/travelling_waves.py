@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from vibcli.analyses.continuous.travelling_waves_curves import LEVELS, SAME, Loads, PiecewiseSeries
+from vibcli.analyses.continuous.travelling_waves_curves import EVEN, LEVELS, SAME, Loads, PiecewiseSeries
 from vibcli.analyses.continuous.travelling_waves_fields import straight
 from vibcli.analyses.continuous.travelling_waves_march import WaveMarch, WavePiece
 from vibcli.analyses.continuous.travelling_waves_station import EPSILON, WaveEnd, WaveStation
@@ -19,6 +19,8 @@ from vibcli.base.work import Work
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.forcing import Forcing
     from vibcli.analyses.excitation.linear_output import LinearOutput
+
+LONG = 8            # times the sum of all delays: how long it may take until waves are swallowed
 
 
 def wave_motion(M: np.ndarray, C: np.ndarray, K: np.ndarray, pieces: Sequence[WavePiece], forcing: "Forcing",
@@ -98,12 +100,25 @@ class WaveMotion:
             found.append(np.array([piece.start for piece in self.forcing.segments(until, self.work)]))
         return np.unique(np.concatenate([np.zeros(1), *found]))
 
+    @property
+    def long_after(self) -> float:
+        """An instant at which waves that are swallowed have long arrived, after the last change of listed loads."""
+        last = max((piece.start for piece in self.march.forcing.pieces), default=0.0) if (
+            self.march.forcing.listed) else 0.0
+        return last + LONG * float(sum(self.march.delays))
+
     def still_from(self, until: float) -> float:
         """The instant up to `until` from which nothing moves any more; infinite where something does."""
         march, loads = self.march, self.march.forcing
         march.reach(until)
-        ends = [curve.still_from + float(march.delays[number // 2]) for number, curve in enumerate(march.leaving)]
-        last = max([0.0, *ends, *(curve.still_from for curve in march.coordinates)])
+        last = 0.0
+        for delay, pair in zip(march.delays, zip(march.leaving[::2], march.leaving[1::2], strict=True), strict=True):
+            (one, rate), (other, back) = (curve.even_from for curve in pair)
+            opposite = abs(rate + back) <= EVEN * max(curve.scale[1] for curve in pair)
+            last = max(last, max(one, other) + float(delay) if opposite else np.inf)
+        for curve in march.coordinates:
+            since, rate = curve.even_from
+            last = max(last, since if not rate else np.inf)
         lasting = not loads.listed or any(piece.start > last for piece in loads.pieces)
         return np.inf if last > until or lasting else last
 

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.forcing import Segment
 
 LEVELS = 3          # a function, its rate, the rate of that
+EVEN = 8 * 2.0**-52 # of the largest rate: how far a rate that is constant may stray
 SAME = 1e-12        # relative distance of instants that are one
 
 
@@ -56,11 +57,15 @@ class PiecewiseSeries:
         return summed(series, 2 * (times - self._starts[place]) / length - 1)
 
     @property
-    def still_from(self) -> float:
-        """The instant from which it has not changed any more, as far as it is known; infinite where it still does."""
-        moving = np.flatnonzero(self._series[:self.count, 1].any(axis=1))
-        last = int(moving[-1]) + 1 if len(moving) else 0
-        return float(self._starts[last]) if last < self.count else np.inf
+    def even_from(self) -> tuple[float, float]:
+        """(the instant from which its rate has been constant, as far as it is known, infinite where it is not; that
+        rate)."""
+        rates = self._series[:self.count, 1]
+        last = float(rates[-1, 0])
+        other = rates[:, 1:].any(axis=1) | (np.abs(rates[:, 0] - last) > EVEN * self.scale[1])
+        changing = np.flatnonzero(other)
+        first = int(changing[-1]) + 1 if len(changing) else 0
+        return (float(self._starts[first]) if first < self.count else np.inf), last
 
     def rounding(self, times: np.ndarray, level: int) -> np.ndarray:
         """How often the rounding of a number the values may be off: that of each stretch so far adds to it, and each
