@@ -57,6 +57,10 @@ OF_KIND = {"bar": ("E", "rho", "section", "A", "EA", "mass_per_length"),
            "string": ("rho", "section", "A", "mass_per_length")}
 
 
+_INSTEAD = {"beam": {"EA": "beams keep their length: leave it out"},
+            "string": {"EA": "strings keep their length: leave it out", "E": "strings do not bend: leave it out"}}
+
+
 def member_element(kind: MemberKind, about: str, example: str) -> Element:
     """The declaration of a kind of members."""
     force, turn = "N" if kind.torsional else "N/m^2", "N*s" if kind.torsional else "N*s/m^2"
@@ -81,7 +85,7 @@ def member_element(kind: MemberKind, about: str, example: str) -> Element:
                                "what is attached to it: `[{at: L, mass: M}, {at: a, k: k}]`")
     return Element(kind.name, about, fields, exclusive=exclusive,
                    needs=(("length", "segments", *(() if kind.torsional else ("from",))),),
-                   settle=_settle, example=example)
+                   settle=_settle, example=example, instead=_INSTEAD.get(kind.name, {}))
 
 
 def _settle(record: Record, reader: Reader) -> None:

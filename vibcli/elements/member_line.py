@@ -31,7 +31,7 @@ class Station(NamedTuple):
 
     def over(self, new: "Mapping[Node, Node]") -> "Station":
         """Itself with its motions replaced, {node: node}."""
-        found = {key: new[node] for key in ("u", "slope", "along") if (node := getattr(self, key)) is not None}
+        found: dict = {key: new[node] for key in ("u", "slope", "along") if (node := getattr(self, key)) is not None}
         return self._replace(**found)
 
 

@@ -57,7 +57,7 @@ def add_piece(segment: "MemberSegment", left: "Station", right: "Station", tensi
     """A piece of order 2 between two stations, `ends` being its displacements; `longer`: what a bar lengthens besides,
     under its tension as drawn; `gradient`: of the tension along it."""
     gradient = gradient or scene.table.zero
-    springs = springs_along(scene, right.place - left.place, tension, segment.foundation, ends, gradient)
+    springs: list = list(springs_along(scene, right.place - left.place, tension, segment.foundation, ends, gradient))
     if longer is not None:
         stiffness, stretch = springs[0]
         springs[0] = stiffness, stretch + longer, preload

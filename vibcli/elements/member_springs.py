@@ -78,10 +78,8 @@ def _graded(scene, r):
     r/artanh r = 1 − r²/(3 − 4r²/(5 − …))."""
     table = scene.table
     if abs(scene.number(r)) < SMALL:
-        below = table.number(2 * DEPTH + 1)
-        for k in range(DEPTH - 1, 0, -1):
-            below = 2 * k + 1 - (k + 1) ** 2 * r * r / below
-        return 1 - r * r / below, r / below
+        above, below = _fraction(table, r * r, [-((k + 1) ** 2) for k in range(1, DEPTH)])
+        return 1 - r * r * below / above, r * below / above
     found = 2 * r / table.call("log", (1 + r) / (1 - r))
     return found, (1 - found) / r
 
@@ -104,13 +102,21 @@ def _stability_functions(scene, z):
     fraction g = 1 + z/(3 + z/(5 + …)), which is then right to more digits than anybody asks for."""
     table, value = scene.table, scene.number(z)
     if abs(value) < SMALL:
-        below = table.number(2 * DEPTH + 1)
-        for k in range(DEPTH - 1, 0, -1):
-            below = 2 * k + 1 + z / below
-        return 1 + z / below, 4 * below
+        above, below = _fraction(table, z, [1] * (DEPTH - 1))
+        return 1 + z * below / above, 4 * above / below
     root = table.sqrt(z if value > 0 else -z)
     even = root / table.call("tanh" if value > 0 else "tan", root)
     return even, 4 * z / (even - 1)
+
+
+def _fraction(table, z, factors):
+    """(P, Q), polynomials in z, with P/Q = 3 + f₁ z/(5 + f₂ z/(7 + …)): one division, which forms in letters bear."""
+    above, below = [2 * DEPTH + 1], [1]
+    for k in range(DEPTH - 1, 0, -1):
+        shifted = [0, *(factors[k - 1] * c for c in below)]
+        longer = [(2 * k + 1) * c for c in above] + [0] * (len(shifted) - len(above))
+        above, below = [c + (shifted[i] if i < len(shifted) else 0) for i, c in enumerate(longer)], above
+    return tuple(table.sum(*((z**i, c) for i, c in enumerate(found))) for found in (above, below))
 
 
 def _on_foundation(scene, length, bending, tension, foundation, ends):

@@ -44,7 +44,7 @@ def linearise(scene: Any, still: bool = False) -> Linearisation:
         row = row_of(term.s, number)
         curved.append((term.weight, slopes_of(row, number), row))
     found = Linearisation(len(scene.q), scene.table, moving, springs, damping, curved, *_written_out(scene, number),
-                          pieces=_pieces(scene, number, elastic))
+                          _pieces(scene, number, elastic))
     slips, turning = {}, {}
     for term in scene.loads_at_still():
         _loaded(scene, found, number, term, slips, turning, still)
