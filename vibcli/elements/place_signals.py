@@ -8,6 +8,8 @@ At a station the piece on its right counts, at the right end that on its left. W
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from vibcli.elements.member_line import Station
+
 if TYPE_CHECKING:
     from vibcli.elements.member import Member
     from vibcli.elements.member_segments import MemberSegment
@@ -85,7 +87,7 @@ def place_signal(scene: "Scene", member: "Member", signal: "SignalName", place: 
     x, length = scene.number(place), scene.number(member.length)
     if not -SAME * length <= x <= (1 + SAME) * length:
         return None
-    stations = member.stations
+    stations = _with_slack_ends(scene, member)
     there = next((station for station in stations if abs(scene.number(station.place) - x) <= SAME * length), None)
     if there is not None:
         number = min(stations.index(there), len(stations) - 2)
@@ -96,6 +98,15 @@ def place_signal(scene: "Scene", member: "Member", signal: "SignalName", place: 
     order, factor = _part(scene, member, segment, signal)
     at = (place if there is None else there.place) - left.place
     return PlaceSignal(member, left, right, number, segment, at, there, order, factor)
+
+
+def _with_slack_ends(scene, member):
+    """The stations, and the ends of a string that bear no tension, whose motion is none of a station."""
+    ends = [Station(place, text, None) for place, text in ((scene.table.zero, "left"), (member.length, "right"))]
+    length, known = scene.number(member.length), [scene.number(station.place) for station in member.stations]
+    left, right = ([end] if not any(abs(scene.number(end.place) - x) <= SAME * length for x in known) else []
+                   for end in ends)
+    return [*left, *member.stations, *right]
 
 
 def _segment(scene, member, left, right):
