@@ -206,4 +206,8 @@ class Configuration:
         """Forces in constraints and supports during small oscillations."""
         from vibcli.mechanics.inputs_outputs.dynamic_reactions import MovingReactions
 
+        if self.scene.pieces:
+            raise PhysicsError("reactions in motion are not told where members have inertia of their own",
+                               "ask for what members bear, as in rod.force(0 m); for reactions in equilibrium with "
+                               "find: [reactions]")
         return MovingReactions(self)

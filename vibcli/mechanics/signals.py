@@ -46,7 +46,10 @@ def moving(system: "MechanicalSystem", text: str, primes: int = 0) -> "Node":
 
 
 def energy(scene: "Scene", text: str, primes: int = 0) -> "Node":
-    """T, V or Φ of a scene along a motion, V counted from the drawn position."""
+    """T, V or Φ of a scene along a motion, V counted from the drawn position; PhysicsError of T and V with members."""
+    if scene.pieces and text != "Phi":
+        raise PhysicsError(f"{text} is not told along a motion of members with inertia of their own",
+                           "ask for displacements and forces, as in rod.u(x) or rod.force(x)")
     node = {"T": kinetic, "V": potential, "Phi": dissipation}[text](scene)
     if text == "V":
         node = node - scene.at_drawn(potential_as_drawn(scene))[0]

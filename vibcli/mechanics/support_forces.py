@@ -19,6 +19,9 @@ PARTS = {"force": "slide", "moment": "turn"}
 def on_the_ground(opened: Any, signal: "SignalName") -> LinearFunction:
     """The LinearFunction of ground.force, ground.moment (one-axis scenes), ground.force.x or ground.force.y."""
     terms, axis = [], signal.axis
+    if opened.scene.members:
+        raise PhysicsError(f"ground.{signal.part} is not told where members stand on the ground",
+                           "ask for what they bear there: rod.force(0 m), wing.shear(0 m), line.moment(0 m)")
     for record in opened.configuration.spec.connections:
         terms += _of_element(opened, record, signal.kind, axis)
     if not terms:

@@ -41,9 +41,17 @@ class SymbolicSystem:
         return [name for name in self.scene.parameters.free
                 if name not in self.numeric.given and name not in self.spec.choices]
 
-    @cached_property
+    @property
     def matrices(self) -> Any:
-        """M, C, G, K of the small oscillations."""
+        """M, C, G, K of the small oscillations; NotInLetters with members, whose motions no matrix holds."""
+        if self.scene.pieces:
+            raise NotInLetters("what vibrates with distributed inertia has no matrices: its frequency equation is "
+                               "written out, its numbers follow from that", hint="give the parameters values with --set")
+        return self.discrete_matrices
+
+    @cached_property
+    def discrete_matrices(self) -> Any:
+        """M, C, G, K of what is no member."""
         from vibcli.mechanics.nonsmooth import require_unheld
         from vibcli.mechanics.symbolic_matrices import matrices_in_letters
 

@@ -28,7 +28,7 @@ def member_equations(problem: "Problem") -> Iterator[Section]:
         yield from section("Equations of free vibration", paragraph("not found in letters, as the equilibrium is not"))
         return
     form, scene = problem.symbolic.linearisation, problem.scene
-    M, C, _, K = problem.symbolic.matrices
+    M, C, _, K = problem.symbolic.discrete_matrices
     blocks: list = []
     own: dict = {}
     for name, member in scene.members.items():
@@ -134,7 +134,7 @@ def _roots(problem, found):
 
 def _orthogonality(problem, found):
     """∫ μ X_i X_j dx + M X_i(L) X_j(L) = 0 of two modes."""
-    scene, M = problem.scene, problem.symbolic.matrices[0]
+    scene, M = problem.scene, problem.symbolic.discrete_matrices[0]
     along = list(dict.fromkeys(tuple(_terms([(placed.piece.inertia, "X_i·X_j·dx")])) for placed in found.pieces))
     told = [part for text in along for part in (" + ∫" if text is not along[0] else "∫", *text)]
     stations = {scene.q.index(node): (part, station.place) for name in found.members
