@@ -51,6 +51,7 @@ class WaveSignal(Signal):
     def error(self, t: float) -> float:
         import numpy as np
 
+        self.waves.require_bounded(self.reads, t, np.array([t]))
         return float(self.waves.errors(self.reads, np.array([t]))[0])
 
     def error_of_time(self, t: float) -> float:
@@ -142,6 +143,7 @@ def _before(signal, t):
 def _both(signal, times):
     import numpy as np
 
+    signal.require_bounded(times[-1])
     found = signal.values(times)
     first = np.flatnonzero(times[:-1] == times[1:])
     found[first] = signal.values_before(times[first])

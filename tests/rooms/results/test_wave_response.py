@@ -118,6 +118,10 @@ def test_a_blow_on_what_has_no_mass_makes_slopes_infinite():
     assert values(scene, "cord.slope(0)", [0.2, 0.7]) == pytest.approx([0.0, 0.0], abs=1e-15)
     with pytest.raises(PhysicsError, match=r"infinite for an instant, at t = 0\.5 s"):
         signal(scene, "cord.slope(0)").extreme(0.0, 2.0, 1)
+    with pytest.raises(PhysicsError, match="infinite for an instant"):
+        signal(scene, "cord.slope(0)").error(0.5)
+    with pytest.raises(PhysicsError, match="infinite for an instant"):
+        signal(scene, "cord.slope(0)").sampled(np.linspace(0, 1, 4))
 
 
 PLUCKED = """\

@@ -122,11 +122,14 @@ class WaveMotion:
         lasting = not loads.listed or any(piece.start > last for piece in loads.pieces)
         return np.inf if last > until or lasting else last
 
-    def require_bounded(self, output: "LinearOutput", until: float) -> None:
-        """PhysicsError where a slope or a rate in the output is infinite at an instant, as a displacement leaps."""
+    def require_bounded(self, output: "LinearOutput", until: float, at: np.ndarray | None = None) -> None:
+        """PhysicsError where a slope or a rate in the output is infinite up to an instant, or at one of `at`, as a
+        displacement leaps."""
         self.march.reach(until)
         spikes = [leap + delay for _, curve, level, delay in self._terms(output, 0) if level
                   for leap in curve.leaps if 0 <= leap + delay <= until]
+        if at is not None:
+            spikes = [t for t in spikes if (np.abs(at - t) <= SAME * t).any()]
         if spikes:
             raise PhysicsError(f"this signal is infinite for an instant, at t = {min(spikes):.6g} s: a displacement "
                                "leaps there", "let a blow on what has no mass last for a while, or give it a mass; "
