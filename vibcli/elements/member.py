@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 class Member(NamedTuple):
     """A member as built: its kind, record, MemberSegments, and Stations from left to right; its DrawnLine in the plane;
     `stretches`: the coordinates, one a station, by which it is cut open to find its tension, which is `settled` where
-    it is the same wherever the scene rests."""
+    it is the same wherever the scene rests; `tie`: as drawn that of what both ends are held to, moving along."""
 
     name: str
     kind: MemberKind
@@ -39,6 +39,7 @@ class Member(NamedTuple):
     line: DrawnLine | None = None
     stretches: tuple = ()
     settled: bool = True
+    tie: Any = None
     tensions: Any = ()
 
     @property
@@ -124,7 +125,7 @@ def _built(name, kind, record, scene):
     else:
         tensions = scene.tensions.get(name)
         member = load("member_plane").placed(member, places, held, scene)._replace(
-            settled=tensions is None or tensions.settled)
+            settled=tensions is None or tensions.settled, tie=scene.tie(name))
     scene.members[name] = member
     add_pieces(member, scene)
     member = member._replace(stations=[station for station in member.stations if station.u is not None])

@@ -111,8 +111,8 @@ def _add_taut(member, segment, left, right, i, scene):
         return mean_across(scene, length, segment.stiffness, tension + gradient * length / 2, segment.foundation,
                            [*left.motions, *right.motions])
     ends = [scene.table.zero if station.u is None else station.u for station in (left, right)]
-    least = min(scene.number(tension), scene.number(tension + gradient * length))
-    if not (least > 0 or None in (left.u, right.u)):
+    least, most = sorted(scene.number(node) for node in (tension, tension + gradient * length))
+    if not (least > 0 or (most > 0 and None in (left.u, right.u))):
         scene.report(member.record.where, f"'{member.name}' is not taut: statics finds the tension {least:.6g} N in it",
                      "let its loads, or a `preload`, pull it")
     elif not gradient.is_zero and not segment.foundation.is_zero:

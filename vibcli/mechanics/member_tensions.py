@@ -36,8 +36,7 @@ def require_tensions(configuration: "Configuration") -> None:
         member = tied.get(reaction.signal.removesuffix(".force"))
         if member is None or reaction.value is None:
             continue
-        preload = member.record.get("preload")
-        drawn = evaluate([scene.lower(preload)], Floats, configuration.numeric.floats)[0] if preload else 0.0
+        drawn = evaluate([member.tie], Floats, configuration.numeric.floats)[0] if member.tie is not None else 0.0
         if abs(reaction.value - drawn) > ROUNDING * (largest + abs(drawn)):
             raise PhysicsError(f"statics finds the tension {reaction.value:.6g} N in '{member.name}', both ends of "
                                "which are held to what moves: its stiffness under it does not work yet",

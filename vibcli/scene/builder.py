@@ -156,6 +156,11 @@ class Builder:
         found = self.tensions.get(name)
         return found and copied([found.pieces[piece]], self.table)[0]
 
+    def tie(self, name: str) -> "Node | None":
+        """The multiplier that keeps the length of a member both of whose ends move along it, as drawn."""
+        found = self.tensions.get(name)
+        return None if found is None or found.tie is None else copied([found.tie], self.table)[0]
+
     def drifts(self, motion: "Node") -> bool:
         """Is a motion driven, and not to and fro?"""
         drives = self.displacements.driven
@@ -244,8 +249,9 @@ class Reports:
         self.diagnostics, self.finished = [], False
 
     def report(self, where: Where, message: str, hint: str | None = None):
-        """Something is wrong at a place of the file."""
-        self.diagnostics.append(Diagnostic(where, message, hint))
+        """Something is wrong at a place of the file, which is said once."""
+        if self.finished or not any((found.where, found.message) == (where, message) for found in self.diagnostics):
+            self.diagnostics.append(Diagnostic(where, message, hint))
         if self.finished:
             raise SpecError(self.diagnostics[-1:])
 
