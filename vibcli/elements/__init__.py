@@ -26,4 +26,5 @@ ELEMENTS = {
     "constraint": ("constraints", "what ties motions together"),
     "energies": ("energies", "terms of T, V and Phi written out"),
     "matrices": ("matrices", "M, C and K given outright"),
+    "damping": ("damping", "damping of all, by ratios of modes or in proportion"),
 }

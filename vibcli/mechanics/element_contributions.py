@@ -47,6 +47,11 @@ def owned_forms(configuration: "Configuration") -> Owned:
     for parts, matrices in ((found.kinetic, [form.M]), (found.potential, form.K), (found.dissipation, [form.C])):
         for matrix in matrices:
             _enter(parts, WRITTEN, {pair: number[node] for pair, node in matrix.items()})
+    if configuration.spec.get("damping") is not None:
+        import mpmath
+
+        more = configuration.given_damping(mpmath.mp.dps)
+        found.dissipation["damping"] = list(more.dampers), more.C
     return found
 
 

@@ -62,6 +62,11 @@ class SymbolicSystem:
             require_autonomous(self.configuration, self.scene.drawn_values)
         self._require_held()
         found = matrices_in_letters(self.linearisation)
+        if self.spec.get("damping") is not None:
+            from vibcli.mechanics.given_damping_in_letters import in_letters
+
+            M, C, G, K = found
+            found = M, in_letters(self.spec, self.scene, M, C, K), G, K
         if self.equilibrium is not None:
             from vibcli.symbolic.rational_functions import factored as shorter
         else:
@@ -142,6 +147,11 @@ class SymbolicSystem:
             from vibcli.mechanics.inputs_outputs.constraint_excitation import excitation_through
 
             for i, node in excitation_through(self).items():
+                found[i] = found.get(i, scene.table.zero) + node
+        if self.spec.get("damping") is not None:
+            from vibcli.mechanics.given_damping_in_letters import excitation_by_damping
+
+            for i, node in excitation_by_damping(self).items():
                 found[i] = found.get(i, scene.table.zero) + node
         return found
 

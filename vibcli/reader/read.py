@@ -83,8 +83,9 @@ SECTIONS = {
 
 INSTEAD = {
     "variants": "give other values under cases, or with --set",
-    "damping": "write the dampers one by one under dampers",
 }
+
+WHOLE = ("damping",)        # sections that a case replaces, as their keys exclude each other
 
 
 def read_spec(root: Any, file: str, diagnostics: Sequence[Any] = (), settings: Any = None) -> Spec:
@@ -137,7 +138,7 @@ def _over(below, above):
     merged = dict(below)
     for key, (key_node, value) in above.items():
         old = merged.get(key)
-        if old is not None and isinstance(old[1], Mapping) and isinstance(value, Mapping):
+        if old is not None and key not in WHOLE and isinstance(old[1], Mapping) and isinstance(value, Mapping):
             value = Mapping(value.where, _over(old[1].entries, value.entries))
         merged[key] = (key_node, value)
     return merged

@@ -155,7 +155,7 @@ class ModalAnalysis:
         """About how many steps of a million products so many digits take, before anything is computed."""
         from vibcli.numerics.precision import estimated_steps
 
-        damped = any(section in self.spec.sections for section in ("dampers", "energies", "matrices"))
+        damped = any(section in self.spec.sections for section in ("dampers", "damping", "energies", "matrices"))
         return estimated_steps(len(self.spec.coordinates), digits, damped)
 
     def to_digits(self, digits: int):

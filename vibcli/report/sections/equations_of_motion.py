@@ -38,6 +38,8 @@ def with_lengths(lengths: "Sequence[tuple[Node, Node]]") -> list[Paragraph]:
     """Paragraphs that tell what new symbols of lengths stand for."""
     return [paragraph("with ", maths(symbol, " = ", length), hang=4, aside=True) for symbol, length in lengths]
 
+WITHOUT = "without what `damping` adds: it acts in small oscillations alone"
+
 
 def equations(problem: "Problem", report: "Report") -> Iterator[Section]:
     """The equations of motion; then those of small oscillations, in letters and in numbers."""
@@ -101,7 +103,8 @@ def _full(problem, report):
     for symbol, name in found.multipliers.items():
         told += [", "] * bool(told) + [maths(symbol), f": the multiplier of '{name}'"]
     yield from section(title, blocks.equations(lines), *with_lengths(lengths),
-                       paragraph(*told, hang=4, aside=True) if told else None)
+                       paragraph(*told, hang=4, aside=True) if told else None,
+                       paragraph(WITHOUT) if problem.spec.get("damping") is not None else None)
 
 
 def _in_numbers(problem, found):
