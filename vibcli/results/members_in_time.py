@@ -1,4 +1,5 @@
-"""The motion in time of scenes with members: by travelling waves where these are exact and their fronts few."""
+"""The motion in time of scenes with members: by travelling waves where these are exact and their fronts few,
+else by modes."""
 
 from typing import TYPE_CHECKING
 
@@ -23,9 +24,21 @@ def members_in_time(problem: "Problem") -> "SmallResponse":
             waves.alone.march.reach(waves.until)
         else:
             waves.alone  # noqa: B018 - is its motion one of waves?
-    except NotByWaves as reason:
+    except NotByWaves:
+        return _by_modes(problem)
+    return waves
+
+
+def _by_modes(problem):
+    """The ModalResponse, or a response of which steady states alone are found."""
+    from vibcli.results.modal_response import ModalResponse, NotByModes
+
+    modes = ModalResponse(problem)
+    try:
+        modes.alone  # noqa: B018 - is its motion one of modes by themselves?
+    except NotByModes as reason:
         from vibcli.results.steady_response import SteadyResponse
 
         return SteadyResponse(problem, PhysicsError(
             f"the motion in time of this scene is not found: {reason.message}", reason.hint))
-    return waves
+    return modes
