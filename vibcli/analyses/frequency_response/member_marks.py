@@ -1,5 +1,6 @@
 """Where the response of a scene with members has its poles and zeros, and which natural frequencies are shown."""
 
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,6 +18,8 @@ if TYPE_CHECKING:
     from vibcli.mechanics.factored_system import FactoredSystem
 
 ROUNDING = 1e-15
+BESIDE = 0.05       # relative distance of a damped pole from where it is without dampers, within which it is its own
+DAMPINGS, EVEN, EACH = (0.003, 0.05, 0.2, 0.7), 40, 8      # where damped poles are looked for besides: ratios, places
 
 
 class Marks:
@@ -53,11 +56,17 @@ def still(elements: "FactoredSystem") -> "FactoredSystem":
 
 
 def poles(response: "MemberTransfer", low: float, high: float) -> np.ndarray:
-    """The poles with low ≤ Im s ≤ high."""
+    """The poles with low ≤ Im s ≤ high. With dampers, where damping may turn or merge what would move without it,
+    they are looked for from many places; a frequency without dampers near which none is found stands for its own."""
     start = 1j * np.array([mode.omega for mode in response.marks.natural(low, high)])
-    if response.undamped:
+    if response.undamped or not math.isfinite(high):
         return start
-    return distinct(followed(response.system.to_pole, start))
+    axis = np.linspace(low, high, EVEN + EACH * len(start) + 1)[1:]
+    starts = np.concatenate([start, *((1j - damping) * axis for damping in DAMPINGS)])
+    found = distinct(np.concatenate([followed(response.to_pole, starts), followed(response.to_pole_within, starts)]))
+    alone = [s for s in start if not (np.abs(found - s) <= BESIDE * abs(s)).any()]
+    found = np.concatenate([found[(found.imag >= low) & (found.imag <= high)], alone])
+    return found[np.argsort(found.imag)]
 
 
 def zeros(response: "MemberTransfer", low: float, high: float) -> np.ndarray:

@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 POINTS, MORE = 33, 4        # places between two poles at which the sign of H is looked at; how many more if some miss
 TRIES, AROUND = 5, (48, 96, 192, 384)       # points on a contour
 FLAT = 0.4                  # height of a contour over half its width
-BESIDE = 1e-6               # of the distance of two poles, where a contour ends beside them
+BESIDE, INSET = 1e-8, 1e-4     # of the distance of two poles: how near to them signs are looked at, contours end
+CLOSE = 1e-6, 1e-7, 1e-10, 1e-11    # of a pole, by tens: a zero may lie as near
 STEPS, NEAR, STILL = 12, 0.05, 1e-6
 
 
@@ -50,7 +51,7 @@ def _between(response, a, b):
         turns = np.flatnonzero(sign[1:] * sign[:-1] < 0)
         exact = Omega[sign == 0]
         if inside is None:
-            inside = enclosed(response, Omega[0], Omega[-1])
+            inside = enclosed(response, a + INSET * (b - a), b - INSET * (b - a))
         if len(turns) + len(exact) >= inside:
             break
         points = MORE * points
@@ -79,9 +80,11 @@ def taking_part(response: FrequencyResponseFunction, places: np.ndarray) -> np.n
     """Those of the natural frequencies Ω that are poles of H: beside them H grows as they are neared."""
     if not len(places):
         return places
-    far, near = (np.abs(np.stack([response.at(1j * places * (1 + side * step))[0] for side in (1, -1)]))
-                 for step in (1e-6, 1e-7))
-    return places[(near > 3 * far).any(axis=0)]
+    grows = response.at(1j * places)[2]
+    for side in (1, -1):
+        sizes = [np.abs(response.at(1j * places * (1 + side * step))[0]) for step in CLOSE]
+        grows = grows | (sizes[1] > 3 * sizes[0]) | (sizes[3] > 3 * sizes[2])
+    return places[grows]
 
 
 def followed(step: "Callable[[np.ndarray], np.ndarray]", places: np.ndarray) -> np.ndarray:

@@ -67,6 +67,25 @@ class MemberTransfer(FrequencyResponseFunction):
                     part[near[better]] = put[better]
         return found
 
+    def to_pole(self, s: np.ndarray) -> np.ndarray:
+        """Newton's step towards the next pole of any response of the scene, seen at its nodes."""
+        return self._to_pole(self.system, s)
+
+    def to_pole_within(self, s: np.ndarray) -> np.ndarray:
+        """The same, seen within pieces too, whose ends may rest."""
+        return self._to_pole(self.system.divided(SHARES[0]), s)
+
+    def _to_pole(self, system, s):
+        step, excess = system.to_pole(s)
+        for share in SHARES[1:]:
+            near = np.flatnonzero(~(excess < BLOWN))
+            if not len(near):
+                break
+            other, least = self.system.divided(share).to_pole(s[near])
+            better = ~(least > excess[near])
+            step[near[better]], excess[near[better]] = other[better], least[better]
+        return step
+
     def poles(self, low: float = 0.0, high: float = math.inf) -> np.ndarray:
         return self._found(member_marks.poles, low, high)
 

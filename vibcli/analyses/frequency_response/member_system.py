@@ -95,8 +95,8 @@ class MemberSystem:
         alike = np.abs(load * seen[at] - seen * load[at]) <= 8 * UNIT * np.abs(seen * load[at])
         return dict(row) if load[at] and alike.all() else None
 
-    def to_pole(self, s: np.ndarray) -> np.ndarray:
-        """Newton's step towards the next pole, of 1/h with h = rᵀ D⁻¹ r."""
+    def to_pole(self, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Newton's step towards the next pole, of 1/h with h = rᵀ D⁻¹ r, and the excess of the pieces."""
         found = self.matrix.at(s, True)
         scale = scales(found.size[self.free])
         D = scaled(found.D[np.ix_(self.free, self.free)], scale)
@@ -104,7 +104,7 @@ class MemberSystem:
         x = solutions(D, r)[:, :, 0] * scale.T
         y = solutions(np.swapaxes(D, 1, 2), r)[:, :, 0] * scale.T
         moved = np.einsum("ki,ijk,kj->k", y, found.slope[np.ix_(self.free, self.free)], x)
-        return -np.einsum("ki,ki->k", y / scale.T, r[:, :, 0]) / moved
+        return -np.einsum("ki,ki->k", y / scale.T, r[:, :, 0]) / moved, found.excess
 
     def solved(self, s: np.ndarray, steep: bool) -> Solved:
         """At each s: (N,)."""
