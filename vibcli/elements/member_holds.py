@@ -52,8 +52,7 @@ def _end(end: "Record | str", place, kind, line, scene, built) -> "dict[str, Nod
         return {}
     name, at = end[word], line and line.drawn(place.node)
     if name.text in scene.bodies:
-        held = (_on_lumped(name, kind, scene) if line is None else
-                _moved(line, at, scene.frame(name).point(*at), scene.frame(name).angle))
+        held = _on_lumped(name, kind, scene) if line is None else _on_placed(name, line, at, scene)
     else:
         other = built(name.text, scene)
         held = other and other.stations and _on_member(end, word, kind, line, at, scene, other)
@@ -66,6 +65,20 @@ def _moved(line, drawn, now, angle):
     return {"u": across, "slope": angle, "along": along}
 
 
+def _on_placed(name, line, at, scene):
+    """Those of a place carried by a body; None where that moves on and on, which is reported."""
+    frame = scene.frame(name)
+    now = frame.point(*at)
+    if any(scene.drifts(node) for node in (*now, frame.angle)):
+        return _reports_drift(name, scene)
+    return _moved(line, at, now, frame.angle)
+
+
+def _reports_drift(name, scene):
+    return scene.report(name.where, f"'{name.text}' moves on and on, and members have small motions about their drawn "
+                        "line", "hold the member to what rests or is shaken")
+
+
 def _on_lumped(name, kind, scene):
     """Those of a body without a place; None where it does not fit, which is reported."""
     body, zero = scene.bodies[name.text], scene.table.zero
@@ -74,8 +87,7 @@ def _on_lumped(name, kind, scene):
                             "lump the body, `slide: x` or `turn: phi`, or draw the member `from` a place `to` another")
     moves, motion = body.lumped
     if scene.drifts(motion):
-        return scene.report(name.where, f"'{name.text}' moves on and on, and members have small motions about their "
-                            "drawn line", "hold the member to what rests or is shaken")
+        return _reports_drift(name, scene)
     if kind.bends:
         return {"u": motion, "slope": zero} if moves == "slide" else {"u": zero, "slope": motion}
     if (moves == "turn") != kind.torsional:
