@@ -130,7 +130,7 @@ def _built(name, kind, record, scene):
     add_pieces(member, scene)
     member = member._replace(stations=[station for station in member.stations if station.u is not None])
     scene.members[name] = member
-    for place in places:
+    for place in places if member.stations else ():
         for here in (*(end for end in place.ends if not isinstance(end, str)), *place.attached):
             attach(here, member, member.at(scene, place.node), scene)
     return member

@@ -248,8 +248,8 @@ def _start(spec):
               for name, value in initial.items() if name != RELEASED]
     pairs += [(record[bound], unknown(name)) for name, record in (spec.get("choose") or {}).items()
               for bound in ("from", "to") if bound in record]
-    pairs += [(record["per_length"], units.parse_unit("N" if record["body"].text in (spec.get("shafts") or {}) else
-                                                      "N/m").dimension)
+    pairs += [(record["per_length"], {**units.parse_unit("N" if record["body"].text in (spec.get("shafts") or {}) else
+                                                      "N/m").dimension})
               for record in (spec.get("forces") or {}).values() if "per_length" in record and "body" in record]
     pairs += [(record["drawn"], unknown(name)) for name, record in spec.coordinates.items() if "drawn" in record]
     return {expression.scalar: measured for expression, measured in pairs}

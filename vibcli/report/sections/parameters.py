@@ -50,7 +50,8 @@ def _record(problem, name, samples):
 def coordinates(problem: "Problem", _: "Report") -> Iterator[Section]:
     items, moves = [], _moves(problem)
     for name in problem.scene.coordinates:
-        about = problem.spec.coordinates.get(name, {}).get("about") or moves.get(name) or _on_member(name)
+        record = problem.spec.coordinates.get(name)
+        about = (record and record.get("about")) or moves.get(name) or _on_member(name)
         items.append(Definition((maths(Name(name)), f" [{unit(problem.system.dimension(name))}]"), about))
     n = len(items)
     if problem.scene.held:
