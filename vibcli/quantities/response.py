@@ -8,7 +8,7 @@ from vibcli.quantities.precise_numbers import settled
 from vibcli.quantities.quantity import ERROR, NUMBER, OF_SIGNAL, PERIOD, ROUNDING, SIGNAL, Declaration, declared, one
 from vibcli.symbolic.syntax import QuantityRef
 
-EXACT = ("small", "waves")      # motions whose numbers carry bounds of their own
+EXACT = ("small", "waves", "modes")      # motions whose numbers carry bounds of their own
 ALONG = ("value", "max", "min", "argmax", "argmin", "zero")     # along motions that are integrated
 
 
