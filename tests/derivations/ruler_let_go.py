@@ -1,11 +1,13 @@
-"""u(L) = sum of -4F/(mu L w_n^2) cos w_n t, since a cantilever's modal mass is mu L/4 for a tip that moves by 1; so many
-terms that the rest, which falls as n^-3, is below the digits told. The moment at the clamp: EI X''(0)/X(L) = 2 (-1)^(n+1)
-EI b_n^2/L^2 times each, summed with weights that smooth the end of a series whose terms fall as n^-2."""
+"""u(L) is the sum of -4F/(mu L w_n^2) cos w_n t: a cantilever whose tip moves by 1 has the modal mass mu L/4.
+
+Of that so many terms that the rest, which falls as n^-3, is below the digits told. The moment at the clamp is each term
+times EI X''(0)/X(L); the end of its series, whose terms fall as n^-2, is smoothed by weights.
+"""
 from math import cos, cosh, pi, sin, sinh, sqrt
 
-from mpmath import findroot, mp, mpf
 from mpmath import cos as precise_cos
 from mpmath import cosh as precise_cosh
+from mpmath import findroot, mp, mpf
 
 
 def answers(p):
