@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
 FIRST = 128         # modes
+FEWEST = 32
 MOST = {True: 2048, False: 512}     # modes of a uniform member by itself, and of others
 SHARES = 0.0, 0.25, 0.5, 0.75, 1.0      # of a piece
 CLOSE = 1e-10       # of the largest value: a remainder that is small enough
@@ -31,7 +32,16 @@ class ModalResponse(ResponseOfMembers):
     @cached_property
     def alone(self):
         """The ModalMotion of the first modes under the excitation."""
-        return self.motion(FIRST)
+        count = FIRST
+        while True:
+            try:
+                return self.motion(count)
+            except NotByModes:
+                raise
+            except PhysicsError:        # frequencies that digits do not tell stand among so many
+                count //= 2
+                if count < FEWEST:
+                    raise
 
     @cached_property
     def most(self) -> int:
@@ -178,16 +188,19 @@ class ModalResponse(ResponseOfMembers):
         """The motion by so many modes that the remainder of an output is small, or by the most."""
         from vibcli.analyses.continuous.modal_motion import TooSlow
 
-        count = FIRST
+        count = len(motion.eta)
         while True:
             try:
-                motion = self.motion(count).under(motion.reads)
                 if motion.is_near(output, CLOSE) or 2 * count > self.most:
                     return motion
             except TooSlow:
                 if 2 * count > self.most:
                     raise
             count *= 2
+            try:
+                motion = self.motion(count).under(motion.reads)
+            except PhysicsError:        # frequencies that digits do not tell stand among so many
+                return motion
 
     def _linear(self, constant, terms, source=()):
         from vibcli.results.modal_signals import ModalSignal

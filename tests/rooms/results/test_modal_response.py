@@ -7,9 +7,11 @@ import pytest
 from scipy.optimize import brentq
 from support.scenes import problem
 
+from vibcli.analyses.continuous.mode_basis import ModeBasis
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signals_of_places import with_places
 from vibcli.results.modal_response import ModalResponse
+from vibcli.results.wave_response import WaveResponse
 from vibcli.symbolic.parser import parse
 
 CANTILEVER = dedent("""\
@@ -115,3 +117,84 @@ def test_zeros_and_products():
     assert end.values(np.array([time]))[0] == pytest.approx(lowest, abs=1e-13)
     square = signal(scene, "arm.u(L)*arm.u(L)")
     assert square.extreme(0.0, 3.0, 1)[1] == pytest.approx(1 / 9, rel=1e-9)
+
+
+BARS = {"free": ("""\
+    parameters: {L: 1 m, E: 1 Pa, A: 1 m^2, rho: 1 kg/m^3}
+    bars:
+      rod: {length: L, E: E, A: A, rho: rho, attached: [{at: L, mass: 0.7 kg}]}
+    points: {tip: {body: rod, at: L}}
+    forces: {push: {at: tip, force: 1 N*(t/(1 s))^2*exp(-t/(0.5 s))}}
+    initial: {rod.u': 0.2 m/s*x/L}
+    """, ("rod.u(L)", "rod.u(0.2*L)", "rod.u'(L)", "rod.force(L/2)")), "stepped": ("""\
+    parameters: {L: 1 m, E: 1 Pa, A: 1 m^2, rho: 1 kg/m^3}
+    bars:
+      rod: {length: L, E: E, A: A, rho: rho, left: clamped, segments: [{length: 0.4*L}, {length: 0.6*L, A: 3 m^2}]}
+    points: {tip: {body: rod, at: L}}
+    forces: {push: {at: tip, force: 1 N*sin(7 rad/s*t)}}
+    """, ("rod.u(L)", "rod.u(0.2*L)")), "shaken": ("""\
+    parameters: {L: 3 m, N: 90 N, mu: 0.1 kg/m}
+    bodies: {hand: {slide: 2 cm*sin(4 rad/s*t)}}
+    strings:
+      cord: {length: L, preload: N, mass_per_length: mu, left: {clamped: hand}, right: clamped}
+    """, ("cord.u(L/3)", "cord.u(0.9*L)"))}
+
+
+@pytest.mark.parametrize("kind", BARS)
+def test_modes_agree_with_waves_within_their_bounds(kind):
+    text, names = BARS[kind]
+    scene, times = problem(text), np.array([0.03, 0.37, 1.93])
+    for name in names:
+        tree = with_places(parse(name), scene.spec.members)
+        expected = WaveResponse(scene).signal(tree).values(times)
+        found = ModalResponse(scene).signal(tree)
+        off = np.abs(found.values(times) - expected)
+        assert off.max() <= 1e-4 * np.abs(expected).max()
+        assert (off <= [found.error(t) + 1e-13 for t in times]).all()
+
+
+def test_drag_along_a_pinned_beam_on_a_foundation():
+    """η̈ + c/μ η̇ + (π⁴ + k) η = 0 of a half sine, which is a mode; it decays with e^{−ct/2μ}."""
+    scene = problem("""\
+        parameters: {L: 1 m, EI: 1 N*m^2, mu: 1 kg/m}
+        beams:
+          arm: {length: L, EI: EI, mass_per_length: mu, drag: 3 N*s/m^2, foundation: 20 N/m^2, left: pinned,
+                right: pinned}
+        initial: {arm.u: 2 mm*sin(pi*x/L)}
+        """)
+    found = signal(scene, "arm.u(0.3*L)")
+    turning = np.sqrt(np.pi**4 + 20 - 1.5**2)
+    curve = np.exp(-1.5 * TIMES) * (np.cos(turning * TIMES) + 1.5 / turning * np.sin(turning * TIMES))
+    assert np.abs(found.values(TIMES) - 2e-3 * np.sin(0.3 * np.pi) * curve).max() <= 1e-15
+    bend = signal(scene, "arm.moment(0.5*L)")
+    assert np.abs(bend.values(TIMES) + 2e-3 * np.pi**2 * curve).max() <= bend.error(0.0) <= 1e-9
+
+
+def test_a_beam_on_a_shaken_base_moves_with_it():
+    """u = s + w with η̈ + b⁴ η = −s̈ ∫ φ dx by hand; at first it rests while its base has a velocity."""
+    scene = problem("""\
+        parameters: {L: 1 m, EI: 1 N*m^2, mu: 1 kg/m, Y: 1 mm}
+        bodies: {base: {slide: Y*sin(2 rad/s*t)}}
+        beams:
+          arm: {length: L, EI: EI, mass_per_length: mu, left: {clamped: base}}
+        """)
+    b, found = roots(400), signal(scene, "arm.u(L)")
+    carried = 2 / b * (1 + np.exp(-2 * b) + 2 * np.cos(b) * np.exp(-b)) / (
+        1 - np.exp(-2 * b) + 2 * np.sin(b) * np.exp(-b))
+    own = 4 * (np.sin(2 * TIMES) - 2 / b[:, None]**2 * np.sin(np.outer(b * b, TIMES))) / (b**4 - 4)[:, None]
+    begun = -2 * np.sin(np.outer(b * b, TIMES)) / b[:, None]**2
+    expected = np.sin(2 * TIMES) + (shape(b, 1.0) * carried) @ (own + begun)
+    assert np.abs(found.values(TIMES) - 1e-3 * expected).max() <= 1e-10
+
+
+def test_modes_of_a_string_that_rest_at_every_place_of_a_grid():
+    scene = problem("""\
+        parameters: {L: 3 m, N: 90 N, mu: 0.1 kg/m}
+        strings:
+          cord: {length: L, preload: N, mass_per_length: mu, left: clamped, right: clamped}
+        """)
+    basis = ModeBasis(scene.modal.modes.first(128), scene.configuration.linear_system.pieces)
+    for mode in (64, 128):
+        found = basis.field(0, np.array([0.9, 2.2]))[:, mode - 1]
+        expected = np.sin(mode * np.pi * np.array([0.9, 2.2]) / 3)
+        assert found[0] * expected[1] == pytest.approx(found[1] * expected[0], rel=1e-9)

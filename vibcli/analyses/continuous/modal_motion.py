@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
 EPSILON = 2.0**-52
 POINTS, INSIDE = 24, 8.0        # of the circle, and how far inside the poles that are left it lies
+NOISE = 2.0**-51                # of the largest η: what is only rounding
 AT_ONCE = 2_000_000             # exponentials at a time
 
 
@@ -49,9 +50,9 @@ class ModalMotion:
                  start: tuple[np.ndarray, np.ndarray], ratios: np.ndarray, work: Work | None = None,
                  reads: "Forcing | None" = None):
         self.basis, self.transfer, self.forcing, self.work = basis, transfer, forcing, work or Work()
-        self.inputs, (self.eta, self.rate), self.ratios = inputs, start, ratios
+        self.inputs, (self.eta, self.rate), self.ratios = inputs, [_without_noise(part) for part in start], ratios
         self.reads = forcing if reads is None else reads
-        eta, rate = start
+        eta, rate = self.eta, self.rate
         squares = basis.squares
         self.moving, self.rigid = np.flatnonzero(squares), np.flatnonzero(squares == 0)
         at = self.moving
@@ -203,8 +204,10 @@ class ModalMotion:
     def errors(self, output: "LinearOutput", times: Any, order: int = 0) -> np.ndarray:
         """Bounds of the errors of the same values: the remainder, and rounding."""
         times = np.asarray(times, float)
-        found = np.full(times.shape, EPSILON * abs(output.constant))
         read, states = Read(self, output, order), self.states
+        lost = NOISE * (np.abs(self.eta).max(initial=0.0) + (np.abs(self.rate) / max(np.abs(states.rates).min(
+            initial=self.fastest), 1e-300)).max(initial=0.0))
+        found = np.full(times.shape, EPSILON * abs(output.constant) + lost * float(np.abs(read.states).sum()))
         for stretch, at in self._placed(times):
             felt = np.abs(read.states * stretch.free)
             phase = (self.basis.error + EPSILON) * (np.abs(states.rates) @ felt)
@@ -219,6 +222,11 @@ class ModalMotion:
 
 class TooSlow(PhysicsError):
     """More modes are needed."""
+
+
+def _without_noise(start):
+    """What modes start with, 0 where that is only the rounding of others."""
+    return np.where(np.abs(start) > NOISE * np.abs(start).max(initial=0.0), start, 0.0)
 
 
 def _rate(wave, tau, order):

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.system import ContinuousSystem
     from vibcli.analyses.continuous.uniform_members import UniformMember
 
+SHARES = (*PARTS, 0.382, 0.29)      # of the length: every 64th mode may rest at all of the first ones
 STEPS = 2
 ERROR = 2e-15       # of closed forms: five roundings, and those of the data
 
@@ -24,7 +25,7 @@ def uniform_modes(member: "UniformMember", system: "ContinuousSystem", first: in
     found: dict[int, NaturalFrequency] = {}
     places = _places(member.piece.order, phases)
     for place in np.unique(places).tolist():
-        divided = system.refined({0: system.number(PARTS[place])})
+        divided = system.refined({0: system.number(SHARES[place])})
         chosen = np.flatnonzero(places == place)
         x = _shapes(divided, squares[chosen])
         for column, at in enumerate(chosen.tolist()):
@@ -38,10 +39,10 @@ def uniform_modes(member: "UniformMember", system: "ContinuousSystem", first: in
 
 
 def _places(order: int, phases: np.ndarray) -> Any:
-    """For each βL the place in PARTS of a division whose two pieces are far from frequencies of their own."""
+    """For each βL the place in SHARES of a division whose two pieces are far from frequencies of their own."""
     shift, lowest = (0.0, 1.0) if order == 2 else (0.5, 1.5)
     nearest = []
-    for part in PARTS:
+    for part in SHARES:
         turns = np.array([phases * part, phases * (1 - part)]) / np.pi
         pole = np.maximum(np.round(turns - shift) + shift, lowest)
         nearest.append(np.abs(turns - pole).min(axis=0))
