@@ -198,3 +198,11 @@ def test_modes_of_a_string_that_rest_at_every_place_of_a_grid():
         found = basis.field(0, np.array([0.9, 2.2]))[:, mode - 1]
         expected = np.sin(mode * np.pi * np.array([0.9, 2.2]) / 3)
         assert found[0] * expected[1] == pytest.approx(found[1] * expected[0], rel=1e-9)
+
+
+def test_what_rests_under_a_steady_load_has_its_extremes_at_once():
+    scene = problem(CANTILEVER + PULLED.replace("initial: {released: pull}\n", ""))
+    tip = signal(scene, "arm.u(L)")
+    assert tip.extreme(0.0, 50.0, 1) == (0.0, pytest.approx(1 / 3, rel=1e-12))
+    assert tip.extreme(0.0, 50.0, -1)[1] == pytest.approx(1 / 3, rel=1e-12)
+    assert tip.zeros(0.0, 50.0) == []

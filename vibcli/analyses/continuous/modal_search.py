@@ -15,12 +15,15 @@ TURN = 0.4                      # of the fastest of them, from place to place
 MOST = 2_000                    # steps of 100,000 values
 BENT = 0.5                      # of the largest second difference beside it: how far a value rises between places
 NARROW = 40                     # sections of the last search
+LEVEL = 1e-12                   # of its size: what varies by less is at rest
 
 
 def extreme(motion: "ModalMotion", output: "LinearOutput", start: float, end: float,
             sense: int) -> tuple[float, float]:
     """(t, value) of the largest (sense 1) or smallest (−1) value."""
     def high(cells, values, rest):
+        if np.ptp(values) + 2 * rest <= LEVEL * np.abs(values).max():
+            return np.arange(len(cells)) == 0
         tops = (sense * values).max(axis=1)
         return tops + BENT * _bends(cells, values) >= tops.max() - 2 * rest
 
@@ -35,6 +38,8 @@ def extreme(motion: "ModalMotion", output: "LinearOutput", start: float, end: fl
 def zeros(motion: "ModalMotion", output: "LinearOutput", start: float, end: float) -> list[float]:
     """Instants at which it passes zero."""
     def near(cells, values, rest):
+        if np.abs(values).max() + rest == 0:
+            return np.zeros(len(cells), bool)
         passes = values[:, 0] * values[:, 1] <= 0
         return passes | (np.abs(values).min(axis=1) <= BENT * _bends(cells, values) + rest)
 
