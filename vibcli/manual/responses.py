@@ -20,7 +20,13 @@ RESPONSE = [
          "followed by travelling waves, exact but for rounding: f(t − x/c) + g(t + x/c) between what stands on them. "
          "Fronts stay sharp: at a front values in time are those after it, `--at` tells both, `max` and `min` look at "
          "both, files and plots hold the instant twice. Members start with fields, `initial: {rod.u: a*x/L, rod.u': "
-         "-v}`. Where the fronts multiply, as on pieces of many lengths, they are given up: `--patience`."),
+         "-v}`. Where the fronts multiply, as on pieces of many lengths, they are given up for "
+         "modes; `--patience` follows more."),
+        ("modes", "Beams, and members with foundation, or with drag that is the same by mass everywhere, are followed "
+         "by their first exact modes beside what loads do exactly: what is left out are free vibrations of higher "
+         "modes, at most 2048 of a uniform beam being counted. Their bound is part of the error of each value: 1e-10 "
+         "of the largest displacement of a beam where it is cheap, far more of moments, most of shears, which are "
+         "refused where the bound is infinite, as after a blow or a force that lets go."),
         ("full", "`motion: full`: the full equations, integrated, for wide swings, laws, dry friction, stops, slack. "
          "Events and the balance of the energies are printed; a motion whose energies do not balance to 1e-8 is "
          "refused. It is found twice, by rules of another order and with another last digit of its start: what the two "
