@@ -18,7 +18,8 @@ def of_mode(problem: Any, index: int, normalise: str = "first") -> tuple[list[li
     found = mode(problem, index)
     stage = compose.Scenery(problem.scene)
     vibration = Vibration(problem, index, stage, normalise)
-    frames = [mode_shape.frame(stage, vibration.at(theta), vibration.unit, vibration.room)
+    frames = [mode_shape.frame(stage, vibration.at(theta), vibration.unit, vibration.room,
+                               vibration.bends(theta))
               for theta in phases(FRAMES)]
     return frames, caption(found), [f"{i / FRAMES:.2f} T" for i in range(FRAMES)]
 
@@ -29,6 +30,9 @@ def of_response(problem: Any) -> tuple[list[list[Any]], str, list[str]]:
 
     from vibcli.symbolic.parser import parse
 
+    if problem.scene.members:
+        raise PhysicsError("the motion of members in time is not animated", "`vibcli animate --mode 1` shows a mode, "
+                           "`vibcli response --plot` the signals of places")
     times = np.linspace(0.0, *_span(problem, problem.response.known))
     names = problem.scene.coordinates
     values = [problem.response.signal(parse(name)).values(times).tolist() for name in names]

@@ -91,6 +91,10 @@ class ModeFields:
             found.append((moved.kappa * found[0] - piece.gradient * found[1]) / piece.tension)
         return found
 
+    def displacements(self, member: str, places: Sequence[float]) -> np.ndarray:
+        """u at places of a member, in floats."""
+        return shape_along(self._in_floats(member), places)[:, 0]
+
     def largest(self, member: str) -> tuple[Any, Any]:
         """(x, u) where a member moves furthest, the leftmost of equal ones."""
         pieces = self._in_floats(member)
