@@ -62,7 +62,9 @@ class NaturalModes:
             roots = natural_frequencies(self._at(None), first, last)
             for low, high in _runs([i for i in range(first, last + 1) if _doubtful(roots, i)]):
                 roots |= self._precise_roots(low, high, roots, SURE)
-        return [self._mode(roots[i]) for i in range(first, last + 1)]
+        rates = [self._rate(roots[i]) for i in range(first, last + 1)] if self.uniform is None else (
+            self.uniform.frequencies(np.arange(first, last + 1) - self.uniform.resting))
+        return [self._mode(roots[i], rate) for i, rate in zip(range(first, last + 1), rates, strict=True)]
 
     def count(self, Omega: float) -> int:
         """How many have ω ≤ Omega, those that grow and the rigid ones among them."""
@@ -125,13 +127,12 @@ class NaturalModes:
     def _rigid(self, first, last):
         growing, resting = self.ground.growing, self.ground.resting
         system = self._at(None).system
-        return [self._mode(NaturalFrequency(i, 0.0, 0.0, self._resting[:, i - growing - 1], system))
+        return [self._mode(NaturalFrequency(i, 0.0, 0.0, self._resting[:, i - growing - 1], system), 0.0)
                 for i in range(max(first, growing + 1), min(last, resting) + 1)]
 
-    def _mode(self, root):
-        """A root as a Mode, in floats unless digits are asked for."""
+    def _mode(self, root, size):
+        """A root with √|z| as a Mode, in floats unless digits are asked for."""
         n, digits = self.elements.n, self.digits
-        size = self._rate(root)
         number = float if digits is None else lambda x: x
         rate, error = number(size), root.error if digits is not None else max(root.error, NEVER_BELOW)
         shape = root.shape[:n] if digits is not None else root.shape[:n].astype(
@@ -146,8 +147,6 @@ class NaturalModes:
 
             with working(self.digits + DEEPER[0]):
                 return mp.sqrt(abs(root.z))
-        if self.uniform is not None and root.z:
-            return self.uniform.frequencies(np.array([root.index - self.uniform.resting]))[0]
         return abs(float(root.z)) ** 0.5
 
     def _held_and_turning(self):
