@@ -81,5 +81,6 @@ INDICES = {
     "damper": _named("damper", (), "dampers")._replace(sample="d"),
     "body": _named("body", ("body",), "bodies"),
     "member": _named("member", ("member",), *MEMBERS),
+    "shape": _free("a function of the place x", bool, "x^2")._replace(letters=("x^2",)),
     "place": _named("place", ("O",), "bodies", "points"),
 }

@@ -216,6 +216,11 @@ def _estimate(which):
     return value
 
 
+def _of_deflection(problem, tree, args):
+    found = problem.modal.rayleigh_quotient(tree.indices[0], problem.digits)
+    return as_asked(problem, found), ROUNDING if problem.digits is None else 10.0 ** (LOST - problem.digits)
+
+
 def _ritz(problem, tree, args):
     modes, number = problem.modal.result("ritz").modes, int(tree.indices[0])
     if number > len(modes):
@@ -279,7 +284,13 @@ QUANTITIES = {
         "shift of the equilibrium included", None, _sensitivity, ("mode", "parameter"),
         dimension=lambda spec, tree: units.times(units.RATE, spec.dimensions.of(tree.indices[1]), -1)),
     "rayleigh": Declaration(
-        "Rayleigh's estimate of omega[1] by the static deflection, an upper bound", "rad/s", _estimate("rayleigh")),
+        "Rayleigh's estimate of omega[1] by the static deflection, an upper bound; rayleigh[x^2]: of a scene with one "
+        "member, whose deflection is that function of the place x from its left end, what holds to it going along",
+        "rad/s", _estimate("rayleigh")),
+    "rayleigh[]": Declaration(
+        "rayleigh[x^2]: Rayleigh's quotient of a scene with one member whose deflection (of shafts its turn) is that "
+        "function of the place x from its left end, an upper bound of omega[1]; what holds to it goes along", "rad/s",
+        _of_deflection, ("shape",)),
     "dunkerley": Declaration("Dunkerley's estimate of omega[1], a lower bound", "rad/s", _estimate("dunkerley")),
     "ritz": Declaration(
         "Ritz's estimate of omega[i] by the shapes that `find` assumes, an upper bound", "rad/s", _ritz, ("mode",)),

@@ -1,4 +1,4 @@
-"""Signals of members: are they known, and is their place a length of parameters?"""
+"""Signals of members: are they known, and is their place a length of parameters? Functions of the place x along one."""
 
 from typing import TYPE_CHECKING
 
@@ -6,10 +6,11 @@ from vibcli.base import units
 from vibcli.base.diagnostics import quoted
 from vibcli.base.spelling import nearest
 from vibcli.language.member_signals import mistake
+from vibcli.language.sections.initial import PLACE
 from vibcli.language.signal_names import signal_name
 from vibcli.quantities.dimensions import checker
 from vibcli.symbolic.parser import parse
-from vibcli.symbolic.semantics import ALL_NUMBERS
+from vibcli.symbolic.semantics import ALL_NUMBERS, DimensionCheck
 from vibcli.symbolic.syntax import ExpressionError, parts_of
 
 if TYPE_CHECKING:
@@ -52,3 +53,31 @@ def place_fits(spec: "Spec", reader: "Reader", where: "Where", text: str) -> boo
     reader.report(where, f"expected a place (m), found {units.name(spec.dimensions.resolve(found))}",
                   "places on a member are lengths from its left end, such as 0.5 m")
     return False
+
+
+def shape_fits(spec: "Spec", reader: "Reader", where: "Where", text: str) -> bool:
+    """Is this a function of the place x and of parameters? Then these are used; reports what is wrong with it."""
+    before = len(reader.diagnostics)
+
+    def dimension(name, primes):
+        return units.LENGTH if name == PLACE else spec.dimensions.of(name)
+
+    try:
+        tree = parse(text)
+        names = parts_of(tree).names
+        for name, primes, *_ in names:
+            if name in spec.parameters and not primes:
+                spec.used.add(name)
+            elif name not in (PLACE, "pi") or primes:
+                reader.report(where, f"{quoted(name + primes * chr(39))} is no parameter: deflections are functions of "
+                              "the place x and of parameters", nearest(name, spec.parameters) or "write rayleigh[x^2]")
+        if parts_of(tree).quantities:
+            reader.report(where, f"the deflection {quoted(text)} is not made of x and parameters alone",
+                          "write rayleigh[x^2]")
+        if len(reader.diagnostics) > before:
+            return False
+        DimensionCheck(spec.dimensions, dimension, spec.free_numbers, text=text).dimension(tree)
+    except ExpressionError as error:
+        reader.report(where, f"the deflection {quoted(text)} cannot be read: {error.message}", error.hint)
+        return False
+    return True

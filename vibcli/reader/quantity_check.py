@@ -72,6 +72,10 @@ def can_be_asked(spec: "Spec", reader: "Reader", expression: "Expression", tree:
 
 
 def _index(spec, reader, place, kind, index):
+    if kind == "shape":
+        from vibcli.reader.place_check import shape_fits
+
+        return shape_fits(spec, reader, place, index)
     kind = INDICES[kind]
     good = kind.fits(spec, index)
     if spec.members and kind.of_signals and not _is_placed(spec, reader, place, index):

@@ -191,8 +191,8 @@ class ModalAnalysis:
         from vibcli.analyses.modal.modes_precise import sharp_modes
 
         if not self.modes.finite:
-            raise PhysicsError("shares, sensitivities and Ritz's bounds are found where there are finitely many modes; "
-                               "a member with distributed inertia has modes without end",
+            raise PhysicsError("shares and sensitivities are found where there are finitely many modes; a member "
+                               "with distributed inertia has modes without end",
                                "see `vibcli frequencies` for the modes themselves")
         return self.solved(sharp_modes, self.configuration)
 
@@ -202,6 +202,12 @@ class ModalAnalysis:
         from vibcli.analyses.modal.modes_precise import sharp_damped
 
         return self.solved(sharp_damped, self.configuration, lambda: self.sharp_modes)
+
+    def rayleigh_quotient(self, deflection: str, digits: int | None):
+        """Rayleigh's quotient of a scene with one member, whose deflection is a function of the place x."""
+        from vibcli.analyses.continuous.assumed_bounds import quotient
+
+        return self.costs.measured("rayleigh", lambda: quotient(self, deflection, digits))
 
     def result(self, word: str):
         """What the analysis of a word of `find` finds of these modes, as the file asks for it; found once."""
