@@ -25,6 +25,9 @@ def _pair(problem: "Problem", tree: "QuantityRef") -> "list[DampedMode]":
         modes = problem.modal.damped_to(problem.digits)
     if modes is None:
         raise PhysicsError("nothing damps this scene: it has no damped modes", "add a damper")
+    if not modes:
+        raise PhysicsError("this scene has no damped modes: a wave that arrives at the damper dies",
+                           "ask for responses in time")
     found = modes.numbered(number, number)
     if not found:
         raise PhysicsError(f"there is no damped mode {number}: this scene has "

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
+    from vibcli.analyses.continuous.damped_source import Region
     from vibcli.analyses.modal.damped_modes import DampedMode
     from vibcli.analyses.modal.undamped import Mode
 
@@ -96,6 +97,11 @@ class Modes(Sequence):
         """How many modes have at most the frequency of this one, certain by a count just above it; None where that
         does not tell, or the modes are a list."""
         return None if self.finite else self._solved(self._source.counted_above, mode)
+
+    @property
+    def region(self) -> "Region | None":
+        """Of damped modes without end the circle up to which all are known; None where the modes are a list."""
+        return getattr(self._source, "region", None)
 
     @property
     def _reached(self):

@@ -47,11 +47,10 @@ def natural_modes(elements: Any, precise: Callable | None = None, exact: Callabl
 
 
 def damped_modes(elements: Any, natural: Callable, precise: Callable | None = None, exact: Callable | None = None,
-                 digits: int | None = None) -> "list[DampedMode] | None":
+                 digits: int | None = None) -> "list[DampedMode] | Any":
     """The damped modes, None where nothing damps; `natural()` gives the modes without dampers."""
-    if any(placed.piece.drag for placed in elements.pieces) or (elements.pieces and damped_at_all(elements)):
-        raise PhysicsError("damped modes of members with distributed inertia are not found",
-                           "take the dampers out for the modes without them, or ask for frequency responses")
+    if any(placed.piece.inertia or placed.piece.drag for placed in elements.pieces):
+        return _of_members(elements, natural, digits)
     if not damped_at_all(elements) and not any(elements.drag.values()):
         return None
     from vibcli.analyses.modal.damped import damped
@@ -61,6 +60,20 @@ def damped_modes(elements: Any, natural: Callable, precise: Callable | None = No
     found = damped(elements, precise=precise, exact=exact, digits=digits)
     still = natural() if any(not mode.omega for mode in found) else ()
     return _one_each(found, still) if still else found
+
+
+def _of_members(elements, natural, digits):
+    """The damped modes of a scene with members, found as they are asked for."""
+    if not (damped_at_all(elements) or any(elements.drag.values())
+            or any(placed.piece.drag for placed in elements.pieces)):
+        return None
+    if digits is not None:
+        raise PhysicsError("damped modes of members with distributed inertia are found in floats alone",
+                           "leave --digits out, or take the dampers out")
+    from vibcli.analyses.continuous.damped_source import DampedModes
+    from vibcli.analyses.continuous.matched_damper import dies_after
+
+    return DampedModes(elements, natural) if dies_after(elements) is None else []
 
 
 def _still(elements):

@@ -100,7 +100,22 @@ def damping(problem: "Problem", report: "Report") -> Iterator[Section]:
     if problem.numeric.has_free_symbols or problem.modal.damped is None:
         return
     head = ("mode", "ω [rad/s]", "ζ", "ω_d [rad/s]", "T_d [s]", "decay [1/s]", "relative error ≤", "")
-    yield from section(DAMPED, TableBlock(head, tuple(map(damped_row, shown_damped(problem, report.wanted)))))
+    found = shown_damped(problem, report.wanted)
+    if not found and problem.scene.pieces:
+        yield from section("Damped modes", paragraph(_none_comes_back(problem)))
+        return
+    region = problem.modal.damped.region
+    yield from section(DAMPED, TableBlock(head, tuple(map(damped_row, found))), region and paragraph(
+        f"{region.count} eigenvalues, conjugates counted, have |λ| < {region.radius:.6g} 1/s by the argument "
+        "principle: none is missing"))
+
+
+def _none_comes_back(problem):
+    """Why there is no damped mode at all."""
+    from vibcli.analyses.continuous.matched_damper import dies_after
+
+    ended = dies_after(problem.configuration.linear_system)
+    return f"none: a wave that arrives at the damper dies; what moves freely has ended after 2L/c₀ = {ended:.6g} s"
 
 
 def modes(problem: "Problem", report: "Report") -> Iterator[Section]:

@@ -114,11 +114,17 @@ def test_the_modal_mass_of_a_bar_alone_is_half_of_it():
     assert [value(scene, f"modal_mass[{i}]") for i in (1, 7)] == pytest.approx([2.0, 2.0], rel=1e-13)
 
 
-def test_damped_modes_of_members_are_refused_by_name():
+def test_damped_modes_of_members_are_told_with_their_number():
     scene = problem(BAR % ", right: {c: 5 N*s/m}")
     assert "of the undamped system" in told(scene, "frequencies")
-    with pytest.raises(PhysicsError, match="damped modes of members"):
-        _ = scene.modal.damped
+    assert "by the argument principle: none is missing" in " ".join(told(scene, "damping").split())
+    with pytest.raises(PhysicsError, match="in floats alone"):
+        scene.modal.damped_to(30)
+
+
+def test_a_matched_damper_leaves_no_mode():
+    scene = problem(BAR % ", right: {c: 2000 N*s/m}")
+    assert scene.modal.damped.finite and not scene.modal.damped
 
 
 def test_parts_without_inertia_are_springs_in_what_is_told():
