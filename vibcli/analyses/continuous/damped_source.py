@@ -25,6 +25,7 @@ WIDER, TRIES = 1.35, 14     # times by which the circle grows, and how often
 EFFORTS = 1, 1.6, 2.5       # more functions within pieces, in turn
 SURE = 1e-3                 # relative bound of a root that is told
 RESTING = 1e-5              # of the radius: what is nearer to 0 is looked for there
+STILL = 1e-11       # of the largest component of a shape: what moves less rests
 GAPS = 4                    # that are tried in turn for the circle
 
 
@@ -108,7 +109,7 @@ class DampedModes:
             root = approached(self.whole, s)
             if root is not None and abs(root) > least and not any(abs(root - one) < ALIKE * abs(one) for one in points):
                 points.append(root)
-        roots = [(s, _cleaned(root)) for s in points for root in roots_at(self.whole, s)]
+        roots = [(s, _cleaned(root, self.matrix.polynomial[1])) for s in points for root in roots_at(self.whole, s)]
         return _distinct([(s, root) for s, root in roots if root.error < SURE and root.value.imag >= 0])
 
     def _held(self, radius):
@@ -153,14 +154,16 @@ def _distinct(roots):
     return [root for _, root in found]
 
 
-def _cleaned(root):
-    """A root whose real or imaginary part is nothing beside its bound has none."""
+def _cleaned(root, C):
+    """A root whose imaginary part is nothing beside its bound has none; where its real part is, that is −xᴴCx/2, as
+    far as the shape moves what C holds to."""
     size = 2 * root.error * abs(root.value)
     value = root.value
     if abs(value.imag) <= size:
         value = complex(value.real, 0.0)
     elif abs(value.real) <= size:
-        value = complex(0.0, value.imag)
+        x = np.where(abs(root.shape) > STILL * abs(root.shape).max(initial=0.0), root.shape, 0.0)
+        value = complex(-float((x.conj() @ C @ x).real) / 2, value.imag)
     return root._replace(value=value)
 
 

@@ -164,3 +164,11 @@ def test_a_piece_held_at_both_ends_swings_by_itself():
     found = source(system).numbered(1, 3)
     for n, mode in enumerate(found, 1):
         assert mode.eigenvalue == pytest.approx(complex(-0.1, math.sqrt((n * math.pi) ** 2 - 0.01)), rel=1e-13)
+
+
+def test_damping_below_rounding_is_not_lost_and_what_rests_is_not_damped():
+    piece = Piece(1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0)
+    halves = FactoredSystem(1, dampers=[(1e-18, {0: 1.0})], pieces=[member(piece, {}, {0: 1.0}),
+                                                                   member(piece, {0: 1.0}, {})])
+    found = source(halves).numbered(1, 4)       # λ = iω − c/(4 · L/2) where the middle moves, L = 2
+    assert [mode.decay for mode in found] == pytest.approx([5e-19, 0.0, 5e-19, 0.0], rel=1e-9, abs=0.0)
