@@ -80,6 +80,9 @@ def _of_members(spec, reader):
 
     for name, angle in motions_of(spec):
         spec.dimensions.equate(spec.dimensions.unknown(name), units.NONE if angle else units.LENGTH)
+    for name in spec.members:
+        for part, measured in (("u", units.LENGTH), ("phi", units.NONE)):
+            spec.dimensions.equate(spec.dimensions.unknown(f"{name}.{part}"), measured)
     for signal in spec.get(FIELDS) or ():
         found = start_mistake(spec, signal)
         if found is not None:

@@ -14,6 +14,7 @@ from vibcli.analyses.modal.modes_precise import WORKING
 from vibcli.base.errors import PhysicsError
 from vibcli.language.document.document import Scalar
 from vibcli.language.reader import Expression
+from vibcli.language.signal_names import signal_name
 from vibcli.symbolic.parser import parse
 
 if TYPE_CHECKING:
@@ -88,7 +89,12 @@ def _assumed(modal, written):
     for name, expression in written.items():
         where = where or expression.where
         if "." in name:
-            functions[name.partition(".")[0]] = derivatives_of(modal, expression)
+            signal = signal_name(name)
+            kind = modal.scene.members[signal.name].kind
+            if signal.part != kind.motion:
+                raise PhysicsError(f"a {kind.name} has no '{signal.part}'", f"write {signal.name}.{kind.motion}: …",
+                                   expression.where)
+            functions[signal.name] = derivatives_of(modal, expression)
         else:
             place, amplitude = amplitude_of(modal, name, expression)
             amplitudes[place] = amplitude

@@ -58,6 +58,9 @@ def amplitude_of(modal: Any, name: str, expression: "Expression") -> tuple[int, 
     from vibcli.symbolic.evaluation import evaluate, multiprecision
 
     names, arithmetic = modal.scene.coordinates, multiprecision()
+    if "." in name:
+        raise PhysicsError(f"'{name.partition('.')[0]}' has no inertia: it deflects as at rest, not as assumed",
+                           "leave it out, or give it its inertia per length", expression.where)
     if name not in names:
         raise PhysicsError(f"the coordinate '{name}' follows from the others: shapes are those of the others",
                            "leave it out; shapes are made of " + ", ".join(names), expression.where)

@@ -1,4 +1,4 @@
-"""Rayleigh's quotients of assumed deflections against integrals by hand."""
+"""Rayleigh's quotients and Ritz estimates of assumed deflections against integrals by hand."""
 
 from math import pi, sqrt
 
@@ -68,3 +68,30 @@ def test_a_body_that_does_not_follow_is_refused_by_name():
                        "springs: {s: {k: 3 N/m, between: [ground, other]}}\n")
     with pytest.raises(PhysicsError, match="how z move"):
         quotient(text, "x^2")
+
+
+def ritz(text, shapes):
+    return problem(f"{text}find: [{{ritz: {{shapes: [{shapes}]}}}}]\n").modal.result("ritz").modes
+
+
+def test_a_cantilever_by_two_powers():
+    """(4 - κ/5)(12 - κ/7) = (6 - κ/6)², κ = ω²μL⁴/(EI): 3.5327 and 34.807 (Meirovitch 1967, Rao 2007)."""
+    found = [mode.omega / (sqrt(48 / 3) / 4) for mode in ritz(BEAM.format(HELD, ""), "{arm.u: x^2}, {arm.u: x^3}")]
+    roots = [612 - sign * sqrt(612**2 - 15120) for sign in (1, -1)]
+    assert found == pytest.approx(list(map(sqrt, roots)), rel=1e-14)
+    assert found == pytest.approx([3.5327, 34.807], rel=2e-5)
+
+
+def test_what_is_named_and_what_goes_along():
+    """A cart under the clamped end follows, or is named; powers enough come to the exact frequencies."""
+    text = BEAM.format(", left: {clamped: cart}", "bodies: {cart: {mass: 2 kg, slide: z}}\n"
+                       "springs: {s: {k: 300 N/m, between: [ground, cart]}}\n")
+    powers = ", ".join(f"{{arm.u: (x/L)^{n}}}" for n in range(2, 10))
+    followed, named = (ritz(text, f"{{{z}arm.u: 1}}, {powers}") for z in ("", "z: 1, "))
+    assert [mode.omega for mode in followed] == [mode.omega for mode in named]
+    assert all(mode.exact * (1 - 1e-12) <= mode.omega for mode in named)
+    assert named[1].omega == pytest.approx(named[1].exact, rel=1e-8)
+    for shape, said in (("{z: 2, arm.u: 1}", "held to what moves otherwise at 0 m"),
+                        ("{arm.u: 1}, {arm.u: 2}", "combination of those before it"), ("{arm.phi: 1}", "has no 'phi'")):
+        with pytest.raises(PhysicsError, match=said):
+            ritz(text, shape)
