@@ -46,7 +46,8 @@ class SymbolicSystem:
         """M, C, G, K of the small oscillations; NotInLetters with members, whose motions no matrix holds."""
         if self.scene.pieces:
             raise NotInLetters("what vibrates with distributed inertia has no matrices: its frequency equation is "
-                               "written out, its numbers follow from that", hint="give the parameters values with --set")
+                               "written out, its numbers follow from that",
+                               hint="give the parameters values with --set")
         return self.discrete_matrices
 
     @cached_property

@@ -39,7 +39,8 @@ def shape(found: "FrequencyEquation") -> MemberShape | None:
         return None
     table = found.wave_number.table
     along = table.parameter(ALONG)
-    left = tuple(Z is None for Z in found.impedances[0])
+    ends = found.impedances[0]
+    left = ends[0] is None, ends[-1] is None
     if found.order == 2:
         return MemberShape(table.call("sin" if left[0] else "cos", along), table.zero, None)
     one, two = LEFT[left]
@@ -82,10 +83,10 @@ def roots(found: "FrequencyEquation", count: int) -> list[float] | None:
         return None
     names = {node.name for term in found.function.values() for node in reachable([term]) if node.op == "symbol"}
     values = dict.fromkeys(names | {x.name}, 1.0)
-    whole = table.total(
+    whole = table.total([
         coefficient * table.product(*((table.call(name, found.arguments[i]), 1)
                                       for i, *called in functions for name in called))
-        for functions, coefficient in found.function.items())
+        for functions, coefficient in found.function.items()])
 
     def residual(at: float) -> float:
         return evaluate([whole], Floats, {**values, x.name: at})[0]

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 NEWTON = 8          # steps; from e = 0 five reach the last digit
-CLAMPED, PINNED, GUIDED, FREE = (False, False), (False, True), (True, False), (True, True)
+PINNED, GUIDED = (False, True), (True, False)
 SINES = frozenset({PINNED, GUIDED})
 
 

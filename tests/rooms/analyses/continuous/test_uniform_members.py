@@ -10,10 +10,11 @@ from tests.support.moved_pieces import moved_pieces
 from tests.support.random_members import at_rest
 from vibcli.analyses.continuous.mode_source import NaturalModes
 from vibcli.analyses.continuous.shapes import shape_along
-from vibcli.analyses.continuous.uniform_members import CLAMPED, FREE, GUIDED, PINNED, UniformMember
+from vibcli.analyses.continuous.uniform_members import GUIDED, PINNED, UniformMember
 from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
 from vibcli.numerics.pieces.piece import Piece
 
+CLAMPED, FREE = (False, False), (True, True)
 BEAM = Piece(1.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0)
 EQUATIONS = {
     (CLAMPED, FREE): lambda x: mpmath.cos(x) + mpmath.sech(x),
