@@ -26,13 +26,13 @@ ELEMENT = Element(
     "Ritz estimate",
     "Upper bounds of the lowest natural frequencies: the scene is to move in combinations of the assumed shapes alone "
     "(Rayleigh and Ritz), its dampers left out. k shapes give k bounds, each beside the exact frequency, and the "
-    "combination of the shapes that belongs to it; one shape gives Rayleigh's quotient.",
+    "combination of the shapes that belongs to it; one shape gives Rayleigh's quotient. Members deflect as functions "
+    "of the place x, {wing.u: x^2}, shafts {line.phi: x}; what holds to them goes along.",
     {
         "shapes": Field(Many(ByCoordinate(Quantity(), "a shape {coordinate: amplitude}, such as {x1: 1, x2: 2}",
                                           scaled=True), 1, 20, "a list of shapes"),
                         "displacements of coordinates, of any size; those left out rest. With units where lengths and "
-                        "angles are in one shape: {x: 1 m, phi: 0.5 rad}. Members deflect as functions of the place x, "
-                        "{wing.u: x^2}, shafts {line.phi: x}, and what holds to them goes along", required=True),
+                        "angles are in one shape: {x: 1 m, phi: 0.5 rad}", required=True),
     },
     example="shear_frame_by_ritz",
 )
