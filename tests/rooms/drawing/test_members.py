@@ -79,3 +79,16 @@ def test_modes_move_and_return():
     frames, words, _ = animation.of_mode(problem(STRING), 2)
     assert words.startswith("mode 2")
     assert frames[0] != frames[animation.FRAMES // 4]
+
+
+def test_motions_in_time_bend_members_that_have_no_coordinates():
+    found = problem_of(ROOT / "problems/8_continuous/plucked_string.yaml")
+    frames, _, _ = animation.of_response(found)
+
+    def curve(frame):
+        return next(part.points for part in frame if isinstance(part, Polyline) and part.role == "ink")
+
+    first = curve(frames[0])
+    heights = [y - first[0][1] for _, y in first]
+    assert max(heights) > 10.0 and heights[len(heights) // 4] == pytest.approx(max(heights), rel=0.05)
+    assert curve(frames[7]) != first
