@@ -12,14 +12,14 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
-# What a piece of each order does to its stations, along u and ∂u/∂x: (force, sign at the left end of the piece); the
-# sign at its right end is the opposite one
-FORCES = {2: [("∂{u}/∂x", 1)], 4: [("∂³{u}/∂x³", -1), ("∂²{u}/∂x²", 1)]}
+# Signs of what a piece of each order does to its left end, along u and ∂u/∂x; those at its right end are the opposite
+SIGNS = {2: (1,), 4: (-1, 1)}
 MOTIONS = ("{u}", "∂{u}/∂x")
 RATES = (("∂²{u}/∂t²", "∂³{u}/∂x∂t²"), ("∂{u}/∂t", "∂²{u}/∂x∂t"), MOTIONS)     # of M, C, K
 SIMPLE, PRINTED = {"sin": "n·π", "cos": "(2n − 1)·π/2"}, 5
 CLOSE = 1e-8        # of ω²: frequencies that are one
 REMARK = "x counts from the left end of each member; [ ] is the jump at a place, right less left"
+RIGHT, SIDES = "(+)", "; (+) is what holds right of it, (−) left of it"
 
 
 def member_equations(problem: "Problem") -> Iterator[Section]:
@@ -31,17 +31,20 @@ def member_equations(problem: "Problem") -> Iterator[Section]:
     M, C, _, K = problem.symbolic.discrete_matrices
     blocks: list = []
     own: dict = {}
+    remark = REMARK
     for name, member in scene.members.items():
         pieces = [piece for piece in form.pieces if piece.owner == name]
         own |= {scene.q.index(node): (member, part) for station in member.stations
                 for part, node in enumerate(station.motions) if node in scene.q and node.name.startswith(name + ".")}
         if pieces:
-            blocks += [Heading(f"{name}:"), equations([*_differential(pieces, member.kind.motion),
-                                                       *_conditions(member, pieces, (M, C, K), scene)])]
+            conditions = list(_conditions(member, form.pieces, (M, C, K), scene))
+            if any(part.endswith(RIGHT) for one in conditions for part in one.parts if type(part) is str):
+                remark = REMARK + SIDES
+            blocks += [Heading(f"{name}:"), equations([*_differential(pieces, member.kind.motion), *conditions])]
     others = [i for i in range(len(scene.q)) if i not in own]
     if others:
         blocks += [Heading("what they carry:"), equations(_carried(i, form.pieces, (M, C, K), scene) for i in others)]
-    yield from section("Equations of free vibration", *blocks, paragraph(REMARK, hang=4))
+    yield from section("Equations of free vibration", *blocks, paragraph(remark, hang=4))
 
 
 def _differential(pieces, u):
@@ -49,11 +52,12 @@ def _differential(pieces, u):
     stretches: list = []
     for placed in pieces:
         piece, end = placed.piece, textbook(placed.start + placed.piece.length)
+        pull = [(along, f"{x}∂²{u}/∂x²") for along, x in _tension(placed)] + [(piece.gradient, f"∂{u}/∂x")]
         rest = [(piece.foundation, u), (piece.drag, f"∂{u}/∂t"), (piece.inertia, f"∂²{u}/∂t²")]
         if piece.bending.is_zero:
-            parts = (*_terms([(piece.tension, f"∂²{u}/∂x²")]), " = ", *_terms(rest))
+            parts = (*_terms(pull), " = ", *_terms(rest))
         else:
-            parts = (*_terms([(piece.bending, f"∂⁴{u}/∂x⁴"), (-piece.tension, f"∂²{u}/∂x²"), *rest]), " = 0")
+            parts = (*_terms([(piece.bending, f"∂⁴{u}/∂x⁴"), *((-along, text) for along, text in pull), *rest]), " = 0")
         if stretches and stretches[-1][0] == parts:
             stretches[-1][2] = end
         else:
@@ -63,16 +67,22 @@ def _differential(pieces, u):
         yield line(*parts, *where)
 
 
+def _tension(placed):
+    """N(x) along a piece, x from the left end of the member: coefficients of 1 and of x."""
+    piece = placed.piece
+    return (textbook(piece.tension - piece.gradient * placed.start), ""), (piece.gradient, "x·")
+
+
 def _conditions(member, pieces, matrices, scene):
     """What holds at each station: motions that are held, forces where they are free."""
-    u, starts = member.kind.motion, {piece.start: piece for piece in pieces}
+    u, starts = member.kind.motion, {piece.start: piece for piece in pieces if piece.owner == member.name}
     left = None
     for station in member.stations:
         right, parts = starts.get(station.place), []
         for part, node in enumerate(station.motions):
             parts.append(", " if part else "")
             if _is_own(node, member, scene):
-                parts += _balance(scene.q.index(node), part, (left, right), matrices, scene, member)
+                parts += _balance(scene.q.index(node), part, (left, right), matrices, scene, member, pieces)
             else:
                 parts += [MOTIONS[part].format(u=u), " = ", node]
         yield Line(tuple(part for part in parts if part != ""), ("at x = ", station.place), inset=2)
@@ -165,57 +175,82 @@ def _frequency(found):
 
 def member_energies(problem: "Problem", kind: str) -> list:
     """What members add to T and V, as integrals along each: parts of a formula, each after a plus."""
-    told: list = []
+    told: dict = {}
     form = problem.symbolic.linearisation if problem.symbolic.linearisable else problem.system.linearisation
     for placed in form.pieces:
         piece, u = placed.piece, problem.scene.members[placed.owner].kind.motion
         terms = {"T": [(piece.inertia, f"(∂{u}/∂t)²")], "Phi": [(piece.drag, f"(∂{u}/∂t)²")],
-                 "V": [(piece.bending, f"(∂²{u}/∂x²)²"), (piece.tension, f"(∂{u}/∂x)²"), (piece.foundation, f"{u}²")]}
-        inner = _terms(terms[kind])
-        if inner and (placed.owner, inner) not in told:
-            told.append((placed.owner, inner))
+                 "V": [(piece.bending, f"(∂²{u}/∂x²)²"), *((along, f"{x}(∂{u}/∂x)²") for along, x in _tension(placed)),
+                       (piece.foundation, f"{u}²")]}
+        inner, end = tuple(_terms(terms[kind])), textbook(placed.start + piece.length)
+        if inner:
+            spans = told.setdefault((placed.owner, inner), [])
+            start = spans.pop()[0] if spans and spans[-1][1] == textbook(placed.start) else placed.start
+            spans.append((start, end))
     several = len({owner for owner, _ in told}) > 1
-    return [part for owner, inner in told for part in (
-        " + ½·∫(" if len(inner) > 3 else " + ½·∫", *inner, ")·d" if len(inner) > 3 else "·d", "x",
-        *([Words(f" ({owner})")] if several else []))]
+    parts: list = []
+    for (owner, inner), spans in told.items():
+        long = len(inner) > 3
+        where = [part for start, end in spans for part in (Words(", "), start, " < x < ", end)][1:]
+        stepped = sum(one == owner for one, _ in told) > 1
+        parts += [" + ½·∫(" if long else " + ½·∫", *inner, ")·d" if long else "·d", "x",
+                  *([Words(f" ({owner})")] if several else []), *([Words(" ("), *where, Words(")")] if stepped else [])]
+    return parts
 
 
 def _is_own(node, member, scene):
     return node in scene.q and node.name.startswith(member.name + ".")
 
 
-def _balance(i, part, sides, matrices, scene, member):
-    """Internal force = what acts on the station; the jump of it at an inner one."""
+def _balance(i, part, sides, matrices, scene, member, pieces):
+    """Internal force = what acts on the station, other members held there too; the jump of it at an inner one."""
     u, (left, right) = member.kind.motion, sides
     acting = [(node, RATES[kind][part].format(u=u) if j == i else Name(scene.q[j].name + "'" * (2 - kind)))
               for kind, matrix in enumerate(matrices) for (row, j), node in matrix.items() if row == i]
+    acting += [(-node, told) for node, told in _pulls(i, pieces, scene) if told[1].text != f" of {member.name}"]
     if left is None and right is None:      # parts without inertia on both sides, springs among the others
         return [*_terms(acting), " = 0"]
-    piece = (right or left).piece
-    force, sign = FORCES[2 if piece.bending.is_zero else 4][part]
-    stiffness = piece.tension if piece.bending.is_zero else piece.bending
-    own = _terms([(stiffness, force.format(u=u))])
-    if left and right:
+    ends = [_forces(placed, end, u)[part] for placed, end in ((left, 1), (right, 0)) if placed]
+    own, sign = _terms(ends[-1]), SIGNS[2 if (right or left).piece.bending.is_zero else 4][part]
+    if left and right and ends[0] == ends[1]:
         own = ["[", *own, "]"]
+    elif left and right:
+        own = _terms([*((node, text + RIGHT) for node, text in ends[1]),
+                      *((-node, text + "(−)") for node, text in ends[0])])
     if not right:
         sign = -sign
     return [*own, " = ", *(_terms([(sign * node, name) for node, name in acting]) or ["0"])]
+
+
+def _forces(placed, end, u):
+    """Internal forces along u and ∂u/∂x at the left (0) or right (1) end: terms (coefficient, derivative)."""
+    piece = placed.piece
+    tension = textbook(piece.tension + piece.gradient * piece.length) if end else textbook(piece.tension)
+    if piece.bending.is_zero:
+        return [[(tension, f"∂{u}/∂x")]]
+    bending = textbook(piece.bending)
+    return [[(bending, f"∂³{u}/∂x³"), (-tension, f"∂{u}/∂x")], [(bending, f"∂²{u}/∂x²")]]
 
 
 def _carried(i, pieces, matrices, scene):
     """Equation of what members are tied to: M q̈ + C q̇ + K q = forces of the members."""
     acting = [(node, Name(scene.q[j].name + "'" * (2 - kind))) for kind, matrix in enumerate(matrices)
               for (row, j), node in matrix.items() if row == i]
-    forces = []
+    return line(*(_terms(acting) or ["0"]), " = ", *(_terms(_pulls(i, pieces, scene)) or ["0"]),
+                label=Name(scene.q[i].name))
+
+
+def _pulls(i, pieces, scene):
+    """What pieces of members do along the coordinate i: terms (coefficient, (derivative, of whom, where))."""
     for placed in pieces:
-        piece, u = placed.piece, scene.members[placed.owner].kind.motion
-        stiffness, kinds = (piece.tension, FORCES[2]) if piece.bending.is_zero else (piece.bending, FORCES[4])
-        for end, place in enumerate((placed.start, textbook(placed.start + piece.length))):
-            for (force, sign), row in zip(kinds, placed.rows[end * len(kinds):], strict=False):
+        signs = SIGNS[2 if placed.piece.bending.is_zero else 4]
+        for end, place in enumerate((placed.start, textbook(placed.start + placed.piece.length))):
+            forces = _forces(placed, end, scene.members[placed.owner].kind.motion)
+            for terms, sign, row in zip(forces, signs, placed.rows[end * len(signs):], strict=False):
                 if i in row:
-                    told = (force.format(u=u), Words(f" of {placed.owner} at x = "), place)
-                    forces.append((row[i] * stiffness * (-sign if end else sign), told))
-    return line(*(_terms(acting) or ["0"]), " = ", *(_terms(forces) or ["0"]), label=Name(scene.q[i].name))
+                    for node, text in terms:
+                        yield (row[i] * node * (-sign if end else sign),
+                               (text, Words(f" of {placed.owner}"), Words(" at x = "), place))
 
 
 def _terms(terms: "Sequence[tuple[Node, Any]]") -> list:
