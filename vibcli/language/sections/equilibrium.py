@@ -37,7 +37,7 @@ class ByCoordinate(Kind):
     def _fields(self, node, reader):
         """{key: (SignalName, expression of x)} of the members that deflect as functions of the place, None of what is
         reported."""
-        found = {}
+        found: dict[str, Any] = {}
         for key, (key_node, value) in node.entries.items() if self.scaled and isinstance(node, Mapping) else ():
             signal = signal_name(plain_name(key_node.text))
             if signal.name not in reader.members:
