@@ -2,6 +2,7 @@
 
 On a piece without tension that is no string, or a bar or shaft, Σ Fᵢ δsᵢ with Fᵢ = ∫ q Nᵢ dx, Nᵢ linear, of beams
 Hermite's cubics, integrated by parts. An even load acts on the mean deflection, under tension and on foundations too.
+Pieces without inertia and drag deflect at all times as at rest: there the load may vary in time.
 """
 
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -17,37 +18,37 @@ if TYPE_CHECKING:
 
 
 class SpreadLoad(NamedTuple):
-    """The load q per length of an element `owner` on a member, from one place to another; x is the place in it."""
+    """The load q per length of an element `owner` on a member, from one place to another, steady; x is the place in
+    it, in_time what varies in time besides."""
 
     owner: str
     member: str
     start: Any
     end: Any
     q: Any
+    in_time: Any
     x: Any
     where: Any
 
     @property
     def even(self) -> bool:
         """Is it the same all along?"""
-        return not self.q.mask & self.x.mask
+        return not (self.q.mask | self.in_time.mask) & self.x.mask
 
 
 def add_spread_load(record: "Record", member: "Member", scene: Any) -> None:
-    """Add the steady load of a record, per length of a member."""
+    """Add the load of a record, per length of a member."""
     table = scene.table
     x = table.variable("the place")
     q, in_time = scene.load(record["per_length"], ("x", x))
-    if not in_time.is_zero:
-        scene.report(record["per_length"].where, "a load along a member that varies in time does not work yet",
-                     "let forces act at points of the member")
+    if any(node.mask and node is not x and node is not scene.time for node in (*gradient(q), *gradient(in_time))):
+        scene.report(record["per_length"].where, "a load along a member depends on the place and the time alone",
+                     "write it in x and t")
         return
-    if any(node.mask and node is not x for node in gradient(q)):
-        scene.report(record["per_length"].where, "a load along a member depends on the place alone", "write it in x")
-        return
+    in_time = scene.terms_with(in_time)     # of 1 + x cos t the integral by x has cos t in no denominator
     start = scene.lower(record["from"]) if "from" in record else table.zero
     end = scene.lower(record["to"]) if "to" in record else member.length
-    load = SpreadLoad(record.name, member.name, start, end, q, x, record.where)
+    load = SpreadLoad(record.name, member.name, start, end, q, in_time, x, record.where)
     scene.contents.spread_loads.append(load)
     low, high = scene.number(start), scene.number(end)
     if not low < high:
@@ -55,6 +56,10 @@ def add_spread_load(record: "Record", member: "Member", scene: Any) -> None:
         return
     for i, (segment, left, right) in enumerate(pieces_of(member, scene)):
         middle = (scene.number(left.place) + scene.number(right.place)) / 2
+        if low < middle < high and not (in_time.is_zero or (segment.inertia.is_zero and segment.drag.is_zero)):
+            scene.report(record["per_length"].where, "a load that varies in time along a member with mass or drag does "
+                         "not work yet", "let forces act at points of the member")
+            return
         if low < middle < high:
             _on_piece(record, load, member, segment, left, right, member.tension(i, segment, scene), scene)
 
@@ -68,17 +73,17 @@ def _on_piece(record, load, member, segment, left, right, tension, scene):
                 mean_along(scene, length, tension[0], foundation, ends, tension[1]))
         if bends and not tension[1].is_zero:
             return _not_yet(record, scene)
-        scene.add_force(load.q * length, scene.table.zero, mean)
+        scene.add_force(load.q * length, load.in_time * length, mean)
         return None
     if not foundation.is_zero or not tension[1].is_zero or (bends and not tension[0].is_zero):
         return _not_yet(record, scene)
     xi = scene.table.variable("the place on a piece")
-    q = substitute([load.q], {load.x: left.place + xi})[0]
+    parts = substitute([load.q, load.in_time], {load.x: left.place + xi})
     for shape, end in zip(_shapes(scene, xi / length, length, bends), ends, strict=True):
-        found = _integral(q, shape, xi, length, scene, record)
-        if found is None:
+        found = [_integral(part, shape, xi, length, scene, record) for part in parts]
+        if None in found:
             return None
-        scene.add_force(found, scene.table.zero, end)
+        scene.add_force(*found, end)
     return None
 
 

@@ -70,6 +70,10 @@ class PlaceSignal(NamedTuple):
         return [load for load in scene.spread_loads if load.member == self.member.name
                 and scene.number(load.start) < middle < scene.number(load.end)]
 
+    def in_time(self, scene: "Scene") -> list:
+        """The SpreadLoads along its piece that vary in time."""
+        return [load for load in self._spread(scene) if not load.in_time.is_zero]
+
     def static(self, scene: "Scene") -> "Node":
         """Itself as a function of the coordinates, everything being at rest."""
         from vibcli.elements.member_deflection import static_signal

@@ -96,14 +96,15 @@ class Expressions:
         x, y = self.number(a), self.number(b)
         return abs(x - y) <= 1e-9 * max(abs(x), abs(y))
 
-    def terms_with(self, node: "Node", mask: int) -> "Node":
-        """The terms of an expression that depend on one of these symbols, multiplied out as far as it can be."""
+    def terms_with(self, node: "Node", mask: int | None = None) -> "Node":
+        """The terms of an expression that depend on one of these symbols (None: all), multiplied out as far as it can
+        be."""
         try:
             terms = reduced(expanded(node))
         except (TooLong, ZeroDivisionError):
             return node
         return collected(self.table, {monomial: value for monomial, value in terms.items()
-                                      if any(atom.mask & mask for atom, _ in monomial)})
+                                      if mask is None or any(atom.mask & mask for atom, _ in monomial)})
 
     def vanishes(self, node: "Node") -> bool:
         """Is an expression zero in all positions: by algebra, or term by term at the sample?"""
