@@ -36,7 +36,8 @@ def rigid_shapes(elements: Any, system: "ContinuousSystem", count: int) -> np.nd
     rows = [{i: float(x) for i, x in row.items()} for row in _rows(elements)]
     full = np.array([[row.get(i, 0.0) for i in range(elements.n)] for row in rows]).reshape(len(rows), elements.n)
     full /= np.maximum(abs(full).max(axis=1, keepdims=True), 1e-300) if len(rows) else 1.0
-    unit = 1 / np.maximum(abs(full).max(axis=0, initial=1e-300), 1e-300)
+    size = abs(full).max(axis=0, initial=0.0)
+    unit = 1 / np.where(size > 0, size, 1.0)        # what no row touches is free whatever its unit
     free = np.linalg.svd(full * unit)[2][elements.n - count:].T * unit[:, None]
     free = _by_leaders(free / abs(free).max(axis=0))
     return _normalised(system, np.array([system.numbers(row) for row in free]))

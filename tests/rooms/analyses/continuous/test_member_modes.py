@@ -151,3 +151,15 @@ def test_a_member_that_turns_in_equilibrium_has_no_equations_in_letters_but_mode
     assert "not found in letters, as the equilibrium is not" in written
     assert "  1     0          –         rests" in written
     assert value(scene, "omega[1]") == pytest.approx(sqrt(9.81 / 0.3), rel=1e-12)
+
+
+def test_what_no_spring_touches_is_free_beside_what_moves_along_a_bar():
+    """A bar that floats: across at both ends, along, and the turn of a body by itself; the rest is held."""
+    modes = problem("""
+    bodies: {cart: {mass: 4, slide: x}, block: {mass: 3, inertia: 1, at: [2, 0], move: [X, Y, psi]}}
+    springs: {s: {k: 30, between: [cart, ground]}, t: {k: 200, between: [block, [2, 3]]},
+              u: {k: 100, between: [block, [5, 0]]}}
+    bars: {rod: {from: [0, 0], to: [2, 0], EA: 500, mass_per_length: 2, attached: [{at: 2, mass: 3}]}}
+""").modal.modes
+    assert [modes[i].omega for i in range(4)] == [0.0] * 4 < [modes[4].omega]
+    assert modes[4].omega == pytest.approx(sqrt(30 / 4), rel=1e-13)
