@@ -54,3 +54,15 @@ def test_forces_on_stations_balance(tmp_path, capsys, scene, told):
     assert not ended.value.code
     printed = " ".join(capsys.readouterr().out.split())
     assert [text for text in told if text not in printed] == []
+
+
+@pytest.mark.parametrize("more, told", [("", "cos βL = 0"), (", preload: EI/L^2", "no frequency equation is found")])
+def test_frequencies_in_letters_stand_below_their_equation(tmp_path, capsys, more, told):
+    path = tmp_path / "scene.yaml"
+    kind = f"beams: {{b: {{length: L, EI: EI, mass_per_length: mu, left: pinned, right: guided{more}}}}}"
+    path.write_text("title: one\nparameters: {L: , EI: , mu: }\n" + kind + "\nfind: [{modes: 2}]\n")
+    for command in ("solve", "frequencies"):
+        with pytest.raises(SystemExit) as ended:
+            main([command, str(path)])
+        assert not ended.value.code
+        assert capsys.readouterr().out.count(told) == 1

@@ -23,7 +23,7 @@ DAMPED = "Damped modes (eigenvalue 位: 蠅 = |位|, 味 = 鈭扲e 位/|位|, decay = 鈭
 
 def frequencies(problem: "Problem", report: "Report") -> Iterator[Section]:
     if problem.numeric.has_free_symbols:
-        yield from _frequencies_in_letters(problem)
+        yield from _frequencies_in_letters(problem, report)
         return
     if not problem.modal.modes:
         yield from section("Natural frequencies", paragraph("none are told: " + WITHOUT_DAMPERS))
@@ -77,13 +77,19 @@ def _form(problem):
     return None
 
 
-def _frequencies_in_letters(problem):
+def _frequencies_in_letters(problem, report):
     from vibcli.report.sections.symbolic_modes import damping_blocks, frequency_blocks
 
     problem.symbolic.equilibrium_position  # noqa: B018, refused where there is none
     if problem.scene.pieces:
-        yield from section("Natural frequencies", paragraph("numbers: the roots of the frequency equations; give the "
-                                                            "parameters values with --set"))
+        from vibcli.report.sections.members import frequency_equation
+
+        known = any(one.title.startswith("Frequency equation") for one in report.sections)
+        told = [] if known else list(frequency_equation(problem, report))
+        yield from told
+        yield from section("Natural frequencies", paragraph(
+            ("numbers: the roots of the frequency equations; " if known or told else
+             "no frequency equation is found in letters; ") + "give the parameters values with --set"))
         return
     M, C, _, K = problem.symbolic.matrices
     if not M and not C:
@@ -125,6 +131,8 @@ def modes(problem: "Problem", report: "Report") -> Iterator[Section]:
     if problem.numeric.has_free_symbols:
         from vibcli.report.sections.symbolic_modes import shape_blocks
 
+        if problem.scene.pieces:        # shapes stand below the frequency equation
+            return
         if problem.closed_forms is not None:
             yield from section("Mode shapes (the first coordinate that moves is 1)",
                                *shape_blocks(problem, names, problem.closed_forms))
