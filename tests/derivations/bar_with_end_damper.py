@@ -1,4 +1,5 @@
-"""u = sinh(sx/c0) e^(st), EA u' = -c u_t at the end: tanh z = -1/r, z = sL/c0 = -ln((1+r)/(1-r))/2 + i pi (n - 1/2)."""
+"""u = sinh(sx/c0) e^(st), EA u' = -c u_t at the end:
+tanh z = -1/r, z = sL/c0 = -ln((1+r)/(1-r))/2 + i pi (n - 1/2)."""
 from math import hypot, log, pi, sqrt
 
 
