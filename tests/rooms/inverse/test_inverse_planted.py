@@ -60,7 +60,8 @@ def collected(path):
     """Every ninth (parameter, quantity, its number) of a problem in numbers that chooses nothing itself."""
     problem = problem_of(path)
     # loops: some seconds for each place that is looked at
-    if problem.numeric.has_free_symbols or problem.scene.loops is not None:
+    # members: no conditions in letters, and the search alone covers a few decades about one unit
+    if problem.numeric.has_free_symbols or problem.scene.loops is not None or problem.scene.pieces:
         return []
     names = [name for name, record in problem.spec.parameters.items()
              if "value" in record and whole_literal(record["value"].tree) and "unused" not in record]

@@ -46,6 +46,8 @@ def _of_point(scene, name, part):
 def signal_of_place(scene: "Scene", signal: SignalName):
     """The PlaceSignal of a name; PhysicsError where its place is not on the member."""
     member = scene.members[signal.name]
+    if not signal.place:
+        raise PhysicsError(f"'{signal.text}' needs a place on '{member.name}'", "places count from its left end")
     place = scene.lower(Expression(Scalar(signal.place, None), parse(signal.place)))
     found = member.signal(scene, signal, place)
     if found is None:

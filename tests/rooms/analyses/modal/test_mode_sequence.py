@@ -111,5 +111,5 @@ def test_arrays_have_those_that_are_shown():
 
 
 def test_shares_and_sensitivities_are_refused_by_name():
-    with pytest.raises(PhysicsError, match="shares, sensitivities and estimates"):
+    with pytest.raises(PhysicsError, match="shares and sensitivities"):
         endless(TWO)[0].modal.result("sensitivities")
