@@ -16,6 +16,7 @@ from vibcli.analyses.continuous.trial_eigenvalues import trial_eigenvalues
 from vibcli.analyses.modal.damped_modes import DampedMode
 from vibcli.base.errors import PhysicsError
 from vibcli.numerics.pieces.held_count import held_count
+from vibcli.numerics.pieces.stiffness import stiffness_and_slope
 
 if TYPE_CHECKING:
     from vibcli.analyses.modal.mode_sequence import Modes
@@ -109,7 +110,7 @@ class DampedModes:
             root = approached(self.whole, s)
             if root is not None and abs(root) > least and not any(abs(root - one) < ALIKE * abs(one) for one in points):
                 points.append(root)
-        roots = [(s, _cleaned(root, self.matrix.polynomial[1])) for s in points for root in roots_at(self.whole, s)]
+        roots = [(s, _cleaned(root, self.matrix)) for s in points for root in roots_at(self.whole, s)]
         return _distinct([(s, root) for s, root in roots if root.error < SURE and root.value.imag >= 0])
 
     def _held(self, radius):
@@ -154,17 +155,29 @@ def _distinct(roots):
     return [root for _, root in found]
 
 
-def _cleaned(root, C):
-    """A root whose imaginary part is nothing beside its bound has none; where its real part is, that is −xᴴCx/2, as
-    far as the shape moves what C holds to."""
+def _cleaned(root, matrix):
+    """A root whose imaginary part is nothing beside its bound has none; where its real part is, that is
+    −(xᴴCx + Σ c ∫|u|² dx)/2, as far as the shape moves what C holds to."""
     size = 2 * root.error * abs(root.value)
     value = root.value
     if abs(value.imag) <= size:
         value = complex(value.real, 0.0)
     elif abs(value.real) <= size:
         x = np.where(abs(root.shape) > STILL * abs(root.shape).max(initial=0.0), root.shape, 0.0)
-        value = complex(-float((x.conj() @ C @ x).real) / 2, value.imag)
+        lost = float((x.conj() @ matrix.polynomial[1] @ x).real) + _dragged(matrix, x, value.imag)
+        value = complex(-lost / 2, value.imag)
     return root._replace(value=value)
+
+
+def _dragged(matrix, x, omega):
+    """Σ c ∫|u|² dx of pieces with drag."""
+    found = 0.0
+    for placed in matrix.pieces:
+        if placed.piece.drag:
+            ends = np.array([sum(value * x[i] for i, value in row.items()) for row in placed.rows])
+            slope = stiffness_and_slope(placed.piece, placed.piece.undamped_reaction(omega))[1]
+            found += float(placed.piece.drag * (ends.conj() @ slope @ ends).real)
+    return found
 
 
 def _mode(index, root):
