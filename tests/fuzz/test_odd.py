@@ -11,8 +11,8 @@ from fuzz.odd.sweep import Sweep
 SCENES, FIRST, MOST_REFUSED = 100, 12, 0.15
 RARE = {"prescribed move", "prescribed roll", "full *.drive"}       # drawn, but few such scenes have frequencies
 APART = {"body.clamp", "clamp.at", "clamp.carrier", "scene.inerters", "inerter.b", "inerter.between", "inerter.stretch",
-         "inerter.torsion", "roll.between", "roll.flat", "turn.carrier", "turn.by",
-         "ritz.shapes"}      # not drawn: tests of their own compare them
+         "inerter.torsion", "force.per_length", "force.from", "force.to", "roll.between",
+         "roll.flat", "turn.carrier", "turn.by", "ritz.shapes"}      # not drawn: tests of their own compare them
 
 
 @pytest.fixture(scope="module")

@@ -22,7 +22,7 @@ COMMANDS = {"phi": "varphi", "epsilon": "varepsilon"}      # of LaTeX, where the
 NAMES = {letter: name for name, letter in GREEK.items()}
 _SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _SUPERSCRIPT = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
-PRODUCTS = {"βL": ("β", "L"), "βx": ("β", "x")}       # symbols read as products: their powers have brackets
+PRODUCTS = {"βL": ("β", "L"), "βx": ("β", "x")}      # symbols read as products: their powers have brackets
 _DOTS = {"": "", "'": "\u0307", "''": "\u0308"}
 _PRECOMPOSED = {"x\u0307": "ẋ", "x\u0308": "ẍ", "y\u0307": "ẏ", "y\u0308": "ÿ", "s\u0307": "ṡ", "z\u0307": "ż",
                 "u\u0308": "ü", "r\u0307": "ṙ"}

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vibcli.analyses.continuous.shapes import Moved, antinodes, nodes, shape_along
+from vibcli.base.errors import PhysicsError
 from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.piece import Piece
 from vibcli.symbolic.derivatives import gradient
@@ -101,6 +102,8 @@ class ModeFields:
         ends = [place for moved in pieces for place in (moved.start, moved.start + moved.piece.length)]
         places = sorted([*ends, *antinodes(pieces)])
         sizes = np.abs(shape_along(pieces, places)[:, 0])
+        if not np.isfinite(sizes).all():
+            raise PhysicsError(f"the shape of a mode along '{member}' is not found", "ask for its frequency alone")
         x = places[int(np.flatnonzero(sizes >= sizes.max() * (1 - SAME))[0])]
         x = x if x in ends else self._polished(member, x, 1)
         return x, self.at(member, x)[0]

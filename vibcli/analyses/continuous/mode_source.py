@@ -137,6 +137,8 @@ class NaturalModes:
         rate, error = number(size), root.error if digits is not None else max(root.error, NEVER_BELOW)
         shape = root.shape[:n] if digits is not None else root.shape[:n].astype(
             complex if root.shape.dtype.kind == "c" else float)
+        if digits is None and not np.isfinite(shape).all():
+            raise PhysicsError(f"the shape of mode {root.index} is not found", "ask for more digits, as in --digits 30")
         rates = (None, rate) if root.z < 0 else (rate, None)
         return Mode(root.index, *rates, shape, shape, error if root.z else 0.0, root)
 

@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import NotFixed, PhysicsError, SpecError
+from vibcli.elements.member_places import right_text
 from vibcli.language.reader import Reader
 from vibcli.language.signal_names import signal_name
 from vibcli.quantities.dimensions import checker
@@ -80,8 +81,7 @@ def _usual(problem):
 
 def _middle(spec, name):
     record, motion = spec.get(spec.members[name])[name], "phi" if spec.members[name] == "shafts" else "u"
-    parts = [record["length"].text] if "length" in record else [one["length"].text for one in record["segments"]]
-    length = " + ".join(parts)
+    length = right_text(record)
     return f"{name}.{motion}({length if length.isidentifier() else f'({length})'}/2)"
 
 
