@@ -4,7 +4,6 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import NotFixed, PhysicsError, SpecError
-from vibcli.elements.member_places import right_text
 from vibcli.language.reader import Reader
 from vibcli.language.signal_names import signal_name
 from vibcli.quantities.dimensions import checker
@@ -76,13 +75,15 @@ def _usual(problem):
     if not spec.members:
         return spec.coordinates
     stations = [name for name in problem.scene.coordinates if signal_name(name).part in ("u", "phi")]
-    return [*spec.coordinates, *stations] or [_middle(spec, name) for name in spec.members]
+    return [*spec.coordinates, *stations] or [_middle(problem, name) for name in spec.members]
 
 
-def _middle(spec, name):
-    record, motion = spec.get(spec.members[name])[name], "phi" if spec.members[name] == "shafts" else "u"
-    length = right_text(record)
-    return f"{name}.{motion}({length if length.isidentifier() else f'({length})'}/2)"
+def _middle(problem, name):
+    from vibcli.notation.scene_language import language
+
+    member = problem.scene.members[name]
+    length = language(member.length)
+    return f"{name}.{member.kind.motion}({length if length.isidentifier() else f'({length})'}/2)"
 
 
 def signals_asked(problem: "Problem", given: "Sequence[Expression]" = ()) -> list[RequestedSignal]:
