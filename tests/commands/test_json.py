@@ -12,7 +12,7 @@ from vibcli.cli import run
 
 PROBLEMS = sorted((Path(__file__).parents[2] / "problems").rglob("*.yaml"))
 EQUATIONS = ["coordinate", "text", "latex", "linear_text", "linear_latex", "left_out"]
-EQUILIBRIUM = ["coordinates", "dependent", "from_start", "stable", "residual", "condition", "warning"]
+EQUILIBRIUM = ["coordinates", "dependent", "from_start", "stable", "residual", "condition", "warning", "of_members"]
 MATRICES = ["M", "C", "G", "K"]
 MODE = ["index", "omega", "frequency", "period", "growth_rate", "shape", "error"]
 DAMPED = ["index", "eigenvalue", "omega", "zeta", "omega_d", "omega_d_where", "decay", "growth_rate", "shape",
@@ -67,24 +67,29 @@ def numbers(data):
 
 
 def well_formed(data, command):
-    optional = {"accelerations", "cases", "characteristic_polynomial", "chosen", "closed_forms", "equilibria",
-                "frequency_response", "insight", "remark", "response", "search", "sticking"}
+    optional = {"accelerations", "cases", "characteristic_polynomial", "chosen", "closed_forms", "count",
+                "equilibria", "frequency_response", "insight", "remark", "response", "search", "sticking"}
     if not data["coordinates"]:
         assert set(data) == STATICS and data["reactions"]
         return
     assert set(data) - optional == KEYS[command]
     n = len(data["coordinates"])
-    assert all(list(entry) == EQUATIONS for entry in data.get("equations", ()))
+    assert all(list(entry) == EQUATIONS for entry in data.get("equations") or ())
     assert all(math.isfinite(x) for x in numbers(data))
-    assert ("remark" in data) == ("equilibrium" in data and (data["matrices"] or {"M": None})["M"] is None)
+    inertless = "count" not in data and (data["matrices"] or {"M": None})["M"] is None
+    assert ("remark" in data) == ("equilibrium" in data and inertless)
     if "equilibrium" in data and data["equilibrium"] is None:
         return
     if "equilibrium" in data:
         assert list(data["equilibrium"]) == EQUILIBRIUM
         assert set(data["equilibrium"]["coordinates"]) == set(data["coordinates"])
-        for keys, modes in ((MODE, data["modes"]), (DAMPED, data["damped"])):
+        members = ["members"] if "count" in data else []
+        for keys, modes in (([*MODE, *members], data["modes"]), (DAMPED, data["damped"])):
             assert all(set(mode) == set(keys) for mode in modes or ())
             assert all(set(mode["shape"]) == set(data["coordinates"]) for mode in modes or () if mode["shape"])
+    if data["matrices"] is None:
+        assert data["equations"] is None and data["count"] >= len(data["modes"])    # members with inertia have none
+        return
     assert list(data["matrices"]) == MATRICES
     assert all(len(rows) == n and all(len(row) == n for row in rows) for rows in data["matrices"].values() if rows)
 
@@ -96,8 +101,8 @@ def test_responses(ask):
     assert {key: data["response"][key] for key in ("until", "initial", "balance")} == {
         "until": 0.5, "initial": {"x": 0.0, "y": 0.02, "x'": 0.0, "y'": 0.1}, "balance": None}
     stretch, = data["response"]["signals"]
-    assert list(stretch) == ["signal", "unit", "max", "argmax", "min", "argmin", "steady", "at"]
-    assert (stretch["signal"], stretch["unit"]) == ("y - x", "m")
+    assert list(stretch) == ["signal", "unit", "max", "argmax", "min", "argmin", "steady", "at", "fronts"]
+    assert (stretch["signal"], stretch["unit"], stretch["fronts"]) == ("y - x", "m", [])
     assert stretch["min"] < 0 < stretch["max"] and 0 <= stretch["argmin"] <= 0.5
     wave, = stretch["steady"]
     H = -1.5 / (800 - 25 + 3j * 5)          # relative motion z'' + 2 c/m z' + 2 k/m z = −f/m
@@ -191,7 +196,8 @@ def test_numbers(ask):
     assert data["title"] == "Two cars"
     assert data["coordinates"] == ["x", "y"]
     assert data["equilibrium"] == {"coordinates": {"x": 0.0, "y": 0.0}, "dependent": {}, "from_start": None,
-                                   "stable": True, "residual": 0.0, "condition": 1.0, "warning": None}
+                                   "stable": True, "residual": 0.0, "condition": 1.0, "warning": None,
+                                   "of_members": []}
     assert data["matrices"] == {"M": [[2.0, 0.0], [0.0, 2.0]], "C": [[3.0, -3.0], [-3.0, 3.0]], "G": None,
                                 "K": [[800.0, -800.0], [-800.0, 800.0]]}
     rigid, elastic = data["modes"]

@@ -218,7 +218,7 @@ def test_tables_of_texts_match_what_runs():
     assert set(topics.FUNCTIONS) == set(FUNCTIONS)
 
 
-def test_json_keys_are_those_that_are_printed(capsys):
+def test_json_keys_are_those_that_are_printed(capsys, tmp_path):
     printed = set()
     for name, *options in (("mass_spring_damper", "--insight"), ("given_matrices",), ("bead_on_a_rail",),
                            ("hanging_rod",), ("mast_on_two_stays",), ("ropes_and_links",), ("buckled_post",),
@@ -230,6 +230,14 @@ def test_json_keys_are_those_that_are_printed(capsys):
     code, out, _ = call(capsys, "response", scenes.path("forced_vibration"), "--json", "--at", "0.5")
     assert code == 0
     printed |= _paths(json.loads(out))
+    bar = tmp_path / "bar.yaml"
+    bar.write_text("bars: {NAME: {length: 2 m, EA: 2 N, mass_per_length: 1 kg/m, left: clamped}}\n"
+                   "initial: {NAME.u': 1 m/s}\nfind: [{response: {of: [\"NAME.u'(1 m)\"], until: 6 s}}]\n",
+                   encoding="utf-8")
+    for command in ("frequencies", "response"):
+        code, out, _ = call(capsys, command, str(bar), "--json")
+        assert code == 0
+        printed |= _paths(json.loads(out))
     assert printed - set(KEYS) == set()
     assert set(KEYS) - printed <= {"characteristic_polynomial", "remark"}
 

@@ -11,7 +11,7 @@ from support.counting import calls
 from vibcli.cli import run
 
 SCENE = "bodies: {{a: {{mass: 1 kg, slide: x}}}}\nsprings: {{s: {{k: {}, between: [ground, a]}}}}\n"
-FEW, MANY = 10**5, 10**7     # calls of functions: for a wrong expression, for half a mebibyte of a scene
+FEW, MANY = 10**5, 3 * 10**6     # calls of functions: for a wrong expression, for a scene of many lines
 MEMORY = 1 << 30   # bytes of address space: NumPy alone maps some hundred megabytes
 
 
@@ -67,13 +67,13 @@ FILES = {
     "tag": "title: !!python/object/apply:os.system ['touch HACKED']\n",
     "keys": "".join(f"k{i}: 1\n" for i in range(60000)),
     "body_keys": "bodies:\n  a: {" + ", ".join(f"k{i}: 1" for i in range(60000)) + "}\n",
-    "parameters": "parameters:\n" + "".join(f"  p{i}: 1 kg\n" for i in range(50000)),
-    "circle": "parameters:\n" + "".join(f"  p{i}: p{(i + 1) % 20000}\n" for i in range(20000)),
-    "unknown_names": "parameters:\n" + "".join(f"  p{i}: q{i}\n" for i in range(40000)),
+    "parameters": "parameters:\n" + "".join(f"  p{i}: 1 kg\n" for i in range(15000)),
+    "circle": "parameters:\n" + "".join(f"  p{i}: p{(i + 1) % 6000}\n" for i in range(6000)),
+    "unknown_names": "parameters:\n" + "".join(f"  p{i}: q{i}\n" for i in range(12000)),
     "coordinates": chain(2001),
     "list_of_coordinates": "coordinates: [" + ", ".join(f"x{i}" for i in range(60000)) + "]\n",
     "carriers": "bodies:\n" + "".join(f"  b{i}: {{mass: 1 kg, at: [0, 0], weld: b{(i + 1) % 9000}}}\n"
-                                      for i in range(9000)),
+                                      for i in range(3000)),
     "matrices": matrices(2000),
     "one_matrix": "matrices:\n  M: [[" + "1, " * 1999 + "1]]\n",
     "cases": "bodies: {a: {mass: 1 kg, slide: x}}\ncases:\n" + "".join(f"  c{i}: {{title: t}}\n" for i in range(30000)),
@@ -86,7 +86,7 @@ FILES = {
     "mebibyte": "# " + "x" * 2**20,
 }
 SOUND = {       # odd, but answered: there is a stiffness, or a motion of first order
-    "stiffness_alone": matrices(150),
+    "stiffness_alone": matrices(80),
     "dampers_alone": "bodies: {a: {slide: x}}\ndampers: {d: {c: 1 N*s/m, between: [ground, a]}}\n",
 }
 

@@ -52,6 +52,9 @@ def compare(one):
     except PhysicsError as error:
         assert "kink" in error.message or "dead centre" in error.message
         return
+    if one.spec.get("damping") is not None:        # acts beside the full equations
+        given = one.configuration.given_damping().each(float).matrices()[1]
+        C = {pair: x - given.get(pair, 0.0) for pair, x in C.items()}
     values = {**one.configuration.at_rest, **dict.fromkeys((a.name for a in scene.a), 0.0)}
     n, size = len(scene.q), dict.fromkeys("qva", 0.0)
     for kind, symbols, parts in (("a", scene.a, (M,)), ("v", scene.v, (C, G)), ("q", scene.q, (K,))):

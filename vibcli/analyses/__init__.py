@@ -12,7 +12,8 @@ FIND = {
     "equilibria": "`{equilibria: all}`: all positions of equilibrium that are found within bounds, each stable or not; "
                   "it is told whether it is proved that there are no others, or that one is missing",
     "frequencies": "natural frequencies and periods of the system without its dampers",
-    "modes": "mode shapes",
+    "modes": "mode shapes; `{modes: 5}`: frequencies and shapes of so many, `{modes: [990, 1000]}` of these, "
+             "`{modes: {up_to: 2 kHz}}` of all up to there",
     "damping": "eigenvalues, damping ratios and damped frequencies, where something damps",
     "virtual_work": "the generalised forces of weights, springs and steady loads, δA = Σ Q δq",
     "accelerations": "accelerations from rest in the drawn position and the forces of ropes, links, other constraints "

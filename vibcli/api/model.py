@@ -69,7 +69,9 @@ class Model:
             return [self._letters(mode.omega) for mode in self._closed_modes(stable=True)]
         import numpy as np
 
-        return np.array([nan if mode.omega is None else float(mode.omega) for mode in self._problem.modal.modes])
+        from vibcli.report.sections.shown_modes import shown
+
+        return np.array([nan if mode.omega is None else float(mode.omega) for mode in shown(self._problem)])
 
     @property
     def zeta(self) -> "ndarray | list[SymbolicExpression]":
@@ -79,7 +81,9 @@ class Model:
             return [self._letters(mode.zeta) for mode in self._closed_modes() if mode.zeta is not None]
         import numpy as np
 
-        found = {mode.index: mode.zeta for mode in reversed(self._problem.modal.damped or ())}
+        from vibcli.report.sections.shown_modes import shown_damped
+
+        found = {mode.index: mode.zeta for mode in reversed(shown_damped(self._problem) or ())}
         return np.array([nan if found[index] is None else float(found[index]) for index in sorted(found)])
 
     @property
@@ -96,7 +100,9 @@ class Model:
             return [[self._letters(part) for part in mode.shape] for mode in modes]
         import numpy as np
 
-        shapes = [[complex(part) for part in self._problem.modal.shape(mode)] for mode in self._problem.modal.modes]
+        from vibcli.report.sections.shown_modes import shown
+
+        shapes = [[complex(part) for part in self._problem.modal.shape(mode)] for mode in shown(self._problem)]
         found = np.array(shapes, dtype=complex).reshape(len(shapes), len(self.coordinates)).T
         return found if found.imag.any() else found.real
 

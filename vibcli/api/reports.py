@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import Inertless, Kinked, NoEquilibrium, NotInLetters, PhysicsError
-from vibcli.reader.sections.find import INSIGHT, OF_MODES, ON_REQUEST, RESPONSES
+from vibcli.reader.sections.find import INSIGHT, MODES, OF_MODES, ON_REQUEST, RESPONSES
 from vibcli.report.blocks import paragraph, section
 from vibcli.report.document import EVERYTHING, Report
 from vibcli.report.wanted import Wanted
@@ -28,6 +28,8 @@ def solution(problem: "Problem", insight: bool = False) -> Sequence[str]:
     if wanted is None:
         return EVERYTHING + INSIGHT * insight
     asked = {"given", "chosen", "coordinates", *INSIGHT * insight} | {s for word in wanted for s in FOUND_BY[word]}
+    if wanted.about(MODES) is not None:
+        asked |= {"frequencies", "damping", "modes"}
     if problem.scene.held and "equations" in asked:
         asked = asked - set(FOUND_BY["equations"]) | set(STATICS)
     return [s for s in EVERYTHING + ON_REQUEST if s in asked]
@@ -61,12 +63,14 @@ def data(problem: "Problem", parts: Sequence[str], normalise: str, digits: int |
 
         return found | keys.data([REACTIONS], problem)
     if "frequencies" in parts:
-        found |= _frequencies(problem, parts, normalise, digits, sections)
+        found |= _frequencies(problem, parts, normalise, digits, sections, wanted)
     if "equilibria" in sections:
         from vibcli.report.sections.equilibria import EQUILIBRIA, SEARCH
 
         found |= keys.data([EQUILIBRIA, SEARCH], problem)
-    if "equations" in parts:
+    if "equations" in parts and problem.scene.pieces:       # they are differential equations along members
+        found |= dict.fromkeys(("energies", "equations", "matrices"))
+    elif "equations" in parts:
         refusal = problem.symbolic.equations.refusal
         if refusal and not (isinstance(refusal, NotInLetters) or _without_slope(problem, refusal, sections)
                             or _listed_alone(problem, sections)):
@@ -110,13 +114,13 @@ def _insight(problem, words, sections):
         return None
 
 
-def _frequencies(problem, parts, normalise, digits, sections):
+def _frequencies(problem, parts, normalise, digits, sections, wanted):
     """Equilibrium, matrices and modes; null with a remark where the other parts stand without them."""
     from vibcli.report import keys
     from vibcli.report.sections.spectrum import frequencies_data
 
     try:
-        return frequencies_data(problem, normalise, digits)
+        return frequencies_data(problem, normalise, digits, wanted)
     except PhysicsError as error:
         letters = isinstance(error, NotInLetters) and "equations" in parts
         if not (letters or _without_slope(problem, error, sections) or _listed_alone(problem, sections)):
@@ -172,7 +176,7 @@ def _digits(made, problem, digits):
     from vibcli.report.sections.spectrum import frequencies_data
 
     _require_numbers(problem)
-    found = frequencies_data(problem, digits=digits)
+    found = frequencies_data(problem, digits=digits, wanted=made.wanted)
     lines = []
     for mode in found["modes"]:
         values = [f"ω = {mode['omega']} rad/s"] if mode["omega"] is not None else []

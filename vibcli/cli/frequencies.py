@@ -10,6 +10,7 @@ from vibcli.cli.output import print_scenes
 from vibcli.cli.pictures import FILE
 from vibcli.cli.reports import output_of, report_options
 from vibcli.cli.sampled import cases_to_show, refuse_targets, show_curves
+from vibcli.report.wanted import Wanted
 
 PICTURES = (".png", ".svg", ".pdf")
 
@@ -18,27 +19,37 @@ PICTURES = (".png", ".svg", ".pdf")
 @scene_options
 @report_options
 @number_options
+@click.option("--modes", "count", type=click.IntRange(1, 10_000), metavar="N",
+              help="Only the lowest N modes; of members, which have modes without end, N where few are told.")
 @click.option("--plot", is_flag=True, help="Plot the eigenvalues in the complex plane, in the terminal.")
 @click.option("--save", "saves", multiple=True, metavar="FILE", type=FILE,
               help="Write that picture (.png, .svg, .pdf).")
 def command(file: str, settings: Sequence[str], case: Any, as_json: bool, patience: int, timings: bool,
-            digits: int | None, normalise: str, plot: bool, saves: Sequence[str], **report: Any) -> int:
+            digits: int | None, normalise: str, count: int | None, plot: bool, saves: Sequence[str],
+            **report: Any) -> int:
     """Equilibrium, natural frequencies, damping and mode shapes."""
     refuse_targets(saves, report["force"], PICTURES)
     if plot and as_json:
         raise click.UsageError("--plot does not go with --json")
     output = output_of(file, as_json, **report)
+    wanted = Wanted() if count is None else _lowest(count)
     problems = cases_to_show(chosen(load(file, settings, patience), case), saves)
     return print_scenes(problems, lambda problem: ("chosen", "equilibrium", "frequencies", "damping",
                                                               "modes"),
                         output, timings, digits, normalise, ("frequencies",),
-                        curves=lambda problem: _shown(problem, plot, saves, report["force"]))
+                        wanted=wanted, curves=lambda problem: _shown(problem, wanted, plot, saves, report["force"]))
 
 
-def _shown(problem, plot, saves, force):
+def _lowest(count):
+    from vibcli.report.sections.shown_modes import lowest
+
+    return Wanted(modes=lowest(count))
+
+
+def _shown(problem, wanted, plot, saves, force):
     if not (plot or saves):
         return
     from vibcli.report.sections.sampled_series import eigenvalue_figure
 
-    figure = eigenvalue_figure(problem)
+    figure = eigenvalue_figure(problem, wanted)
     show_curves(plot, saves, force, problem.spec.get("title") or "", lambda: figure)

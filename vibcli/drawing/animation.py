@@ -6,6 +6,7 @@ from typing import Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.drawing.layout import compose
+from vibcli.drawing.member_motion import MemberMotion
 from vibcli.drawing.symbols import mode_shape
 from vibcli.drawing.vibration import Vibration, caption, magnification, mode, phases, response
 
@@ -18,7 +19,8 @@ def of_mode(problem: Any, index: int, normalise: str = "first") -> tuple[list[li
     found = mode(problem, index)
     stage = compose.Scenery(problem.scene)
     vibration = Vibration(problem, index, stage, normalise)
-    frames = [mode_shape.frame(stage, vibration.at(theta), vibration.unit, vibration.room)
+    frames = [mode_shape.frame(stage, vibration.at(theta), vibration.unit, vibration.room,
+                               vibration.bends(theta))
               for theta in phases(FRAMES)]
     return frames, caption(found), [f"{i / FRAMES:.2f} T" for i in range(FRAMES)]
 
@@ -30,10 +32,33 @@ def of_response(problem: Any) -> tuple[list[list[Any]], str, list[str]]:
     from vibcli.symbolic.parser import parse
 
     times = np.linspace(0.0, *_span(problem, problem.response.known))
+    if problem.scene.members:
+        return _with_members(problem, times)
     names = problem.scene.coordinates
     values = [problem.response.signal(parse(name)).values(times).tolist() for name in names]
     return of_positions(problem, [dict(zip(names, one, strict=True)) for one in zip(*values, strict=True)],
                          times.tolist())
+
+
+def _with_members(problem, times):
+    """The same of a scene with members, which are bent as the signals of their places tell."""
+    from vibcli.symbolic.syntax import NameRef
+
+    def values(name):
+        return problem.response.signal(NameRef(0, len(name), name, 0)).values(times).tolist()
+
+    stage = compose.Scenery(problem.scene)
+    told = [name for name in problem.scene.coordinates if not name.partition(".")[2].startswith("oscillator")]
+    parts = [values(name) for name in told]
+    base = problem.configuration.equilibrium.values
+    positions = [{**base, **{name: part[i] for name, part in zip(told, parts, strict=True)}}
+                 for i in range(len(times))]
+    motion = MemberMotion(problem, stage, positions, values, response)
+    words = f"{times[0]:.4g} s to {times[-1]:.4g} s" + (f", displacements × {motion.factor:.3g}"
+                                                        if motion.placed else "")
+    frames = [mode_shape.frame(stage, sketch, motion.unit, motion.room, motion.bends(i))
+              for i, sketch in enumerate(motion.sketches)]
+    return frames, words, [f"{t:.4g} s" for t in times.tolist()]
 
 
 def of_positions(problem: Any, positions: Sequence[dict[str, float]],
@@ -68,7 +93,7 @@ def _span(problem, until):
 
 def _modes(problem):
     try:
-        return problem.modal.modes
+        return problem.modal.modes.shown()
     except PhysicsError:
         return ()
 

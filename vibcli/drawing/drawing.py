@@ -6,7 +6,7 @@ from typing import Any
 from vibcli.drawing.canvas.primitives import extent
 from vibcli.drawing.layout import captions, compose, lettering, letters, lumped, notes, plane
 from vibcli.drawing.layout.space import Space
-from vibcli.drawing.symbols import abstract, arrow, coordinate, dimension, load, path
+from vibcli.drawing.symbols import abstract, arrow, coordinate, dimension, load, member_words, path
 from vibcli.drawing.symbols.connection import symbol
 
 GRAVITY = 30.0
@@ -16,7 +16,7 @@ SLENDER = ("rod", "arm", "bob", "bar", "ring", "hoop", "rim", "arch")
 def draw(problem: Any) -> list[Any]:
     """The primitives of a scene as drawn, with its names."""
     stage = letters.pleasing(problem, compose.Scenery)
-    if not stage.scene.bodies:
+    if not stage.scene.bodies and not stage.scene.members:
         found = abstract.draw(stage.scene)
         return found + notes.lines(stage, extent(found))
     found, where = compose.figure(stage, stage.sketch)
@@ -49,6 +49,11 @@ def annotations(stage: Any, found: Any,
         if drawn is not None:
             put(drawn[0])
             words.append((drawn[1], drawn[2], "load"))
+    for strip in stage.strips:
+        for parts, runs, places, role in member_words.of(strip, sketch):
+            put(parts)
+            if runs:
+                words.append((runs, places, role))
     for layout in stage.rows:
         for parts, runs, places, role in lumped.arrows(layout, stage.scene, sketch):
             put(parts)
@@ -62,7 +67,7 @@ def annotations(stage: Any, found: Any,
     for name, (middle, normal) in where.items():
         beside = [plane.plus(middle, normal, side) for side in (7.0, -7.0)]
         made.append(space.put(_element(name, sketch), beside))
-    for length in dimension.lengths(sketch):
+    for length in [*dimension.lengths(sketch), *member_words.lengths(stage.strips, sketch)]:
         drawn = dimension.draw(length, space)
         if drawn is not None:
             space.add(drawn[0])

@@ -11,11 +11,13 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.drawing.layout import plane
+from vibcli.drawing.member_motion import mode_along_members
 from vibcli.notation.numbers import figure as printed
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.compose import Scenery
     from vibcli.drawing.layout.sketch import Sketch
+    from vibcli.drawing.symbols.member import Bend
 
 READABLE, LUMPED, VISIBLE, SWING, SMALL, FARTHEST = 30.0, 22.0, 12.0, 0.7, 1e-4, 0.9
 SQUEEZED, ROUNDS = 0.4, 24
@@ -24,13 +26,15 @@ SQUEEZED, ROUNDS = 0.4, 24
 def mode(problem: Any, index: int):
     """The Mode of a number; PhysicsError where there is none."""
     modes = problem.modal.modes
-    if not 1 <= index <= len(modes):
+    found = modes.numbered(index, index)
+    if not found:
         if not modes:
             raise PhysicsError(f"this scene has no mode {index}: without its dampers nothing would hold what has no "
                                "inertia", "look at its motion in time, as `vibcli animate --response` shows it")
-        count = "only mode 1" if len(modes) == 1 else f"modes 1 to {len(modes)}"
+        count = ("those from 1 on" if not modes.finite else
+                 "only mode 1" if len(modes) == 1 else f"modes 1 to {len(modes)}")
         raise PhysicsError(f"this scene has no mode {index}", f"it has {count}")
-    return modes[index - 1]
+    return found[0]
 
 
 def caption(found: Any) -> str:
@@ -50,20 +54,28 @@ class Vibration:
     bodies, `room` that in which bodies slide on the ground, `rest` the equilibrium."""
 
     def __init__(self, problem: Any, index: int, stage: "Scenery", normalise: str = "first"):
-        if not stage.scene.bodies:
+        if not stage.scene.bodies and not stage.scene.members:
             raise PhysicsError("this scene has no bodies, so no mode can be drawn on it",
                                "`vibcli frequencies` prints the shapes in numbers")
         self.stage, self.names = stage, problem.scene.coordinates
         self.base = problem.configuration.equilibrium.values
-        shape = [complex(value) for value in problem.modal.shape(mode(problem, index), normalise)]
-        turn = exp(-1j * _lead(max(shape, key=abs)))
+        found = mode(problem, index)
+        shape = [complex(value) for value in problem.modal.shape(found, normalise)]
+        turn = exp(-1j * _lead(max(shape, key=abs))) if shape else 1.0
         self.shape = [value * turn for value in shape]
+        self.fields = mode_along_members(problem, found, stage, normalise, turn)
         self.rest = self._required(0.0, 0.0)
         self._scale()
 
     def at(self, theta: float) -> "Sketch":
         """The Sketch at a phase, 0 being that of the largest displacement."""
         return self._required(self.amplitude, theta)
+
+    def bends(self, theta: float | None) -> "dict[str, Bend]":
+        """{member: Bend} at a phase; at rest without one."""
+        factor = self.amplitude * exp(1j * theta) if theta is not None else 0.0
+        return {field.strip.name: field.bend(self.rest, self.at(theta) if theta is not None else self.rest, factor,
+                                             self.unit, self.turn_unit) for field in self.fields}
 
     def _required(self, amplitude, theta):
         found = self._sketch(amplitude, theta)
@@ -79,17 +91,21 @@ class Vibration:
 
     def _scale(self):
         """Set the amplitude and the unit."""
-        trial = SMALL / max(map(abs, self.shape))
+        tops = {kind: max((field.top for field in self.fields if field.kind == kind), default=0.0)
+                for kind in ("placed", "slides", "turns")}
+        trial = SMALL / max([*map(abs, self.shape), *tops.values()])
         moved = self._required(trial, 0.0)
-        placed = largest_displacement(self.rest, moved, self.stage) / trial
+        placed = max(largest_displacement(self.rest, moved, self.stage) / trial,
+                     tops["placed"] * self.stage.sketch.scale)
         slides, turns = lumped_displacements(self.rest, moved, self.stage)
-        slides, turns = slides / trial, turns / trial
+        slides, turns = max(slides / trial, tops["slides"]), max(turns / trial, tops["turns"])
         angles = max([abs(moved.frames[name].angle - self.rest.frames[name].angle) / trial
                       for name in self.stage.looks] or [0.0])
         limits = [READABLE / placed if placed else 0.0, SWING / turns if turns else 0.0]
         limits = [limit for limit in limits if limit] or [1.0]
         self.amplitude = min([*limits, FARTHEST / angles] if angles else limits)
         self.unit = LUMPED / (slides * self.amplitude) if slides else 1.0
+        self.turn_unit = LUMPED / (turns * self.amplitude) if turns else 1.0
         for _ in range(ROUNDS):
             both = [self._sketch(sign * self.amplitude, 0.0) for sign in (1, -1)]
             if None not in both and shortest(self.rest, both, self.stage) > SQUEEZED:

@@ -15,6 +15,10 @@ ELEMENTS = {
     "weld": (None, "carried rigidly by another body"),
     "clamp": (None, "held rigidly, with reactions and a clamping moment"),
     "turn": (None, "rotation of a body without a place"),
+    "bar": ("bars", "elastic bars, along their axis"),
+    "shaft": ("shafts", "elastic shafts, about their axis"),
+    "beam": ("beams", "slender beams that bend"),
+    "string": ("strings", "strings under tension"),
     "spring": ("springs", "a spring between two ends"),
     "damper": ("dampers", "a damper between two ends"),
     "inerter": ("inerters", "an inerter between two ends"),
@@ -22,4 +26,5 @@ ELEMENTS = {
     "constraint": ("constraints", "what ties motions together"),
     "energies": ("energies", "terms of T, V and Phi written out"),
     "matrices": ("matrices", "M, C and K given outright"),
+    "damping": ("damping", "damping of all, by ratios of modes or in proportion"),
 }

@@ -124,7 +124,12 @@ def carriers(record: "Record", spec: "Spec") -> list[str]:
     names += [surface["body"].text for surface in carried if "body" in surface]
     points = spec.get("points") or {}
     bodies = [points[n]["body"].text if n in points and "body" in points[n] else n for n in names]
-    return [n for n in bodies if n not in points]
+    found = [n for n in bodies if n not in points]
+    if any(n in (spec.get("member_points") or {}) for n in found):
+        from vibcli.elements.member_fields import bodies_that_hold
+
+        return [body for n in found for body in bodies_that_hold(n, spec)]
+    return found
 
 
 def build(record: "Record", scene: Any) -> Body:

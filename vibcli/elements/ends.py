@@ -3,9 +3,30 @@
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from vibcli.elements.member import Member, Station
     from vibcli.language.reader import Record
+    from vibcli.symbolic.node import Node
 
 TURNING = "torsion acts between two bodies, or a body and `ground`"
+
+
+def station_of(point: str, scene: Any) -> "tuple[Member, Station] | None":
+    """The Member and Station of a point on a member; None of any other name."""
+    record = (scene.spec.get("member_points") or {}).get(point)
+    if record is None:
+        return None
+    member = scene.members[record["body"].text]
+    return member, member.at(scene, scene.lower(record["at"]))
+
+
+def axis_of(name: str, scene: Any) -> "tuple[str, Node] | None":
+    """(slide or turn, motion) of a body without a place or of a point on a member; None of what has a place."""
+    if name in scene.bodies:
+        return scene.bodies[name].lumped
+    found = station_of(name, scene)
+    if found is None or found[0].line is not None:
+        return None
+    return "turn" if found[0].kind.torsional else "slide", found[1].u
 
 
 def stretch(record: "Record", scene: Any, torsion: Any):
@@ -59,7 +80,7 @@ def _place_of(end, record, scene):
     if end.text == "ground":
         scene.report(end.where, f"'{record.name}' joins a place and bare ground", "say where on the ground: [x, y]")
         return None
-    if end.text in scene.bodies and scene.bodies[end.text].frame is None:
+    if axis_of(end.text, scene) is not None:
         scene.report(end.where, f"'{end.text}' is lumped: it has no place, so '{record.name}' has no free length",
                      "give `preload` instead, or say where the body is drawn with `at`")
         return None
@@ -72,7 +93,7 @@ def _lumped(end, scene):
         return None
     if end.text == "ground":
         return 0
-    return scene.bodies[end.text].lumped if end.text in scene.bodies else None
+    return axis_of(end.text, scene)
 
 
 def _lumped_stretch(record, scene, lumped):
@@ -99,9 +120,21 @@ def _angle(end, scene):
     if end.text == "ground":
         return scene.table.zero
     if end.text not in scene.bodies:
+        found = station_of(end.text, scene)
+        if found is not None:
+            return slope_of(end, *found, scene)
         scene.report(end.where, f"the point '{end.text}' does not turn", TURNING)
         return None
     return angle_of(end, scene, "write `k` or `c` instead of `torsion`")
+
+
+def slope_of(end: Any, member: "Member", station: "Station", scene: Any):
+    """The turn of a shaft or beam at a point; None of a bar or string, which is reported."""
+    if member.kind.torsional:
+        return station.u
+    if station.slope is None:
+        scene.report(end.where, f"'{end.text}' is on a {member.kind.name}, which does not turn", TURNING)
+    return station.slope
 
 
 def angle_of(end: Any, scene: Any, hint: Any = "give it a `turn`, or a place and a `pin`"):

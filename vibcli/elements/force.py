@@ -7,9 +7,10 @@ acts as the pure force m₀ e Ω² (cos Ωt, sin Ωt).
 from typing import TYPE_CHECKING, Any
 
 from vibcli.elements.body import carriers
-from vibcli.elements.ends import angle_of
+from vibcli.elements.ends import angle_of, axis_of, slope_of, station_of
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import BODY, Load, NameOf, OneOf, Quantity, vector
+from vibcli.language.named_elements import load
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
@@ -18,10 +19,29 @@ _AT = OneOf("the name of a point or body (name a place under `points`)",
             scalar=NameOf("the name of a point or body", "points", "bodies"))
 
 
+
+
+class _BodyOrMember(NameOf):
+    """A body; in a scene with members one of them, along which a load is spread."""
+
+    def __init__(self):
+        super().__init__(BODY.wants, "bodies")
+        self.other = NameOf("the name of a body or member", "bodies", "members")
+
+    def read(self, node: Any, reader: Any):
+        return self.other.read(node, reader) if reader.members else super().read(node, reader)
+
+
 def _settle(record, reader):
+    if "per_length" in record:
+        reader.name_within(record["per_length"], "x", "m")
+    for key in ("from", "to"):
+        if key in record.places and "per_length" not in record.places:
+            reader.report(record.place(key), f"'{key}' says where a load along a member acts", "write `per_length:`")
     if "speed" in record.places and "unbalance" not in record.places:
         reader.report(record.place("speed"), "'speed' is that of an unbalance, and there is none", "leave it out")
-    for first, others in (("force", ("at",)), ("moment", ("body",)), ("value", ("coordinate",)),
+    turned = () if "at" in record.places else ("body",)
+    for first, others in (("force", ("at",)), ("moment", turned), ("value", ("coordinate",)), ("per_length", ("body",)),
                           ("unbalance", ("at", "speed"))):
         for key in others if first in record.places else ():
             if key not in record.places:
@@ -41,15 +61,19 @@ ELEMENT = Element(
         "force": Field(OneOf("a force, or its components [Fx, Fy]", scalar=Load("N"),
                              sequence=vector("N", "components [Fx, Fy]", Load)), "the force"),
         "carrier": Field(BODY, "the body with which the force turns (a follower force); fixed without it"),
-        "body": Field(BODY, "the body that a moment acts on"),
+        "body": Field(_BodyOrMember(), "the body that a moment acts on"),
         "moment": Field(Load("N*m"), "the moment, counter-clockwise"),
         "coordinate": Field(NameOf("the name of a coordinate", "coordinates"), "the coordinate of a generalised force"),
         "value": Field(Load(), "the generalised force: its work is value·δq"),
+        "per_length": Field(Load(), "a load along the member `body`, per length: q0*sin(pi*x/L), x its place; it may "
+                                    "vary in time where the member has neither mass nor drag"),
+        "from": Field(Quantity("m"), "where it begins (default: the left end)"),
+        "to": Field(Quantity("m"), "where it ends (default: the right end)"),
         "unbalance": Field(Quantity("kg*m"), "a rotating unbalance: mass times eccentricity"),
         "speed": Field(Quantity("rad/s"), "its angular speed"),
     },
-    exclusive=(("force", "moment", "value", "unbalance"), ("at", "body", "coordinate")),
-    needs=(("force", "moment", "value", "unbalance"),),
+    exclusive=(("force", "moment", "value", "unbalance", "per_length"), ("at", "body", "coordinate")),
+    needs=(("force", "moment", "value", "unbalance", "per_length"),),
     settle=_settle,
     example="forces",
 )
@@ -60,19 +84,40 @@ def build(record: "Record", scene: Any) -> None:
     if "value" in record:
         scene.add_force(*scene.load(record["value"]), scene.symbol(record["coordinate"].text))
     elif "moment" in record:
-        angle = angle_of(record["body"], scene, "write `at:` and `force:`")
+        angle = _turning(record, scene)
         if angle is not None:
             scene.add_force(*scene.load(record["moment"]), angle)
+    elif "per_length" in record:
+        member = scene.members.get(record["body"].text)
+        if member is None:
+            scene.report(record.place("body"), f"'{record['body'].text}' is a body, which a load per length does not "
+                         "act on", "name a bar, shaft, beam or string")
+        elif member.stations:
+            load("member_loads").add_spread_load(record, member, scene)
     elif "unbalance" in record:
         _unbalance(record, scene)
     else:
         _force(record, scene)
 
 
+def _turning(record, scene):
+    """The rotation that a moment acts on, of a body or of a point on a shaft or beam."""
+    if "body" in record:
+        if record["body"].text in scene.members:
+            return scene.report(record.place("body"), f"'{record['body'].text}' is a member: a moment acts at a place",
+                                "name a point of it: `at: P`, P: {body: …, at: …} under `points`")
+        return angle_of(record["body"], scene, "write `at:` and `force:`")
+    found = station_of(record["at"].text, scene)
+    if found is None:
+        return scene.report(record.place("at"), "a moment acts on a body, or at a point of a shaft or beam",
+                            "write `body:` in place of `at:`")
+    return slope_of(record["at"], *found, scene)
+
+
 def _force(record, scene):
-    load, axis = record["force"], _axis(record, scene)
-    if (axis is not None) == isinstance(load, list):
-        where = load[0].where if isinstance(load, list) else load.where
+    given, axis = record["force"], _axis(record, scene)
+    if (axis is not None) == isinstance(given, list):
+        where = given[0].where if isinstance(given, list) else given.where
         message, hint = (("has no place: its force is one number", "write `force: F`") if axis is not None else
                          ("has a place: its force has two components", "write `[Fx, Fy]`"))
         scene.report(where, f"'{record['at'].text}' {message}", hint)
@@ -80,9 +125,9 @@ def _force(record, scene):
         if "carrier" in record:
             scene.report(record.place("carrier"), f"'{record['at'].text}' has no place: its force does not turn",
                          "leave `carrier` out")
-        scene.add_force(*scene.load(load), axis)
+        scene.add_force(*scene.load(given), axis)
     else:
-        parts = zip(*map(scene.load, load), strict=True)        # (x, y) of the steady part, of that in time
+        parts = zip(*map(scene.load, given), strict=True)        # (x, y) of the steady part, of that in time
         if "carrier" in record:
             frame = scene.frame(record["carrier"])
             parts = [frame.turned(*part) for part in parts]
@@ -91,13 +136,12 @@ def _force(record, scene):
 
 def _axis(record, scene):
     """The displacement of a lumped body that a force acts on; None of what has a place."""
-    body = scene.bodies.get(record["at"].text)
-    if body is None or body.frame is not None:
-        return None
-    if body.lumped[0] == "turn":
-        scene.report(record.place("at"), f"'{body.name}' turns: what acts on it is a moment",
-                     "write `body:` and `moment:`")
-    return body.lumped[1]
+    name = record["at"].text
+    axis = axis_of(name, scene)
+    if axis is not None and axis[0] == "turn":
+        scene.report(record.place("at"), f"'{name}' turns: what acts on it is a moment",
+                     f"write `{'body' if name in scene.bodies else 'at'}:` and `moment:`")
+    return axis and axis[1]
 
 
 def _at_point(record, scene, fx, fy):

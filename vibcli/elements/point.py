@@ -3,18 +3,37 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from vibcli.language.document.document import Mapping
 from vibcli.language.fields import Element, Field
-from vibcli.language.kinds import BODY, Many, MotionField
+from vibcli.language.kinds import BODY, Many, MotionField, NameOf, Quantity
 from vibcli.language.named_place import DRAWN
+from vibcli.symbolic.parser import plain_name
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
     from vibcli.symbolic.node import Node
 
-ELEMENT = Element(
+MEMBER_POINT = Element("point", "A named place on a member, counted from its left end.", {
+    "body": Field(NameOf("the name of a member", "members"), "the member", required=True),
+    "at": Field(Quantity("m"), "the place along it, from its left end", required=True)})
+
+
+class _Point(Element):
+    """A Record; on a member, whose place is one number, that of a MEMBER_POINT."""
+
+    def read(self, node: Any, reader: Any, *named: Any):
+        entries = node.entries if isinstance(node, Mapping) else {}
+        carrier = entries["body"][1] if "body" in entries else None
+        if plain_name(getattr(carrier, "text", "").strip()) in reader.members:
+            return MEMBER_POINT.read(node, reader, *named)
+        return super().read(node, reader, *named)
+
+
+ELEMENT = _Point(
     "point",
     "A named place: `[x, y]` is fixed; `{body: rod, at: [x, y]}` is carried by a body, `at` being where it is drawn "
-    "in the fixed frame; `{at: [x, y], moves: [ux, uy]}` is driven.",
+    "in the fixed frame; `{at: [x, y], moves: [ux, uy]}` is driven. On a member it is a place along it: "
+    "`{body: wing, at: L/2}`.",
     {
         "at": Field(DRAWN, "where it is drawn, in the fixed frame", required=True),
         "body": Field(BODY, "the body that carries it"),

@@ -115,7 +115,7 @@ class ConditionSystem:
         if found is not None:
             value, size = found
             return 0.5 * (size + value), 0.5 * (size - value)
-        modes = instance.modal.modes
+        modes = instance.modal.modes.shown()
         rigid = sum(mode.rigid for mode in modes)
         self.rigid = rigid if self.rigid is None else min(rigid, self.rigid)
         if rigid > self.rigid:

@@ -31,11 +31,11 @@ class Reader:
     wanted), and by their Scalars every expression, those that move something (a bare name there is a coordinate), those
     that load or tie it, (name, dimension) of a name that is good in one expression alone, those in which velocities
     may stand, and in `along` (coordinate, unknown factor or None) of those measured as a coordinate is. `sound` tells
-    whether the scene was read whole, apart from what is asked of it; `files`: what was read beside it; `records`: the
-    names of its records."""
+    whether the scene was read whole, apart from what is asked of it; `files`: what was read beside it; `records` and
+    `members`: the names of its records and of its continuous members."""
 
-    def __init__(self, files: Any = None, records: Any = ()):
-        self.files, self.records = {} if files is None else files, records
+    def __init__(self, files: Any = None, records: Any = (), members: Any = ()):
+        self.files, self.records, self.members = {} if files is None else files, records, members
         self.diagnostics, self.references, self.named_places = [], [], []
         self.expressions, self.motions, self.loads, self.local_names, self.at_speed = {}, {}, {}, {}, set()
         self.along = {}
@@ -71,6 +71,14 @@ class Reader:
             self.files[scene, name] = read(scene, name)
         return self.files[scene, name]
 
+    def at_places(self, tree: Any):
+        """A tree with the signals of places on members, where there are any."""
+        if not self.members:
+            return tree
+        from vibcli.language.signals_of_places import with_places
+
+        return with_places(tree, self.members)
+
     def expected(self, node: Any, what: str, hint: str | None = None):
         self.report(node.where, f"expected {what}, found {_found(node)}", hint)
 
@@ -92,6 +100,10 @@ class Expression:
     def __init__(self, scalar: "Scalar", tree: Any, unit: str | None = None, dimension: Any = None):
         self.scalar, self.text, self.where = scalar, scalar.text, scalar.where
         self.tree, self.parts, self.unit, self.dimension = tree, parts_of(tree), unit, dimension
+
+    def with_tree(self, tree: Any) -> "Expression":
+        """The same with another tree."""
+        return Expression(self.scalar, tree, self.unit, self.dimension)
 
 
 class Reference:

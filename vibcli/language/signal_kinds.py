@@ -18,7 +18,7 @@ class SignalField(Kind):
         if not isinstance(node, Scalar) or not node.text.strip():
             return reader.expected(node, self.wants)
         try:
-            return Expression(node, parse(node.text))
+            return Expression(node, reader.at_places(parse(node.text)))
         except ExpressionError as error:
             return reader.report(node.place(error.offset, error.width), error.message, error.hint)
 

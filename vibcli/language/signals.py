@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.language.reader import Record
+from vibcli.language.signal_names import signal_name
 
 if TYPE_CHECKING:
     from vibcli.language.spec import Spec
@@ -55,9 +56,15 @@ def signal_dimension(spec: "Spec", text: str):
 
 
 def _unit(spec, text):
-    name, _, part = text.partition(".")
-    whole, _, number = part.rpartition(".")
-    of_piece = whole == "force" and number.isdecimal() and "rope" in (spec.get("constraints") or {}).get(name, ())
+    name, part, place, primes = signal = signal_name(text)
+    if not primes and name in spec.members:
+        from vibcli.language.member_signals import member_unit
+
+        return member_unit(spec, signal)
+    if place or primes:
+        return None
+    roped = "rope" in (spec.get("constraints") or {}).get(name, ())
+    of_piece = roped and signal.kind == "force" and signal.axis.isdecimal()
     return _parts(spec, name).get("force" if of_piece else part)
 
 
@@ -66,6 +73,10 @@ def _parts(spec, name):
     for section, parts in (("bodies", BODY), ("points", POINT)):
         if name in (spec.get(section) or {}):
             return _signals_of(spec, spec.get(section)[name], parts)
+    point = (spec.get("member_points") or {}).get(name)
+    if point is not None:
+        carrier = point["body"].text
+        return {"x": "m", "y": "m"} if "from" in spec.get(spec.members[carrier])[carrier] else {}
     if name == "ground":
         return GROUND
     record = spec.connection(name)
@@ -90,22 +101,27 @@ def _signals_of(spec, record, parts):
 
 def is_load(spec: "Spec", text: str) -> bool:
     """Is this the force, moment or power of a load?"""
-    name, _, part = text.partition(".")
+    name, part, *_ = signal_name(text)
     return name in (spec.get("forces") or {}) and part in _parts(spec, name) and (
         spec.connection(name) is None and part in (*LOAD, "power"))
 
 
 def is_reaction(spec: "Spec", text: str) -> bool:
     """Is this the force of a constraint, a support, a contact or a drive?"""
-    name, _, part = text.partition(".")
-    if name in (spec.get("constraints") or {}):
-        return part.partition(".")[0] == "force"
-    return part.partition(".")[0] in ("reaction", "drive", *CONTACT) and (
-        name in (spec.get("bodies") or {}) or name in (spec.get("points") or {}))
+    signal = signal_name(text)
+    if signal.name in (spec.get("constraints") or {}):
+        return signal.kind == "force"
+    return signal.kind in ("reaction", "drive", *CONTACT) and (
+        signal.name in (spec.get("bodies") or {}) or signal.name in (spec.get("points") or {}))
 
 
 def drives(spec: "Spec", record: Record) -> dict[Any, Any]:
     """{part: unit} of the forces along what is prescribed in time of a body or point."""
+    return {part: unit for part, (unit, _) in prescribed(spec, record).items()}
+
+
+def prescribed(spec: "Spec", record: Record) -> dict[str, tuple[str, Any]]:
+    """{part: (unit of the force along it, Expression)} of what is prescribed in time of a body or point."""
     key = next((key for key in ("slide", "pin", "turn", "move", "roll", "moves") if key in record), None)
     if key is None:
         return {}
@@ -118,7 +134,7 @@ def drives(spec: "Spec", record: Record) -> dict[Any, Any]:
     value = value["by"] if isinstance(value, Record) and "by" in value else value
     parts = DRIVES[key]
     given = value if isinstance(value, list) else [value]
-    return {part: unit for (part, unit), one in zip(parts.items(), given, strict=False) if _in_time(spec, one)}
+    return {part: (unit, one) for (part, unit), one in zip(parts.items(), given, strict=False) if _in_time(spec, one)}
 
 
 def _in_time(spec, expression):
@@ -130,8 +146,12 @@ def _in_time(spec, expression):
 
 def near_signals(spec: "Spec", text: str) -> list[str]:
     """The signals of what `text` names, or the coordinates."""
-    name = text.partition(".")[0]
-    return [f"{name}.{part}" for part in _parts(spec, name)] or list(spec.coordinates)
+    signal = signal_name(text)
+    if signal.name in spec.members:
+        from vibcli.language.member_signals import member_signals
+
+        return member_signals(spec, signal)
+    return [f"{signal.name}.{part}" for part in _parts(spec, signal.name)] or list(spec.coordinates)
 
 
 def coordinate_name(spec: "Spec", index: str) -> str:

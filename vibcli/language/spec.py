@@ -6,6 +6,8 @@ from typing import Any, NamedTuple
 from vibcli.base.units import Dimensions
 from vibcli.language.reader import Record
 
+MEMBERS = ("bars", "shafts", "beams", "strings")        # the sections of continuous members
+
 
 class Spec(NamedTuple):
     """`get(section, default)`: the records of a section; `named`: the names that stand in each section, of what could
@@ -49,6 +51,18 @@ class Spec(NamedTuple):
     def connection(self, name: str) -> Record | None:
         """The one of that name; None where there is none."""
         return next((record for record in self.connections if record.name == name), None)
+
+    def origin(self, coordinate: str) -> Record:
+        """What brings a coordinate into the scene: a record of its own, or that of a member."""
+        if coordinate in self.coordinates:
+            return self.coordinates[coordinate]
+        name = coordinate.partition(".")[0]
+        return self.sections[self.members[name]][name]
+
+    @property
+    def members(self) -> dict[str, str]:
+        """{name: section} of its bars, shafts, beams and strings."""
+        return {name: section for section in MEMBERS for name in self.sections.get(section) or ()}
 
     def with_parameters(self, parameters: Any) -> "Spec":
         """The Spec with other parameters."""

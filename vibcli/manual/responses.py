@@ -1,6 +1,6 @@
 """Texts of the manual on motions in time, frequency responses and signals. Data alone."""
 
-from vibcli.language import signals
+from vibcli.language import member_signals, signals
 
 RESPONSE = [
     "`vibcli response FILE` finds the motion in time, and so do `find: [response]` and every quantity of a signal in "
@@ -16,6 +16,17 @@ RESPONSE = [
          "once. `motion: full` needs an inertia for each."),
         ("small", "`motion: small`, the default where there is an equilibrium: small oscillations about it, exact at "
          "any time."),
+        ("waves", "Bars, shafts and strings without drag and foundation, whose tension does not vary along them, are "
+         "followed by travelling waves, exact but for rounding: f(t − x/c) + g(t + x/c) between what stands on them. "
+         "Fronts stay sharp: at a front values in time are those after it, `--at` tells both, `max` and `min` look at "
+         "both, files and plots hold the instant twice. Members start with fields, `initial: {rod.u: a*x/L, rod.u': "
+         "-v}`. Where the fronts multiply, as on pieces of many lengths, they are given up for "
+         "modes; `--patience` follows more."),
+        ("modes", "Beams, and members with foundation, or with drag that is the same by mass everywhere, are followed "
+         "by their first exact modes beside what loads do exactly: what is left out are free vibrations of higher "
+         "modes, at most 2048 of a uniform beam being counted. Their bound is part of the error of each value: 1e-10 "
+         "of the largest displacement of a beam where it is cheap, far more of moments, most of shears, which are "
+         "refused where the bound is infinite, as after a blow or a force that lets go."),
         ("full", "`motion: full`: the full equations, integrated, for wide swings, laws, dry friction, stops, slack. "
          "Events and the balance of the energies are printed; a motion whose energies do not balance to 1e-8 is "
          "refused. It is found twice, by rules of another order and with another last digit of its start: what the two "
@@ -77,8 +88,8 @@ FREQUENCY_RESPONSE = [
     "which vibrates with Omega; the signal lags behind the input by θ = −arg H. Without dampers peaks are infinite.",
     [
         ("input", "a force or moment by its name, 1 N or 1 N·m along the line in which the scene has it, whatever it "
-         "is there; an unbalance, 1 kg·m; a driven point, displaced by 1 m; a coordinate, the generalised force 1 on "
-         "it. The first of these in the file unless `--to` or `find` names one."),
+         "is there; an unbalance, 1 kg·m; a driven point or body, displaced by 1 m; a coordinate, the generalised "
+         "force 1 on it. The first of these in the file unless `--to` or `find` names one."),
         ("output", "any signal and its rates: `x` (receptance), `x'` (mobility), `x''`, `P.y`, `s.force`, "
          "`ground.force`"),
         ("unit", "that of the output over that of the input: m/N, 1 of a force by a force"),
@@ -95,7 +106,10 @@ FREQUENCY_RESPONSE = [
         ("fixed_point[1, d](frf[x, drive]).Omega", "through which all curves pass, whatever the damper `d` is; "
          "`.value` its height. An absorber is tuned by `k2: fixed_point[1, d](frf[x1, F]).value = "
          "fixed_point[2, d](frf[x1, F]).value`"),
-        ("transmissibility[y, base](Omega)", "|H|: of motion from a driven point `base`"),
+        ("modal_frf[5, x, drive](5 Hz)", "the same as the sum of the first five modes that oscillate; "
+         "`truncation[5, x, drive](5 Hz)` says how far that is off. Members have modes without end: `frf` itself is "
+         "exact"),
+        ("transmissibility[y, base](Omega)", "|H|: of motion from a driven point or body `base`"),
         ("transmissibility[ground.force, F](Omega)", "the part of a force that reaches the ground"),
     ],
     "An isolator: `choose: {k: \"transmissibility[y, base](Omega) = 0.1\"}`. An absorber that holds a machine still: "
@@ -107,5 +121,5 @@ SIGNALS = [
     "(no forces), in time `P.y(2 s)` and `max(s.force)`, over the frequency `frf[s.force, drive](5 Hz)`. In time they "
     "have rates `P.y'` and `P.y''`, and may be added and multiplied: `max(s.force + d.force)`, `max(s.force*x')`. "
     "Where a force jumps along a motion of the full equations its value is that just after; extremes count both sides.",
-    list(signals.ABOUT),
+    [*signals.ABOUT, *member_signals.ABOUT],
 ]

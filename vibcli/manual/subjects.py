@@ -100,7 +100,7 @@ def usage(head: str) -> str:
 
     letters = [INDICES[kind].letters[asked.indices[:i].count(kind)] for i, kind in enumerate(asked.indices)]
     joined = "][" if head == "mode" else ", " if "body" in asked.indices else ","
-    text = f"{head}[{joined.join(letters)}]"
+    text = f"{head}[{joined.join(letters)}]" if head != "node" else f"{head}[{letters[0]}][{', '.join(letters[1:])}]"
     if asked.spare:
         text = f"{head}[{joined.join(letters[:-asked.spare])}], {text}"
     return ", ".join(f"{text}.{a}" for a in asked.components) if asked.components != ("",) else text

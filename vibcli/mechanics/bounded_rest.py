@@ -6,6 +6,7 @@ together with their rounding; along what nothing holds it is where it was put.
 
 from typing import TYPE_CHECKING, Any
 
+from vibcli.mechanics.factored_system import summed
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.running_errors import UNIT, Rounded, RunningErrors, error_in, number_in
@@ -82,5 +83,15 @@ def bounded_matrices(configuration: "Configuration") -> "list[Mapping[tuple[int,
     closed = configuration.scene.loops is not None or "atan2" in configuration.scene.table.called
     if configuration.system.is_linear or (configuration.equilibrium.drawn and not closed):
         arithmetic, values = configuration.bounded_rest
-        return in_numbers(configuration.reference_form, arithmetic, values).elements.matrices()
+        found = in_numbers(configuration.reference_form, arithmetic, values).elements.matrices()
+        return _with_given_damping(configuration, found)
     return configuration.linear_system.each(lambda x: Rounded(x, UNIT * abs(x))).matrices()
+
+
+def _with_given_damping(configuration, matrices):
+    """The same with what `damping:` adds to C, whose data are correctly rounded."""
+    if configuration.spec.get("damping") is None:
+        return matrices
+    M, C, G, K = matrices
+    more = configuration.given_damping().each(float).each(lambda x: Rounded(x, UNIT * abs(x))).matrices()[1]
+    return M, summed(C, more), G, K

@@ -62,6 +62,10 @@ class Configuration:
         if self._equilibrium is not None:
             return self._equilibrium
         found = self._reached()
+        if self.scene.members:
+            from vibcli.mechanics.member_tensions import require_tensions
+
+            require_tensions(self.about(found))
         if self.scene.timed:
             from vibcli.mechanics.autonomous import require_autonomous
 
@@ -115,10 +119,24 @@ class Configuration:
     @Stage
     def linear_system(self):
         """The FactoredSystem about the equilibrium, in floats that are correct but for their own rounding."""
-        from vibcli.mechanics.nonsmooth import require_smooth
-
         if self._linear_system is not None:
             return self._linear_system
+        found = self._without_given_damping()
+        if self.spec.get("damping") is None:
+            return found
+        from vibcli.mechanics.given_damping import with_damping
+
+        return with_damping(found, self.given_damping().each(float))
+
+    def given_damping(self, digits: int = 40):
+        """What `damping:` adds, as element data, to so many digits."""
+        from vibcli.mechanics.given_damping import damping_of
+
+        return damping_of(self, digits)
+
+    def _without_given_damping(self):
+        from vibcli.mechanics.nonsmooth import require_smooth
+
         require_smooth(self)
         numeric, system = self.numeric, self.system
         closed = self.scene.loops is not None or "atan2" in self.scene.table.called
@@ -145,7 +163,12 @@ class Configuration:
         """The FactoredSystem to so many digits, as mpmath numbers."""
         from vibcli.mechanics.high_precision import system_to
 
-        return system_to(self, digits)
+        found = system_to(self, digits)
+        if self.spec.get("damping") is None:
+            return found
+        from vibcli.mechanics.given_damping import with_damping
+
+        return with_damping(found, self.given_damping(digits))
 
     @cached_property
     def bounded_rest(self):
@@ -170,7 +193,7 @@ class Configuration:
     def exact_system(self):
         """The FactoredSystem in Fractions, None where it is irrational or the equilibrium had to be searched for."""
         system = self.system
-        if not (self.equilibrium.drawn or system.is_linear):
+        if not (self.equilibrium.drawn or system.is_linear) or self.spec.get("damping") is not None:
             return None
         try:
             anywhere = dict.fromkeys(self.scene.coordinates, Fraction(0))
@@ -202,4 +225,8 @@ class Configuration:
         """Forces in constraints and supports during small oscillations."""
         from vibcli.mechanics.inputs_outputs.dynamic_reactions import MovingReactions
 
+        if self.scene.pieces:
+            raise PhysicsError("reactions in motion are not told where members have inertia of their own",
+                               "ask for what members bear, as in rod.force(0 m); for reactions in equilibrium with "
+                               "find: [reactions]")
         return MovingReactions(self)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.high_precision import place_to
+from vibcli.scene.piece_terms import PieceSpring
 from vibcli.symbolic.evaluation import evaluate, multiprecision
 
 if TYPE_CHECKING:
@@ -28,8 +29,8 @@ class Owned:
 def owned_forms(configuration: "Configuration") -> Owned:
     """The Owned forms of a system in equilibrium, at the working precision of mpmath."""
     scene, form = configuration.scene.vibrating, configuration.reference_form
-    springs, dampers = scene.at_still("springs"), scene.at_still("dampers")
-    bent = _bent(scene, springs)
+    elastic, dampers = scene.at_still("springs"), scene.at_still("dampers")
+    springs, bent = [term for term in elastic if not isinstance(term, PieceSpring)], _bent(scene, elastic)
     pairs = ((scene.inertias, form.inertias), (springs, form.springs), (dampers, form.dampers), (bent, form.curved))
     if any(len(terms) != len(rows) for terms, rows in pairs):
         raise PhysicsError("energies are not told apart where bodies, springs or loads move with what is driven",
@@ -46,6 +47,11 @@ def owned_forms(configuration: "Configuration") -> Owned:
     for parts, matrices in ((found.kinetic, [form.M]), (found.potential, form.K), (found.dissipation, [form.C])):
         for matrix in matrices:
             _enter(parts, WRITTEN, {pair: number[node] for pair, node in matrix.items()})
+    if configuration.spec.get("damping") is not None:
+        import mpmath
+
+        more = configuration.given_damping(mpmath.mp.dps)
+        found.dissipation["damping"] = list(more.dampers), more.C
     return found
 
 

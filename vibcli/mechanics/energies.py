@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING
 
+from vibcli.scene.piece_terms import PieceSpring
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.normal_form import textbook
 
@@ -65,10 +66,13 @@ def textbook_energies(scene: "Scene") -> "dict[str, Node]":
 
 
 def _textbook_potential(scene):
-    """V with the energy ½ k d² of each spring kept as it is read off the figure; weights collected."""
+    """V with the energy ½ k d² of each spring kept as it is read off the figure; weights collected. What pieces of
+    members with inertia store is left out: it is no sum of squares but at rest."""
     table, parts = scene.table, []
     rest = [*_written_out(scene, "V"), *(term.potential(scene) for term in scene.weights)]
     for term in scene.springs:
+        if isinstance(term, PieceSpring):
+            continue
         stretch = textbook(term.s)
         rest.append(term.offset * stretch)
         (parts if stretch.op == "sum" else rest).append(_half_square(term.weight, stretch))

@@ -10,12 +10,24 @@ gives (follower forces) make K₊, and with it K, a matrix that is not symmetric
 """
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.scene.energy_terms import Spring
 
 ROUNDING = 2.0 ** -51
+
+
+class PlacedPiece(NamedTuple):
+    """A uniform piece of the member `owner`, its left end at the place `start`: its Piece, the rows ∇s of the
+    displacements of its ends, {coordinate index: component} of (u₀, u_l), of beams (u₀, u₀′, u_l, u_l′), and the
+    springs [(weight, row)] that it is at rest."""
+
+    owner: str
+    start: Any
+    piece: Any
+    rows: tuple
+    springs: list
 
 
 class FactoredSystem:
@@ -26,20 +38,21 @@ class FactoredSystem:
     triangles written, empty where absent (G skew); drag: the skew part of what loads add to C. K_size: for each entry
     of K, the sum of the magnitudes of the terms it was added from, the scale of its rounding error. rational_rows: the
     spring rows as Fractions where they are rational, else None. massless: indices of coordinates which no inertia
-    moves, exactly.
+    moves, exactly. pieces: PlacedPieces of members, whose static springs are not among `springs`.
     """
 
-    __slots__ = ("C", "G", "K", "K_size", "M", "dampers", "drag", "inertias", "massless", "n", "rational_rows",
-                 "springs")
+    __slots__ = ("C", "G", "K", "K_size", "M", "dampers", "drag", "inertias", "massless", "n", "pieces",
+                 "rational_rows", "springs")
 
     def __init__(self, n: int, inertias: Any = (), springs: "Sequence[Spring]" = (), dampers: Any = (), M: Any = None,
                  C: Any = None, G: Any = None, K: Mapping[tuple[int, int], Any] | None = None, K_size: Any = None,
-                 rational_rows: Any = None, massless: Sequence[Any] = (), drag: Any = None):
+                 rational_rows: Any = None, massless: Sequence[Any] = (), drag: Any = None,
+                 pieces: Sequence[PlacedPiece] = ()):
         self.n = n
         self.inertias, self.springs, self.dampers = tuple(inertias), tuple(springs), tuple(dampers)
         self.M, self.C, self.G, self.K = M or {}, C or {}, G or {}, K or {}
         self.K_size, self.drag = K_size or {}, drag or {}
-        self.rational_rows, self.massless = rational_rows, tuple(massless)
+        self.rational_rows, self.massless, self.pieces = rational_rows, tuple(massless), tuple(pieces)
 
     def with_parts(self, **parts: Any):
         """The same with other parts."""
@@ -47,9 +60,13 @@ class FactoredSystem:
 
     def each(self, change: Any):
         """The same with `change` applied to every weight, slope and entry of a matrix."""
-        parts: dict = {kind: [(change(weight), {i: change(x) for i, x in row.items()})
-                              for weight, row in getattr(self, kind)]
-                       for kind in ("inertias", "springs", "dampers")}
+        def rows(terms):
+            return [(change(weight), {i: change(x) for i, x in row.items()}) for weight, row in terms]
+
+        parts: dict = {kind: rows(getattr(self, kind)) for kind in ("inertias", "springs", "dampers")}
+        parts["pieces"] = [PlacedPiece(piece.owner, change(piece.start), piece.piece._make(map(change, piece.piece)),
+                                       tuple({i: change(x) for i, x in row.items()} for row in piece.rows),
+                                       rows(piece.springs)) for piece in self.pieces]
         parts |= {kind: {pair: change(x) for pair, x in getattr(self, kind).items()}
                   for kind in ("M", "C", "G", "K", "drag")}
         return self.with_parts(**parts)
@@ -64,7 +81,8 @@ class FactoredSystem:
     def matrices(self):
         """M, C, G, K assembled, each {(i, j): number}: for printing and for what needs no last digit."""
         return [_assembled(rows, extra) for rows, extra in (
-            (self.inertias, self.M), (self.dampers, summed(self.C, self.drag)), ((), self.G), (self.springs, self.K))]
+            (self.inertias, self.M), (self.dampers, summed(self.C, self.drag)), ((), self.G),
+            (self.static_springs, self.K))]
 
     def arrays(self):
         """The same as arrays of floats."""
@@ -75,8 +93,13 @@ class FactoredSystem:
         return _as_array(self.stiffness(), self.n)
 
     def stiffness(self):
-        """K assembled, {(i, j): number}."""
-        return _assembled(self.springs, self.K)
+        """K assembled, that of the pieces at rest included, {(i, j): number}."""
+        return _assembled(self.static_springs, self.K)
+
+    @property
+    def static_springs(self) -> "list[Spring]":
+        """The springs, and those that the pieces are at rest."""
+        return [*self.springs, *(spring for piece in self.pieces for spring in piece.springs)]
 
 
 def summed(one: Any, two: Mapping[Any, Any]):

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.base.stage import Stage
-from vibcli.language.sections.initial import RELEASED
+from vibcli.language.sections.initial import FIELDS, RELEASED
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.transfer_between_tables import copied
@@ -39,6 +39,10 @@ class InitialState:
             if not isfinite(found[key]):
                 raise PhysicsError(f"the start of '{key}' is no real number", "give another value under `initial:`",
                                    expression.where)
+        if configuration.spec.get(FIELDS):
+            from vibcli.mechanics.initial_fields import start_of_stations
+
+            found = start_of_stations(configuration) | found
         return found
 
     @Stage
@@ -74,6 +78,9 @@ def start_in_letters(symbolic: "SymbolicSystem") -> "list[Node] | None":
     record, (name,) = symbolic.spec.get("initial"), symbolic.scene.coordinates
     if record is None:
         return None
+    if symbolic.spec.get(FIELDS):
+        raise NotInLetters("motions that start with fields along members are found in numbers",
+                           "give numbers with --set")
     held = symbolic.preloaded.equilibrium_position if symbolic.preloaded is not None else {}
     if any(key != RELEASED and key.rstrip("'") != name for key in record):
         raise NotInLetters("this start is found in numbers", "give the parameters values with --set")

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.energies import dissipation, generalised_force, kinetic, potential
+from vibcli.mechanics.given_damping_in_letters import proportional
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.normal_form import TooLong, expanded, factors_of, reduced, textbook
 from vibcli.symbolic.rationals import HALF
@@ -110,7 +111,8 @@ def equations(symbolic: "SymbolicSystem") -> EquationsOfMotion:
 def _small(symbolic):
     """The matrices of the small oscillations, and in letters the left sides of their equations."""
     scene = symbolic.scene
-    if len(scene.q) <= LETTERS and symbolic.linearisable:
+    if len(scene.q) <= LETTERS and symbolic.linearisable and (proportional(symbolic.spec)
+                                                              or symbolic.numeric.has_free_symbols):
         matrices = dict(zip("MCGK", symbolic.matrices, strict=True))
         linear = [_left_side(scene, matrices, i) for i in range(len(scene.q))]
         return {**matrices, "in_letters": True, "linear": linear}

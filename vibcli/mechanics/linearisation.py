@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from vibcli.mechanics.factored_system import PlacedPiece
 from vibcli.symbolic.derivatives import substitute
 
 if TYPE_CHECKING:
@@ -13,7 +14,8 @@ class Linearisation(NamedTuple):
     """The expressions of all rows and weights, in the coordinates or with the drawn position substituted.
 
     inertias, springs, dampers: [(weight, {i: ∂s/∂qᵢ})]; curved: [(force, {(i, j): ∂²s/∂qᵢ∂qⱼ}, {i: ∂s/∂qᵢ})], the force
-    being that along s; M, C, G, K: {(i, j): expression}, K as a list of terms; residual: {i: [expressions]}.
+    being that along s; M, C, G, K: {(i, j): expression}, K as a list of terms; residual: {i: [expressions]}; pieces:
+    those of members, PlacedPieces in expressions.
     """
 
     n: int
@@ -28,6 +30,7 @@ class Linearisation(NamedTuple):
     drag: dict
     K: list
     residual: list
+    pieces: list
 
 
 def at_position(form: Linearisation, values: "Mapping[Node, Node]"):
@@ -53,7 +56,9 @@ def each(form: Linearisation, change: Callable) -> Linearisation:
         form.n, form.table, rows(form.inertias), rows(form.springs), rows(form.dampers),
         [(change(force), entries(curvature), entries(row)) for force, curvature, row in form.curved],
         *map(entries, (form.M, form.C, form.G, form.drag)), list(map(entries, form.K)),
-        list(map(entries, form.residual)))
+        list(map(entries, form.residual)),
+        [PlacedPiece(piece.owner, change(piece.start), piece.piece._make(map(change, piece.piece)),
+                     tuple(map(entries, piece.rows)), rows(piece.springs)) for piece in form.pieces])
 
 
 def residual_terms(form: Linearisation) -> "list[list[Node]]":

@@ -35,14 +35,16 @@ def linearise(scene: Any, still: bool = False) -> Linearisation:
     inertias = scene.at_still("inertias") if still else scene.inertias
     dampers = scene.at_still("dampers")
     moving, damping, springs, curved = _rows(inertias, number), _rows(dampers, number), [], []
+    elastic: list = []
     for term in scene.at_still("springs"):
         row = row_of(term.s, number)
-        springs.append((term.weight, row))
+        (elastic if hasattr(term, "of_piece") else springs).append((term.weight, row))
         curved.append((term.force(scene), slopes_of(row, number), row))
     for term in scene.weights:
         row = row_of(term.s, number)
         curved.append((term.weight, slopes_of(row, number), row))
-    found = Linearisation(len(scene.q), scene.table, moving, springs, damping, curved, *_written_out(scene, number))
+    found = Linearisation(len(scene.q), scene.table, moving, springs, damping, curved, *_written_out(scene, number),
+                          _pieces(scene, number, elastic))
     slips, turning = {}, {}
     for term in scene.loads_at_still():
         _loaded(scene, found, number, term, slips, turning, still)
@@ -55,6 +57,15 @@ def linearise(scene: Any, still: bool = False) -> Linearisation:
                 _driven(scene, found, number, term, kind, slips)
     _split(found, slips, found.G)
     return found
+
+
+def _pieces(scene, number, elastic):
+    """The PlacedPieces of members."""
+    if not scene.pieces:
+        return []
+    from vibcli.mechanics.placed_pieces import placed_pieces
+
+    return placed_pieces(scene.at_still("pieces"), lambda s: row_of(s, number), elastic)
 
 
 def _loaded(scene, found, number, term, slips, turning, still):

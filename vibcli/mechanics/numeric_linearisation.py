@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.mechanics.factored_system import FactoredSystem
 from vibcli.mechanics.linearisation import Linearisation, nodes_of
-from vibcli.symbolic.evaluation import evaluate, evaluate_rational
+from vibcli.symbolic.evaluation import Rationals, evaluate, evaluate_rational
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -45,10 +45,22 @@ def in_numbers(form: Linearisation, arithmetic: Any, values: Mapping[str, Any],
             _gather(residual, residual_size, i, known[node])
     if arithmetic.ordered:
         _even_out(K, size)
-    expressions = FactoredSystem(n, form.inertias, form.springs, form.dampers, form.M, form.C, form.G, drag=form.drag)
+    expressions = FactoredSystem(n, form.inertias, form.springs, form.dampers, form.M, form.C, form.G, drag=form.drag,
+                                 pieces=form.pieces)
     elements = expressions.each(known.__getitem__).with_parts(
         K=K, K_size=size, massless=massless(form, known), rational_rows=_rational_rows(form, rational))
+    if any(piece.piece.gradient for piece in elements.pieces):
+        elements = _graded(elements, arithmetic)
     return Numbers(elements, residual, residual_size)
+
+
+def _graded(elements, arithmetic):
+    """With the exact springs of beams whose tension varies; there are none in Fractions."""
+    from vibcli.mechanics.placed_pieces import exact_springs
+
+    if isinstance(arithmetic, Rationals):
+        raise Rationals.Irrational
+    return elements.with_parts(pieces=[piece._replace(springs=exact_springs(piece)) for piece in elements.pieces])
 
 
 def _accumulate(K, size, pair, term):
@@ -74,6 +86,7 @@ def massless(form: Linearisation, known: "Mapping[Node, Any]") -> list[int]:
     """Coordinates which no inertia moves: those in no row of T and in no entry of M but such as are exactly zero."""
     moving = {i for weight, row in form.inertias if known[weight] for i in row}
     moving |= {i for (i, _), node in form.M.items() if known[node]}
+    moving |= {i for piece in form.pieces if known[piece.piece.inertia] for row in piece.rows for i in row}
     return [i for i in range(form.n) if i not in moving]
 
 

@@ -59,7 +59,7 @@ class NumericSystem:
     @cached_property
     def drawn_floats(self) -> dict[str, float]:
         drawn = {q.name: node for q, node in self.scene.drawn.items()}
-        drawn = {name: drawn[name] for name in self.spec.coordinates if name in drawn}
+        drawn = {name: drawn[name] for name in (*self.spec.coordinates, *self.scene.hidden) if name in drawn}
         return dict(zip(drawn, evaluate(list(drawn.values()), Floats, self.floats), strict=True))
 
     @cached_property

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.enumeration import listed
 from vibcli.base.errors import NotFixed, PhysicsError
+from vibcli.language.signal_names import signal_name
 from vibcli.language.signals import ENERGIES, is_load
 from vibcli.mechanics.energies import dissipation, kinetic, potential, potential_as_drawn
 from vibcli.mechanics.equilibrium.redundant_friction import require_fixed_at_rest
@@ -28,10 +29,13 @@ def moving(system: "MechanicalSystem", text: str, primes: int = 0) -> "Node":
         return scene.symbol(text, primes)
     if text in ENERGIES:
         return energy(scene, text, primes)
-    name, _, part = text.partition(".")
+    name, part, *_ = signal_name(text)
     node = displacement(scene, text)
     if node is None:
         node = _along(scene, name, part)
+    if node is None and name in scene.members:
+        raise PhysicsError(f"'{text}' lies within what vibrates: members take part in small motions alone",
+                           "write motion: small")
     if node is None:
         known = [f"{record.name}.force" for record in system.spec.connections]
         raise PhysicsError(f"'{text}' is not found along a motion of the full equations", "forces are found of springs "
@@ -42,7 +46,10 @@ def moving(system: "MechanicalSystem", text: str, primes: int = 0) -> "Node":
 
 
 def energy(scene: "Scene", text: str, primes: int = 0) -> "Node":
-    """T, V or Φ of a scene along a motion, V counted from the drawn position."""
+    """T, V or Φ of a scene along a motion, V counted from the drawn position; PhysicsError of T and V with members."""
+    if scene.pieces and text != "Phi":
+        raise PhysicsError(f"{text} is not told along a motion of members with inertia of their own",
+                           "ask for displacements and forces, as in rod.u(x) or rod.force(x)")
     node = {"T": kinetic, "V": potential, "Phi": dissipation}[text](scene)
     if text == "V":
         node = node - scene.at_drawn(potential_as_drawn(scene))[0]
@@ -69,7 +76,7 @@ def _along(scene, name, part):
 
 def force(configuration: "Configuration", text: str) -> float:
     """The value of a force in equilibrium."""
-    name, _, part = text.partition(".")
+    name, part, *_ = signal_name(text)
     if name == "ground" or part == "energy" or is_load(configuration.spec, text):
         return _of_outputs(configuration, text)
     if name in (configuration.spec.get("springs") or {}):
@@ -114,7 +121,7 @@ def _tension(configuration, name):
 
 def reaction_of(system: "MechanicalSystem", text: str, known: Any):
     """The name of a force in a constraint or support among those `known`; at a point, that of the body pinned there."""
-    name, _, part = text.partition(".")
+    name, part, *_ = signal_name(text)
     if name in (system.spec.get("points") or {}) and not part.startswith("drive"):
         text = f"{_pinned_at(system, name)}.{part}"
     if text not in known:

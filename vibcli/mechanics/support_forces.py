@@ -11,18 +11,22 @@ from vibcli.symbolic.evaluation import evaluate
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
+    from vibcli.language.signal_names import SignalName
 
 PARTS = {"force": "slide", "moment": "turn"}
 
 
-def on_the_ground(opened: Any, part: str) -> LinearFunction:
+def on_the_ground(opened: Any, signal: "SignalName") -> LinearFunction:
     """The LinearFunction of ground.force, ground.moment (one-axis scenes), ground.force.x or ground.force.y."""
-    kind, _, axis = part.partition(".")
-    terms = []
+    terms, axis = [], signal.axis
+    if opened.scene.members:
+        raise PhysicsError(f"ground.{signal.part} is not told where members stand on the ground",
+                           "ask for what they bear there: rod.force(0 m), wing.shear(0 m), line.moment(0 m)")
     for record in opened.configuration.spec.connections:
-        terms += _of_element(opened, record, kind, axis)
+        terms += _of_element(opened, record, signal.kind, axis)
     if not terms:
-        raise PhysicsError(f"no spring or damper exerts a {kind} on the ground" + (f" along {axis}" if axis else ""),
+        along = f" along {axis}" if axis else ""
+        raise PhysicsError(f"no spring or damper exerts a {signal.kind} on the ground{along}",
                            "ask for ground.force in one-axis scenes, else for ground.force.x or .y")
     return combined(terms)
 

@@ -95,7 +95,7 @@ class _Tried:
             values = given_values(symbolic.scene.parameters, symbolic.scene.sample, self.free, attempt)
             candidate = symbolic.modal_of(symbolic.configuration.with_values(values))
             try:
-                if not named and any(mode.growth_rate is not None for mode in candidate.modes):
+                if not named and any(mode.growth_rate is not None for mode in candidate.modes.shown()):
                     continue
                 candidate.configuration.equilibrium  # noqa: B018
             except (SpecError, PhysicsError):

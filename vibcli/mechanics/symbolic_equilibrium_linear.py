@@ -58,7 +58,7 @@ def equilibrium_in_letters(symbolic: "SymbolicSystem") -> "dict[str, Node]":
         if i not in held and not load[i].is_zero:
             name = scene.coordinates[i]
             hint = "add the spring that carries the load" + ALONE
-            raise NoEquilibrium(f"no equilibrium: nothing holds '{name}'", hint, scene.spec.coordinates[name].where)
+            raise NoEquilibrium(f"no equilibrium: nothing holds '{name}'", hint, scene.spec.origin(name).where)
     rows = [[K.get((i, j), zero) for j in held] + [-load[i]] for i in held]
     try:
         shift = dict(zip(held, solve_linear(rows, zero), strict=True))

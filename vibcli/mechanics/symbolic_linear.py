@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters
+from vibcli.language.signal_names import signal_name
 from vibcli.mechanics.inputs_outputs.displacements import displacement
 from vibcli.mechanics.inputs_outputs.inputs import in_powers, named_input
 from vibcli.mechanics.linearisation import at_position
@@ -58,13 +59,13 @@ def outputs(symbolic: "SymbolicSystem", signal: str) -> "tuple[list[dict[int, No
 
 def _in_time(symbolic, signal, place):
     """What of a signal depends on the time in equilibrium: places that are driven without being small."""
-    opened, bare = symbolic.configuration.with_inputs, signal.rstrip("'")
+    opened, name = symbolic.configuration.with_inputs, signal_name(signal)
     still = {symbol: node for symbol, node in place.items() if symbol is not opened.scene.time}
-    at, = substitute([_node(opened, bare)], still)
+    at, = substitute([_node(opened, name.still.text)], still)
     if not at.mask & opened.scene.time.mask:
         return symbolic.scene.table.zero
     at = at - without_time(opened.scene, at)
-    for _ in range(len(signal) - len(bare)):
+    for _ in range(name.primes):
         at = opened.scene.rate(at)
     return copied([at], symbolic.scene.table)[0]
 
@@ -84,14 +85,14 @@ def place_in_letters(symbolic: "SymbolicSystem") -> "dict[Node, Node]":
 
 def _slopes(configuration, signal, place):
     """∂y/∂q, ∂y/∂q̇, ∂y/∂q̈ as {i: node}."""
-    scene, bare = configuration.with_inputs.scene, signal.rstrip("'")
-    node = _node(configuration.with_inputs, bare)
+    scene, name = configuration.with_inputs.scene, signal_name(signal)
+    node = _node(configuration.with_inputs, name.still.text)
     if node is None:
         raise NotInLetters(f"the amplitude of '{signal}' is not found in letters", "ask for it in numbers")
     slopes = gradient(node)
     rows = [{i: textbook(x) for i, q in enumerate(kind) if q in slopes
              for x in substitute([slopes[q]], place) if not x.is_zero} for kind in (scene.q, scene.v, scene.a)]
-    primes = len(signal) - len(bare)
+    primes = name.primes
     if any(rows[3 - primes:]):
         raise NotInLetters(f"the amplitude of '{signal}' is not found in letters", "ask for it in numbers")
     return [{}] * primes + rows[:3 - primes]
@@ -99,7 +100,7 @@ def _slopes(configuration, signal, place):
 
 def _node(opened, text):
     """A signal as a function of the coordinates and velocities of the opened scene; None where it is not known."""
-    name, _, part = text.partition(".")
+    name, part, *_ = signal_name(text)
     found = displacement(opened.scene, text)
     if found is None and part == "force" and name != "ground":
         return _force(opened, name)

@@ -41,9 +41,18 @@ class SymbolicSystem:
         return [name for name in self.scene.parameters.free
                 if name not in self.numeric.given and name not in self.spec.choices]
 
-    @cached_property
+    @property
     def matrices(self) -> Any:
-        """M, C, G, K of the small oscillations."""
+        """M, C, G, K of the small oscillations; NotInLetters with members, whose motions no matrix holds."""
+        if self.scene.pieces:
+            raise NotInLetters("what vibrates with distributed inertia has no matrices: its frequency equation is "
+                               "written out, its numbers follow from that",
+                               hint="give the parameters values with --set")
+        return self.discrete_matrices
+
+    @cached_property
+    def discrete_matrices(self) -> Any:
+        """M, C, G, K of what is no member."""
         from vibcli.mechanics.nonsmooth import require_unheld
         from vibcli.mechanics.symbolic_matrices import matrices_in_letters
 
@@ -54,6 +63,11 @@ class SymbolicSystem:
             require_autonomous(self.configuration, self.scene.drawn_values)
         self._require_held()
         found = matrices_in_letters(self.linearisation)
+        if self.spec.get("damping") is not None:
+            from vibcli.mechanics.given_damping_in_letters import in_letters
+
+            M, C, G, K = found
+            found = M, in_letters(self.spec, self.scene, M, C, K), G, K
         if self.equilibrium is not None:
             from vibcli.symbolic.rational_functions import factored as shorter
         else:
@@ -134,6 +148,11 @@ class SymbolicSystem:
             from vibcli.mechanics.inputs_outputs.constraint_excitation import excitation_through
 
             for i, node in excitation_through(self).items():
+                found[i] = found.get(i, scene.table.zero) + node
+        if self.spec.get("damping") is not None:
+            from vibcli.mechanics.given_damping_in_letters import excitation_by_damping
+
+            for i, node in excitation_by_damping(self).items():
                 found[i] = found.get(i, scene.table.zero) + node
         return found
 

@@ -91,7 +91,7 @@ class MechanicalSystem:
         return defined_as_drawn(linearise, self.scene.vibrating)
 
     def _require_coordinates(self):
-        if not self.scene.q and any(body.moves for body in self.scene.bodies.values()):
+        if not self.scene.q and not self.scene.pieces and any(body.moves for body in self.scene.bodies.values()):
             from vibcli.scene.constraints import words_of_locked
 
             hint = "take a constraint out, or let one more body move"
@@ -100,7 +100,7 @@ class MechanicalSystem:
             until = self.spec.example("2 s")
             in_time = f", or ask for its motion in time: find: [{{response: {{until: {until}}}}}]"
             raise PhysicsError(words_of_locked(self.scene), hint + in_time * self.scene.timed)
-        if not self.scene.q:
+        if not self.scene.q and not self.scene.pieces:
             raise PhysicsError("nothing moves in this scene: it has no coordinates",
                                "give a body a motion, as in bodies: {block: {mass: 2 kg, slide: x}}")
 

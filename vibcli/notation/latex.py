@@ -8,7 +8,7 @@ from vibcli.notation.typeset import Stacked
 
 FUNCTIONS = {"sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "exp", "ln"}
 OPERATORS = {"−": "-", "≤": r"\le", "≥": r"\ge", "∓": r"\mp", "±": r"\pm", "∞": r"\infty", "Σ": r"\sum",
-             "…": r"\ldots", "∠": r"\angle"}
+             "…": r"\ldots", "∠": r"\angle", "∫": r"\int", "≠": r"\ne", "½": r"\tfrac{1}{2}"}
 
 
 def _escaped(name):

@@ -22,9 +22,15 @@ COMMANDS = {"phi": "varphi", "epsilon": "varepsilon"}      # of LaTeX, where the
 NAMES = {letter: name for name, letter in GREEK.items()}
 _SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _SUPERSCRIPT = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
+PRODUCTS = {"βL": ("β", "L"), "βx": ("β", "x")}      # symbols read as products: their powers have brackets
 _DOTS = {"": "", "'": "\u0307", "''": "\u0308"}
 _PRECOMPOSED = {"x\u0307": "ẋ", "x\u0308": "ẍ", "y\u0307": "ẏ", "y\u0308": "ÿ", "s\u0307": "ṡ", "z\u0307": "ż",
                 "u\u0308": "ü", "r\u0307": "ṙ"}
+
+
+def lowered(number: int) -> str:
+    """'₁₂' of 12."""
+    return str(number).translate(_SUBSCRIPT)
 
 
 def split_name(name: str) -> tuple[str, str, str]:
@@ -158,7 +164,8 @@ class Notation:
         if base.op == "sum" and exponent.denominator == 1 and exponent.numerator % 2 == 0:
             leading = min(base.args, key=term_rank)
             base = -base if leading[1] < 0 and not base.table.squares_at_sample else base
-        return self.power(self.write(base, 2), self.number(exponent))
+        text = self.write(base, 2)
+        return self.power(self.brackets(text) if base.name in PRODUCTS else text, self.number(exponent))
 
 
 class Plain(Notation):

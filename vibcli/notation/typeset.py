@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.notation_text import read
-from vibcli.notation.plain import Notation, decimal, shown_as_decimal, split_name
+from vibcli.notation.plain import PRODUCTS, Notation, decimal, shown_as_decimal, split_name
 from vibcli.notation.radicals import place
 from vibcli.symbolic.rationals import ONE
 
@@ -42,6 +42,8 @@ class Stacked(Notation):
         return self.signed(value < 0, found, first=True)
 
     def symbol(self, name: str) -> str:
+        if name in PRODUCTS:
+            return self.times([self.lettered(letter, "", "") for letter in PRODUCTS[name]])
         letter, rest, primes = split_name(name)
         return self.lettered(letter, rest.removeprefix("_"), primes)
 

@@ -1,7 +1,7 @@
 """Quantities that answers and conditions name, in the order of the manual: the file in which each is declared."""
 
 FAMILIES = {
-    **dict.fromkeys(("omega", "frequency", "period", "growth_rate", "mode", "modal_mass"), "modal"),
+    **dict.fromkeys(("omega", "frequency", "period", "growth_rate", "mode", "node", "modal_mass"), "modal"),
     **dict.fromkeys(("zeta", "omega_d", "period_d", "decay", "eigenvalue", "mode_d"), "damped"),
     **dict.fromkeys(("sensitivity", "rayleigh", "dunkerley", "ritz"), "modal"),
     **dict.fromkeys(("equilibrium", "Q", "stable", "equilibria"), "equilibrium"),
@@ -13,10 +13,10 @@ FAMILIES = {
                      "decrement", "beat_period", "harmonic", "zero", "time_to", "cycles_to", "steady", "transient",
                      "envelope"), "response"),
     **dict.fromkeys(("frf", "transmissibility", "peak", "antiresonance", "half_power", "fixed_point", "quality", "arg",
-                     "re", "im"), "frequency_response"),
+                     "re", "im", "modal_frf", "truncation"), "frequency_response"),
 }
 
 # what the same word means otherwise: with indices, with arguments, of a frequency response; "value" is that of x(2 s)
-FORMS = {"decrement[]": "damped", "M()": "states", "C()": "states", "K()": "states", "Q()": "states",
-         "period()": "response", "phase(frf)": "frequency_response",
+FORMS = {"decrement[]": "damped", "rayleigh[]": "modal", "M()": "states", "C()": "states", "K()": "states",
+         "Q()": "states", "period()": "response", "phase(frf)": "frequency_response",
          "value": "response"}

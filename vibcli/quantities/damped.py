@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
 CLOSE, COINCIDING = 1e-4, 4e-16     # eigenvalues, relative
 MORE = 30                           # digits where they are close
+BESIDE = 3                          # modes after one that may be close to it
 TINY = 1e-5                         # of the largest amplitude
 
 
@@ -24,7 +25,10 @@ def _pair(problem: "Problem", tree: "QuantityRef") -> "list[DampedMode]":
         modes = problem.modal.damped_to(problem.digits)
     if modes is None:
         raise PhysicsError("nothing damps this scene: it has no damped modes", "add a damper")
-    found = [mode for mode in modes if mode.index == number]
+    if not modes:
+        raise PhysicsError("this scene has no damped modes: a wave that arrives at the damper dies",
+                           "ask for responses in time")
+    found = modes.numbered(number, number)
     if not found:
         raise PhysicsError(f"there is no damped mode {number}: this scene has "
                            f"{counted(modes[-1].index, 'damped mode')}", "ask for one that it has")
@@ -82,16 +86,22 @@ def _shape(problem, tree, args):
     that is tiny beside the largest has a larger part of that one's error."""
     signal = coordinate_name(problem.spec, tree.indices[1]) or tree.indices[1]
     mode, lost = _pair(problem, tree)[0], 1.0
-    gap = _gap(problem.modal.damped, int(tree.indices[0]))
+    number = int(tree.indices[0])
+    gap = _gap(_beside(problem.modal.damped, number), number)
     if gap < CLOSE:
         lost = CLOSE / gap
         if problem.digits is None and problem.configuration.sources[0] is not None:
-            sharp, lost = problem.modal.damped_to(MORE), 1.0
+            sharp, lost = _beside(problem.modal.damped_to(MORE), number), 1.0
             mode = min(sharp, key=lambda other: abs(complex(other.eigenvalue) - complex(mode.eigenvalue)))
     shape = problem.modal.shape(mode)
     amplitude, error = amplitude_as_asked(problem, along(problem, shape, signal), shape)
     most = max(float(abs(x)) for x in shape)
     return amplitude, min(1.0, error * max(lost, TINY * most / (float(abs(amplitude)) or most)))
+
+
+def _beside(modes, number):
+    """The modes among which one may be close to that of a number."""
+    return modes.shown() if modes.finite else modes.first(number + BESIDE)
 
 
 def _gap(modes, number):

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.base.units import LENGTH
+from vibcli.language.signal_names import signal_name
 from vibcli.language.signals import CONTACT, coordinate_name, is_reaction, signal_dimension
 from vibcli.quantities.matrices import coordinate_number
 from vibcli.quantities.quantity import COUNT, FUNCTION, ROUNDING, TRUTH, Declaration, measured, unit
@@ -36,13 +37,13 @@ def count(problem: "Problem") -> int:
 
 
 def _equilibrium(problem, tree, args):
-    from vibcli.mechanics.inputs_outputs.displacements import displacement
+    from vibcli.mechanics.inputs_outputs.displacements import resting
     from vibcli.symbolic.evaluation import evaluate
     from vibcli.symbolic.running_errors import RunningErrors
 
     signal = coordinate_name(problem.spec, tree.indices[0]) or tree.indices[0]
-    scene, (name, _, part) = problem.scene.resting, signal.partition(".")
-    node = displacement(scene, signal)
+    scene, (name, part, *_) = problem.scene.resting, signal_name(signal)
+    node = resting(scene, signal)
     if node is None and part == "force" and name in (problem.spec.get("springs") or {}):
         node = scene.force_of(name)
     if node is None:
@@ -57,16 +58,16 @@ def _equilibrium(problem, tree, args):
 
 def _in_letters(problem, tree):
     """A coordinate, place, turn, stretch or tension in equilibrium."""
-    from vibcli.mechanics.inputs_outputs.displacements import displacement
+    from vibcli.mechanics.inputs_outputs.displacements import resting
     from vibcli.symbolic.derivatives import substitute
     from vibcli.symbolic.normal_form import textbook
 
     text = coordinate_name(problem.spec, tree.indices[0]) or tree.indices[0]
-    scene, (name, _, part) = problem.scene, text.partition(".")
-    node = displacement(scene, text)
-    if node is None and part == "force" and name in (problem.spec.get("springs") or {}):
-        node = scene.force_of(name)
-    if node is None and is_reaction(problem.spec, text) and part.partition(".")[0] not in CONTACT:
+    scene, name = problem.scene, signal_name(text)
+    node = resting(scene, text)
+    if node is None and name.part == "force" and name.name in (problem.spec.get("springs") or {}):
+        node = scene.force_of(name.name)
+    if node is None and is_reaction(problem.spec, text) and name.kind not in CONTACT:
         return _force_in_letters(problem, text)
     if node is None:
         raise NotInLetters(f"'{text}' in equilibrium is found in numbers")

@@ -73,8 +73,8 @@ def _bounded(problem, expression, arithmetic):
 
 
 def _real(value, expression, finite):
-    """The value; refused where it is complex or not finite."""
-    is_complex = not isinstance(value, int | float) and bool(value.imag)
+    """The value; refused where it is complex, be its imaginary part 0, or not finite."""
+    is_complex = isinstance(value, complex) or hasattr(value, "_mpc_")
     if is_complex and finite(abs(value)):
         raise PhysicsError("this is complex: it is compared by its parts", "ask for re, im, abs or arg of it",
                            expression.where)

@@ -1,7 +1,7 @@
 """Numbers of frequency responses: their values at a frequency, peaks, half-power points, fixed points."""
 
 import cmath
-from math import isfinite, pi, tau
+from math import pi, tau
 
 from vibcli.base import units
 from vibcli.base.errors import PhysicsError
@@ -9,6 +9,8 @@ from vibcli.quantities.dimensions import checker
 from vibcli.quantities.precise_numbers import settled_on_curve, settled_response
 from vibcli.quantities.quantity import COMPLEX, ROUNDING, Declaration, one
 from vibcli.quantities.signal_dimensions import input_dimension, output_dimension
+
+MODAL = 1e-10      # relative, of the residues of a sum of modes
 
 
 def wrapped(angle: float) -> float:
@@ -22,6 +24,19 @@ def _frf(problem, tree, args):
         raise PhysicsError(f"'{tree.text}' is a function of frequency", f"write {tree.text}(5 Hz)")
     found, error = problem.frequency_response(*tree.indices).at(args[0])
     return settled_response(problem, tree, found, error)
+
+
+def _modal_frf(problem, tree, args):
+    count, *curve = tree.indices
+    return problem.frequency_response(*curve).by_modes(int(count), args[0]), MODAL
+
+
+def _truncation(problem, tree, args):
+    count, *curve = tree.indices
+    response = problem.frequency_response(*curve)
+    exact, error = response.at(args[0])
+    off = abs(response.by_modes(int(count), args[0]) - exact) / abs(exact)
+    return off, min(1.0, (error + MODAL) / (off or 1.0))
 
 
 def _complex_part(part):
@@ -63,15 +78,15 @@ def _of_curve(find):
 
 
 def _peak(curve, number, attribute):
-    Omega, value = _numbered(curve.peaks, number, "peak")
-    if attribute != "Omega" and not isfinite(value):
+    Omega, value, _ = curve.peak(number)
+    if attribute != "Omega" and value is None:
         raise PhysicsError("an undamped peak has no bound", f"add damping, or ask for peak[{number}](…).Omega")
     off, relative = curve.error_of_peak(number)
     return (Omega, off / Omega) if attribute == "Omega" else (value, relative)
 
 
 def _antiresonance(curve, number, attribute):
-    Omega = _numbered(curve.antiresonances, number, "antiresonance")
+    Omega = curve.antiresonance(number)
     return Omega, curve.error_of_antiresonance(Omega) / Omega
 
 
@@ -99,7 +114,7 @@ def _numbered(items, number, noun):
 
 def _ratio(spec, tree):
     """The dimension of an output over that of an input."""
-    output, driver = output_dimension(spec, tree.indices[0]), input_dimension(spec, tree.indices[1])
+    output, driver = output_dimension(spec, tree.indices[-2]), input_dimension(spec, tree.indices[-1])
     return None if output is None or driver is None else units.times(output, driver, -1)
 
 
@@ -128,12 +143,18 @@ def _of_value(about, value, unit=None, size=_size_of_argument):
 
 QUANTITIES = {
     "frf": Declaration(
-        "complex frequency response of a signal to a unit of a force, of a driven point or of the generalised force on "
-        "a coordinate: use abs, arg, re, im or phase of it", None, _frf, ("output", "input"), ("Omega",),
+        "complex frequency response of a signal to a unit of a force, of a driven point or body or of the generalised "
+        "force on a coordinate: use abs, arg, re, im or phase of it", None, _frf, ("output", "input"), ("Omega",),
         dimension=_ratio, size=_size, kind=COMPLEX, optional=True),
     "transmissibility": Declaration(
         "ratio of amplitudes |frf|", None, _transmissibility, ("output", "input"), ("Omega",), dimension=_ratio,
         size=_size, optional=True),
+    "modal_frf": Declaration(
+        "the same as a sum of so many modes that oscillate, and of what moves freely", None, _modal_frf,
+        ("number", "output", "input"), ("Omega",), dimension=_ratio, kind=COMPLEX),
+    "truncation": Declaration(
+        "how far such a sum of modes is off, |modal_frf − frf|/|frf|", "1", _truncation, ("number", "output", "input"),
+        ("Omega",), size=one),
     "peak": _of_response(
         "i-th peak of |frf|: its place Ω, or its value", None, _of_curve(_peak), components=("Omega", "value"),
         dimension=_of_argument),

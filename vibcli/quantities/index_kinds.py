@@ -4,6 +4,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from vibcli.language.signals import coordinate_name, near_signals, signal_dimension
+from vibcli.language.spec import MEMBERS
 from vibcli.quantities.signal_dimensions import input_dimension, inputs, output_dimension
 
 MOST_COUNTED = 1000
@@ -19,6 +20,11 @@ class IndexKind(NamedTuple):
     letters: tuple = ()
     noun: str = ""
     wants: str = ""
+
+    @property
+    def of_signals(self) -> bool:
+        """Are they signals?"""
+        return self.names is near_signals
 
 
 def _whole(index):
@@ -46,7 +52,7 @@ def _named(noun, letters, *sections):
 
 
 def _is_mode(spec, index):
-    return _whole(index) and int(index) <= 2 * len(spec.coordinates)
+    return _whole(index) and (bool(spec.members) or int(index) <= 2 * len(spec.coordinates))
 
 
 def _is_signal(spec, index):
@@ -66,7 +72,7 @@ INDICES = {
     "input": IndexKind(lambda spec, index: inputs(spec), lambda spec, index: input_dimension(spec, index) is not None,
                        "F", (), "input"),
     "number": _free(f"a whole number from 1 to {MOST_COUNTED}",
-                    lambda index: _whole(index) and int(index) <= MOST_COUNTED, "1"),
+                    lambda index: _whole(index) and int(index) <= MOST_COUNTED, "1")._replace(letters=("k",)),
     "root": _free("1 or 2, of two real eigenvalues by ascending |λ|", lambda index: index in ("1", "2"), "1")._replace(
         letters=("j",)),
     "fraction": _free("a fraction between 0 and 1", _fraction, "0.1"),
@@ -74,5 +80,7 @@ INDICES = {
                            lambda spec, index: index in spec.independent_parameters, "parameter", ("p",), "parameter"),
     "damper": _named("damper", (), "dampers")._replace(sample="d"),
     "body": _named("body", ("body",), "bodies"),
+    "member": _named("member", ("member",), *MEMBERS),
+    "shape": _free("a function of the place x", bool, "x^2")._replace(letters=("x^2",)),
     "place": _named("place", ("O",), "bodies", "points"),
 }

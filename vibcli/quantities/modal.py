@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.base.errors import NotInLetters, PhysicsError
+from vibcli.language.signal_names import signal_name
 from vibcli.language.signals import coordinate_name
 from vibcli.quantities.matrices import entry_dimension
 from vibcli.quantities.quantity import COMPLEX, PERIOD, ROUNDING, Declaration, as_asked, full_turn, rounded
@@ -29,10 +30,11 @@ def _mode(problem, tree):
         raise PhysicsError(f"there is no mode {number}: without its dampers nothing would hold what has no "
                            "inertia in this scene",
                            "ask for decay[1] or eigenvalue[1]")
-    if number > len(modes):
+    found = modes.numbered(number, number)
+    if not found:
         raise PhysicsError(f"there is no mode {number}: this scene has {counted(len(modes), 'mode')}",
                            "ask for one that it has")
-    return modes[number - 1]
+    return found[0]
 
 
 def counted(count: int, noun: str) -> str:
@@ -74,7 +76,8 @@ def _growth_rate(problem, tree, args):
 
 def largest(problem: "Problem", tree: "QuantityRef") -> float:
     """The largest angular frequency or growth rate."""
-    return max((float(mode.omega or mode.growth_rate or 0.0) for mode in problem.modal.modes), default=0.0)
+    return max((float(mode.omega or mode.growth_rate or 0.0) for mode in problem.modal.modes.shown()),
+               default=0.0)
 
 
 def ten(problem: "Problem", tree: "QuantityRef") -> float:
@@ -84,9 +87,42 @@ def ten(problem: "Problem", tree: "QuantityRef") -> float:
 
 def _shape(problem, tree, args):
     signal = coordinate_name(problem.spec, tree.indices[1]) or tree.indices[1]
-    shape = problem.modal.shape(_mode(problem, tree))
+    mode = problem.modal.told_apart(_mode(problem, tree))
+    shape, placed = problem.modal.shape(mode), signal_name(signal)
+    if placed.name in problem.spec.members:
+        return amplitude_as_asked(problem, *_along_member(problem, mode, placed))
     amplitude = along(problem, shape, signal)
     return amplitude_as_asked(problem, amplitude, shape)
+
+
+def _along_member(problem, mode, signal):
+    """(amplitude of a signal of a place on a member, [how large it is elsewhere on the member])."""
+    from vibcli.mechanics.inputs_outputs.displacements import signal_of_place
+    from vibcli.symbolic.evaluation import Floats, evaluate
+
+    scene = problem.scene.resting
+    found, fields = signal_of_place(scene, signal), problem.modal.fields(mode)
+    arithmetic, values = Floats, problem.configuration.at_rest
+    if problem.digits is not None:
+        arithmetic, values = problem.configuration.precise_rest(problem.digits)
+    place, factor = evaluate([found.left.place + found.at, found.factor], arithmetic, values)
+    unit = factor * problem.modal.scale(mode)
+    return fields.at(signal.name, place)[found.order] * unit, [fields.size(signal.name, found.order) * unit]
+
+
+def _node(problem, tree, args):
+    number, member, count = int(tree.indices[0]), tree.indices[1], int(tree.indices[2])
+    mode = problem.modal.told_apart(_mode(problem, tree))
+    fields = problem.modal.fields(mode)
+    found = fields.node_places(member)
+    if count > len(found):
+        known = counted(len(found), "node") if found else "no node"
+        raise PhysicsError(f"'{member}' has {known} in mode {number}, its ends and supports not counted",
+                           "ask for one that it has" if found else "ask in a higher mode")
+    place = found[count - 1]
+    off = fields.size(member, 0) / float(abs(fields.at(member, place)[1]))
+    exact = SHAPE if problem.digits is None else 10.0 ** (LOST - problem.digits)
+    return place, min(1.0, exact * off / float(place))
 
 
 def amplitude_as_asked(problem: "Problem", amplitude: "complex | mpmath.mpc",
@@ -102,9 +138,12 @@ def amplitude_as_asked(problem: "Problem", amplitude: "complex | mpmath.mpc",
 def _modal_mass(problem, tree, args):
     from vibcli.mechanics.inner_products import inner
 
-    configuration, digits = problem.configuration, problem.digits
+    configuration, digits, mode = problem.configuration, problem.digits, problem.modal.told_apart(_mode(problem, tree))
+    if getattr(mode, "motion", None) is not None:
+        found = problem.modal.scale(mode) ** 2
+        return as_asked(problem, found), 2 * (SHAPE if digits is None else 10.0 ** (LOST - digits))
     elements = configuration.linear_system if digits is None else configuration.precise_system(digits)
-    shape = problem.modal.shape(_mode(problem, tree))
+    shape = problem.modal.shape(mode)
     if any(amplitude.imag for amplitude in shape):
         raise PhysicsError(f"the coordinates do not move in phase in mode {tree.indices[0]}: it has no modal mass",
                            f"ask for mode[{tree.indices[0]}] of a coordinate")
@@ -114,17 +153,23 @@ def _modal_mass(problem, tree, args):
 
 def _of_coordinates(spec, tree):
     """Of an entry of M on its diagonal, where all coordinates measure the same."""
-    measured = [spec.dimensions.of(name) for name in spec.coordinates]
-    return entry_dimension("M", *measured[:1] * 2) if all(one == measured[0] for one in measured) else None
+    measured = _measured(spec)
+    return None if measured is None else entry_dimension("M", measured, measured)
+
+
+def _measured(spec):
+    """The dimension of all motions, so that any may be 1; None where they differ."""
+    found = [spec.dimensions.of(name) for name in spec.coordinates]
+    for section in spec.members.values():
+        found += {"shafts": [units.NONE], "beams": [units.LENGTH, units.NONE]}.get(section, [units.LENGTH])
+    return found[0] if found and all(one == found[0] for one in found) else None
 
 
 def of_shape(spec: "Spec", tree: "QuantityRef"):
     """The dimension of an amplitude where all coordinates measure the same, so that any may be 1; else None."""
-    measured = [spec.dimensions.of(name) for name in spec.coordinates]
+    measured = _measured(spec)
     name = coordinate_name(spec, tree.indices[1]) or tree.indices[1]
-    if any(one != measured[0] for one in measured):
-        return None
-    return units.times(name_dimension(spec, name), measured[0], -1)
+    return None if measured is None else units.times(name_dimension(spec, name), measured, -1)
 
 
 def along(problem: "Problem", shape: "Sequence[complex | mpmath.mpf]", signal: str) -> "complex | mpmath.mpf":
@@ -137,6 +182,9 @@ def along(problem: "Problem", shape: "Sequence[complex | mpmath.mpf]", signal: s
     if signal in scene.coordinates:
         return shape[scene.coordinates.index(signal)]
     node = displacement(scene, signal)
+    if node is None and signal_name(signal).name in problem.spec.members:
+        raise PhysicsError(f"the shape between stations that '{signal}' asks for is found of undamped modes alone",
+                           "ask for a place where something is attached, or for mode[1]")
     if node is None:
         raise PhysicsError(f"'{signal}' is a force: it has no amplitude in a mode", "ask for a place, turn or stretch")
     slopes, configuration = gradient(node), problem.configuration
@@ -168,6 +216,11 @@ def _estimate(which):
     return value
 
 
+def _of_deflection(problem, tree, args):
+    found = problem.modal.rayleigh_quotient(tree.indices[0], problem.digits)
+    return as_asked(problem, found), ROUNDING if problem.digits is None else 10.0 ** (LOST - problem.digits)
+
+
 def _ritz(problem, tree, args):
     modes, number = problem.modal.result("ritz").modes, int(tree.indices[0])
     if number > len(modes):
@@ -182,7 +235,7 @@ def _ritz(problem, tree, args):
 
 def one_degree(problem: "Problem") -> "list[Node]":
     """M, C, K of a scene with one coordinate, in letters."""
-    if len(problem.scene.q) != 1:
+    if len(problem.scene.q) != 1 or problem.scene.pieces:
         raise NotInLetters("this is found in letters for one degree of freedom")
     M, C, _, K = problem.symbolic.matrices
     zero = problem.scene.table.zero
@@ -215,10 +268,15 @@ QUANTITIES = {
     "growth_rate": Declaration(
         "growth rate of unstable mode i", "1/s", _growth_rate, ("mode",), size=largest, several=True),
     "mode": Declaration(
-        "amplitude of a coordinate or signal in mode i, the first coordinate that moves being 1", None, _shape,
+        "amplitude of a coordinate or signal in mode i, the first coordinate that moves being 1, where none does the "
+        "largest displacement of the first member that moves", None, _shape,
         ("mode", "signal"), size=ten, kind=COMPLEX, dimension=of_shape),
+    "node": Declaration(
+        "place of the k-th node of mode i on a member, from its left end, ends and supports not counted", "m", _node,
+        ("mode", "member", "number"), size=lambda problem, tree: 1.0),
     "modal_mass": Declaration(
-        "φᵀMφ of mode i, the first coordinate that moves being 1: a mass, or a moment of inertia", None, _modal_mass,
+        "φᵀMφ of mode i, ∫ μ φ² dx of members included, the first coordinate that moves being 1, where none does the "
+        "largest displacement of the first member that moves: a mass, or a moment of inertia", None, _modal_mass,
         ("mode",), dimension=_of_coordinates, several=True,
         symbolic=in_letters(lambda m, c, k, omega, table: m)),
     "sensitivity": Declaration(
@@ -226,7 +284,13 @@ QUANTITIES = {
         "shift of the equilibrium included", None, _sensitivity, ("mode", "parameter"),
         dimension=lambda spec, tree: units.times(units.RATE, spec.dimensions.of(tree.indices[1]), -1)),
     "rayleigh": Declaration(
-        "Rayleigh's estimate of omega[1] by the static deflection, an upper bound", "rad/s", _estimate("rayleigh")),
+        "Rayleigh's estimate of omega[1] by the static deflection, an upper bound; rayleigh[x^2]: of a scene with one "
+        "member, whose deflection is that function of the place x from its left end, what holds to it going along",
+        "rad/s", _estimate("rayleigh")),
+    "rayleigh[]": Declaration(
+        "rayleigh[x^2]: Rayleigh's quotient of a scene with one member whose deflection (of shafts its turn) is that "
+        "function of the place x from its left end, an upper bound of omega[1]; what holds to it goes along", "rad/s",
+        _of_deflection, ("shape",)),
     "dunkerley": Declaration("Dunkerley's estimate of omega[1], a lower bound", "rad/s", _estimate("dunkerley")),
     "ritz": Declaration(
         "Ritz's estimate of omega[i] by the shapes that `find` assumes, an upper bound", "rad/s", _ritz, ("mode",)),

@@ -174,7 +174,7 @@ def place(problem: "Problem", tree: QuantityRef, digits: int, most: float) -> "m
     curve, number = problem.frequency_response(signal, driver), int(tree.indices[0]) - 1
 
     def top(fine, number):
-        peak = curve.marked[number]
+        peak = curve.peak(number + 1)
         return fine.place(peak.Omega, POLE if peak.value is None else TURN)
 
     def half(fine, number):
@@ -184,7 +184,7 @@ def place(problem: "Problem", tree: QuantityRef, digits: int, most: float) -> "m
 
     def read(fine):
         if tree.head == "antiresonance":
-            return fine.place(curve.antiresonances[number], ZERO if curve.transfer.undamped else TURN)
+            return fine.place(curve.antiresonance(number + 1), ZERO if curve.undamped else TURN)
         if tree.head == "half_power":
             return half(fine, number)
         if tree.head == "quality":

@@ -8,6 +8,7 @@ from vibcli.quantities.precise_numbers import settled
 from vibcli.quantities.quantity import ERROR, NUMBER, OF_SIGNAL, PERIOD, ROUNDING, SIGNAL, Declaration, declared, one
 from vibcli.symbolic.syntax import QuantityRef
 
+EXACT = ("small", "waves", "modes")      # motions whose numbers carry bounds of their own
 ALONG = ("value", "max", "min", "argmax", "argmin", "zero")     # along motions that are integrated
 
 
@@ -17,7 +18,7 @@ def _measured(number):
     def value(problem, tree, args):
         try:
             found, off = number(problem, tree, args)
-            if problem.response.KIND == "small" or (problem.response.KIND == "series" and tree.head in ALONG):
+            if problem.response.KIND in EXACT or (problem.response.KIND == "series" and tree.head in ALONG):
                 error = relative(found, off())
             else:
                 error = max(ERROR, _doubt(problem, tree, found, off))

@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters
+from vibcli.language.signal_names import signal_name
 from vibcli.quantities.quantity import named
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.semantics import lower
@@ -35,7 +36,7 @@ def final(problem: "Problem", tree: QuantityRef) -> "Node":
 
 def _at_rest(problem, name, primes):
     """The value of a signal in equilibrium."""
-    element, _, part = name.partition(".")
+    element, part, *_ = signal_name(name)
     if primes or (part == "force" and element in (problem.spec.get("dampers") or {})):
         return problem.scene.table.zero
     return named("equilibrium").symbolic(problem, QuantityRef(0, 0, "", "equilibrium", (name,), "", ()))

@@ -3,7 +3,8 @@
 from typing import TYPE_CHECKING
 
 from vibcli.base import units
-from vibcli.language.signals import ENERGIES, signal_dimension
+from vibcli.language.signal_names import signal_name
+from vibcli.language.signals import ENERGIES, prescribed, signal_dimension
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -19,8 +20,7 @@ def name_dimension(spec: "Spec", name: str):
 
 def output_dimension(spec: "Spec", text: str):
     """The dimension of a coordinate or signal, with its primes; None where there is none of that name."""
-    name = text.rstrip("'")
-    primes = len(text) - len(name)
+    primes, name = (signal := signal_name(text)).primes, signal.still.text
     found = spec.dimensions.of(name) if name in spec.coordinates else signal_dimension(spec, name)
     if found is None and name in ENERGIES and name not in spec.parameters:
         found = units.parse_unit(ENERGIES[name]).dimension
@@ -30,19 +30,39 @@ def output_dimension(spec: "Spec", text: str):
 def inputs(spec: "Spec") -> list[str]:
     """The names of what can drive a scene."""
     driven = [name for name, record in (spec.get("points") or {}).items() if "moves" in record]
-    return [*(spec.get("forces") or {}), *driven, *spec.coordinates]
+    bodies = [name for name, record in (spec.get("bodies") or {}).items() if _one_drive(spec, record)]
+    forces = [name for name, record in (spec.get("forces") or {}).items() if "per_length" not in record]
+    return [*forces, *driven, *bodies, *spec.coordinates]
+
+
+def _one_drive(spec, record):
+    """The unit of the force along what is driven of a body without a place, to and fro in one way; None of others."""
+    driven = [] if "at" in record else list(prescribed(spec, record).values())
+    return driven[0][0] if len(driven) == 1 and _within_functions(driven[0][1].tree) else None
+
+
+def _within_functions(tree):
+    """Does the time stand within functions alone, as in Y*sin(Omega*t) and not in v*t?"""
+    if tree.kind in ("name", "call"):
+        return tree.kind == "call" or tree.name != "t"
+    return all(_within_functions(child) for child in tree.children)
 
 
 def input_dimension(spec: "Spec", name: str):
     """The dimension of a unit of an input: of a force, moment, unbalance, displacement or generalised force."""
     record = (spec.get("forces") or {}).get(name)
     if record is not None:
+        if "per_length" in record:
+            return None
         if "value" in record:
             return generalised_dimension(spec, record["coordinate"].text)
         unit = next(unit for key, unit in (("force", "N"), ("moment", "N*m"), ("unbalance", "kg*m")) if key in record)
         return units.parse_unit(unit).dimension
     if "moves" in (spec.get("points") or {}).get(name, ()):
         return units.LENGTH
+    body = (spec.get("bodies") or {}).get(name)
+    if body is not None and (unit := _one_drive(spec, body)):
+        return units.times(units.ENERGY, units.parse_unit(unit).dimension, -1)
     return generalised_dimension(spec, name) if name in spec.coordinates else None
 
 

@@ -23,7 +23,8 @@ ANGLE = 0.7     # no phasor of an undamped scene is at right angles to it
 
 def _linear(problem, tree):
     """The signal as a linear output of a small motion."""
-    signal = problem.response.signal(tree.args[0])
+    response = getattr(problem.response, "kept_up", problem.response)
+    signal = response.signal(tree.args[0])
     if not isinstance(signal, LinearSignal):
         raise PhysicsError(f"'{tree.head}' is not found of {signal.KIND}", "ask for max(x), min(x) or values in time")
     return signal

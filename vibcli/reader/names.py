@@ -3,14 +3,13 @@
 from typing import TYPE_CHECKING
 
 from vibcli.base import units
-from vibcli.base.diagnostics import quoted
-from vibcli.base.spelling import nearest
 from vibcli.language.dimension_check import check, check_whole_literal
 from vibcli.language.named_place import NamedPlace
 from vibcli.language.reader import Reader, Record
 from vibcli.language.record_calls import own
-from vibcli.language.sections.initial import RELEASED
+from vibcli.language.sections.initial import FIELDS, RELEASED
 from vibcli.quantities.dimensions import asked_dimension
+from vibcli.reader.references import check_references
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.semantics import DimensionCheck, constant
 from vibcli.symbolic.syntax import NameRef
@@ -28,9 +27,11 @@ def settle(spec: "Spec", reader: Reader) -> "Spec":
     spec = spec._replace(dimensions=units.Dimensions(), coordinates=_coordinates(spec, reader), used=set(), counts={})
     if spec.get("records"):
         _records(spec, reader)
-    _references(spec, reader)
+    check_references(spec, reader)
     _named_places(spec, reader)
     _units_of_symbols(spec)
+    if reader.members and reader.sound:
+        _of_members(spec, reader)
     expected = {answer.expected.scalar for answer in spec.answers}
     apart = expected | {answer.rtol.scalar for answer in spec.answers if answer.rtol is not None}
     apart |= {side.scalar for record in (spec.get("choose") or {}).values() for side in record["so"].sides}
@@ -70,6 +71,22 @@ def settle(spec: "Spec", reader: Reader) -> "Spec":
 
         spec = spec._replace(answers=[checked(spec, reader, answer) for answer in spec.answers])
     return spec
+
+
+def _of_members(spec, reader):
+    """What the motions of members measure, which are coordinates without being named."""
+    from vibcli.elements.member_places import motions_of
+    from vibcli.language.member_signals import start_mistake
+
+    for name, angle in motions_of(spec):
+        spec.dimensions.equate(spec.dimensions.unknown(name), units.NONE if angle else units.LENGTH)
+    for name in spec.members:
+        for part, measured in (("u", units.LENGTH), ("phi", units.NONE)):
+            spec.dimensions.equate(spec.dimensions.unknown(f"{name}.{part}"), measured)
+    for signal in spec.get(FIELDS) or ():
+        found = start_mistake(spec, signal)
+        if found is not None:
+            reader.report(spec.get("initial").place(signal.text), *found)
 
 
 def _cycles(spec, reader, apart):
@@ -133,34 +150,6 @@ def _coordinates(spec, reader):
     return found
 
 
-def _references(spec, reader):
-    """Every reference must name something of its namespace; points and bodies share one namespace."""
-    spaces = {space: dict.fromkeys(spec.named.get(space, ())) for space in ("points", "bodies", "surfaces", "forces")}
-    spaces |= {"ground": {"ground": None}, "coordinates": spec.coordinates}
-    for name, record in (spec.get("points") or {}).items():
-        if name in spaces["bodies"]:
-            reader.report(record.where, f"'{name}' is a point and a body", "rename one of them")
-    for name, namespaces, wants in reader.references:
-        if any(name.text in spaces[space] for space in namespaces) or (
-                namespaces == ("coordinates",) and not reader.sound):
-            continue
-        valid = [word for space in namespaces for word in spaces[space]]
-        if namespaces == ("bodies",) and name.text in spaces["points"]:
-            reader.report(name.where, f"'{name.text}' is a point, expected the name of a body",
-                          nearest(name.text, valid))
-            continue
-        if namespaces == ("points",) and name.text in spaces["bodies"]:
-            reader.report(name.where, f"'{name.text}' is a body, expected {wants}",
-                          "name the place under `points`, and draw both there")
-            continue
-        if name.text == "ground" and "points" in namespaces and "place" in wants:
-            reader.report(name.where, f"expected {wants}, found 'ground'", "a place on the ground is written [x, y]")
-            continue
-        kind = _KINDS.get(namespaces[0] if len(namespaces) == 1 else None, "point or body")
-        reader.report(name.where, f"there is no {kind} {quoted(name.text)}",
-                      nearest(name.text, valid) or f"expected {wants}")
-
-
 def _records(spec, reader):
     """A record is neither a parameter nor a coordinate. Its values have its unit; without one they are pure numbers, in
     a scene without units anything."""
@@ -180,6 +169,9 @@ def _named_places(spec, reader):
     points = spec.get("points") or {}
     for place in reader.named_places:
         at, passed = place, []
+        if place.name.text in (spec.get("member_points") or {}):
+            reader.report(place.name.where, f"'{place.name.text}' is on a member: it has no place [x, y]",
+                          "write the place itself")
         while isinstance(at, NamedPlace) and at.name.text in points and at.name.text not in passed:
             passed.append(at.name.text)
             at = points[at.name.text]["at"]
@@ -189,9 +181,6 @@ def _named_places(spec, reader):
                           "give one of these points a place [x, y]")
         elif at is not place:
             place[:] = at
-
-
-_KINDS = {"points": "point", "surfaces": "surface", "forces": "force", "bodies": "body", "coordinates": "coordinate"}
 
 
 def _units_of_symbols(spec):
@@ -262,6 +251,9 @@ def _start(spec):
               for name, value in initial.items() if name != RELEASED]
     pairs += [(record[bound], unknown(name)) for name, record in (spec.get("choose") or {}).items()
               for bound in ("from", "to") if bound in record]
+    pairs += [(record["per_length"], {**units.parse_unit("N" if record["body"].text in (spec.get("shafts") or {}) else
+                                                      "N/m").dimension})
+              for record in (spec.get("forces") or {}).values() if "per_length" in record and "body" in record]
     pairs += [(record["drawn"], unknown(name)) for name, record in spec.coordinates.items() if "drawn" in record]
     return {expression.scalar: measured for expression, measured in pairs}
 

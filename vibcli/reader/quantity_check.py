@@ -72,8 +72,14 @@ def can_be_asked(spec: "Spec", reader: "Reader", expression: "Expression", tree:
 
 
 def _index(spec, reader, place, kind, index):
+    if kind == "shape":
+        from vibcli.reader.place_check import shape_fits
+
+        return shape_fits(spec, reader, place, index)
     kind = INDICES[kind]
     good = kind.fits(spec, index)
+    if spec.members and kind.of_signals and not _is_placed(spec, reader, place, index):
+        return False
     if not good and kind.wants:
         reader.report(place, f"expected {kind.wants} in square brackets, found {quoted(index)}")
     elif not good:
@@ -82,6 +88,13 @@ def _index(spec, reader, place, kind, index):
         reader.report(place, *(f"'{index}' is defined by other parameters", hint) if defined else (
             f"this scene has no {kind.noun} {quoted(index)}", hint or "it has none at all"))
     return good
+
+
+def _is_placed(spec, reader, place, text):
+    """Is a signal of a member one that it has, at a place that can be? Reports what is wrong with it."""
+    from vibcli.reader.place_check import place_fits
+
+    return place_fits(spec, reader, place, text)
 
 
 def arguments_fit(spec: "Spec", reader: "Reader", expression: "Expression", tree: QuantityRef,
@@ -137,6 +150,8 @@ def _signal(spec, reader, expression, tree, arg):
             spec.used.add(name)
         elif name != "pi" and output_dimension(spec, name + "'" * primes) is None:
             _unknown(spec, reader, tree, name, place)
+        elif spec.members:
+            _is_placed(spec, reader, place, name)
     for part in parts_of(arg).quantities:
         quantity = declared(part)
         if quantity is None or quantity.kind != OF_SIGNAL:
@@ -159,6 +174,8 @@ def _all_names(tree):
 
 
 def _unknown(spec, reader, tree, name, place):
+    if spec.members and not _is_placed(spec, reader, place, name):
+        return
     if name in FAMILIES and named(name).indices:
         reader.report(place, f"'{name}' needs an index", f"write {usage(name, spec)}")
     elif tree.head == VALUE and isinstance(tree.args[0], NameRef):
@@ -186,7 +203,7 @@ def _response(spec, reader, expression, tree, arg, wants_value):
     """The argument of peak, arg, phase …: frf[x, F] as a function, or its value frf[x, F](5 Hz)."""
     place = expression.scalar.place(arg.start, arg.end - arg.start)
     found = declared(arg) if isinstance(arg, QuantityRef) else None
-    if wants_value and found is not None and not found.args and found.kind == COMPLEX:
+    if wants_value and found is not None and found.kind == COMPLEX and not (found.args and found.optional):
         return can_be_asked(spec, reader, expression, arg)
     if wants_value and found is not None and found.kind != COMPLEX:
         reader.report(place, f"{quoted(arg.text)} is a real number", f"ask for {arg.text} itself")

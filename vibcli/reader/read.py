@@ -18,7 +18,7 @@ from vibcli.language.reader import MOST_PROBLEMS, Reader, TooManyErrors
 from vibcli.language.record_calls import RESERVED, own
 from vibcli.language.sections import NAMES as GIVEN
 from vibcli.language.sections import coordinates, equilibrium, gravity, initial
-from vibcli.language.spec import Spec
+from vibcli.language.spec import MEMBERS, Spec
 from vibcli.reader.sections import NAMES as ASKED
 from vibcli.reader.sections import answer, find
 from vibcli.symbolic.parser import plain_name
@@ -83,8 +83,9 @@ SECTIONS = {
 
 INSTEAD = {
     "variants": "give other values under cases, or with --set",
-    "damping": "write the dampers one by one under dampers",
-} | dict.fromkeys(("bars", "shafts", "beams", "strings"), "continuous members do not work yet: a light one is a spring")
+}
+
+WHOLE = ("damping",)        # sections that a case replaces, as their keys exclude each other
 
 
 def read_spec(root: Any, file: str, diagnostics: Sequence[Any] = (), settings: Any = None) -> Spec:
@@ -137,7 +138,7 @@ def _over(below, above):
     merged = dict(below)
     for key, (key_node, value) in above.items():
         old = merged.get(key)
-        if old is not None and isinstance(old[1], Mapping) and isinstance(value, Mapping):
+        if old is not None and key not in WHOLE and isinstance(old[1], Mapping) and isinstance(value, Mapping):
             value = Mapping(value.where, _over(old[1].entries, value.entries))
         merged[key] = (key_node, value)
     return merged
@@ -147,7 +148,8 @@ def _read_one(root, file, found, settings, files, remark=""):
     from vibcli.reader.unit_consistency import resolve  # the manual needs the declarations alone
 
     named, spec = {key: _names(value) for key, (_, value) in root.entries.items()}, None
-    reader = Reader(files, named.get("records", ()))
+    members = [name for section in MEMBERS for name in named.get(section, ())]
+    reader = Reader(files, named.get("records", ()), members)
     try:
         spec = Spec.of(file, _sections(root, reader), named)
         if "choose" in named:
@@ -180,7 +182,19 @@ def _sections(root, reader):
                 sections[key] = record
         if len(reader.diagnostics) > before and key not in ("answers", "find", "cases", "choose", "initial"):
             reader.not_whole()
-    return {key: sections[key] for key in SECTIONS if key in sections}
+    found = _with_member_points({key: sections[key] for key in SECTIONS if key in sections})
+    return initial.with_fields_apart(found) if reader.members else found
+
+
+def _with_member_points(sections):
+    """The sections with the points on members apart from those that have a place."""
+    points = sections.get("points") or {}
+    along = {name: record for name, record in points.items() if not isinstance(record.get("at"), list)}
+    if not along:
+        return sections
+    placed = {name: record for name, record in points.items() if name not in along}
+    return {key: value for key, value in sections.items() if key != "points"} | (
+        {"points": placed} if placed else {}) | {"member_points": along}
 
 
 def _is_empty(node):

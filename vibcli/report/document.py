@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 EVERYTHING = ("given", "chosen", "coordinates", "equilibrium", "virtual_work", "energies", "equations", "accelerations",
-              "frequencies",
+              "frequency_equation", "frequencies",
               "damping", "modes")
 
 

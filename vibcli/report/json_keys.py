@@ -9,6 +9,7 @@ from vibcli.report.sections.equilibria import EQUILIBRIA, SEARCH
 from vibcli.report.sections.equilibrium import EQUILIBRIUM, STICKING
 from vibcli.report.sections.frequency_response import FREQUENCY_RESPONSE
 from vibcli.report.sections.insight import insight
+from vibcli.report.sections.member_modes import COUNT, MEMBERS
 from vibcli.report.sections.response import MOTION
 from vibcli.report.sections.spectrum import DAMPED_MODES, MODES, POLYNOMIAL
 from vibcli.report.sections.statics import REACTIONS
@@ -22,6 +23,6 @@ KEYS = dict(documented((
     CHOSEN, EQUILIBRIUM, EQUILIBRIA, SEARCH, STICKING, ENERGY, EQUATIONS, MATRICES, REACTIONS, ACCELERATIONS,
     Key("remark", "why a scene in letters, or one with a kink at rest, has no equilibrium, matrices and modes here, or "
         "one without inertia no modes, in words; absent otherwise"),
-    MODES, DAMPED_MODES, MOTION, FREQUENCY_RESPONSE,
+    MODES._replace(each=(*MODES.each, MEMBERS)), COUNT, DAMPED_MODES, MOTION, FREQUENCY_RESPONSE,
     Key("insight", "only where `find` or --insight asks for it", of=insight(OF_MODES)), POLYNOMIAL,
     Key("cases", "{name: the same keys}, where the file has cases"))))

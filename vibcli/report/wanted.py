@@ -1,12 +1,16 @@
 """What a command asks of responses beyond the file: signals, their end, the input, the range, how phases are told."""
 
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.mode_sequence import Selection
 
 
 class Wanted(NamedTuple):
     """signals: Expressions, those of the file if empty; driver: the Expression of an input, or None; phase: sine,
     cosine or lead; low, high: angular frequencies or None; parts: steady, transient, to be shown apart; points: how
-    many instants are sampled; at: instants as (text, Fraction of a second), to so many digits."""
+    many instants are sampled; at: instants as (text, Fraction of a second), to so many digits; modes: the Selection of
+    them, or None."""
 
     signals: tuple = ()
     driver: Any = None
@@ -17,3 +21,4 @@ class Wanted(NamedTuple):
     points: int = 1001
     at: tuple = ()
     digits: int | None = None
+    modes: "Selection | None" = None

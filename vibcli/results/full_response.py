@@ -171,7 +171,8 @@ class FullResponse(StatesInTime):
 
         self.problem.numeric.floats  # noqa: B018 - refused where parameters have none
         try:
-            return duration(self.problem.modal.modes, self.problem.modal.damped, 0.0, [])
+            damped = self.problem.modal.damped
+            return duration(self.problem.modal.modes.shown(), damped and damped.shown(), 0.0, [])
         except PhysicsError:
             until = self.problem.spec.example("10 s")
             raise PhysicsError("it is not known how long this motion is to be looked at",

@@ -25,9 +25,12 @@ def given_start(problem: "Problem", values: "Mapping[str, mpmath.mpf]",
     """The same, where all that is not given stands at `rest`."""
     import mpmath
 
-    from vibcli.language.sections.initial import RELEASED
+    from vibcli.language.sections.initial import FIELDS, RELEASED
     from vibcli.symbolic.evaluation import evaluate, multiprecision
 
+    if problem.spec.get(FIELDS):
+        raise PhysicsError("more digits of a motion that starts with fields along members are not found",
+                           "leave --digits out")
     record, scene = problem.spec.get("initial"), problem.scene
     given = {key: evaluate([scene.lower(expression)], multiprecision(), values)[0]
              for key, expression in (record.items() if record is not None else ()) if key != RELEASED}

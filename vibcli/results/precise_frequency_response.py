@@ -109,7 +109,7 @@ def precise_response(problem: "Problem", signal: str, driver: str, omega: "Calla
     size = abs(problem.frequency_response(signal, driver).at(float(omega()))[0])
 
     def parts():
-        H, = PreciseCurve(problem, signal, driver).at(omega())
+        H, = _curve(problem, signal, driver).at(omega())
         return [mp.re(H), mp.im(H)]
 
     re, im = agreed(parts, digits, size)
@@ -119,5 +119,16 @@ def precise_response(problem: "Problem", signal: str, driver: str, omega: "Calla
 def precise_place(problem: "Problem", signal: str, driver: str, read: "Callable[[PreciseCurve], mpmath.mpf]",
                   digits: int, most: float = MOST) -> "mpmath.mpf":
     """A number that `read` finds on the curve, to so many digits."""
+    if problem.configuration.linear_system.pieces:
+        raise PhysicsError("more digits of what is read off a frequency response of members are not found",
+                           "leave --digits out, or ask for the response at a frequency")
     require_quick(STEPS * PRICE * len(problem.scene.coordinates) ** 3, digits, problem.work, most)
     return agreed(lambda: [read(PreciseCurve(problem, signal, driver))], digits)[0]
+
+
+def _curve(problem, signal, driver):
+    if not problem.configuration.linear_system.pieces:
+        return PreciseCurve(problem, signal, driver)
+    from vibcli.results.precise_member_response import PreciseMemberCurve
+
+    return PreciseMemberCurve(problem, signal, driver)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses import OF_MODES
 from vibcli.analyses.modal.modal_analysis import ModalAnalysis
+from vibcli.base.errors import NotInLetters
 from vibcli.base.stage import Stage
 from vibcli.mechanics.configuration import Configuration
 from vibcli.mechanics.numeric_system import NumericSystem
@@ -151,13 +152,17 @@ class Problem:
         """The motion in time, as `motion:` of the file says."""
         from vibcli.results import responses
 
-        if not self.scene.q and self.scene.timed:
+        if not self.scene.q and self.scene.timed and not self.scene.pieces:
             from vibcli.results.prescribed_motion import PrescribedResponse
 
             return PrescribedResponse(self)
         kind = self.spec.get("motion")
         if kind is None and self.scene.laws:
             raise responses.nonlinear(self.spec, self.scene.laws[0].owner)
+        if self.scene.pieces:
+            from vibcli.results.members_in_time import members_in_time
+
+            return members_in_time(self)
         if kind == "full" and self.digits is not None:
             from vibcli.results.series_response import SeriesResponse
 
@@ -168,16 +173,24 @@ class Problem:
             return FullResponse(self)
         return responses.SmallResponse(self, _precise_response)
 
+    def require_no_members(self) -> None:
+        """NotInLetters of motions in time, and at a frequency, of members that vibrate."""
+        if self.scene.pieces:
+            raise NotInLetters("motions of members that vibrate are found in numbers",
+                               "give the parameters values with --set")
+
     def symbolic_frequency_response(self, signal: "LinearSignal", driver: str, frequency: "str | Node" = "Omega"):
         """The Formula of a frequency response; `frequency`: its letter, or an expression for it."""
         from vibcli.analyses.closed_form.frequency_response import formula
 
+        self.require_no_members()
         return formula(self.symbolic, signal, driver, frequency)
 
     def symbolic_steady_state(self, signal: "LinearSignal"):
         """The Steady state of a signal in letters."""
         from vibcli.analyses.closed_form.steady_state import steady_state
 
+        self.require_no_members()
         return steady_state(self.symbolic, signal)
 
     def symbolic_following(self, signal: str, alone: bool = False) -> "Node":
@@ -185,6 +198,7 @@ class Problem:
         where that is all in the end, NotInLetters where the free motion does not die out."""
         from vibcli.analyses.closed_form.powers_of_time import following, require_damped
 
+        self.require_no_members()
         if alone:
             require_damped(self.symbolic)
         return following(self.symbolic, signal)

@@ -4,7 +4,7 @@ A signal is an expression of coordinates, places, forces (vibcli/language/signal
 constant factors is exact at any time; products and powers are evaluated instant by instant, their extremes refined.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from math import tau
 from typing import TYPE_CHECKING, Any
@@ -23,8 +23,11 @@ from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef, Power, QuantityRef, Sum
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from vibcli.language.spec import Spec
     from vibcli.results.problem import Problem
+    from vibcli.results.signal import Signal
     from vibcli.symbolic.node import Node
 
 LONGEST = 1e12      # seconds
@@ -64,6 +67,12 @@ class Response:
                                f"ask for an instant between its start, t = 0, and {LONGEST:.0e} s", where)
         return end
 
+    def instants(self, signals: "Sequence[Signal]", points: int) -> "np.ndarray":
+        """The instants at which it is sampled for pictures and files, ascending."""
+        import numpy as np
+
+        return np.linspace(0.0, self.known, points)
+
     @property
     def start(self) -> tuple[dict[str, float], dict[str, float]]:
         """({coordinate: value}, {coordinate: velocity}) at t = 0."""
@@ -85,6 +94,7 @@ def nonlinear(spec: "Spec", owner: str) -> PhysicsError:
     """The refusal of a motion in time that nobody said to linearise."""
     record = spec.connection(owner)
     return PhysicsError(f"'{owner}' has a nonlinear law: its motion in time is not that of small oscillations",
+                        "write motion: small where the motion stays small" if spec.members else
                         "write motion: full, or motion: small where the motion stays small", record and record.where)
 
 
@@ -201,8 +211,9 @@ class SmallResponse(Response):
             speeds = [abs(wave.exponent.imag) for piece in forcing.pieces for wave in piece.waves]
         else:
             last, speeds = 0.0, [tau / forcing.turn]
-        modes = () if problem.modal.damped or not self.alone.blocks else problem.modal.modes
-        return duration(modes, problem.modal.damped, last, [speed for speed in speeds if speed])
+        modes = () if problem.modal.damped or not self.alone.blocks else problem.modal.modes.shown()
+        damped = problem.modal.damped and problem.modal.damped.shown()
+        return duration(modes, damped, last, [speed for speed in speeds if speed])
 
     def signal(self, tree: NameRef | Power | Sum):
         """The signal of a tree."""

@@ -32,6 +32,20 @@ class Signal:
     values: Callable[..., "np.ndarray"]
     extreme: Callable[..., tuple[float, float]]
 
+    def sampled(self, times: "np.ndarray") -> "np.ndarray":
+        """Its values at ascending instants; where it leaps and an instant stands twice, before the leap and after
+        it."""
+        return self.values(times)
+
+    def leaps(self, end: float) -> list[tuple[float, float, float]]:
+        """(t, value before, value after) of the fronts up to an end at which it leaps, as far as these are looked
+        for."""
+        return []
+
+    def before(self, t: float) -> float | None:
+        """Its value before an instant at which it leaps; None where it does not."""
+        return None
+
     def precise(self, t: "Fraction", digits: int) -> "mpmath.mpf":
         """Its value at an instant, correct to so many digits."""
         from vibcli.results.precise_instants import value_to

@@ -38,7 +38,7 @@ def _drawn(spec, given, start, variant):
     """The Scene of the first attempt in which the drawing fits together."""
     for attempt in range(start, start + ATTEMPTS):
         try:
-            builder = Builder(spec, given, attempt, variant)
+            builder = Builder(spec, given, attempt, variant, _tensions(spec, given, attempt, variant))
         except SpecError:   # a parameter that this sample leaves without value
             if attempt == start + ATTEMPTS - 1:
                 raise
@@ -53,6 +53,16 @@ def _drawn(spec, given, start, variant):
             break
     builder.reports.finish()
     return scene
+
+
+def _tensions(spec, given, attempt, variant):
+    """{name: tension of each piece} of the beams and strings in the plane, as statics finds it; empty where none is."""
+    drawn = any("from" in record for section in ("beams", "strings") for record in (spec.get(section) or {}).values())
+    if not drawn or variant.stretched:
+        return {}
+    from vibcli.scene.member_tensions import tensions
+
+    return tensions(_drawn(spec, given, attempt, Variant(multipliers=True, stretched=True)))
 
 
 def _assembled(builder, setting):
@@ -76,8 +86,9 @@ def _assembled(builder, setting):
             scene = closed(scene)
         except ZeroDivisionError:
             _report_singular(scene)
-    if setting.variant.inputs:
-        order = [*(q for q in scene.q if q not in scene.inputs), *scene.inputs]
+    last = scene.inputs if setting.variant.inputs else scene.released
+    if last:
+        order = [*(q for q in scene.q if q not in last), *last]
         scene = scene.with_parts(coordinates=scene.kinematics.keeping(order))
     return scene
 

@@ -1,7 +1,7 @@
 """The scene while it is built: the services by which elements make their functions of the coordinates, and to which
 they contribute."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import Diagnostic, SpecError, Where
@@ -14,19 +14,21 @@ from vibcli.language.sections.initial import let_go
 from vibcli.scene.build_order import carriers_first
 from vibcli.scene.contents import Constraint, Contents
 from vibcli.scene.coordinates import SceneCoordinates
-from vibcli.scene.displacements import Displacements
+from vibcli.scene.displacements import Displacements, stays_bounded
 from vibcli.scene.energy_terms import AppliedLoad, Damper, Inerter, Inertia, Spring, Weight
 from vibcli.scene.expressions import Expressions
 from vibcli.scene.places import Frame, Places
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats
 from vibcli.symbolic.expression import Table
+from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
     from fractions import Fraction
 
     from vibcli.elements.body import Body
     from vibcli.language.spec import Spec
+    from vibcli.scene.member_tensions import Tensions
     from vibcli.scene.scene import Variant
     from vibcli.symbolic.node import Node
 
@@ -39,7 +41,9 @@ class Builder:
 
     owner: str
 
-    def __init__(self, spec: "Spec", given: "Mapping[str, Fraction]", attempt: int, variant: "Variant"):
+    def __init__(self, spec: "Spec", given: "Mapping[str, Fraction]", attempt: int, variant: "Variant",
+                 tensions: "Mapping[str, Tensions]"):
+        self.tensions = tensions
         self.spec, self.variant, self.owner, self.reports = spec, variant, None, Reports()
         records = spec.sections.get("records") or {}
         self.table = table = Table({name: record["samples"] for name, record in records.items()})
@@ -53,8 +57,9 @@ class Builder:
                                for record in spec.coordinates.values()])
         self.contents, self.displacements = Contents.empty(table), Displacements(self.expressions, variant)
         self._offer(self.expressions, self.displacements, Places(
-            spec, self.expressions, self.contents.bodies, self.contents.points,
-            lambda record, drawn: load("point").driven(record, drawn, self)))
+            spec, self.expressions, self.contents.bodies, self.contents.points, self.contents.members,
+            lambda record, drawn: load("point").driven(record, drawn, self),
+            lambda name: load("member").built(name, self)))
 
     def _offer(self, expressions, displacements, places):
         """The services of expressions, of what is driven, and of bodies and points."""
@@ -69,6 +74,7 @@ class Builder:
         self.v, self.a = self.coordinates.v, self.coordinates.a
         self.driven_by, self.turns = displacements.driven_by, displacements.turns
         self.released = displacements.released
+        self.members = self.contents.members
         self.bodies, self.surfaces, self.ground = places.bodies, self.spec.sections.get("surfaces") or {}, places.ground
         self.frame, self.carrier, self.new_frame, self.still = places.frame, places.carrier, Frame, places.still
         self.rim, self.place, self.place_of, self.pivot = places.rim, places.place, places.place_of, places.pivot
@@ -104,8 +110,10 @@ class Builder:
         for name, (section, _) in ELEMENTS.items():
             if section in sections and section not in FIRST:
                 self._add_section(name, section)
-        for name, record in (sections.get("points") or {}).items():
-            if "moves" in record:
+        along = {name: record for name, record in (sections.get("member_points") or {}).items()
+                 if "from" in self.members[record["body"].text].record}
+        for name, record in {**(sections.get("points") or {}), **along}.items():
+            if "moves" in record or name in along:
                 self.place(Reference(name, record.where))
 
     def _add_section(self, name, section):
@@ -142,6 +150,37 @@ class Builder:
     def add_spring(self, k: "Node", preload: "Node", s: "Node") -> None:
         """preload·s + ½·k·s² to V."""
         self.contents.springs.append(Spring(k, s, preload, self.owner))
+
+    def tension(self, name: str, piece: int) -> "Node | None":
+        """What statics finds in a piece of a member; None where nothing tells."""
+        found = self.tensions.get(name)
+        return found and copied([found.pieces[piece]], self.table)[0]
+
+    def tie(self, name: str) -> "Node | None":
+        """The multiplier that keeps the length of a member both of whose ends move along it, as drawn."""
+        found = self.tensions.get(name)
+        return None if found is None or found.tie is None else copied([found.tie], self.table)[0]
+
+    def drifts(self, motion: "Node") -> bool:
+        """Is a motion driven, and not to and fro?"""
+        drives = self.displacements.driven
+        return any(x in drives and not stays_bounded(drives[x], self.time, self.sample) for x in gradient(motion))
+
+    def owned(self, name: str, build: Callable):
+        """What `build` gives, its terms being those of the element of that name."""
+        before, self.owner = self.owner, name
+        found = build()
+        self.owner = before
+        return found
+
+    def add_piece(self, start: "Node", coefficients: "Sequence[Node]", ends: "Sequence[Node]",
+                  springs: "Sequence[tuple[Node, Node, Node]]") -> None:
+        """A piece of a member, whose `springs` at rest are (stiffness, stretch, tension as drawn)."""
+        from vibcli.scene.piece_terms import PieceSpring, PieceTerm
+
+        for k, s, preload in springs:
+            self.contents.springs.append(PieceSpring(k, s, preload, self.owner))
+        self.contents.pieces.append(PieceTerm(self.owner, start, tuple(coefficients), tuple(ends), len(springs)))
 
     def add_damper(self, c: "Node", s: "Node") -> None:
         """½·c·ṡ² to Φ."""
@@ -210,8 +249,9 @@ class Reports:
         self.diagnostics, self.finished = [], False
 
     def report(self, where: Where, message: str, hint: str | None = None):
-        """Something is wrong at a place of the file."""
-        self.diagnostics.append(Diagnostic(where, message, hint))
+        """Something is wrong at a place of the file, which is said once."""
+        if self.finished or not any((found.where, found.message) == (where, message) for found in self.diagnostics):
+            self.diagnostics.append(Diagnostic(where, message, hint))
         if self.finished:
             raise SpecError(self.diagnostics[-1:])
 

@@ -7,7 +7,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
-TERMS = ("inertias", "springs", "dampers", "weights", "forces", "laws", "constraints")
+TERMS = ("inertias", "springs", "dampers", "weights", "forces", "laws", "constraints", "pieces")
 
 
 class Constraint(NamedTuple):
@@ -42,13 +42,16 @@ class Constraint(NamedTuple):
 
 
 class Contents(NamedTuple):
-    """`points`: {name: (drawn, present)}; `energies`: T, V and Φ that are written out, and the laws once they are
-    settled; `static_preloads`: [(symbol, record)] of unknown tensions; `shaken`: {kind: terms} as functions of the
-    symbols of driven displacements, empty where nothing is driven."""
+    """`points`: {name: (drawn, present)}; `spread_loads`: SpreadLoads along members; `energies`: T, V and Φ that
+    are written out, and the laws once they are settled; `static_preloads`: [(symbol, record)] of unknown
+    tensions; `shaken`: {kind: terms} as functions of the symbols of driven displacements, empty where nothing is
+    driven."""
 
     gravity: tuple
     bodies: dict
     points: dict
+    members: dict
+    spread_loads: list
     inertias: list
     springs: list
     dampers: list
@@ -56,6 +59,7 @@ class Contents(NamedTuple):
     forces: list
     laws: list
     constraints: list
+    pieces: list
     energies: dict
     matrices: dict
     static_preloads: list
@@ -65,19 +69,20 @@ class Contents(NamedTuple):
     def empty(cls, table: "Table") -> "Contents":
         """Contents to which elements may add."""
         energies = {"T": table.zero, "V": table.zero, "Phi": table.zero}
-        return cls(None, {}, {}, *([] for _ in TERMS), energies, {}, [], {})  # type: ignore[arg-type]
+        return cls(None, {}, {}, {}, [], *([] for _ in TERMS), energies, {}, [], {})  # type: ignore[arg-type]
 
     @property
     def nodes(self) -> "list[Node]":
         """All expressions of the coordinates in it."""
-        kinds = [*(getattr(self, kind) for kind in TERMS), *self.shaken.values(), self.bodies.values()]
+        kinds = [*(getattr(self, kind) for kind in TERMS), *self.shaken.values(), self.bodies.values(),
+                 self.members.values()]
         places = [node for _, place in self.points.values() for node in place]
         return [*(node for kind in kinds for part in kind for node in part.nodes), *places, *self.energies.values()]
 
     @property
     def depends_on(self) -> "list[Node]":
-        """Those of the inertias, springs, dampers, weights and loads, with their factors, and of the energies."""
-        kinds = (self.inertias, self.springs, self.dampers, self.weights, self.forces)
+        """Those of what moves, stores, damps and loads, with the factors, and of the energies."""
+        kinds = (self.inertias, self.springs, self.dampers, self.weights, self.forces, self.pieces)
         return [*(node for kind in kinds for term in kind for node in term.nodes), *self.energies.values()]
 
     def over(self, new: Any) -> "Contents":
@@ -86,5 +91,6 @@ class Contents(NamedTuple):
             **{kind: [term.over(new) for term in getattr(self, kind)] for kind in TERMS},  # type: ignore[arg-type]
             shaken={kind: [term.over(new) for term in terms] for kind, terms in self.shaken.items()},
             bodies={name: body.over(new) for name, body in self.bodies.items()},
+            members={name: member.over(new) for name, member in self.members.items()},
             points={name: (drawn, tuple(new[node] for node in place)) for name, (drawn, place) in self.points.items()},
             energies={key: new[node] for key, node in self.energies.items()})

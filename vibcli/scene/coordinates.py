@@ -49,6 +49,7 @@ class SceneCoordinates(NamedTuple):
         q, v, a = (self.table.variable(name + primes) for primes in ("", "'", "''"))
         for listed, new in ((self.names, name), (self.q, q), (self.v, v), (self.a, a)):
             listed.append(new)
+        self.symbols.update({(name, 0): q, (name, 1): v, (name, 2): a})
         self.speeds.update({q: v, v: a})
         self.drawn[q] = self.at_rest[q] = self.at_rest[v] = self.table.zero
         return q

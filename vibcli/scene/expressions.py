@@ -65,16 +65,17 @@ class Expressions:
                         "mind the signs" if value < 0 else None)
         return node
 
-    def load(self, expression: Expression):
+    def load(self, expression: Expression, local: "tuple[str, Node] | None" = None):
         """(steady part, part in time) of a load: what holds the time are its summands as they are written, so that
         F0*(1 - cos(W*t)) is in time as a whole."""
         tree, parts = expression.tree, ([], [])
         for sign, part in tree.parts if isinstance(tree, Sum) else [(1, tree)]:
             parts["t" in {name for name, *_ in parts_of(part).names}].append((sign, part))
         if not all(parts):
-            whole = self.lower(expression)
+            whole = self.lower(expression, local)
             return (self.table.zero, whole) if parts[1] else (whole, self.table.zero)
-        return tuple(self.lower(Expression(expression.scalar, tree._replace(parts=tuple(part)))) for part in parts)
+        return tuple(self.lower(Expression(expression.scalar, tree._replace(parts=tuple(part))), local)
+                     for part in parts)
 
     def pair(self, expressions: Sequence[Expression]) -> "tuple[Node, Node]":
         """The nodes of two fields, such as a place [x, y]."""
@@ -95,14 +96,15 @@ class Expressions:
         x, y = self.number(a), self.number(b)
         return abs(x - y) <= 1e-9 * max(abs(x), abs(y))
 
-    def terms_with(self, node: "Node", mask: int) -> "Node":
-        """The terms of an expression that depend on one of these symbols, multiplied out as far as it can be."""
+    def terms_with(self, node: "Node", mask: int | None = None) -> "Node":
+        """The terms of an expression that depend on one of these symbols (None: all), multiplied out as far as it can
+        be."""
         try:
             terms = reduced(expanded(node))
         except (TooLong, ZeroDivisionError):
             return node
         return collected(self.table, {monomial: value for monomial, value in terms.items()
-                                      if any(atom.mask & mask for atom, _ in monomial)})
+                                      if mask is None or any(atom.mask & mask for atom, _ in monomial)})
 
     def vanishes(self, node: "Node") -> bool:
         """Is an expression zero in all positions: by algebra, or term by term at the sample?"""

@@ -8,6 +8,7 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 if TYPE_CHECKING:
     from vibcli.base.errors import Where
     from vibcli.elements.body import Body
+    from vibcli.elements.member import Member
     from vibcli.language.reader import Expression, Record, Reference
     from vibcli.language.spec import Spec
     from vibcli.scene.expressions import Expressions
@@ -55,13 +56,26 @@ class Places:
     """The frames, circles, places and turns of `bodies` and of the points of a scene.
 
     `points`: {name: (drawn, present)} of those that are known, to which a scene that is built adds;
-    `driven(record, drawn)`: where in it a point is that moves.
+    `driven(record, drawn)`: where in it a point is that moves; `build(name)`: the member of that name.
     """
 
-    __slots__ = ("bodies", "driven", "expressions", "ground", "points", "report", "spec", "table")
+    __slots__ = (
+        "bodies",
+        "build",
+        "driven",
+        "expressions",
+        "ground",
+        "members",
+        "points",
+        "report",
+        "spec",
+        "table",
+    )
 
     def __init__(self, spec: "Spec", expressions: "Expressions", bodies: "Mapping[str, Body]",
-                 points: "dict[str, tuple[tuple[Node, Node], tuple[Node, Node]]]", driven: Callable | None = None):
+                 points: "dict[str, tuple[tuple[Node, Node], tuple[Node, Node]]]", members: "Mapping[str, Member]",
+                 driven: Callable | None = None, build: Callable | None = None):
+        self.members, self.build = members, build
         self.spec, self.expressions, self.bodies, self.points, self.driven = spec, expressions, bodies, points, driven
         self.table, self.report = expressions.table, expressions.reports.report
         self.ground = self.still((self.table.zero, self.table.zero))
@@ -132,11 +146,29 @@ class Places:
                 self.report(name.where, f"'{name.text}' has no place", "say where it is drawn with `at: [x, y]`")
                 return self.ground.drawn, self.ground.drawn, self.ground
             return body.centre, body.frame.point(*body.centre), body.frame
+        if name.text in (self.spec.get("member_points") or {}):
+            return self._on_member(name)
         record = self.spec.get("points")[name.text]
         drawn, present = self.points.get(name.text) or self._located(record)
         if self.driven is not None:
             self.points[name.text] = drawn, present
         return drawn, present, self.carrier(record, "body")
+
+    def _on_member(self, name):
+        """(drawn, present, frame) of a point on a member."""
+        record = self.spec.get("member_points")[name.text]
+        member = self.members.get(record["body"].text) or (self.build and self.build(record["body"].text))
+        if not member or member.line is None or not member.stations:
+            if member and member.line is None:
+                self.report(name.where, f"'{name.text}' is on a member that has no place", "draw the member `from` a "
+                            "place `to` another")
+            return self.ground.drawn, self.ground.drawn, self.ground
+        station = member.at(self.expressions, self.expressions.lower(record["at"]))
+        drawn, present = member.line.drawn(station.place), member.position(station)
+        if self.driven is not None:
+            self.points[name.text] = drawn, present
+        angle = self.table.zero if station.slope is None else station.slope
+        return drawn, present, Frame(drawn, present, angle)
 
     def _located(self, record):
         """(drawn, present) of a point."""

@@ -27,12 +27,14 @@ BENT = ("abs", "sign", "min", "max", "step", "ramp")
 
 class Variant(NamedTuple):
     """What a scene is beside that of its file: its constraints held by multipliers, its supports `released`, its drives
-    and loads as further coordinates, the `inputs`; `preloaded`: with the force that lets go where the motion starts."""
+    and loads as further coordinates, the `inputs`; `preloaded`: with the force that lets go where the motion starts;
+    `stretched`: its beams and strings in the plane cut open at their stations, to find their tension."""
 
     multipliers: bool = False
     released: bool = False
     inputs: bool = False
     preloaded: bool = False
+    stretched: bool = False
 
 
 class Setting(NamedTuple):
@@ -91,9 +93,10 @@ class Scene:
         self.lower, self.pair, self.number = expressions.lower, expressions.pair, expressions.number
         self.terms_with, self.unrooted = expressions.terms_with, expressions.unrooted
         self.distance, self.height_of = expressions.distance, expressions.height_of
-        (self.gravity, self.bodies, self.points, self.inertias, self.springs, self.dampers, self.weights, self.forces,
-         self.laws, self.constraints, self.energies, self.matrices, self.static_preloads, self.shaken) = contents
-        places = Places(self.spec, expressions, self.bodies, self.points)
+        (self.gravity, self.bodies, self.points, self.members, self.spread_loads, self.inertias, self.springs,
+         self.dampers, self.weights, self.forces, self.laws, self.constraints, self.pieces, self.energies,
+         self.matrices, self.static_preloads, self.shaken) = contents
+        places = Places(self.spec, expressions, self.bodies, self.points, self.members)
         self.frame, self.place, self.place_of, self.rim = places.frame, places.place, places.place_of, places.rim
         self.extent, self.unit_of = places.extent, places.unit_of
         self.driven, self.inputs, self.released = drives
@@ -132,6 +135,11 @@ class Scene:
     def drawn_anew(self, attempt: int) -> "Scene":
         """The same drawn with other sample values for its symbols, of the first attempt from this one that fits."""
         return self.setting.draw(attempt, self.setting.variant)
+
+    @property
+    def hidden(self) -> list[str]:
+        """Names of the coordinates that the file does not name: motions of members."""
+        return [name for name in self.coordinates if name not in self.spec.coordinates]
 
     @property
     def resting(self) -> "Scene":

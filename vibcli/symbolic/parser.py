@@ -35,6 +35,7 @@ _NAME = re.compile(r"[A-Za-z_α-ωΑ-Ωϕϑϵ][A-Za-z0-9_α-ωΑ-Ωϕϑϵ]*")
 _PER_UNIT = re.compile(r"1\s*/\s*[A-Za-z]")
 _PART = re.compile(r"\.(?:[A-Za-z_][A-Za-z0-9_]*|[0-9]{1,3})")
 _INDEX = re.compile(r"\[([^][]{1,80})\]")
+_BETWEEN = re.compile(r",(?![^()]*\))")       # commas that no brackets hold
 _SPACE = re.compile(r"[ \t\n]*")
 
 
@@ -246,7 +247,7 @@ class _Parser:
             raise ExpressionError(self.at, 1, f"{head} takes its argument in round brackets", f"write {head}(…)")
         indices, last = [], ()
         while match := _INDEX.match(self.text, self.at):
-            last = match.group(1).split(",")
+            last = _BETWEEN.split(match.group(1))
             indices.extend(plain_name(part.strip()) for part in last)
             self.at = match.end()
         if self.text.startswith("[", self.at):

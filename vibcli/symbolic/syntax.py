@@ -1,5 +1,6 @@
 """The syntax tree of an expression: what each part holds, and where it stands in the text."""
 
+from collections.abc import Callable
 from fractions import Fraction
 from operator import attrgetter
 from typing import Any, NamedTuple
@@ -140,6 +141,19 @@ def parts_of(tree: Any) -> Parts:
                 calls.append(part)
             pending.extend(part.children)
     return Parts(names, numbers, calls, quantities, whole_literal(tree))
+
+
+def rebuilt(tree: Any, change: Callable) -> Any:
+    """The tree in which `change(part)` stands for every part, those within it changed first."""
+    if isinstance(tree, (Sum, Product)):
+        tree = tree._replace(parts=tuple((sign, rebuilt(part, change)) for sign, part in tree.parts))
+    elif isinstance(tree, (Call, QuantityRef)):
+        tree = tree._replace(args=tuple(rebuilt(arg, change) for arg in tree.args))
+    elif isinstance(tree, Power):
+        tree = tree._replace(base=rebuilt(tree.base, change), exponent=rebuilt(tree.exponent, change))
+    elif isinstance(tree, Equation):
+        tree = tree._replace(left=rebuilt(tree.left, change), right=rebuilt(tree.right, change))
+    return change(tree)
 
 
 def whole_literal(tree: Any) -> Number | None:

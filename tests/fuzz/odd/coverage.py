@@ -8,8 +8,11 @@ import yaml
 from . import doors
 from .scene_text import displacements
 
-# what changes no number, asks for numbers, or is drawn by a door and not in a scene
-ASIDE = re.compile(r"scene\.(title|source|question|find|choose|answers|cases)|parameter\.|.*\.about|coordinate\.null")
+# what changes no number, asks for numbers, or is drawn by a door and not in a scene; members and `damping`, which have
+# sweeps of their own
+ASIDE = re.compile(r"scene\.(title|source|question|find|choose|answers|cases|damping|bars|shafts|beams|strings)|"
+                   r"parameter\.|.*\.about|coordinate\.null|(damping|bar|shaft|beam|string|segment|section|end|attachment"
+                   r"|oscillator|modes)\.")
 DEFINITIONS = "parameter", "request", "response", "frequency_response", "choose", "answer"
 
 

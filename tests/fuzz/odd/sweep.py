@@ -19,6 +19,8 @@ from fuzz.odd.coverage import ASKED, Catalogue
 from fuzz.odd.doors import Refusal
 from fuzz.odd.draw import drawn
 
+LAST = 1500     # seed that is looked at for what no scene held
+
 
 class Sweep:
     """Scenes by seed: how many were drawn and compared, what was refused, what disagrees."""
@@ -56,14 +58,15 @@ class Sweep:
         """What the language has and no answered scene held, and what was not compared."""
         return self.expected - set(self.holding)
 
-    def representative(self, count, most):
-        """Scenes of the first seeds; the last ones, up to a number, are such as hold what none before them does."""
+    def representative(self, count, most, spared=frozenset()):
+        """Scenes of the first seeds; then, up to a number of all, such as hold what none before them does, but for what
+        is spared."""
         for seed in range(1, count + 1):
             self.scene(seed)
         seed = count
-        while self.drawn < most and self.never:
+        while self.drawn < most and seed < LAST and self.never - spared:
             seed += 1
-            if self.never & set(self.catalogue.of_scene(drawn(seed).text())):
+            if (self.never - spared) & set(self.catalogue.of_scene(drawn(seed).text())):
                 self.scene(seed)
 
     @property

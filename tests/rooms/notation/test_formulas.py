@@ -105,7 +105,7 @@ def numbers(found):
 def test_reports_are_read_back(path):
     base = problem_of(path)
     for found in (base, *map(base.case, base.spec.cases)):
-        if found.spec.choices:
+        if found.spec.choices or found.scene.members:     # ∂²u/∂x² and names of places are not read back
             continue
         report, values = Report(found), numbers(found)
         for name in SHOWN:

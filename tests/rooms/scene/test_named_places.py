@@ -33,7 +33,7 @@ def named(scene):
         surface.update({"line": [name(place) for place in surface["line"]]} if "line" in surface else {})
     for key, point in scene.get("points", {}).items():
         if isinstance(point, dict):
-            point["at"] = name(point["at"])
+            point["at"] = name(point["at"]) if isinstance(point["at"], list) else point["at"]
         else:
             scene["points"][key] = name(point)
     if points:

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from vibcli.analyses.frequency_response.transfer_function import polynomial, slope
+from vibcli.analyses.frequency_response.quadratics import polynomial, slope
 from vibcli.numerics.fixed_point import count_floats
 
 SINGULAR = 2.0**-46     # 1/condition of the scaled matrix below which a frequency counts as one of a pole
@@ -45,19 +45,19 @@ def _block(system, s, steep):
     D = (system.K + at * system.C + at * at * system.M) * scale[:, :, None] * scale[:, None, :]
     b, c = polynomial(system.b, s) * scale, polynomial(system.c, s) * scale
     right = np.stack([b, np.broadcast_to(probe(system.n), b.shape)], axis=2)
-    x = _solved(D, right)
+    x = solutions(D, right)
     suspicious = ~(np.abs(x[:, :, 1]).max(axis=1) * SINGULAR * 64 < 1)
     x = np.where(suspicious[:, None], 0.0, x[:, :, 0])
     values, slopes, resonant = np.einsum("ki,ki->k", c, x), None, np.zeros(len(s), bool)
     if steep:
-        y = _solved(D.transpose(0, 2, 1), c[:, :, None])[:, :, 0]
+        y = solutions(D.transpose(0, 2, 1), c[:, :, None])[:, :, 0]
         slopes = along(system, s, x * scale, np.where(suspicious[:, None], 0.0, y) * scale)
     for k in np.flatnonzero(suspicious):
-        values[k], resonant[k] = _singular(D[k], b[k], c[k])
+        values[k], resonant[k] = apart_from_poles(D[k], b[k], c[k])
     return values + polynomial(system.d, s), slopes, resonant
 
 
-def _solved(D, right):
+def solutions(D: np.ndarray, right: np.ndarray) -> np.ndarray:
     """D⁻¹·right of each frequency, NaN where D is singular."""
     try:
         return np.linalg.solve(D, right)
@@ -65,7 +65,7 @@ def _solved(D, right):
         if len(D) == 1:
             return np.full(right.shape, np.nan + 0j)
         half = len(D) // 2
-        return np.concatenate([_solved(D[:half], right[:half]), _solved(D[half:], right[half:])])
+        return np.concatenate([solutions(D[:half], right[:half]), solutions(D[half:], right[half:])])
 
 
 def along(system: Any, s: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
@@ -75,7 +75,7 @@ def along(system: Any, s: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarra
             + np.einsum("ki,ki->k", y, slope(system.b, s) - moved))
 
 
-def _singular(D, b, c):
+def apart_from_poles(D: np.ndarray, b: np.ndarray, c: np.ndarray) -> tuple[complex, bool]:
     """(cᵀD⁻¹b, False), or (0, True) where D is singular along a mode that b drives and c sees."""
     count_floats(len(D))
     u, size, v = np.linalg.svd(D)

@@ -4,14 +4,17 @@ Each is narrowed down to rounding. A maximum where H has no bound is that of an 
 zero, an antiresonance without damping.
 """
 
+import math
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from vibcli.analyses.frequency_response.evaluate import sampled, sloped
-from vibcli.analyses.frequency_response.poles_and_zeros import endless, pace, poles, zeros
 from vibcli.numerics.bracketing import zeros_between
+
+if TYPE_CHECKING:
+    from vibcli.analyses.frequency_response.frequency_response_function import FrequencyResponseFunction
 
 SPREAD = np.array([0.0, 0.03, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 20.0])     # places about a pole, in widths
 COARSE, FEW = np.array([0.0, 0.25, 1.0, 5.0]), 40                       # where there are more poles and zeros
@@ -28,23 +31,24 @@ class Extreme(NamedTuple):
     maximum: bool
 
 
-def extremes(system: Any) -> list[Extreme]:
-    """The Extremes of |H(iΩ)| for Ω > 0, ascending; none where the input does not reach the output."""
-    if not sampled(system, pace(system) * ANYWHERE)[0].any():
+def extremes(system: "FrequencyResponseFunction", start: float = 0.0, end: float = math.inf) -> list[Extreme]:
+    """The Extremes of |H(iΩ)| for Ω > 0 from start to end, ascending; none where the input does not reach the
+    output."""
+    if not sampled(system, system.pace * ANYWHERE)[0].any():
         return []
-    low, high = _brackets(system)
+    low, high = _brackets(system, start, end)
     maximum = steepness(system, low) > 0
     Omega = zeros_between(lambda at: steepness(system, at), low, high)
     values, _, resonant = sloped(system, Omega)
     if system.undamped:
         turning = ~_through(system, low, high) & ~resonant
         found = [*map(_extreme, Omega[turning], np.abs(values[turning]), maximum[turning])]
-        for marks, value in zip(endless(system), (None, 0.0), strict=True):
+        for marks, value in zip(system.endless(start, end), (None, 0.0), strict=True):
             found += [_extreme(at, value, value is None) for at in marks]
         return sorted(found, key=lambda one: one.Omega)
     beside = [np.abs(sloped(system, Omega * (1 + sign * BESIDE))[0]) for sign in (1, -1)]
     resonant |= maximum & (np.abs(values) > ENDLESS * np.maximum(*beside))
-    Omega[resonant] = _nearest(poles(system).imag, Omega[resonant])
+    Omega[resonant] = _nearest(system.poles(start, end).imag, Omega[resonant])
     return [_extreme(at, None if lost else size, top)
             for at, size, lost, top in zip(Omega, np.abs(values), resonant, maximum, strict=True)]
 
@@ -64,16 +68,16 @@ def _nearest(places, Omega):
     return places[np.abs(Omega[:, None] - places).argmin(axis=1)] if len(Omega) else Omega
 
 
-def steepness(system: Any, Omega: np.ndarray) -> np.ndarray:
+def steepness(system: "FrequencyResponseFunction", Omega: np.ndarray) -> np.ndarray:
     """d log|H|/dΩ; NaN where H is zero or unbounded."""
     values, slopes, _ = sloped(system, Omega)
     with np.errstate(all="ignore"):
         return np.where(values == 0, np.nan, (1j * slopes / np.where(values == 0, 1.0, values)).real)
 
 
-def places(system: Any) -> np.ndarray:
-    """Frequencies near poles and zeros, and between them, ascending and different."""
-    marks = np.concatenate([poles(system), zeros(system)])
+def places(system: "FrequencyResponseFunction", start: float = 0.0, end: float = math.inf) -> np.ndarray:
+    """Frequencies from start to end near poles and zeros, and between them, ascending and different."""
+    marks = np.concatenate([system.poles(start, end), system.zeros(start, end)])
     marks = marks[(marks.imag > 0) & np.isfinite(marks)]
     middle, width = marks.imag, np.maximum(np.abs(marks.real), NARROWEST * marks.imag)
     spread = SPREAD if len(marks) <= FEW else COARSE
@@ -81,15 +85,16 @@ def places(system: Any) -> np.ndarray:
     near = np.concatenate([near, np.abs(marks)])
     between = np.sort(middle)
     near = np.concatenate([near, (between[1:] + between[:-1]) / 2, between * 0.9, between * 1.1])
-    typical = pace(system)
-    low, high = min([typical, *middle]) / WIDE, max([typical, *middle]) * WIDE
+    typical = system.pace
+    low = max(start, min([typical, *middle]) / WIDE)
+    high = min(end, max([typical, *middle]) * WIDE)
     near = np.concatenate([near, np.geomspace(low, high, 161)])
     return np.unique(near[(near >= low) & (near <= high)])
 
 
-def _brackets(system):
+def _brackets(system, start, end):
     """(low, high) of the intervals in which the slope changes its sign."""
-    Omega = places(system)
+    Omega = places(system, start, end)
     sign = np.sign(steepness(system, Omega))
     known = np.flatnonzero(np.isfinite(sign) & (sign != 0))
     ends = [(i, j) for i, j in pairwise(known) if sign[i] != sign[j]]

@@ -4,15 +4,16 @@ A damper c adds s c r rᵀ to K + sC + s²M, so that H = (A + c B)/(1 + c E) at 
 |H| is the same for all c exactly where it is the same for c = 0 and c → ∞: |A| = |B/E|.
 """
 
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from vibcli.analyses.frequency_response.evaluate import sampled
 from vibcli.analyses.frequency_response.extremes import places
-from vibcli.analyses.frequency_response.poles_and_zeros import pace
-from vibcli.analyses.frequency_response.transfer_function import TransferFunction
 from vibcli.numerics.bracketing import zeros_between
+
+if TYPE_CHECKING:
+    from vibcli.analyses.frequency_response.frequency_response_function import FrequencyResponseFunction
 
 SAME, STATIC, STRONG, FELT = 1e-8, 1e-3, 1e4, 1e-6
 
@@ -24,10 +25,11 @@ class FixedPoint(NamedTuple):
     value: float
 
 
-def fixed_points(without: Any, with_one: Any) -> list[FixedPoint]:
-    """The FixedPoints with Ω > 0, ascending, from the TransferFunctions with c = 0 and c = 1 (in any unit)."""
-    typical = _typical(without, with_one)
-    systems = [without, *(blended(without, with_one, typical * share) for share in (1.0, 2.0, STRONG))]
+def fixed_points(without: "FrequencyResponseFunction",
+                 with_one: "FrequencyResponseFunction") -> list[FixedPoint]:
+    """The FixedPoints with Ω > 0, ascending, from the responses with c = 0 and c = 1 (in any unit)."""
+    typical = without.felt(with_one)
+    systems = [without, *(without.with_damper(with_one, typical * share) for share in (1.0, 2.0, STRONG))]
     Omega = np.unique(np.concatenate([places(system) for system in systems]))
 
     def difference(Omega):
@@ -47,7 +49,7 @@ def fixed_points(without: Any, with_one: Any) -> list[FixedPoint]:
     after = known[np.searchsorted(known, change) + 1]
     found = zeros_between(difference, Omega[change], Omega[after]) if len(change) else np.zeros(0)
     heights = [np.abs(sampled(system, found)[0]) for system in systems]
-    low = STATIC * pace(without)
+    low = STATIC * without.pace
     return [FixedPoint(float(at), float(height)) for at, height, *others in zip(found, *heights, strict=True)
             if at > low and all(abs(other - height) <= SAME * height for other in others)]
 
@@ -59,19 +61,3 @@ def limit(free: np.ndarray, once: np.ndarray, twice: np.ndarray) -> np.ndarray:
         E = (one - two) / (twice - once)
         return (one + once * E) / E
 
-
-def blended(without: Any, with_one: Any, c: float):
-    """The TransferFunction with a damper c, from those with c = 0 and c = 1."""
-    def part(name):
-        zero = getattr(without, name)
-        return zero + c * (getattr(with_one, name) - zero)
-
-    return TransferFunction(*map(part, ("M", "C", "K", "b", "c", "d")), without.order)
-
-
-def _typical(without, with_one):
-    """A damper that is felt, neither weak nor strong: such that c Ω is of the size of K."""
-    added = np.abs(np.diag(with_one.C - without.C))
-    stiff = np.abs(np.diag(without.K))
-    felt = (added > 0) & (stiff > 0)
-    return float(np.median(stiff[felt] / added[felt]) / pace(without)) if felt.any() else 1.0

@@ -4,25 +4,28 @@ Between neighbours the curve of log |H| and arg H is straight to TOLERANCE, seen
 """
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.analyses.frequency_response.evaluate import sampled
 from vibcli.analyses.frequency_response.extremes import Extreme, extremes, places
 
+if TYPE_CHECKING:
+    from vibcli.analyses.frequency_response.frequency_response_function import FrequencyResponseFunction
+
 TOLERANCE, ROUNDS, MOST, EVEN = 0.004, 12, 4000, 61
 CLOSEST, NARROW = 1e-5, 1e-13       # nearest place to where H is zero or unbounded, and to each other, relative to Ω
 LEAST = 1e-14                       # of the largest value, where a curve ends
 
 
-def adaptive(system: Any, low: float, high: float, log: Any = True,
+def adaptive(system: "FrequencyResponseFunction", low: float, high: float, log: Any = True,
              known: Sequence[Extreme] | None = None) -> tuple[np.ndarray, np.ndarray]:
     """(Ω ascending, H) between two frequencies; poles and zeros are left out, as are places next to them."""
     known = extremes(system) if known is None else known
     endless = np.array([one.Omega for one in known if not one.value])
     even = np.geomspace(low, high, EVEN) if log else np.linspace(low, high, EVEN)
-    near = [*places(system), *(one.Omega for one in known)]
+    near = [*places(system, 0.0, max(high, system.end)), *(one.Omega for one in known)]
     Omega = np.unique([*even, *(x for x in near if low < x < high)])
     Omega = _clear(Omega[np.append(True, np.diff(Omega) > NARROW * Omega[1:])], endless)
     values = sampled(system, Omega)[0]

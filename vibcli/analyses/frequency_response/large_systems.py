@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from vibcli.analyses.frequency_response.direct import SINGULAR, along, direct, probe, scales
-from vibcli.analyses.frequency_response.transfer_function import polynomial, slope
+from vibcli.analyses.frequency_response.quadratics import polynomial, slope
 from vibcli.base.work import counted
 from vibcli.numerics.fixed_point import MILLION
 from vibcli.numerics.state_space import first_order

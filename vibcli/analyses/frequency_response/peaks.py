@@ -4,30 +4,36 @@ A peak is a maximum that a pole makes, an antiresonance a minimum that a zero ma
 half-power points of a peak are where |H| = peak/√2 on either side of it; Q = Ω_peak/(Ω₂ − Ω₁).
 """
 
+import math
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.frequency_response.evaluate import frf, sampled
 from vibcli.analyses.frequency_response.extremes import WIDE, Extreme, extremes
-from vibcli.analyses.frequency_response.poles_and_zeros import pace, poles, zeros
 from vibcli.base.errors import PhysicsError
 from vibcli.numerics.bracketing import zeros_between
 
+if TYPE_CHECKING:
+    from vibcli.analyses.frequency_response.frequency_response_function import FrequencyResponseFunction
 
-def peaks(system: Any, known: Sequence[Extreme] | None = None) -> list[Extreme]:
-    """The Extremes that are peaks, ascending; their value is None where damping does not bound them."""
-    known = extremes(system) if known is None else known
+
+def peaks(system: "FrequencyResponseFunction", known: Sequence[Extreme] | None = None,
+          end: float = math.inf) -> list[Extreme]:
+    """The Extremes up to a frequency that are peaks, ascending; their value is None where damping does not bound
+    them."""
+    known = extremes(system, 0.0, end) if known is None else known
     tops = [one for one in known if one.maximum and not (system.undamped and one.value is not None)]
-    return _made_by(poles(system), tops, [one.Omega for one in known if not one.maximum])
+    return _made_by(system.poles(0.0, end), tops, [one.Omega for one in known if not one.maximum])
 
 
-def antiresonances(system: Any, known: Sequence[Extreme] | None = None) -> list[Extreme]:
-    """The Extremes that are antiresonances, ascending."""
-    known = extremes(system) if known is None else known
+def antiresonances(system: "FrequencyResponseFunction", known: Sequence[Extreme] | None = None,
+                   end: float = math.inf) -> list[Extreme]:
+    """The Extremes up to a frequency that are antiresonances, ascending."""
+    known = extremes(system, 0.0, end) if known is None else known
     dips = [one for one in known if not one.maximum and not (system.undamped and one.value)]
-    return _made_by(zeros(system), dips, [one.Omega for one in known if one.maximum])
+    return _made_by(system.zeros(0.0, end), dips, [one.Omega for one in known if one.maximum])
 
 
 def _made_by(marks, found, between):
@@ -42,7 +48,8 @@ def _made_by(marks, found, between):
     return kept
 
 
-def half_power(system: Any, peak: Extreme, known: Sequence[Extreme] | None = None) -> tuple[float, float]:
+def half_power(system: "FrequencyResponseFunction", peak: Extreme,
+               known: Sequence[Extreme] | None = None) -> tuple[float, float]:
     """(Ω₁, Ω₂) at which |H| is peak/√2, on either side of a peak."""
     if peak.value is None:
         raise PhysicsError("an undamped peak has no bound, and so no half-power points", "add damping")
@@ -65,7 +72,7 @@ def half_power(system: Any, peak: Extreme, known: Sequence[Extreme] | None = Non
 
 def _beyond(system, Omega, level):
     """A frequency above Ω at which |H| has fallen below the level; the last one looked at where there is none."""
-    last = max(pace(system), Omega) * WIDE
+    last = max(system.pace, Omega) * WIDE
     while Omega < last:
         Omega *= 2
         if abs(sampled(system, Omega)[0]) < level:

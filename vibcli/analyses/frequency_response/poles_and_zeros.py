@@ -1,4 +1,4 @@
-"""Poles and zeros of H(s) in floats: eigenvalues of K + sC + s²M, and of the same bordered by b, c and d,
+"""Poles and zeros of a TransferFunction in floats: eigenvalues of K + sC + s²M, and of the same bordered by b, c and d,
 
     [ K + sC + s²M   −b(s) ]
     [ c(s)ᵀ           d(s) ].
@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 
-from vibcli.analyses.frequency_response.evaluate import undifferentiated
 from vibcli.numerics.fixed_point import count_floats
 
 FAR = 1e-7      # |μ| of what counts as infinite
@@ -46,9 +45,9 @@ def _kept(system, places, sign=-1):
     anywhere, and a mode that takes no part is no pole of H."""
     at, step = places, np.zeros(len(places))
     if sign == 1 and len(places):
-        at = np.where(undifferentiated(system, places)[2], places, places * (1 + BESIDE))
+        at = np.where(system.at(places)[2], places, places * (1 + BESIDE))
     for _ in range(STEPS if len(places) else 0):
-        values, slopes, resonant = undifferentiated(system, at, True)
+        values, slopes, resonant = system.at(at, True)
         with np.errstate(all="ignore"):
             step = np.where((values == 0) | resonant, 0.0, sign * values / slopes)
         step = np.where(np.isfinite(step), step, np.inf)

@@ -1,59 +1,35 @@
-"""First-order bounds of the errors of H(iΩ) = cᵀD⁻¹b + d, D = K + sC + s²M, and of what is read off its graph.
+"""First-order bounds of the errors of what is read off the graph of H(iΩ), from that of H at each frequency.
 
-With x = D⁻¹b and y = D⁻ᵀc:   |δH| <= |y|ᵀ (|δD| |x| + |δb|) + |δc|ᵀ|x| + |δd| + |D′x| |y| |δs|,   δD by elements and
-the rounding of their sums and of the elimination. Where log|H| turns, as −(Ω − Ω₀)²/(2γ²), its slope is off by as much
+Where log|H| turns, as −(Ω − Ω₀)²/(2γ²), its slope is off by as much
 as H is over γ, and Ω₀ by that times γ².
 """
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.frequency_response.evaluate import sampled, sloped
 from vibcli.analyses.frequency_response.extremes import steepness
-from vibcli.analyses.frequency_response.transfer_function import polynomial, slope
-from vibcli.analyses.transient.data_errors import DATA
+from vibcli.analyses.frequency_response.value_errors import GIVEN
 
 if TYPE_CHECKING:
-    from vibcli.analyses.frequency_response.transfer_function import TransferFunction
-    from vibcli.analyses.transient.data_errors import DataErrors
+    from vibcli.analyses.frequency_response.frequency_response_function import FrequencyResponseFunction
 
-EPSILON = 2.0**-52
-GIVEN = 4 * DATA        # relative, of the rows of inputs and outputs
 NEAR, FALL, MOST = 1e-3, 0.05, 300.0    # first distance, relative, and fall of log|H| by which a top is measured
 TRIES = 30
 
 
 class ResponseErrors:
-    """Of one TransferFunction, given the DataErrors of its matrices."""
+    """Of what is read off the graph of one FrequencyResponseFunction."""
 
-    def __init__(self, system: "TransferFunction", data: "DataErrors"):
-        self.system, self.data = system, data
-
-    def of_value(self, Omega: float) -> float:
-        """|δH| at a frequency."""
-        system, large, n = self.system, abs(Omega), self.system.n
-        s = np.array([1j * Omega])
-        b, c, d = (polynomial(part, s)[0] for part in (system.b, system.c, system.d))
-        of_b, of_c, of_d = (polynomial(np.abs(part), np.array([large]))[0] for part in (system.b, system.c, system.d))
-        D = system.K + s[0] * system.C + s[0]**2 * system.M
-        terms = np.abs(system.K) + large * np.abs(system.C) + large**2 * np.abs(system.M)
-        inverse = np.linalg.pinv(D)
-        x, y = inverse @ b, np.abs(c @ inverse)
-        missed = GIVEN * of_b + (n + 4) * EPSILON * terms @ np.abs(x)
-        for k, ((weights, rows), entries) in enumerate(zip(self.data.weights, self.data.entries, strict=True)):
-            missed = missed + large**k * (np.abs(rows).T @ (weights * np.abs(rows @ x)) + entries @ np.abs(x))
-        turned = np.abs(system.C @ x + 2 * s[0] * (system.M @ x)) + np.abs(slope(system.b, s)[0])
-        found = y @ (missed + 2 * DATA * large * turned) + (GIVEN + n * EPSILON) * of_c @ np.abs(x)
-        found = found + 2 * DATA * large * abs(slope(system.c, s)[0] @ x + slope(system.d, s)[0])
-        found = float(abs(found) + GIVEN * of_d + 8 * EPSILON * abs(c @ x + d))
-        return found * large**system.order * (1.0 + 2 * system.order * DATA)
+    def __init__(self, system: "FrequencyResponseFunction"):
+        self.system = system
 
     def relative(self, Omega: float) -> float:
         """|δH|/|H| at a frequency."""
         size = abs(complex(sampled(self.system, Omega)[0]))
-        return self.of_value(Omega) / size if size else math.inf
+        return self.system.error(Omega) / size if size else math.inf
 
     def of_top(self, Omega: float) -> tuple[float, float]:
         """(|δΩ|, relative |δH|) of a maximum or minimum of |H|."""
@@ -67,7 +43,7 @@ class ResponseErrors:
     def of_zero(self, Omega: float) -> float:
         """|δΩ| of a zero of H."""
         steep = abs(complex(sloped(self.system, np.array([Omega]))[1][0]))
-        return self.of_value(Omega) / steep + GIVEN * Omega if steep else Omega
+        return self.system.error(Omega) / steep + GIVEN * Omega if steep else Omega
 
     def of_level(self, Omega: float, off: float) -> float:
         """|δΩ| of a place where |H| has a height that is off by so much, relative."""
@@ -78,7 +54,7 @@ class ResponseErrors:
         """|d log|H|/dΩ|."""
         return abs(float(steepness(self.system, np.array([Omega]))[0]))
 
-    def of_crossing(self, other: Any, Omega: float) -> float:
+    def of_crossing(self, other: "ResponseErrors", Omega: float) -> float:
         """|δΩ| of a place where |H| is that of another ResponseErrors' system."""
         here, there = (float(steepness(one.system, np.array([Omega]))[0]) for one in (self, other))
         apart = abs(here - there)

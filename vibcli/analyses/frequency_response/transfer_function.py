@@ -1,75 +1,133 @@
-"""The transfer function of one output to one input, H(s) = c(s)ᵀ (K + s C + s² M)⁻¹ b(s) + d(s), s = iΩ.
+"""The transfer function of one output to one input, H(s) = c(s)ᵀ (K + s C + s² M)⁻¹ b(s) + d(s), s = iΩ."""
 
-An input cos Ωt gives the output Re(H e^{iΩt}) in the steady state: amplitude |H|, lag θ = −arg H.
-"""
-
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from vibcli.analyses.frequency_response import poles_and_zeros
+from vibcli.analyses.frequency_response.direct import direct
+from vibcli.analyses.frequency_response.frequency_response_function import FrequencyResponseFunction
 from vibcli.base.errors import PhysicsError
+from vibcli.language.signal_names import signal_name
 from vibcli.language.signals import is_load
 from vibcli.mechanics.inputs_outputs.inputs import direct_part, input_columns, named_input
 from vibcli.mechanics.inputs_outputs.outputs import linear_row
 
 if TYPE_CHECKING:
-    from fractions import Fraction
-
+    from vibcli.analyses.modal.modal_analysis import ModalAnalysis
+    from vibcli.analyses.transient.data_errors import DataErrors
     from vibcli.mechanics.configuration import Configuration
 
+WORK = 2e8      # elimination of so many frequencies by LU is not worth a search for a faster method
+ERROR, ROUNDING = 1e-12, 1e-15
 
-class TransferFunction:
-    """M, C (gyroscopic terms included), K: (n, n) arrays; b, c: (3, n) coefficients of s⁰, s¹, s², d: (3,); `order`:
-    how often the output is differentiated (receptance 0, mobility 1, accelerance 2)."""
 
-    __slots__ = ("C", "K", "M", "_method", "b", "c", "d", "order")
+class TransferFunction(FrequencyResponseFunction):
+    """M, C (gyroscopic terms included), K: (n, n) arrays; b, c: (3, n) coefficients of s⁰, s¹, s², d: (3,); modal: the
+    ModalAnalysis of the scene it is of, which its errors are asked of."""
 
-    def __init__(self, M: np.ndarray, C: np.ndarray, K: np.ndarray, b: "Fraction", c: np.ndarray,
-                 d: Any = (0.0, 0.0, 0.0), order: int = 0):
+    __slots__ = ("C", "K", "M", "_data", "_method", "_modal", "b", "c", "d")
+
+    def __init__(self, M: np.ndarray, C: np.ndarray, K: np.ndarray, b: np.ndarray, c: np.ndarray,
+                 d: Any = (0.0, 0.0, 0.0), order: int = 0, modal: "ModalAnalysis | None" = None):
+        super().__init__(order)
         self.M, self.C, self.K = (np.asarray(matrix, dtype=float) for matrix in (M, C, K))
         self.b, self.c, self.d = (np.asarray(part) for part in (b, c, d))
-        self.order, self._method = order, None
+        self._modal = modal
+        self._method: Any = None
+        self._data: Any = None
 
     @property
     def n(self):
         return len(self.K)
 
-    def evaluated_by(self, choose: Any = None):
-        """How it is evaluated at many frequencies; that is chosen once, and None before if nobody chooses."""
-        if self._method is None and choose is not None:
-            self._method = choose(self)
-        return self._method
-
     @property
-    def undamped(self):
-        """Are numerator and denominator functions of s² with real coefficients?"""
+    def undamped(self) -> bool:
         odd = self.C.any() or self.b[1].any() or self.c[1].any() or self.d[1]
         return not odd and not any(np.iscomplexobj(part) and part.imag.any() for part in (self.b, self.c, self.d))
 
+    @property
+    def pace(self) -> float:
+        return poles_and_zeros.pace(self)
 
-def polynomial(coefficients: np.ndarray, s: np.ndarray) -> np.ndarray:
-    """Σ coefficientₖ sᵏ; s (N,) gives (N, …)."""
-    s = np.asarray(s).reshape(-1, *[1] * (np.ndim(coefficients) - 1))
-    return coefficients[0] + s * (coefficients[1] + s * coefficients[2])
+    def at(self, s: np.ndarray, steep: bool = False) -> "tuple[np.ndarray, np.ndarray | None, np.ndarray]":
+        """The method for many frequencies is chosen once and kept."""
+        if self._method is None and len(s) * self.n**3 > WORK:
+            from vibcli.analyses.frequency_response.large_systems import chosen
+
+            self._method = chosen(self) or direct
+        return (self._method or direct)(self, s, steep)
+
+    def poles(self, low: float = 0.0, high: float = math.inf) -> np.ndarray:
+        return _within(poles_and_zeros.poles(self), low, high)
+
+    def zeros(self, low: float = 0.0, high: float = math.inf) -> np.ndarray:
+        return _within(poles_and_zeros.zeros(self), low, high)
+
+    def endless(self, low: float = 0.0, high: float = math.inf) -> list[np.ndarray]:
+        return [marks[(marks >= low) & (marks <= high)] for marks in poles_and_zeros.endless(self)]
+
+    @property
+    def data(self) -> "DataErrors":
+        """The DataErrors of the matrices, for what does not start."""
+        if self._data is None:
+            from vibcli.analyses.transient.data_errors import of_elements
+
+            still = np.zeros(self.n)
+            linear = self._modal.configuration.linear_system
+            self._data = of_elements(linear, (self.M, self.C, self.K), (still, still), still)
+        return self._data
+
+    def error(self, Omega: float) -> float:
+        from vibcli.analyses.frequency_response.value_errors import of_value
+
+        return of_value(self, self.data, Omega)
+
+    def error_of_pole(self, Omega: float) -> float:
+        modes = [mode for mode in self._modal.modes or () if mode.omega]
+        near = min(modes, key=lambda mode: abs(float(mode.omega) - Omega), default=None)
+        return Omega * (ERROR if near is None else max(float(near.error), ROUNDING))
+
+    def natural(self) -> list[float]:
+        modes = self._modal.modes or self._modal.damped or ()
+        return [float(mode.omega) for mode in modes if mode.omega]
+
+    def with_damper(self, other: Any, c: float) -> "TransferFunction":
+        def part(name):
+            zero = getattr(self, name)
+            return zero + c * (getattr(other, name) - zero)
+
+        return TransferFunction(*map(part, ("M", "C", "K", "b", "c", "d")), self.order)
+
+    def felt(self, other: Any) -> float:
+        """Such that c Ω is of the size of K."""
+        added = np.abs(np.diag(other.C - self.C))
+        stiff = np.abs(np.diag(self.K))
+        both = (added > 0) & (stiff > 0)
+        return float(np.median(stiff[both] / added[both]) / self.pace) if both.any() else 1.0
 
 
-def slope(coefficients: np.ndarray, s: np.ndarray) -> np.ndarray:
-    """The derivative of the same polynomial."""
-    s = np.asarray(s).reshape(-1, *[1] * (np.ndim(coefficients) - 1))
-    return coefficients[1] + 2 * s * coefficients[2]
+def _within(marks, low, high):
+    return marks[(marks.imag >= low) & (marks.imag <= high)]
 
 
-def transfer(configuration: "Configuration", signal: str, driven_by: str, order: int = 0):
-    """The TransferFunction of a signal to a named input."""
-    if is_load(configuration.spec, signal.rstrip("'")):
+def transfer(configuration: "Configuration", signal: str, driven_by: str, order: int = 0,
+             modal: "ModalAnalysis | None" = None) -> FrequencyResponseFunction:
+    """The FrequencyResponseFunction of a signal to a named input; modal: the ModalAnalysis about the same state."""
+    if is_load(configuration.spec, signal_name(signal).still.text):
         raise PhysicsError(f"'{signal}' is that of a load, and no response to one", "ask for a coordinate, a place or "
                            "the force of a spring")
+    if configuration.linear_system.pieces:
+        from vibcli.analyses.frequency_response.member_transfer import member_transfer
+
+        return member_transfer(configuration, signal_name(signal), driven_by, order, modal)
     row, chosen = linear_row(configuration, signal), named_input(configuration, driven_by)
     n = len(configuration.scene.q)
     M, C, K = system(configuration)
     b = _dense(input_columns(configuration, chosen), n)
     c = _dense((row.q, row.v, row.a), n)
-    return TransferFunction(M, C, K, b, c, np.array(direct_part(row, chosen)), order)
+    return TransferFunction(M, C, K, b, c, np.array(direct_part(row, chosen)), order, modal)
 
 
 def system(configuration: "Configuration"):

@@ -29,7 +29,7 @@ def stiffness_condition(modal: "ModalAnalysis") -> float:
         return None
     if factored(modal.configuration.linear_system) or modal.configuration.sources[0] is None:
         return 1.0
-    modes = sorted((mode for mode in modal.modes if not mode.rigid), key=_rate)[:LEAST]
+    modes = sorted((mode for mode in modal.modes.shown() if not mode.rigid), key=_rate)[:LEAST]
     return max((_condition(modal.configuration, mode) for mode in modes), default=1.0)
 
 

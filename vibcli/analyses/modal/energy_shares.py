@@ -34,13 +34,13 @@ class Shares(NamedTuple):
 def shares(modal: "ModalAnalysis", _: Any) -> Shares:
     """The Shares of a system."""
     with mpmath.workdps(WORKING):
-        owned, modes, dissipation = owned_forms(modal.configuration), modal.sharp_modes, None
+        modes, owned, dissipation = modal.sharp_modes, owned_forms(modal.configuration), None
         kinetic = {mode.index: _shares(owned.kinetic, mode.shape) for mode in modes}
         potential = {mode.index: {} if mode.rigid else _shares(
             owned.potential, mode.shape, _energy(owned, mode.shape, mode.omega or mode.growth_rate)) for mode in modes}
         if modal.damped is not None:
             dissipation = []
-            for mode in (mode for mode in modal.damped if mode.omega):
+            for mode in (mode for mode in modal.damped.shown() if mode.omega):
                 shape = [mpmath.mpmathify(complex(x)) for x in mode.shape]
                 lost = _shares(owned.dissipation, shape, _energy(owned, shape, mode.omega) / mode.omega)
                 dissipation.append((mode, lost))

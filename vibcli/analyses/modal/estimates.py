@@ -14,6 +14,7 @@ import mpmath
 
 from vibcli.analyses.modal.modes_precise import WORKING
 from vibcli.base.errors import PhysicsError
+from vibcli.base.units import LENGTH, parse_unit
 from vibcli.mechanics.element_contributions import owned_forms
 from vibcli.mechanics.inner_products import along
 
@@ -23,17 +24,21 @@ if TYPE_CHECKING:
 
 
 class Estimates(NamedTuple):
-    """omega, rayleigh, dunkerley in rad/s; deflection: δ by coordinate, its largest part 1; alone: {body: ωⱼⱼ}."""
+    """omega, rayleigh, dunkerley in rad/s; deflection: δ by coordinate, its largest part 1; alone: {body: ωⱼⱼ};
+    members: MemberEstimates of scenes that have such."""
 
     omega: float
     rayleigh: float
     dunkerley: float
     deflection: dict
     alone: dict
+    members: Any = None
 
 
 def estimates(modal: "ModalAnalysis", _: Any) -> Estimates:
     """The Estimates of a system; PhysicsError where the bounds do not hold."""
+    if modal.scene.pieces:
+        return _with_members(modal)
     with mpmath.workdps(WORKING):
         _require_bounds(modal)
         elements = modal.configuration.precise_system(WORKING)
@@ -51,12 +56,36 @@ def estimates(modal: "ModalAnalysis", _: Any) -> Estimates:
             {name: float(1 / mpmath.sqrt(square)) for name, square in alone.items() if square > 0})
 
 
+def _with_members(modal):
+    """The Estimates of a scene with members."""
+    import numpy as np
+
+    from vibcli.analyses.continuous.member_estimates import bounds, further, static_stiffness
+
+    _require_bounds(modal)
+    elements = modal.configuration.linear_system
+    torsional = all(member.kind.torsional for member in modal.scene.members.values())
+    across = parse_unit("rad").dimension if torsional else LENGTH
+    pulled = [int(modal.system.dimension(name) == across) for name in modal.scene.coordinates]
+    rayleigh, deflection, squares = bounds(modal, pulled)
+    if elements.n:
+        with mpmath.workdps(WORKING):
+            flexibility = mpmath.matrix(np.linalg.inv(static_stiffness(elements)).tolist())
+            for name, (rows, matrix) in owned_forms(modal.configuration).kinetic.items():
+                squares[name] = squares.get(name, 0.0) + float(_trace(rows, matrix, flexibility))
+    largest = max(deflection, key=abs, default=1.0)
+    return Estimates(
+        float(modal.modes[0].omega), rayleigh, sum(squares.values()) ** -0.5,
+        {name: float(x / largest) for name, x in zip(modal.scene.coordinates, deflection, strict=True)},
+        {name: square**-0.5 for name, square in squares.items() if square > 0}, further(modal))
+
+
 def _require_bounds(modal):
     """Refuse a scene of which K is not positive definite, or which has gyroscopic terms."""
     what = "the estimates of Rayleigh and Dunkerley need "
     if any(modal.configuration.linear_system.G.values()):
         raise PhysicsError(what + "a system without gyroscopic terms", "their bounds hold for M and K alone")
-    first = modal.sharp_modes[0]
+    first = modal.modes[0] if modal.scene.pieces else modal.sharp_modes[0]
     if first.rigid:
         raise PhysicsError(what + "a stiffness along every motion, and mode 1 is a rigid-body mode",
                            "hold the scene by a spring, or ask for omega[i]")

@@ -6,11 +6,14 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses import ANALYSES
+from vibcli.analyses.modal.mode_sequence import Modes
+from vibcli.base.errors import PhysicsError
 from vibcli.base.stage import Stage
 
 if TYPE_CHECKING:
     import mpmath
 
+    from vibcli.analyses.continuous.mode_fields import ModeFields
     from vibcli.analyses.modal.damped_modes import DampedMode
     from vibcli.analyses.modal.stability import Stability
     from vibcli.analyses.modal.undamped import Mode
@@ -20,6 +23,8 @@ if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
 
 MOST = 10_000       # steps of a million products
+CLOSE, COINCIDING = 1e-2, 1e-13     # relative gaps of frequencies: where shapes in floats lose digits; of equal ones
+MORE = 20           # digits that tell them apart
 
 
 class ModalAnalysis:
@@ -30,29 +35,29 @@ class ModalAnalysis:
         self.configuration, self.free = configuration, free
         self.numeric, self.system, self.spec = configuration.numeric, configuration.system, configuration.spec
         self.work, self.costs = configuration.work, configuration.costs
-        self._results = {}
+        self._results, self._scales = {}, {}
 
     @cached_property
     def scene(self) -> "Scene":
         return self.system.scene
 
     @Stage
-    def modes(self):
+    def modes(self) -> Modes:
         """The modes of the system without its dampers; none where it would not oscillate."""
         from vibcli.analyses.modal.modes import natural_modes
 
         elements = self.configuration.linear_system
-        if elements.massless:
+        if elements.massless and not elements.pieces:
             from vibcli.analyses.modal.massless_coordinates import only_damped
 
             if only_damped(elements):
-                return []
-        return self.solved(natural_modes, elements, *self.configuration.sources)
+                return Modes([])
+        return self._sequence(self.solved(natural_modes, elements, *self.configuration.sources))
 
     @cached_property
     def zero_modes(self) -> dict[int, str]:
         """What each mode without frequency is: free, held or falling (mechanics/equilibrium/zero_modes.py)."""
-        rigid = [mode for mode in self.modes if mode.rigid]
+        rigid = [mode for mode in self.modes.shown() if mode.rigid]
         if not rigid:
             return {}
         from vibcli.mechanics.equilibrium.zero_modes import FREE, zero_modes
@@ -62,14 +67,20 @@ class ModalAnalysis:
         return zero_modes(self.configuration, rigid)
 
     @Stage
-    def damped(self):
+    def damped(self) -> Modes | None:
         """The damped modes; None where nothing damps."""
         elements = self.configuration.linear_system
-        if not (elements.dampers or elements.C):
+        if not (elements.dampers or elements.C or any(placed.piece.drag for placed in elements.pieces)):
             return None
         from vibcli.analyses.modal.modes import damped_modes
 
-        return self.solved(damped_modes, elements, lambda: self.modes, *self.configuration.sources)
+        return self._sequence(self.solved(damped_modes, elements, lambda: self.modes, *self.configuration.sources))
+
+    def _sequence(self, found):
+        """The Modes of a list of them, or of what finds modes without end; None of None."""
+        if found is None or isinstance(found, list):
+            return None if found is None else Modes(found)
+        return Modes((), found, self.solved)
 
     @cached_property
     def stability(self) -> "Stability":
@@ -87,9 +98,46 @@ class ModalAnalysis:
 
     def shape(self, mode: "DampedMode | Mode", how: str = "first") -> "list[complex | mpmath.mpf]":
         """The shape of a mode in the normalisation asked for, as a list of numbers."""
-        from vibcli.analyses.modal.normalisation import normalised, weights
+        from vibcli.analyses.modal.normalisation import cleaned, normalised, weights
 
-        return normalised(mode.shape, how, weights(self.configuration.linear_system))
+        if not self.scene.members or not hasattr(mode, "motion"):
+            return normalised(mode.shape, how, weights(self.configuration.linear_system))
+        told = self.told_apart(mode)
+        factor = self.scale(told, how)
+        found = [x * factor for x in told.shape]
+        return [cleaned(x if told is mode else complex(x) if x.imag else float(x.real)) for x in found]
+
+    def told_apart(self, mode: Any) -> "Mode":
+        """A Mode of members in more digits where another frequency is so close that its shape in floats is a mix of
+        both; where they coincide to rounding any mix is one."""
+        motion = getattr(mode, "motion", None)
+        if motion is None or motion.system.digits is not None or not mode.omega:
+            return mode
+        beside = self.modes.numbered(max(mode.index - 1, 1), mode.index + 1)
+        gaps = [abs(float(other.omega or 0.0) / mode.omega - 1) for other in beside if other.index != mode.index]
+        if not any(COINCIDING < gap < CLOSE for gap in gaps):
+            return mode
+        return self.modes_to(MORE).numbered(mode.index, mode.index)[0]
+
+    def scale(self, mode: Any, how: str = "first") -> "float | mpmath.mpf":
+        """What the shape of a Mode of a scene with members, of unit modal mass, is multiplied by."""
+        from vibcli.analyses.modal.normalisation import weights
+
+        if (id(mode), how) not in self._scales:
+            found = weights(self.configuration.linear_system)
+            self._scales[id(mode), how] = mode, self.fields(mode).scale(how, found, len(self.spec.coordinates))
+        return self._scales[id(mode), how][1]
+
+    def fields(self, mode: Any) -> "ModeFields":
+        """The ModeFields of a mode, in its numbers."""
+        from vibcli.analyses.continuous.mode_fields import ModeFields
+        from vibcli.symbolic.evaluation import Floats
+
+        if isinstance(mode.error, float) and isinstance(mode.omega or mode.growth_rate or 0.0, float):
+            return ModeFields(mode, self.scene.resting, Floats, self.configuration.at_rest)
+        from mpmath import mp
+
+        return ModeFields(mode, self.scene.resting, *self.configuration.precise_rest(mp.dps), mp.mpf)
 
     def solved(self, solve: Callable, *args: Any,
                **options: "Sequence[Mode] | int | Work | Callable") -> "list[DampedMode | Mode] | LinearMotion | None":
@@ -101,24 +149,24 @@ class ModalAnalysis:
                 return solve(*args, **options)
         except UnheldCoordinate as error:
             name = self.scene.coordinates[error.number]
-            raise error.named(name, self.spec.coordinates[name].where) from None
+            raise error.named(name, self.spec.origin(name).where) from None
 
     def steps_to_digits(self, digits: int) -> float:
         """About how many steps of a million products so many digits take, before anything is computed."""
         from vibcli.numerics.precision import estimated_steps
 
-        damped = any(section in self.spec.sections for section in ("dampers", "energies", "matrices"))
+        damped = any(section in self.spec.sections for section in ("dampers", "damping", "energies", "matrices"))
         return estimated_steps(len(self.spec.coordinates), digits, damped)
 
     def to_digits(self, digits: int):
         """(modes, damped modes) recomputed to so many correct digits."""
         return self.modes_to(digits), self.damped_to(digits)
 
-    def modes_to(self, digits: int):
+    def modes_to(self, digits: int) -> Modes:
         """The modes of the system without its dampers, recomputed to so many correct digits; found once."""
         from vibcli.analyses.modal.modes import natural_modes
 
-        return self._sharpened("modes", digits, natural_modes) if self.modes else []
+        return self._sharpened("modes", digits, natural_modes) if self.modes else self.modes
 
     def damped_to(self, digits: int):
         """The damped modes, recomputed; None where nothing damps."""
@@ -133,7 +181,8 @@ class ModalAnalysis:
                 from vibcli.mechanics.high_precision import Degenerate
 
                 raise Degenerate
-            self._results[word, digits] = self.solved(solve, elements, *natural, *sources, digits=digits)
+            found = self.solved(solve, elements, *natural, *sources, digits=digits)
+            self._results[word, digits] = self._sequence(found)
         return self._results[word, digits]
 
     @cached_property
@@ -141,6 +190,10 @@ class ModalAnalysis:
         """The modes to the digits that shares and derivatives need."""
         from vibcli.analyses.modal.modes_precise import sharp_modes
 
+        if not self.modes.finite:
+            raise PhysicsError("shares and sensitivities are found where there are finitely many modes; a member "
+                               "with distributed inertia has modes without end",
+                               "see `vibcli frequencies` for the modes themselves")
         return self.solved(sharp_modes, self.configuration)
 
     @cached_property
@@ -149,6 +202,12 @@ class ModalAnalysis:
         from vibcli.analyses.modal.modes_precise import sharp_damped
 
         return self.solved(sharp_damped, self.configuration, lambda: self.sharp_modes)
+
+    def rayleigh_quotient(self, deflection: str, digits: int | None):
+        """Rayleigh's quotient of a scene with one member, whose deflection is a function of the place x."""
+        from vibcli.analyses.continuous.assumed_bounds import quotient
+
+        return self.costs.measured("rayleigh", lambda: quotient(self, deflection, digits))
 
     def result(self, word: str):
         """What the analysis of a word of `find` finds of these modes, as the file asks for it; found once."""

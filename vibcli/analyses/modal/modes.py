@@ -13,6 +13,7 @@ import numpy as np
 
 from vibcli.analyses.modal.method import SQUARES, damped_at_all, form_of
 from vibcli.analyses.modal.undamped import Mode, undamped
+from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.factored_system import summed
 
 if TYPE_CHECKING:
@@ -20,11 +21,16 @@ if TYPE_CHECKING:
 
 
 def natural_modes(elements: Any, precise: Callable | None = None, exact: Callable | None = None,
-                  digits: int | None = None) -> list[Mode]:
+                  digits: int | None = None) -> list[Mode] | Any:
     """The modes of the system without its dampers: those that grow, the rigid ones, the others by ascending ω.
 
-    What decays is left out where it only mirrors what grows: where there is no G, or K is symmetric.
+    What decays is left out where it only mirrors what grows: where there is no G, or K is symmetric. With members that
+    have inertia it is what finds modes without end.
     """
+    if any(placed.piece.inertia for placed in elements.pieces):
+        from vibcli.analyses.continuous.mode_source import NaturalModes
+
+        return NaturalModes(elements, precise, digits)
     sources = _changed(_still, elements, precise, exact)
     if form_of(sources[0]) == SQUARES:
         return undamped(elements, precise=precise, digits=digits)
@@ -41,8 +47,10 @@ def natural_modes(elements: Any, precise: Callable | None = None, exact: Callabl
 
 
 def damped_modes(elements: Any, natural: Callable, precise: Callable | None = None, exact: Callable | None = None,
-                 digits: int | None = None) -> "list[DampedMode] | None":
+                 digits: int | None = None) -> "list[DampedMode] | Any":
     """The damped modes, None where nothing damps; `natural()` gives the modes without dampers."""
+    if any(placed.piece.inertia or placed.piece.drag for placed in elements.pieces):
+        return _of_members(elements, natural, digits)
     if not damped_at_all(elements) and not any(elements.drag.values()):
         return None
     from vibcli.analyses.modal.damped import damped
@@ -52,6 +60,20 @@ def damped_modes(elements: Any, natural: Callable, precise: Callable | None = No
     found = damped(elements, precise=precise, exact=exact, digits=digits)
     still = natural() if any(not mode.omega for mode in found) else ()
     return _one_each(found, still) if still else found
+
+
+def _of_members(elements, natural, digits):
+    """The damped modes of a scene with members, found as they are asked for."""
+    if not (damped_at_all(elements) or any(elements.drag.values())
+            or any(placed.piece.drag for placed in elements.pieces)):
+        return None
+    if digits is not None:
+        raise PhysicsError("damped modes of members with distributed inertia are found in floats alone",
+                           "leave --digits out, or take the dampers out")
+    from vibcli.analyses.continuous.damped_source import DampedModes
+    from vibcli.analyses.continuous.matched_damper import dies_after
+
+    return DampedModes(elements, natural) if dies_after(elements) is None else []
 
 
 def _still(elements):

@@ -1,7 +1,7 @@
 """Normalisation of mode shapes, stated with every shape that is shown.
 
 first: the first coordinate is 1 (the next that moves where it rests); largest: the largest amplitude is 1;
-mass: φᵀMφ = 1, as the shapes come from the eigenvalue problem.
+mass: φᵀMφ = 1, as the shapes come from the eigenvalue problem. With members: analyses/continuous/mode_fields.py.
 """
 
 from collections.abc import Sequence
@@ -13,6 +13,13 @@ if TYPE_CHECKING:
 
 NEGLIGIBLE, ROUNDING = 1e-9, 4e-16
 WORDS = {"first": "the first coordinate that moves is 1", "largest": "the largest amplitude is 1", "mass": "φᵀMφ = 1"}
+ALONG = {"first": "the first coordinate that moves is 1, where none does the largest displacement of the first member",
+         "largest": "the largest displacement is 1", "mass": "φᵀMφ = 1"}
+
+
+def words(how: str, members: Any = ()) -> str:
+    """What a normalisation is, in words, of scenes with or without members."""
+    return (ALONG if members else WORDS)[how]
 
 
 def normalised(shape: "Sequence[complex] | np.ndarray", how: str = "first",
@@ -30,10 +37,10 @@ def normalised(shape: "Sequence[complex] | np.ndarray", how: str = "first",
         pivot = max(values, key=abs)
     else:
         pivot = next(value for value, part in zip(values, sizes, strict=True) if part > NEGLIGIBLE * size)
-    return [_clean(value / pivot) for value in values]
+    return [cleaned(value / pivot) for value in values]
 
 
-def _clean(value):
+def cleaned(value: Any) -> Any:
     """A complex amplitude without a part that is only its rounding."""
     if isinstance(value, complex) and value:
         real = value.real if abs(value.real) > ROUNDING * abs(value) else 0.0
@@ -51,5 +58,10 @@ def weights(elements: Any) -> list[float]:
                 diagonal[i] += abs(weight) * x * x
         for (i, j), value in extra.items():
             diagonal[i] += abs(value) * (i == j)
+    for placed in elements.pieces:
+        half, mass = placed.piece.order // 2, abs(placed.piece.inertia) * placed.piece.length / 3
+        for number, row in enumerate(placed.rows):
+            for i, x in row.items():
+                M[i] += mass * x * x * (placed.piece.length**2 / 35 if number % half else 1)
     fastest = max((k / m for k, m in zip(K, M, strict=True) if m and k), default=1.0)
     return [(m or k / fastest) ** 0.5 for k, m in zip(K, M, strict=True)]

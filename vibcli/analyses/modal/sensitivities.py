@@ -116,6 +116,8 @@ def _damped_modes(modal):
     """(the damped modes or None, why there are none although something damps)."""
     if modal.damped is None:
         return None, None
+    if modal.spec.get("damping") is not None:
+        return None, "what `damping` gives is not differentiated"
     try:
         return modal.sharp_damped, None
     except PhysicsError as error:

@@ -49,9 +49,9 @@ def stability(modal: Any) -> Stability:
         held = of_what_follows(elements)
         if held != FOLLOWS or inertless(elements):
             return Stability(UNSTABLE if held == FALLS else UNDECIDED)
-    modes = (modal.damped if decide else None) or modal.modes
+    modes = ((modal.damped if decide else None) or modal.modes).shown()
     if growing(modes):
-        return Stability(UNSTABLE, float(max(growing(modal.damped or ()) or growing(modes))))
+        return Stability(UNSTABLE, float(max(growing(modal.damped.shown() if modal.damped else ()) or growing(modes))))
     kinds = modal.zero_modes.values()
     if not modal.modes and any(not mode.omega for mode in modes):
         kinds = _beyond(modal, [mode for mode in modes if not mode.omega])
@@ -88,7 +88,7 @@ def _rate(modal):
     if inertless(modal.configuration.linear_system):
         return None
     with suppress(PhysicsError):
-        return max(map(float, growing(modal.damped or modal.modes)), default=None)
+        return max(map(float, growing((modal.damped or modal.modes).shown())), default=None)
     return None
 
 

@@ -35,7 +35,8 @@ class Mode(NamedTuple):
 
     omega: 0 exactly if rigid, None where nothing oscillates (divergence); growth_rate: Re λ, None where it is zero;
     both in flutter. error: bound of the relative error of each. direction: shape but for one factor, its bits
-    independent of units.
+    independent of units. motion: with members the NaturalFrequency it was made of, which knows what they do between
+    their nodes; else None.
     """
 
     index: int  # type: ignore[assignment]
@@ -44,6 +45,7 @@ class Mode(NamedTuple):
     shape: Any
     direction: Any
     error: Any
+    motion: Any = None
 
     @property
     def rigid(self) -> bool:

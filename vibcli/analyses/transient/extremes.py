@@ -50,19 +50,20 @@ class ExtremeSearch:
         if not len(times):
             return float(self.time), float(self.sign * self.value)
         first = np.argmin(times)
-        of_it = np.flatnonzero(peaks & (times <= times[first] + self._flat(times[first])))
+        of_it = np.flatnonzero(peaks & (times <= times[first] + self._flat(times[[first]])))
         if len(of_it):
             first = of_it[np.argmin(times[of_it])]
         return float(times[first]), float(self.sign * values[first])
 
     def instants(self, task: "Task") -> list[float]:
         """One of each top within the margin, ascending."""
-        found = []
+        found = np.empty((0, 2))
         _, times, peaks = self._tops(task)
-        for t in (*np.sort(times[peaks]), *np.sort(times[~peaks])):
-            if not any(abs(t - known) <= self._flat(known) for known in found):
-                found.append(float(t))
-        return sorted(found) or [float(self.time)]
+        times = np.concatenate([np.sort(times[peaks]), np.sort(times[~peaks])])
+        for t, width in zip(times, self._flat(times), strict=True):
+            if not (np.abs(t - found[:, 0]) <= found[:, 1]).any():
+                found = np.vstack([found, (t, width)])
+        return np.sort(found[:, 0]).tolist() or [float(self.time)]
 
     def _tops(self, task):
         """(values, times, whether these are peaks or ends of a segment) of what may be the largest."""
@@ -78,10 +79,10 @@ class ExtremeSearch:
         near = values >= max(self.value, values.max(initial=-np.inf)) - self.rounding - self.margin
         return values[near], times[near], peaks[near]
 
-    def _flat(self, t):
-        """How wide the top about an instant is within which values are one but for rounding."""
-        bend = np.abs(self.curve.curvature.at(*self.curve.timeline.place(np.array([t]))))[0]
-        return 2 * np.sqrt(8 * self.rounding / bend) if bend else 0.0
+    def _flat(self, times):
+        """How wide the top about each instant is within which values are one but for rounding."""
+        bend = np.abs(self.curve.curvature.at(*self.curve.timeline.place(times)))
+        return 2 * np.sqrt(8 * self.rounding / np.where(bend, bend, np.inf))
 
     @property
     def rounding(self) -> float:

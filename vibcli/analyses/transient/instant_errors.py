@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
+    from vibcli.analyses.continuous.travelling_waves import WaveMotion
     from vibcli.analyses.excitation.linear_output import LinearOutput
     from vibcli.analyses.transient.linear_response import LinearMotion
 
@@ -13,12 +14,12 @@ EPSILON = 2.0**-52
 STEEP = 1e3         # times its error: the slope at an end or a kink, not at a top
 
 
-def of_passage(motion: "LinearMotion", output: "LinearOutput", t: float) -> float:
+def of_passage(motion: "LinearMotion | WaveMotion", output: "LinearOutput", t: float) -> float:
     """Of a zero; of one that touches by the curvature, √(2 δy / |ÿ|)."""
     return _least(motion, output, t, 0)
 
 
-def of_top(motion: "LinearMotion", output: "LinearOutput", t: float) -> float:
+def of_top(motion: "LinearMotion | WaveMotion", output: "LinearOutput", t: float) -> float:
     """Of an extreme; of one at an end, or at a kink or jump of the loads, that of rounding."""
     slope, doubt = _known(motion, output, t, 1)
     return 2 * EPSILON * t if abs(slope) > STEEP * doubt else _least(motion, output, t, 1)

@@ -179,6 +179,10 @@ class SteadyMotion(LinearMotion):
 
         return doubt
 
+    def off(self, wave: tuple[complex, np.ndarray, np.ndarray]) -> np.ndarray | None:
+        """By how much the forces of a wave (s, Q, F) may be off beside a rounding: |δF|; None: not at all."""
+        return None
+
     def phasors(self, output: "LinearOutput") -> list[tuple[float, complex]]:
         """[(Ω, X)] with Re Σ X e^{iΩt} the output, Ω ascending; a constant has Ω = 0. Not of periodic forcing;
         PhysicsError of an output that grows."""

@@ -78,7 +78,7 @@ def of_waves_in(motion: "SteadyMotion", output: "LinearOutput") -> dict[float, f
     found: dict[float, float] = {}
     for wave in motion.waves:
         rate = wave[0].imag
-        found[rate] = found.get(rate, 0.0) + of_output(motion, output, wave)
+        found[rate] = found.get(rate, 0.0) + of_output(motion, output, wave, motion.off(wave))
     if motion.powers:
         found[0.0] = _of_constant(motion, output)
     return found

@@ -8,8 +8,9 @@ from vibcli.drawing.canvas.primitives import BODY, Circle, Polyline, extent
 from vibcli.drawing.layout import lumped, plane, rows
 from vibcli.drawing.layout.scale import scale_of
 from vibcli.drawing.layout.sketch import Sketch
+from vibcli.drawing.layout.strips import resting, strips
 from vibcli.drawing.layout.ties import Ties
-from vibcli.drawing.symbols import bodies, connection, joint, rope, support, tracks
+from vibcli.drawing.symbols import bodies, connection, joint, member, member_ends, rope, support, tracks
 from vibcli.drawing.symbols.appearance import looks
 from vibcli.symbolic.evaluation import Floats, evaluate
 
@@ -52,7 +53,11 @@ class Scenery:
             self.ropes[f"implied {number}"] = rope.implied(found, self.sketch, self.looks)
         box = extent(primitives(self, self.sketch)[0])
         left, top = (box[0], box[1] - BELOW) if box else (0.0, 0.0)
-        self.rows = lumped.layouts(rows.rows(scene), scene, left, top)
+        held = _held_alone(scene)
+        self.rows = lumped.layouts([row for row in rows.rows(scene) if not _only(row, held)], scene, left, top)
+        if self.rows:
+            top = min(layout.y - max(place.height for place in layout.places.values()) for layout in self.rows) - BELOW
+        self.strips = strips(self.sketch, left, top)
 
     def at(self, position: Mapping[str, float] | None = None, time: float = 0.0) -> Sketch:
         """The Sketch in another position; None where its loops cannot follow."""
@@ -61,16 +66,39 @@ class Scenery:
 
 
 def figure(stage: Scenery, sketch: Any, unit: Any = 1.0,
-           room: Any = None) -> tuple[list[Any], dict[str, tuple[tuple[Any, ...], tuple[Any, ...]]]]:
+           room: Any = None,
+           bends: Any = None) -> tuple[list[Any], dict[str, tuple[tuple[Any, ...], tuple[Any, ...]]]]:
     """Everything of a scene but its words and arrows, and where its elements are, as {name: (middle, normal)};
-    lumped bodies are displaced by `unit` points for one metre; `room`: that in which bodies slide on the ground."""
+    lumped bodies are displaced by `unit` points for one metre; `room`: that in which bodies slide on the ground;
+    `bends`: {member: Bend} of members in motion."""
     found, where = primitives(stage, sketch, room)
     for layout in stage.rows:
         moved = {name: sketch.lumped[name] * (1.0 if place.turns else unit) for name, place in layout.places.items()}
         lines, places = lumped.draw(layout, moved)
         found += lines
         where |= places
+    for strip in stage.strips:
+        found += along(strip, sketch, unit, (bends or {}).get(strip.name))
+    found += member_ends.branches(stage.strips, sketch)
     return found, where
+
+
+def along(strip: Any, sketch: Any, unit: Any = 1.0, bend: Any = None) -> list[Any]:
+    """A member with its ends and what is attached; without a Bend as its stations are."""
+    if bend is None:
+        bend = member.Bend(resting(strip, sketch.values), strip.scale if strip.placed else unit)
+    return member.bed(strip) + member.draw(strip, bend) + member_ends.draw(strip, bend, sketch)[0]
+
+
+def _held_alone(scene):
+    """The bodies without a place to which members are held: they are drawn there."""
+    return {end[word].text for one in scene.members.values() if one is not None and one.line is None
+            for side in ("left", "right") if not isinstance(end := one.record.get(side, "free"), str)
+            for word in member_ends.HELD if word in end}
+
+
+def _only(row, held):
+    return len(row.bodies) == 1 and row.bodies[0] in held and not row.gaps and not row.lanes
 
 
 def primitives(stage: Scenery, sketch: Any,

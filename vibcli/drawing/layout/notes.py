@@ -34,6 +34,7 @@ def of(stage: "Scenery") -> "list[tuple[Run, ...]]":
             field = next(record[key] for key in (*symbol(record).NAMED_BY, "law", "friction")
                          if hasattr(record.get(key), "tree"))
             found.append(_note(f"{record.name}: ", scene, (field, " on "), (record["stretch"], "")))
+    found += [_tie(record, stage.sketch) for record in spec.connections if _unplaced(record, stage.sketch)]
     for name, record in (spec.get("forces") or {}).items():
         if "value" in record:
             found.append(_note(f"{name}: ", scene, (record["value"], "")))
@@ -47,6 +48,21 @@ def of(stage: "Scenery") -> "list[tuple[Run, ...]]":
     for key, field in (spec.get("energies") or {}).items():
         found.append(_note(f"{GREEK.get(key, key)} = ", scene, (field, "")))
     return found
+
+
+def _unplaced(record, sketch):
+    """Does an element end at a point on a member that has no place?"""
+    points = sketch.spec.get("member_points") or {}
+    names = [getattr(end, "text", None) for end in record.get("between", ())]
+    return any(name in points and name not in sketch.frames for name in names)
+
+
+def _tie(record, sketch):
+    """What an element joins: `tie: k between tip and block`."""
+    ends = " and ".join(getattr(end, "text", "a place") for end in record["between"])
+    runs = captions.quantity(record, symbol(record).NAMED_BY, sketch)
+    return (*lettering.words(f"{record.name}: ", SIZE), *(run._replace(size=SIZE * run.size / lettering.SIZE)
+            for run in runs), *lettering.words(f" between {ends}", SIZE))
 
 
 def _note(head, scene, *parts):

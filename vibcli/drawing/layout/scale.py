@@ -60,6 +60,8 @@ def _key_points(sketch):
             if (pivot := sketch.pivot(body.name)) is not None:
                 found.append(pivot.drawn)
     found += [sketch.pair(record["at"]) for record in (sketch.spec.get("points") or {}).values()]
+    found += [sketch.pair(member.record[key]) for member in sketch.scene.members.values()
+              if member is not None and member.line is not None for key in ("from", "to")]
     return found
 
 

@@ -56,6 +56,13 @@ class Sketch:
                               if "moves" in record}
         self.frames, self.lumped = self._frames()
 
+    def _member_points(self):
+        """(name, Member, Station) of points on members in the plane."""
+        for name, record in (self.spec.get("member_points") or {}).items():
+            member = self.scene.members.get(record["body"].text)
+            if member is not None and member.line is not None:
+                yield name, member, member.at(self.scene, self.scene.lower(record["at"]))
+
     def at(self, values: Mapping[str, float]) -> "Sketch":
         """The same in another position."""
         return Sketch(self.scene, values, self.scale, self.numbers)
@@ -74,6 +81,9 @@ class Sketch:
             drawn = scene.pair(record["at"])
             nodes += [*drawn, *(x + scene.lower(part) for x, part in zip(drawn, record["moves"], strict=True)),
                       scene.table.zero]
+        for name, member, station in self._member_points():
+            names.append(name)
+            nodes += [*member.line.drawn(station.place), *member.position(station), station.slope or scene.table.zero]
         flat = evaluate([*nodes, *(node for _, node in lumps)], Floats, self.values)
         if not all(map(isfinite, flat)):
             raise PhysicsError(*TORN)
@@ -131,7 +141,7 @@ class Sketch:
             return Attachment(end.text, self.centre(end.text)) if end.text in self.frames else None
         record = (self.spec.get("points") or {}).get(end.text)
         if record is None:
-            return None
+            return Attachment(end.text, self.frames[end.text].drawn) if end.text in self.frames else None
         carrier = record["body"].text if "body" in record else end.text if "moves" in record else None
         return Attachment(carrier, self.pair(record["at"]))
 

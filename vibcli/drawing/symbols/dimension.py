@@ -1,7 +1,7 @@
 """Dimension lines: given lengths that a body shows, where there is room for them."""
 
 from math import pi
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.drawing.canvas.primitives import ARROW, Polygon, Polyline, Run
 from vibcli.drawing.layout import captions, lettering, plane
@@ -48,7 +48,7 @@ def _of_body(body, sketch):
     for i, (one, first) in enumerate(places):
         for two, second in places[i + 1:]:
             length = plane.distance(one, two)
-            runs = _name(length / sketch.scale, (first, second), sketch) if length > SHORTEST else None
+            runs = named_length(length / sketch.scale, (first, second), sketch) if length > SHORTEST else None
             if runs is not None:
                 yield Length(runs, one, two), lettering.letters(runs)
 
@@ -66,7 +66,7 @@ def _places(body, sketch):
     return found
 
 
-def _name(value, fields, sketch):
+def named_length(value: float, fields: Any, sketch: "Sketch") -> Any:
     """The runs of the one parameter that has this value and stands in the fields; None of none or several."""
     names = {name for field in fields if isinstance(field, list) for part in field
              for name, *_ in part.parts.names} & set(sketch.spec.parameters)

@@ -44,12 +44,12 @@ def _force(record, at, sketch, looks, space):
     start, tip = min(paths, key=lambda path: space.path([plane.plus(path[0], direction, 5),
                                                          plane.plus(path[1], direction, -5)]))
     given = [field for field in fields if field.text.strip() not in ("0", "0 N")]
-    runs = captions.expression(_unsigned(given[0]), sketch, 18) if len(given) == 1 else None
+    runs = captions.expression(unsigned(given[0]), sketch, 18) if len(given) == 1 else None
     runs = runs or lettering.named(record.name)
     return arrow.straight(start, tip, "load", 1.7), runs, [plane.middle(start, tip), tip]
 
 
-def _unsigned(field):
+def unsigned(field: Any) -> Any:
     """The field without a leading minus, for the length of an arrow that points the other way."""
     text = field.text.strip()
     if not text.startswith("-") or not isinstance(field.tree, Sum) or len(field.tree.parts) != 1:

@@ -21,20 +21,22 @@ def draw(problem: Any, index: int, both: bool = False, normalise: str = "first")
     stage = compose.Scenery(problem.scene)
     vibration = Vibration(problem, index, stage, normalise)
     unit, room = vibration.unit, vibration.room
-    found = ghost(part for part in frame(stage, vibration.rest, unit, room) if part.role not in QUIET)
+    still = frame(stage, vibration.rest, unit, room, vibration.bends(None))
+    found = ghost(part for part in still if part.role not in QUIET)
     if both:
-        other = frame(stage, vibration.at(pi), unit, room)
+        other = frame(stage, vibration.at(pi), unit, room, vibration.bends(pi))
         found += [part._replace(dashed=True, width=0.8) for part in ghost(
             part for part in other if part.role not in QUIET)]
     moved = vibration.at(0.0)
-    found += frame(stage, moved, unit, room) + _arrows(stage, vibration.rest, moved, unit)
+    found += frame(stage, moved, unit, room, vibration.bends(0.0)) + _arrows(stage, vibration.rest, moved, unit)
     box = extent(found)
     return [*found, lettering.text(lettering.words(caption(mode(problem, index))), box[0], box[1] - 24)]
 
 
-def frame(stage: "Scenery", sketch: "Sketch", unit: float, room: Mapping[str, tuple[float, float]]) -> list[Any]:
+def frame(stage: "Scenery", sketch: "Sketch", unit: float, room: Mapping[str, tuple[float, float]],
+          bends: Any = None) -> list[Any]:
     """One position, with a mark on what is round."""
-    found, _ = compose.figure(stage, sketch, unit, room)
+    found, _ = compose.figure(stage, sketch, unit, room, bends)
     return found + bodies.marks(sketch, stage.looks)
 
 

@@ -1,7 +1,7 @@
 """Springs: a zigzag between two ends, an elastic shaft, a spiral about a joint."""
 
 from math import pi, tau
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import ELEMENT, Hatch, Polygon, Polyline
 from vibcli.drawing.layout import plane
@@ -22,7 +22,7 @@ def between(record: "Record", start: tuple[float, float], end: tuple[float, floa
     return _shaft(start, end) if "torsion" in record else _zigzag(start, end, drawn)
 
 
-def about(_record: "Record",
+def about(_record: Any,
           turn: "Turn") -> tuple[list[Hatch | Polyline], tuple[tuple[float, float], tuple[float, float]]]:
     """A spiral about a joint, to a wall where the ground holds it; also where it is: (middle, normal)."""
     radius = SPIRAL + 6.0 * turn.rank

@@ -5,23 +5,51 @@ from typing import Any
 from vibcli.language.document.document import Mapping
 from vibcli.language.kinds import Kind, Many, NameOf, Quantity
 from vibcli.language.named_elements import Named
+from vibcli.language.sections.initial import PLACE
+from vibcli.language.signal_names import signal_name
+from vibcli.symbolic.parser import plain_name
 
 
 class ByCoordinate(Kind):
     """A mapping from coordinates of the scene to expressions that are measured as they are, or to lists of them.
-    `scaled`: but for one factor, which is the same along all."""
+    `scaled`: but for one factor, which is the same along all; members deflect then as functions of the place x."""
 
     def __init__(self, kind: Many | Quantity, wants: str, scaled: bool = False):
         self.wants, self.named, self.scaled = wants, Named(kind, wants), scaled
 
     def read(self, node: Any, reader: Any):
-        for key, _ in node.entries.values() if isinstance(node, Mapping) else ():
+        fields = self._fields(node, reader)
+        others = Mapping(node.where, {key: pair for key, pair in node.entries.items() if key not in fields}
+                         ) if fields else node
+        for key, _ in others.entries.values() if isinstance(others, Mapping) else ():
             NameOf("the name of a coordinate", "coordinates").read(key, reader)
-        found = self.named.read(node, reader)
+        found = self.named.read(others, reader)
         factor = f"factor of line {node.where.line}, {node.where.column}" if self.scaled else None
         for name, value in (found or {}).items():
             for expression in value if isinstance(value, list) else [value]:
                 reader.along[expression.scalar] = name, factor
+        for signal, expression in filter(None, fields.values()):
+            reader.name_within(expression, PLACE, "m")
+            reader.along[expression.scalar] = signal.text, factor
+            found = {**(found or {}), signal.text: expression}
+        return found
+
+    def _fields(self, node, reader):
+        """{key: (SignalName, expression of x)} of the members that deflect as functions of the place, None of what is
+        reported."""
+        found: dict[str, Any] = {}
+        for key, (key_node, value) in node.entries.items() if self.scaled and isinstance(node, Mapping) else ():
+            signal = signal_name(plain_name(key_node.text))
+            if signal.name not in reader.members:
+                continue
+            found[key] = None
+            if signal.part not in ("u", "phi") or signal.place or signal.primes:
+                reader.report(key_node.where, f"members deflect as functions of x in a shape, found '{signal.text}'",
+                              f"write {signal.name}.u: x^2, of shafts {signal.name}.phi: x")
+                continue
+            expression = Quantity().read(value, reader)
+            if expression is not None:
+                found[key] = signal, expression
         return found
 
     def schema(self):

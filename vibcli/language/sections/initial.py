@@ -5,16 +5,20 @@ from typing import TYPE_CHECKING, Any
 from vibcli.language.document.document import Mapping
 from vibcli.language.kinds import Kind, NameOf, Quantity
 from vibcli.language.reader import Record, Reference
+from vibcli.language.signal_names import signal_name
 from vibcli.symbolic.parser import plain_name
 
 if TYPE_CHECKING:
     from vibcli.language.spec import Spec
 
-RELEASED = "released"
+RELEASED, PLACE = "released", "x"
+FIELDS = "initial_fields"       # the section of the fields that members start with
 ABOUT = ("Where a motion in time starts: `{x: 2 cm, x': 0.5 m/s}`, coordinates counted as in the drawn position. "
          "Those left out start at rest in the equilibrium without the loads that depend on time, or as drawn where "
          "nothing holds the scene. `{released: pull}` "
-         "starts at rest in the equilibrium under the force `pull`, which then lets go and acts no more.")
+         "starts at rest in the equilibrium under the force `pull`, which then lets go and acts no more. Members start "
+         "with fields of the place x along them: `{rod.u: a*x/L, rod.u': 0 m/s}`; what is attached starts with them. A "
+         "velocity may contradict a support, a displacement may not.")
 
 
 class Initial(Kind):
@@ -33,6 +37,9 @@ class Initial(Kind):
                 if name is not None:
                     values[RELEASED] = name
                 continue
+            if signal_name(plain_name(key_node.text)).name in reader.members:
+                values |= _field(key_node, value, reader)
+                continue
             name = key_node.text.rstrip("'")
             primes = key_node.text[len(name):]
             if len(primes) > 1:
@@ -49,6 +56,27 @@ class Initial(Kind):
     def schema(self):
         return {"type": "object", "properties": {RELEASED: {"type": "string"}},
                 "additionalProperties": {"type": ["string", "number"]}}
+
+
+def _field(key_node, value, reader):
+    """{text of a signal: expression of x} of the field that a member starts with, which is checked once all members are
+    known; nothing where it cannot be read."""
+    signal = signal_name(plain_name(key_node.text))
+    expression = Quantity(("rad" if signal.part == "phi" else "m") + "/s" * bool(signal.primes)).read(value, reader)
+    if expression is None:
+        return {}
+    reader.name_within(expression, PLACE, "m")
+    return {signal.text: expression}
+
+
+def with_fields_apart(sections: dict) -> dict:
+    """The sections with the fields of members, {SignalName: expression of x}, in one of their own."""
+    record = sections.get("initial")
+    fields = {key: value for key, value in record.items() if "." in key} if record is not None else {}
+    if not fields:
+        return sections
+    others = record.with_values({key: value for key, value in record.items() if key not in fields})
+    return sections | {"initial": others, FIELDS: {signal_name(key): value for key, value in fields.items()}}
 
 
 KIND = Initial()

@@ -124,7 +124,7 @@ def _bounds(numeric, forces, rests):
                 far = numeric.spec.example("2 m")
                 raise PhysicsError(f"nothing in this scene says how far '{name}' is to be searched for equilibria",
                                    f"give bounds, as in find: {{equilibria: all, within: {{{name}: [-{far}, {far}]}}}}",
-                                   numeric.spec.coordinates[name].where)
+                                   numeric.spec.origin(name).where)
             found[name] = (drawn - reach, drawn + reach)
     return found
 

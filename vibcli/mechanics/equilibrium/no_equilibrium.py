@@ -36,12 +36,12 @@ def unbounded(search: "EnergyDescent", q: "np.ndarray") -> PhysicsError:
         return NoEquilibrium(f"no equilibrium is reached from the {_origin(search)}: its forces drive '{name}' to "
                              f"{search.named_plainly(q)[name]:.6g}, and just beyond they are not finite numbers",
                              "add the spring or support that carries the load, or start elsewhere with "
-                             "`equilibrium:`" + ALONE, search.numeric.spec.coordinates[name].where)
+                             "`equilibrium:`" + ALONE, search.numeric.spec.origin(name).where)
     why = "the potential energy keeps falling" if search.numeric.system.conservative else "forces keep driving"
     return NoEquilibrium(
         f"no equilibrium is reached from the {_origin(search)}: nothing holds '{name}', {why} along it",
         "add the spring or support that carries the load, or start elsewhere with `equilibrium:`" + ALONE,
-        search.numeric.spec.coordinates[name].where)
+        search.numeric.spec.origin(name).where)
 
 
 def _origin(search):

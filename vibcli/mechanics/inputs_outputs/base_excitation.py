@@ -121,7 +121,19 @@ class SystemWithInputs:
                     if i < self.n <= j and x:
                         column = found[j][power]
                         column[i] = column.get(i, 0.0) - x
+        if self.configuration.spec.get("damping") is not None:
+            for (i, j), x in self.damping.items():
+                found[j][1][i] = found[j][1].get(i, 0.0) - x
         return found
+
+    @cached_property
+    def damping(self):
+        """C_u of what `damping:` does with displacements that drive the scene, {(i, j): number}."""
+        from vibcli.mechanics.given_damping import columns_of
+
+        M, _, _, K = self.numbers.elements.matrices()
+        driven = [j for j, opening in enumerate(self.scene.inputs.values(), self.n) if opening.node is not None]
+        return columns_of(self.configuration, M, K, self.n, driven)
 
     def rows(self, nodes: Any):
         """The LinearFunction of each node."""

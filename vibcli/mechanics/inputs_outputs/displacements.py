@@ -3,7 +3,10 @@
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
-from vibcli.language.reader import Reference
+from vibcli.language.document.document import Scalar
+from vibcli.language.reader import Expression, Reference
+from vibcli.language.signal_names import SignalName, signal_name
+from vibcli.symbolic.parser import parse
 
 if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
@@ -14,7 +17,11 @@ def displacement(scene: "Scene", text: str) -> "Node | None":
     """The node of a coordinate, or of a place, turn or stretch as displaced from where it is drawn; None of a force."""
     if text in scene.spec.coordinates:
         return scene.symbol(text)
-    name, _, part = text.partition(".")
+    name, part, *_ = signal_name(text)
+    if name in scene.members:
+        return _on_member(scene, text)
+    if name in (scene.spec.get("member_points") or {}):
+        return _of_point(scene, name, part)
     if part in ("x", "y", "angle") and name in scene.bodies and scene.bodies[name].frame is None:
         return _lumped(scene.bodies[name], part)
     if part in ("x", "y"):
@@ -26,6 +33,52 @@ def displacement(scene: "Scene", text: str) -> "Node | None":
         drawn, = scene.at_drawn(_stretch(scene, scene.terms_of(name, undriven=True)))
         return _stretch(scene, scene.terms_of(name)) - drawn
     return None
+
+
+def _of_point(scene, name, part):
+    """The displacement x or y of a point on a member in the plane."""
+    record = scene.spec.get("member_points")[name]
+    member = scene.members[record["body"].text]
+    station = member.at(scene, scene.lower(record["at"]))
+    return member.line.displaced(station.along, station.u)["xy".index(part)]
+
+
+def signal_of_place(scene: "Scene", signal: SignalName):
+    """The PlaceSignal of a name; PhysicsError where its place is not on the member."""
+    member = scene.members[signal.name]
+    if not signal.place:
+        raise PhysicsError(f"'{signal.text}' needs a place on '{member.name}'", "places count from its left end")
+    place = scene.lower(Expression(Scalar(signal.place, None), parse(signal.place)))
+    found = member.signal(scene, signal, place)
+    if found is None:
+        x, length = scene.number(place), scene.number(member.length)
+        raise PhysicsError(f"'{signal.place}' is {x:.6g} m along '{member.name}', which is {length:.6g} m long",
+                           "places count from its left end")
+    return found
+
+
+def _on_member(scene, text, resting=False):
+    """A signal of a place on a member, or None within a piece that vibrates; `resting`: as everything is at rest."""
+    signal = signal_name(text)
+    found = signal_of_place(scene, signal)
+    if signal.part == "force" and found.member.kind.stiffness is None:
+        tension, gradient = found.tension(scene)
+        return tension + gradient * found.at
+    if not (resting or found.motion is not None or found.is_light):
+        return None
+    if found.motion is None and not found.tension(scene)[1].is_zero:
+        raise PhysicsError(f"how '{signal.name}' deflects at rest between its stations is not found, as its tension "
+                           "varies along it", "ask for a place where something is attached")
+    if not resting and found.motion is None and found.in_time(scene):
+        raise PhysicsError(f"what '{text}' is where '{found.in_time(scene)[0].owner}' varies in time is not found",
+                           f"ask for the motion of '{signal.name}' where something is attached")
+    return found.static(scene)
+
+
+def resting(scene: "Scene", text: str) -> "Node | None":
+    """The same in equilibrium, in which members deflect as springs."""
+    return _on_member(scene, text, resting=True) if signal_name(text).name in scene.members else displacement(
+        scene, text)
 
 
 def _lumped(body, part):

@@ -12,6 +12,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.language.signal_names import signal_name
 from vibcli.language.signals import CONTACT
 from vibcli.mechanics.autonomous import excitation
 from vibcli.mechanics.inputs_outputs.base_excitation import SystemWithInputs
@@ -111,10 +112,9 @@ class MovingReactions:
 
     def row(self, text: str) -> LinearFunction:
         """The LinearFunction of a reaction, a force in a constraint, or a force of contact."""
-        name, _, part = text.partition(".")
-        kind = part.partition(".")[0]
-        if kind in CONTACT and text not in self.rows:
-            return self._contact(name, kind)
+        signal = signal_name(text)
+        if signal.kind in CONTACT and text not in self.rows:
+            return self._contact(signal.name, signal.kind)
         text = reaction_of(self.configuration.system, text, self.rows)
         return require_fixed(text, self.rows[text])
 

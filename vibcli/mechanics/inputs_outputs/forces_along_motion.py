@@ -11,6 +11,7 @@ from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+from vibcli.language.signal_names import signal_name
 from vibcli.language.signals import CONTACT
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, OPEN, Released, constraint_slopes, solved
@@ -102,10 +103,9 @@ class ForcesAlong:
         return found
 
     def _value(self, known, text, state):
-        name, _, part = text.partition(".")
-        kind = part.partition(".")[0]
-        if kind in CONTACT and text not in known:
-            return self._contact(known, name, kind, state)
+        signal = signal_name(text)
+        if signal.kind in CONTACT and text not in known:
+            return self._contact(known, signal.name, signal.kind, state)
         text = reaction_of(self.numeric.system, text, known)
         return require_fixed(text, known[text])
 

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
+from vibcli.language.signal_names import signal_name
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
@@ -80,7 +81,7 @@ def _turned(parts, turns, nothing):
 
 
 def _loads(configuration, text, found):
-    name, _, axis = text.partition(".")
+    name, axis, *_ = signal_name(text)
     record = (configuration.spec.get("forces") or {}).get(name)
     terms = {i: opening.load for i, opening in found.items() if opening.load is not None and opening.name == name}
     if record is None or axis not in ("", "x", "y") or not terms:
@@ -141,7 +142,7 @@ def _driven(configuration, text, found):
     scene = configuration.with_inputs.scene
     moved = {i: opening for i, opening in found.items() if opening.node is not None}
     exact = [i for i, opening in moved.items() if opening.name == text]
-    parts = exact or [i for i, opening in moved.items() if opening.name.partition(".")[0] == text]
+    parts = exact or [i for i, opening in moved.items() if signal_name(opening.name).name == text]
     if not parts:
         return None
     if len(parts) == 1:

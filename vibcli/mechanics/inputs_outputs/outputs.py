@@ -8,6 +8,7 @@ of products of linear outputs, E = Σ F²/(2k) of springs, P = Σ c ṡ² of dam
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
+from vibcli.language.signal_names import signal_name
 from vibcli.language.signals import ENERGIES, is_load
 from vibcli.mechanics.inputs_outputs.displacements import displacement
 from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction, combined, rate
@@ -21,31 +22,34 @@ QUADRATIC = ("energy", "power")
 
 
 def is_quadratic(text: str) -> bool:
-    return text.partition(".")[2] in QUADRATIC
+    return signal_name(text).part in QUADRATIC
 
 
 def linear_row(configuration: "Configuration", text: str) -> LinearFunction:
     """The LinearFunction of a signal over the coordinates and inputs of the opened scene."""
-    bare = text.rstrip("'")
-    row = _row(configuration, bare)
-    for _ in range(len(text) - len(bare)):
+    signal = signal_name(text)
+    row = _row(configuration, signal.still.text)
+    for _ in range(signal.primes):
         row = rate(row, configuration.with_inputs.scene)
     return row
 
 
 def _row(configuration, text):
     opened, scene = configuration.with_inputs, configuration.with_inputs.scene
-    name, _, part = text.partition(".")
+    name = (signal := signal_name(text)).name
     if text in ENERGIES:
         raise PhysicsError(f"'{text}' is quadratic in the motion: it is not linear", "ask for coordinates or forces")
     if is_quadratic(text):
         raise PhysicsError(f"'{text}' is quadratic in the motion: it is not linear",
                            f"ask for {name}.force or {name}.stretch")
     if name == "ground":
-        return on_the_ground(opened, part)
+        return on_the_ground(opened, signal)
     node = displacement(scene, text)
     if node is not None:
         return opened.rows([node])[0]
+    if name in scene.members:
+        raise PhysicsError(f"'{text}' lies within what vibrates: it is no linear function of the coordinates",
+                           "ask for a place where something is attached")
     if is_load(configuration.spec, text):
         return opened.rows([term.force(scene) for term in scene.terms_of(name, "forces")])[0]
     if rates := weighted_rates(opened, name):
@@ -57,7 +61,7 @@ def _row(configuration, text):
 def products(configuration: "Configuration", text: str) -> list[tuple[float, list[LinearFunction]]]:
     """[(weight, [LinearFunction, LinearFunction])] of a signal that is a sum of products, the same twice of squares."""
     opened, scene = configuration.with_inputs, configuration.with_inputs.scene
-    name, _, part = text.partition(".")
+    name, part, *_ = signal_name(text)
     if scene.terms_of(name, "laws"):
         raise PhysicsError(f"'{text}' of a nonlinear law is found along the full motion alone", "write motion: full")
     if is_load(configuration.spec, text):

@@ -50,7 +50,7 @@ class Released:
             values = evaluate(list(tensions.values()), Floats, numeric.floats)
             self.scene = self.scene.with_preloads({node: self.scene.table.number(Fraction(value))
                                                    for node, value in zip(tensions, values, strict=True)})
-        count = len(numeric.spec.coordinates)
+        count = len(self.scene.q) - len(self.scene.released)
         self.held, self.real = self.scene.q[count:], self.scene.q[:count]
 
 
@@ -91,8 +91,9 @@ def reactions(configuration: "Configuration") -> list[Reaction]:
 def _at_rest(configuration, released):
     """{symbol: float} of the released scene in equilibrium."""
     scene = configuration.scene.resting
-    nodes = [scene.symbol(name) for name in configuration.spec.coordinates]
-    values = dict(zip(configuration.spec.coordinates, evaluate(nodes, Floats, configuration.at_rest), strict=True))
+    names = [q.name for q in released.real]
+    values = dict(zip(names, evaluate([scene.symbol(name) for name in names], Floats, configuration.at_rest),
+                      strict=True))
     return {**configuration.numeric.floats, **values, **dict.fromkeys((q.name for q in released.held), 0.0),
             released.scene.time.name: 0.0}
 

@@ -48,7 +48,7 @@ class Answers(Kind):
         answers = []
         for key, value in node.entries.values():
             try:
-                tree = parse(key.text)
+                tree = reader.at_places(parse(key.text))
             except ExpressionError as error:
                 asked = key.text.partition("(")[0].strip()
                 if error.message.startswith("unknown function") and error.offset == 0:

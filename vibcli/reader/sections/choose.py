@@ -62,7 +62,7 @@ class _Condition(Kind):
                 return reader.report(node.place(error.offset, error.width), f"unknown quantity {quoted(asked)}",
                                      nearest(asked, FAMILIES) or ALL)
             return reader.report(node.place(error.offset, error.width), error.message, error.hint)
-        sides = [_side(node, tree) for tree in equation.children]
+        sides = [_side(node, tree, reader) for tree in equation.children]
         reader.expressions.update((side.scalar, side) for side in sides)
         return Condition(words, node.where, None, *sides)
 
@@ -70,12 +70,12 @@ class _Condition(Kind):
         return {"type": "string"}
 
 
-def _side(node, tree):
+def _side(node, tree, reader):
     """One side of an equation as an expression of its own, so that messages quote and mark it alone."""
     text = node.text[tree.start:tree.end].rstrip()
     inset = None if node.inset is None else 0
     scalar = Scalar(text, node.place(tree.start, len(text)), node.quoted, inset)
-    return Expression(scalar, parse(text))
+    return Expression(scalar, reader.at_places(parse(text)))
 
 
 ELEMENT = Element(

@@ -12,14 +12,14 @@ from vibcli.language.sections.equilibrium import ByCoordinate
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression, Record
 
-SEARCH, RESPONSE, FREQUENCY_RESPONSE = "equilibria", "response", "frequency_response"
+SEARCH, RESPONSE, FREQUENCY_RESPONSE, MODES = "equilibria", "response", "frequency_response", "modes"
 RESPONSES = (RESPONSE, FREQUENCY_RESPONSE)
 INSIGHT = tuple(word for word in OF_MODES if ANALYSES[word][1] is None)      # what needs no particulars
 ALWAYS = ("equations", "energies", "equilibrium", "frequencies", "modes", "damping", "virtual_work",
           "accelerations")
 ON_REQUEST = tuple(word for word in FIND if word not in ALWAYS)         # found only where they are asked for
 WITH_PARTICULARS = {word: row for word, row in ANALYSES.items() if row[1] is not None}
-AT_LENGTH = (SEARCH, *WITH_PARTICULARS)
+AT_LENGTH = (SEARCH, MODES, *WITH_PARTICULARS)
 WRITTEN = {SEARCH: f"{{{SEARCH}: all}}"} | {word: form for word, (_, _, form) in WITH_PARTICULARS.items() if form}
 
 
@@ -40,9 +40,11 @@ ELEMENT = Element(
         "within": Field(ByCoordinate(Many(Quantity(), 2, 2, "two bounds [least, most]"),
                                      "a mapping from coordinates to bounds [least, most]"),
                         "bounds of coordinates in the search, such as {phi: [-90 deg, 90 deg]}"),
+        MODES: Field(Lazy(MODES, "analyses"), "which natural frequencies and mode shapes: {modes: 5}, "
+                     "{modes: [990, 1000]}, {modes: {up_to: 2 kHz}}"),
         **{word: Field(Lazy(word, _room(file)), about) for word, (file, about, _) in WITH_PARTICULARS.items()},
     },
-    exclusive=(AT_LENGTH, *(("within", word) for word in WITH_PARTICULARS)),
+    exclusive=(AT_LENGTH, *(("within", word) for word in (MODES, *WITH_PARTICULARS))),
     needs=(AT_LENGTH,),
     example="buckled_post",
 )

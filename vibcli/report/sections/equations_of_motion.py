@@ -10,6 +10,7 @@ from vibcli.report import blocks
 from vibcli.report.blocks import Heading, Name, Paragraph, Section, line, maths, paragraph, section, separated
 from vibcli.report.keys import Key
 from vibcli.report.sections.equilibrium import held
+from vibcli.report.sections.members import member_energies, member_equations
 from vibcli.report.sections.too_long import brief
 
 if TYPE_CHECKING:
@@ -24,18 +25,27 @@ WRITTEN_OUT = 16        # coordinates of a scene whose equations are printed in 
 def energies(problem: "Problem", report: "Report") -> Iterator[Section]:
     for key, symbol, title in ENERGIES:
         (shown,), lengths = abbreviated([problem.symbolic.energies[key]], report.roots)
+        further = member_energies(problem, key) if problem.scene.pieces else []
         if not shown.is_zero:
-            yield from section(title, blocks.equations([line(f"{symbol} = ", brief(shown), hang=2)]),
+            yield from section(title, blocks.equations([line(f"{symbol} = ", brief(shown), *further, hang=2)]),
                                *with_lengths(lengths))
+        elif further:
+            yield from section(title, blocks.equations([line(f"{symbol} = ", further[0].lstrip(" +"), *further[1:],
+                                                             hang=2)]))
 
 
 def with_lengths(lengths: "Sequence[tuple[Node, Node]]") -> list[Paragraph]:
     """Paragraphs that tell what new symbols of lengths stand for."""
     return [paragraph("with ", maths(symbol, " = ", length), hang=4, aside=True) for symbol, length in lengths]
 
+WITHOUT = "without what `damping` adds: it acts in small oscillations alone"
+
 
 def equations(problem: "Problem", report: "Report") -> Iterator[Section]:
     """The equations of motion; then those of small oscillations, in letters and in numbers."""
+    if problem.scene.pieces:
+        yield from member_equations(problem)
+        return
     if not problem.system.scene_with_multipliers.q:
         return
     yield from _full(problem, report)
@@ -93,7 +103,8 @@ def _full(problem, report):
     for symbol, name in found.multipliers.items():
         told += [", "] * bool(told) + [maths(symbol), f": the multiplier of '{name}'"]
     yield from section(title, blocks.equations(lines), *with_lengths(lengths),
-                       paragraph(*told, hang=4, aside=True) if told else None)
+                       paragraph(*told, hang=4, aside=True) if told else None,
+                       paragraph(WITHOUT) if problem.spec.get("damping") is not None else None)
 
 
 def _in_numbers(problem, found):

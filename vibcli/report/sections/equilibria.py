@@ -101,14 +101,14 @@ def _rates(problem, found):
     if found.kind == OPEN or inertless(problem.configuration.linear_system):
         return ""
     return ", ".join(figure(None if mode.omega is None else float(mode.omega), mode.error)
-                     for mode in problem.modal.modes)
+                     for mode in problem.modal.modes.shown())
 
 
 def _omega(problem, found):
     """The natural angular frequencies, None of what does not oscillate."""
     if found.kind == OPEN or inertless(problem.configuration.linear_system):
         return []
-    return [None if mode.omega is None else float(mode.omega) for mode in problem.modal.modes]
+    return [None if mode.omega is None else float(mode.omega) for mode in problem.modal.modes.shown()]
 
 
 def _kind(found, item):

@@ -48,7 +48,16 @@ def _in_numbers(problem):
     where += "; without friction" if problem.system.sticking is not None else ""
     return [paragraph(*told, f"   ({where})"), _from_start(problem),
             paragraph(f"{stable}; {_balanced(found.residual)}", hang=None),
-            paragraph(warning) if warning else None]
+            paragraph(warning) if warning else None, *map(paragraph, _of_members(problem))]
+
+
+def _of_members(problem):
+    """What makes the theory of members doubtful; nothing without members."""
+    if not problem.scene.members or problem.numeric.has_free_symbols:
+        return []
+    from vibcli.mechanics.member_warnings import member_warnings
+
+    return member_warnings(problem.configuration)
 
 
 def _balanced(residual):
@@ -142,14 +151,14 @@ def slack_ropes(problem: "Problem") -> list[Paragraph]:
 
 def _data(problem):
     if problem.numeric.has_free_symbols:
-        return EQUILIBRIUM.row(problem.symbolic.equilibrium_position, problem.scene.dependent, *[None] * 5)
+        return EQUILIBRIUM.row(problem.symbolic.equilibrium_position, problem.scene.dependent, *[None] * 5, [])
     from vibcli.analyses.modal.bifurcation_distance import bifurcation_warning, stiffness_condition
 
     found, condition = problem.configuration.equilibrium, stiffness_condition(problem.modal)
     values, moved = ({name: of[name] for name in problem.scene.coordinates} if of else of
                      for of in (found.values, found.from_start))
     return EQUILIBRIUM.row(values, problem.configuration.dependent_values, moved, problem.modal.stability.stable,
-                           found.residual, condition, bifurcation_warning(condition))
+                           found.residual, condition, bifurcation_warning(condition), _of_members(problem))
 
 
 EQUILIBRIUM = Key("equilibrium", "the equilibrium reached from the drawn position, or nearest to the place that "
@@ -164,7 +173,8 @@ EQUILIBRIUM = Key("equilibrium", "the equilibrium reached from the drawn positio
     Key("residual", "what is left of the forces, relative to the sum of the magnitudes of their terms"),
     Key("condition", "by which factor a relative change of the data grows in a frequency squared; null in letters, and "
         "where nothing has inertia"),
-    Key("warning", "a sentence where the equilibrium is near a bifurcation, else null")))
+    Key("warning", "a sentence where the equilibrium is near a bifurcation, else null"),
+    Key("of_members", "sentences: of thick beams, and of members that turn far in equilibrium; a list")))
 
 
 def _sticking(problem):

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
 from vibcli.notation.numbers import figure
-from vibcli.report.blocks import Name, Section, TableBlock, maths, paragraph, section, separated
+from vibcli.report.blocks import Heading, Name, Section, TableBlock, maths, paragraph, section, separated
 from vibcli.report.keys import Key
 from vibcli.report.sections.insight import ROWS, off, require_numbers
 
@@ -32,15 +32,41 @@ def estimates(problem: "Problem", _: "Report") -> Iterator[Section]:
         paragraph("Rayleigh's shape is the static deflection ", *separated(deflection, ",  "))
         if len(found.deflection) > 1 else None,
         paragraph("Dunkerley: ", maths("1/ω² = Σ 1/ω_j²"), ", with the inertia of one alone ", ",  ".join(alone))
-        if len(found.alone) > 1 else None)
+        if len(found.alone) > 1 else None, *_members(found))
+
+
+def _members(found):
+    """Lumped equivalents and finite elements."""
+    if found.members is None:
+        return
+    lumped = [(name, figure(one.mass), "" if one.of_members is None else figure(one.of_members), figure(one.stiffness),
+               figure(one.omega), off(one.omega, found.omega))
+              for name, one in list(found.members.lumped.items())[:ROWS]]
+    if lumped:
+        yield Heading("One coordinate alone, the rest as at rest:")
+        yield TableBlock(("", "mass", "of the member's", "stiffness", "ω [rad/s]", "error"), tuple(lumped))
+    exact = found.members.exact
+    rows = [(str(divisions), *_beside(omegas, exact)) for divisions, omegas in found.members.elements]
+    if rows:
+        yield Heading("Finite elements (cubic of beams, linear of others):")
+        heads = [head for i in range(1, len(exact) + 1) for head in (f"ω{i} [rad/s]", "error")]
+        yield TableBlock(("elements a piece", *heads), tuple(rows))
+
+
+def _beside(omegas, exact):
+    """ω and its error, for each of the exact ones; nothing where there are fewer."""
+    for i, omega in enumerate(exact):
+        yield from (figure(omegas[i]), off(omegas[i], omega)) if i < len(omegas) else ("", "")
 
 
 def _estimates(problem):
     try:
         found = problem.modal.result("estimates")
     except PhysicsError as error:
-        return KEY.row(*[None] * 5, error.message)
-    return KEY.row(found.omega, found.rayleigh, found.dunkerley, found.deflection, found.alone, None)
+        return KEY.row(*[None] * 7, error.message)
+    lumped = found.members and {name: one._asdict() for name, one in found.members.lumped.items()}
+    elements = found.members and {str(divisions): omegas for divisions, omegas in found.members.elements}
+    return KEY.row(found.omega, found.rayleigh, found.dunkerley, found.deflection, found.alone, lumped, elements, None)
 
 
 KEY = Key("estimates", "of the lowest natural frequency; null each where the bounds do not hold", _estimates, of=(
@@ -49,4 +75,7 @@ KEY = Key("estimates", "of the lowest natural frequency; null each where the bou
     Key("dunkerley", "Dunkerley's lower bound of omega"),
     Key("deflection", "{coordinate: static deflection}, the largest being 1"),
     Key("alone", "{name of a body: omega with its inertia alone}, from which Dunkerley's bound is made"),
+    Key("lumped", "{coordinate: {mass, of_members, stiffness, omega}} of one coordinate that moves alone, the rest as "
+        "at rest; of_members: the part of the one member's inertia in it; null without members"),
+    Key("elements", "{elements a piece: [omega]} by finite elements; null without members"),
     Key("refusal", "why the bounds do not hold, or null")))

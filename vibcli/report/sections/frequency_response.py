@@ -68,7 +68,7 @@ def _in_numbers(problem, name, driver, unit):
     curve = problem.frequency_response(name, driver)
     rows = [_peak_row(curve, number, peak) for number, peak in enumerate(_peaks(curve), 1)]
     for number, Omega in enumerate(curve.antiresonances, 1):
-        found, error = (0.0, 0.0) if curve.transfer.undamped else curve.at(Omega)
+        found, error = (0.0, 0.0) if curve.undamped else curve.at(Omega)
         rows.append((f"antiresonance {number}", *_place(Omega, curve.error_of_antiresonance(Omega)),
                      figure(abs(found), error), "", "", ""))
     head = ("", "Ω [rad/s]", "f [Hz]", f"|H| [{unit}]", "Ω₁ [rad/s]", "Ω₂ [rad/s]", "Q")

@@ -25,8 +25,9 @@ def mode_pictures(problem: "Problem", report: "Report") -> Iterator[Section]:
         return
     from vibcli.drawing.symbols.mode_shape import draw
     from vibcli.drawing.vibration import caption
+    from vibcli.report.sections.shown_modes import shown
 
-    moving = [mode for mode in problem.modal.modes if not mode.rigid][:SHOWN]
+    moving = [mode for mode in shown(problem, report.wanted) if not mode.rigid][:SHOWN]
     yield from section("Mode shapes on the scene at rest", *(
         _picture(f"mode-{mode.index}", caption(mode), draw(problem, mode.index, normalise=report.normalise))._replace(
             animated=partial(_moving, problem, mode.index, report.normalise)) for mode in moving))

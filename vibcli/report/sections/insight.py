@@ -38,6 +38,12 @@ def require_numbers(problem: "Problem", word: str) -> None:
         require_values(problem.scene.parameters, f"`{word}`")
 
 
+def without_end(title: str, word: str) -> tuple[Section, ...]:
+    """That something is not told of members."""
+    return section(title, paragraph(f"None: {word} are told of finitely many modes, and a member with distributed "
+                                    "inertia has modes without end."))
+
+
 def numbered(indices: Mapping[int, Any] | Sequence[int]) -> str:
     """The numbers of modes one after the other."""
     return ", ".join(map(str, indices))

@@ -74,13 +74,13 @@ def polar(value: complex) -> str:
     return f"{size:.4g} ∠ {degrees(angle):.4g}°" if abs(degrees(angle)) > 1e-9 else f"{size:.4g}"
 
 
-def shapes(names: Sequence[str], found: Sequence[list[complex]],
+def shapes(names: Sequence[str], numbers: Sequence[int], found: Sequence[list[complex]],
            write: Callable = _real) -> list[Paragraph | TableBlock | None]:
-    """Blocks of shapes: a column a mode, or a line a mode where there are many coordinates."""
+    """Blocks of the shapes of modes of these numbers: a column a mode, or a line a mode where there are many."""
     if len(found) > MANY:
         return [*(paragraph(f"mode {i}: " + " ".join(write(value) for value in shape[:LONGEST])
                             + (" …" if len(shape) > LONGEST else ""), hang=None)
-                  for i, shape in enumerate(found[:LONGEST], 1)),
+                  for i, shape in zip(numbers[:LONGEST], found, strict=False)),
                 paragraph("…", hang=None) if len(found) > LONGEST else None]
     rows = [(maths(Name(name)), *(write(shape[i]) for shape in found)) for i, name in enumerate(names)]
-    return [TableBlock(("", *(f"mode {i + 1}" for i in range(len(found)))), tuple(rows))]
+    return [TableBlock(("", *(f"mode {i}" for i in numbers)), tuple(rows))]

@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 
 MOVES = {"slide": "displacement", "pin": "rotation", "roll": "rolling", "turn": "rotation"}
 
+OF_MEMBERS = {"u": "displacement", "along": "displacement along", "phi": "turn", "slope": "slope",
+              "oscillator": "oscillator"}
+
 
 def given(problem: "Problem", _: "Report") -> Iterator[Section]:
     items, letters = [], []
@@ -47,14 +50,24 @@ def _record(problem, name, samples):
 def coordinates(problem: "Problem", _: "Report") -> Iterator[Section]:
     items, moves = [], _moves(problem)
     for name in problem.scene.coordinates:
-        about = problem.spec.coordinates[name].get("about") or moves.get(name, "")
+        record = problem.spec.coordinates.get(name)
+        about = (record and record.get("about")) or moves.get(name) or _on_member(name)
         items.append(Definition((maths(Name(name)), f" [{unit(problem.system.dimension(name))}]"), about))
     n = len(items)
     if problem.scene.held:
         yield from section("Freedom", *_no_freedom(problem))
         return
-    yield from section(f"Generalised coordinates ({n} degree{'s' if n != 1 else ''} of freedom)",
+    degrees = f" ({n} degree{'s' if n != 1 else ''} of freedom)" if not problem.scene.pieces else \
+        ", and those of places between which members move"
+    yield from section("Generalised coordinates" + degrees,
                        Definitions(tuple(items)) if items else None, *tied(problem.scene))
+
+
+def _on_member(name):
+    """A coordinate that a member brings, in words."""
+    signal, bracket, place = name.partition("(")
+    member, _, part = signal.partition(".")
+    return f"{OF_MEMBERS[part]} of {member} at {place.rstrip(')')}" if bracket else ""
 
 
 def _no_freedom(problem):

@@ -4,6 +4,8 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import NotFixed, PhysicsError, SpecError
+from vibcli.language.reader import Reader
+from vibcli.language.signal_names import signal_name
 from vibcli.quantities.dimensions import checker
 from vibcli.quantities.signal_dimensions import input_dimension, inputs, output_dimension
 from vibcli.reader.sections.find import FREQUENCY_RESPONSE, RESPONSE
@@ -44,7 +46,6 @@ def symbol(text: str) -> str:
 
 def require_known(spec: "Spec", signals: "Sequence[Expression]", inputs: "Sequence[Expression]" = ()) -> None:
     """SpecError where signals or inputs (Expressions) are not of this scene."""
-    from vibcli.language.reader import Reader
     from vibcli.reader.quantity_check import check_questions
 
     reader = Reader()
@@ -54,15 +55,35 @@ def require_known(spec: "Spec", signals: "Sequence[Expression]", inputs: "Sequen
 
 
 def trees_asked(problem: "Problem", word: str, given: "Sequence[Expression]" = ()) -> list[tuple[str, NameRef | Sum]]:
-    """[(text, tree)] of the signals asked: those given, else those of `find`, else the coordinates."""
+    """[(text, tree)] of the signals asked: those given, else those of `find`, else the usual ones."""
     if given:
+        reader = Reader(members=problem.spec.members)
+        given = [signal.with_tree(reader.at_places(signal.tree)) for signal in given]
         require_known(problem.spec, given)
         return [(signal.text, signal.tree) for signal in given]
     find = problem.spec.get("find")
     record = find.about(word) if find is not None else None
     if record is not None and "of" in record:
         return [(signal.text, signal.tree) for signal in record["of"]]
-    return [(name, NameRef(0, len(name), name, 0)) for name in problem.spec.coordinates]
+    return [(name, NameRef(0, len(name), name, 0)) for name in _usual(problem)]
+
+
+def _usual(problem):
+    """The names of the coordinates, of members those of their stations that are displacements or turns; where there is
+    none, the middles of members."""
+    spec = problem.spec
+    if not spec.members:
+        return spec.coordinates
+    stations = [name for name in problem.scene.coordinates if signal_name(name).part in ("u", "phi")]
+    return [*spec.coordinates, *stations] or [_middle(problem, name) for name in spec.members]
+
+
+def _middle(problem, name):
+    from vibcli.notation.scene_language import language
+
+    member = problem.scene.members[name]
+    length = language(member.length)
+    return f"{name}.{member.kind.motion}({length if length.isidentifier() else f'({length})'}/2)"
 
 
 def signals_asked(problem: "Problem", given: "Sequence[Expression]" = ()) -> list[RequestedSignal]:
@@ -122,4 +143,11 @@ def _input_asked(problem, given):
         return given.text
     find = problem.spec.get("find")
     record = find.about(FREQUENCY_RESPONSE) if find is not None else None
-    return record["to"].text if record is not None and "to" in record else inputs(problem.spec)[0]
+    if record is not None and "to" in record:
+        return record["to"].text
+    known = inputs(problem.spec)
+    if not known:
+        raise PhysicsError("nothing drives this scene", "add a force on a point of a member, as in `points: {tip: "
+                           f"{{body: {next(iter(problem.spec.members))}, at: …}}}}`, `forces: {{drive: {{at: tip, "
+                           "force: 1 N}}`")
+    return known[0]

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters, PhysicsError, Unknown
 from vibcli.base.units import TIME, times
-from vibcli.language.sections.initial import let_go
+from vibcli.language.sections.initial import FIELDS, let_go
 from vibcli.notation.numbers import figure, supported, with_unit
 from vibcli.reader.sections.find import RESPONSE
 from vibcli.report import blocks
@@ -71,6 +71,13 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
     yield from _at_instants(problem, asked, report.wanted, known)
     if not at_instants_alone(motion, report.wanted):
         yield from _extremes(asked, min(known, motion.until), report.wanted.digits)
+    if motion.KIND == "waves":
+        from vibcli.report.sections.fronts import fronts
+
+        yield from fronts(asked, motion.until)
+        end = motion.alone.still_from(motion.until)
+        if 0 < end < inf:
+            yield from section("End of the motion", paragraph(f"all is at rest from t = {figure(end)} s on"))
     missing = unknown(problem, report.wanted)
     if missing is not None:
         raise missing
@@ -128,7 +135,9 @@ def value_at(problem: "Problem", one: RequestedSignal, t: "Fraction", digits: in
     if digits is None:
         from vibcli.results.escalation import value_of_signal
 
-        return supported(*value_of_signal(one.signal, t), 12)
+        value, error = value_of_signal(one.signal, t)
+        text, before = supported(value, error, 12), one.signal.before(float(t))
+        return text if before is None else f"{text} (before {supported(before, error, 12)})"
     return precise_text(one.signal.precise(t, digits), digits)
 
 
@@ -147,12 +156,14 @@ def _start(problem, motion, drive):
         parts += [", "] * bool(parts) + [maths(Name(name), "(0) = "), with_unit(value, dimension)]
         if speeds[name]:
             parts += [", ", maths(Name(name + "'"), "(0) = "), with_unit(speeds[name], times(dimension, TIME, -1))]
+    for signal, expression in (problem.spec.get(FIELDS) or {}).items():
+        parts += [", "] * bool(parts) + [f"{signal.text}(x) = {expression.text}"]
     given = problem.initial.given
     if any(name not in given for name in places) and not problem.system.named_start and problem.configuration.falls:
         parts += ["   (as drawn: no equilibrium is reached)"]
     force = let_go(problem.spec)
     parts += [f", where {force} lets go"] if force else []
-    yield from section(f"Motion in time ({motion.WORDS})", paragraph("from ", *parts), *drive)
+    yield from section(f"Motion in time ({motion.WORDS})", paragraph("from ", *(parts or ["rest"])), *drive)
 
 
 def _drive(problem, motion):
@@ -197,7 +208,8 @@ def response_data(problem: "Problem", wanted: "Wanted") -> dict[str, Any]:
     ends = [(one, None, None) for one in asked] if alone else extremes(asked, end)
     found = [SIGNALS.row(one.text, one.unit, *(number for which in both for number in (
                          (None, None) if which is None else (which.value, which.time))),
-                         None if alone else _steady(motion, one.signal, wanted.phase), values)
+                         None if alone else _steady(motion, one.signal, wanted.phase), values,
+                         [] if alone else one.signal.leaps(end))
              for (one, *both), values in zip(ends, instants, strict=True)]
     missing = unknown(problem, wanted)
     return data((*KNOWN, UNKNOWN), {
@@ -245,7 +257,11 @@ SIGNALS = Key("signals", "a list, one entry to each signal", each=(
             Key("phase", "its θ in X sin(Omega t − θ), or as --phase says", lambda one: one[2]))),
     Key("at", "a list, one entry to each --at; empty without", each=(
         Key("t", "the instant, in s", lambda one: float(one[0])),
-        Key("value", "the value then, null where it is not known; with --digits a decimal", lambda one: one[1])))))
+        Key("value", "the value then, null where it is not known; with --digits a decimal", lambda one: one[1]))),
+    Key("fronts", "a list of the fronts of travelling waves at which the signal leaps; empty of other motions", each=(
+        Key("t", "the instant, in s", lambda one: one[0]),
+        Key("before", "the value before it", lambda one: one[1]),
+        Key("after", "the value after it", lambda one: one[2])))))
 KNOWN = (
     Key("until", "its end, in s, as far as it is known; null where a motion that is all prescribed is asked for at "
         "instants alone"),

@@ -29,9 +29,15 @@ def ritz(problem: "Problem", report: "Report"):
             columns = [(f"shape {j}", {f"shape {i}": x for i, x in enumerate(row, 1)})
                        for j, row in enumerate(matrix, 1)]
             yield from grid(title, columns, figure)
+        if found.modes[0].weights is not None:
+            columns = [(f"mode {mode.index}", {f"shape {i}": x for i, x in enumerate(_scaled(mode.weights), 1)})
+                       for mode in found.modes]
+            yield from grid("Combinations of the shapes", columns, figure)
+            return
         held = weights(problem.configuration.linear_system)
         yield from section(f"Shapes of the estimates ({WORDS[report.normalise]})", *shapes(
-            problem.scene.coordinates, [normalised(mode.shape, report.normalise, held) for mode in found.modes]))
+            problem.scene.coordinates, [mode.index for mode in found.modes],
+            [normalised(mode.shape, report.normalise, held) for mode in found.modes]))
 
 
 def _row(mode):
@@ -41,7 +47,15 @@ def _row(mode):
     return f"mode {mode.index}", *known, figure(exact), off(omega, exact) if omega and exact else ""
 
 
+def _scaled(weights):
+    """Those of a combination, the first shape that takes part having 1."""
+    first = next(x for x in weights if x)
+    return [x / first for x in weights]
+
+
 def _quotient(found):
+    if found.modes[0].weights is not None:
+        return [paragraph(f"K̂/M̂ = {figure(found.K[0][0])}/{figure(found.M[0][0])}, the square of the estimate.")]
     return [paragraph(f"φᵀKφ/φᵀMφ = {figure(found.K[0][0])}/{figure(found.M[0][0])}, the square of the estimate.")]
 
 
@@ -63,7 +77,8 @@ def _ritz(problem):
     names = problem.scene.coordinates
     return KEY.row(found.shapes, found.M, found.K, [
         MODES.row(mode.index, mode.square, mode.omega, mode.exact, mode.omega / mode.exact - 1 if mode.omega
-                  and mode.exact else None, dict(zip(names, mode.shape, strict=True))) for mode in found.modes])
+                  and mode.exact else None, dict(zip(names, mode.shape, strict=True)), mode.weights)
+        for mode in found.modes])
 
 
 MODES = Key("modes", "a list, one entry to each estimate, by ascending square", each=(
@@ -72,7 +87,8 @@ MODES = Key("modes", "a list, one entry to each estimate, by ascending square", 
     Key("omega", "the estimate, an upper bound; null where its square is negative"),
     Key("exact", "omega of the mode; null where it is unstable"),
     Key("error", "omega/exact − 1; null where one of them is null or zero"),
-    Key("shape", "{coordinate: amplitude} of the combination of the shapes, φᵀMφ = 1")))
+    Key("shape", "{coordinate: amplitude} of the combination of the shapes, φᵀMφ = 1"),
+    Key("weights", "the part of each shape in it; null in scenes without members")))
 KEY = Key("ritz", "bounds of the lowest natural frequencies by assumed shapes", _ritz, of=(
     Key("shapes", "the assumed shapes, a row to each, in the order of the coordinates"),
     Key("M", "reduced mass matrix, a row to each shape"),

@@ -40,13 +40,12 @@ class SampledCurve(NamedTuple):
 
 def sampled(problem: "Problem", wanted: "Wanted") -> list[SampledSignal]:
     """The Series of the signals asked for."""
-    import numpy as np
-
-    times = np.linspace(0.0, problem.response.known, wanted.points)
+    asked = signals_asked(problem, wanted.signals)
+    times = problem.response.instants([one.signal for one in asked], wanted.points)
     found = []
-    for one in signals_asked(problem, wanted.signals):
+    for one in asked:
         parts = {part: getattr(one.signal, part).values(times) for part in wanted.parts}
-        found.append(SampledSignal(one.text, one.unit, times, one.signal.values(times), parts,
+        found.append(SampledSignal(one.text, one.unit, times, one.signal.sampled(times), parts,
                             _bounds(problem, one.signal, times)))
     return found
 
@@ -133,7 +132,7 @@ def frequency_figure(problem: "Problem", curves: Sequence[SampledCurve], nyquist
     if len(curves) == 1:
         peaks, dips = curves[0].peaks, curves[0].antiresonances
     else:
-        natural = [float(mode.omega) for mode in problem.modal.modes if mode.omega]
+        natural = problem.frequency_response(curves[0].name, curves[0].driver).natural
         peaks, dips = [place for place in natural if Omega[0] < place < Omega[-1]], []
     title = problem.spec.get("title") or ""
     if nyquist:
@@ -152,19 +151,19 @@ def frequency_columns(curves: Sequence[SampledCurve]) -> "list[tuple[str, str, n
     return [("Omega", "rad/s", curves[0].Omega), *((curve.name, curve.unit, curve.values) for curve in curves)]
 
 
-def eigenvalue_figure(problem: "Problem") -> "Figure":
+def eigenvalue_figure(problem: "Problem", wanted: "Wanted | None" = None) -> "Figure":
     """The eigenvalues in the complex plane, those of the undamped system where nothing damps."""
     from vibcli.plots.eigenvalues import argand
+    from vibcli.report.sections.shown_modes import shown, shown_damped
 
     if problem.numeric.has_free_symbols:
         raise PhysicsError("eigenvalues are plotted in numbers", "give the parameters values with --set")
     found = []
-    for mode in problem.modal.damped or problem.modal.modes:
-        if hasattr(mode, "eigenvalue"):
-            value = complex(mode.eigenvalue)
-        else:
-            value = complex(float(mode.growth_rate or 0.0), float(mode.omega or 0.0))
-        found.append((value, str(mode.index)))
+    values = [(mode.index, complex(mode.eigenvalue)) for mode in shown_damped(problem, wanted) or ()] or [
+        (mode.index, complex(float(mode.growth_rate or 0.0), float(mode.omega or 0.0)))
+        for mode in shown(problem, wanted)]
+    for index, value in values:
+        found.append((value, str(index)))
         if value.imag:
             found.append((value.conjugate(), ""))
     return argand([value for value, _ in found], [label for _, label in found], title=problem.spec.get("title") or "")

@@ -7,7 +7,7 @@ from vibcli.base import units
 from vibcli.notation.numbers import figure
 from vibcli.report.blocks import Name, Section, Words, maths, paragraph, section
 from vibcli.report.keys import Key
-from vibcli.report.sections.insight import grid, numbered, require_numbers
+from vibcli.report.sections.insight import grid, numbered, require_numbers, without_end
 
 if TYPE_CHECKING:
     from vibcli.report.document import Report
@@ -16,8 +16,11 @@ if TYPE_CHECKING:
 
 def sensitivities(problem: "Problem", _: "Report") -> Iterator[Section]:
     require_numbers(problem, "sensitivities")
+    if not problem.modal.modes.finite:
+        yield from without_end("Sensitivities", "sensitivities")
+        return
     found = problem.modal.result("sensitivities")
-    heads = [(f"mode {mode.index}", mode) for mode in problem.modal.modes if mode.omega]
+    heads = [(f"mode {mode.index}", mode) for mode in problem.modal.modes.shown() if mode.omega]
     damped = {one.mode.index: one for one in found.damped or ()}
     tables = [
         *grid("Sensitivity of the natural frequencies: (p/ω)·∂ω/∂p", [
@@ -68,8 +71,10 @@ def _remarks(found):
 
 
 def _sensitivities(problem):
+    if not problem.modal.modes.finite:
+        return None
     found = problem.modal.result("sensitivities")
-    omega = {mode.index: float(mode.omega) for mode in problem.modal.modes if mode.omega}
+    omega = {mode.index: float(mode.omega) for mode in problem.modal.modes.shown() if mode.omega}
     entries = []
     for name, value in found.values.items():
         modes = [(i, rate, logarithmic(value, rate, omega[i])) for i, rate in found.omega.get(name, {}).items()]

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from vibcli.notation.numbers import figure
 from vibcli.report.blocks import Section, paragraph
 from vibcli.report.keys import Key
-from vibcli.report.sections.insight import NOTHING, grid, numbered, require_numbers
+from vibcli.report.sections.insight import NOTHING, grid, numbered, require_numbers, without_end
 
 if TYPE_CHECKING:
     from vibcli.report.document import Report
@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 
 def shares(problem: "Problem", _: "Report") -> Iterator[Section]:
     require_numbers(problem, "shares")
+    if not problem.modal.modes.finite:
+        yield from without_end("Shares of the energy of modes", "shares")
+        return
     found = problem.modal.result("shares")
     potential = [(f"mode {i}", column) for i, column in found.potential.items() if column]
     lowering = any(share < -NOTHING / 100 for _, column in potential for share in column.values())
@@ -40,7 +43,7 @@ def _damped_head(mode):
 
 
 KEY = Key("shares", "whose energy each mode has, in fractions of one; negative those of what lowers the stiffness",
-          lambda problem: problem.modal.result("shares"), of=(
+          lambda problem: problem.modal.result("shares") if problem.modal.modes.finite else None, of=(
     Key("modes", "a list, one entry to each mode", lambda found: [
         {"index": i, "potential": found.potential[i], "kinetic": found.kinetic[i]} for i in found.kinetic], each=(
             Key("index", "number of the mode"),

@@ -4,34 +4,68 @@ from collections.abc import Iterator
 from math import tau
 from typing import TYPE_CHECKING, Any
 
-from vibcli.analyses.modal.normalisation import WORDS
+from vibcli.analyses.modal.normalisation import words
 from vibcli.base.errors import Inertless
 from vibcli.report.blocks import Section, TableBlock, equations, line, paragraph, section
 from vibcli.report.keys import Key, data
 from vibcli.report.sections.equilibrium import EQUILIBRIUM
 from vibcli.report.sections.mode_tables import damped_row, mode_row, polar, repeated, shapes
+from vibcli.report.sections.shown_modes import shown, shown_damped
 
 if TYPE_CHECKING:
     from vibcli.report.document import Report
+    from vibcli.report.wanted import Wanted
     from vibcli.results.problem import Problem
 
 WITHOUT_DAMPERS = "without its dampers nothing would hold what has no inertia in this scene"
 DAMPED = "Damped modes (eigenvalue λ: ω = |λ|, ζ = −Re λ/|λ|, decay = −Re λ = ζω, log. decrement = 2πζ/√(1−ζ²))"
 
 
-def frequencies(problem: "Problem", _: "Report") -> Iterator[Section]:
+def frequencies(problem: "Problem", report: "Report") -> Iterator[Section]:
     if problem.numeric.has_free_symbols:
-        yield from _frequencies_in_letters(problem)
+        yield from _frequencies_in_letters(problem, report)
         return
     if not problem.modal.modes:
         yield from section("Natural frequencies", paragraph("none are told: " + WITHOUT_DAMPERS))
         return
     modal = problem.modal
-    same = repeated(modal.modes)
-    rows = [mode_row(mode, modal.zero_modes.get(mode.index), mode.index in same) for mode in modal.modes]
-    damped = "of the undamped system" if modal.damped else "undamped"
+    found = shown(problem, report.wanted)
+    same = repeated(found)
+    rows = [mode_row(mode, modal.zero_modes.get(mode.index), mode.index in same) for mode in found]
     head = ("mode", "ω [rad/s]", "f [Hz]", "T [s]", "relative error ≤", "")
+    if not modal.modes.finite:
+        yield from _of_members(problem, found, head, rows)
+        return
+    damped = "of the undamped system" if modal.damped else "undamped"
     yield from section(f"Natural frequencies ({damped})", TableBlock(head, tuple(rows)), _form(problem))
+
+
+def _counted(modes, found):
+    """The proof that none is missing: the count just above the last frequency."""
+    from vibcli.notation.plain import lowered
+
+    last = found[-1]
+    if not last.omega:
+        return None
+    count = modes.counted_above(last)
+    if count is None or count < last.index:
+        return None
+    close = "".join(f" ≈ ω{lowered(number)}" for number in range(last.index + 1, count + 1))
+    return paragraph(f"J = {count} just above ω{lowered(last.index)}{close}: none is missing")
+
+
+def _of_members(problem, found, head, rows):
+    """The table of those without end, with wave numbers and the count that proves it complete."""
+    from vibcli.report.sections.member_modes import wave_numbers
+
+    beta = wave_numbers(problem, found)
+    if beta is not None:
+        head = (head[0], "β [1/m]", *head[1:])
+        rows = [(row[0], one, *row[1:]) for row, one in zip(rows, beta, strict=True)]
+    elements = problem.configuration.linear_system
+    damped = elements.dampers or elements.C or any(placed.piece.drag for placed in elements.pieces)
+    yield from section(f"Natural frequencies ({'of the undamped system' if damped else 'undamped'})",
+                       TableBlock(head, tuple(rows)), _counted(problem.modal.modes, found))
 
 
 def _form(problem):
@@ -43,10 +77,20 @@ def _form(problem):
     return None
 
 
-def _frequencies_in_letters(problem):
+def _frequencies_in_letters(problem, report):
     from vibcli.report.sections.symbolic_modes import damping_blocks, frequency_blocks
 
     problem.symbolic.equilibrium_position  # noqa: B018, refused where there is none
+    if problem.scene.pieces:
+        from vibcli.report.sections.members import frequency_equation
+
+        known = any(one.title.startswith("Frequency equation") for one in report.sections)
+        told = [] if known else list(frequency_equation(problem, report))
+        yield from told
+        yield from section("Natural frequencies", paragraph(
+            ("numbers: the roots of the frequency equations; " if known or told else
+             "no frequency equation is found in letters; ") + "give the parameters values with --set"))
+        return
     M, C, _, K = problem.symbolic.matrices
     if not M and not C:
         raise Inertless
@@ -58,40 +102,64 @@ def _frequencies_in_letters(problem):
     yield from section("Damping", *damping_blocks(forms))
 
 
-def damping(problem: "Problem", _: "Report") -> Iterator[Section]:
+def damping(problem: "Problem", report: "Report") -> Iterator[Section]:
     if problem.numeric.has_free_symbols or problem.modal.damped is None:
         return
     head = ("mode", "ω [rad/s]", "ζ", "ω_d [rad/s]", "T_d [s]", "decay [1/s]", "relative error ≤", "")
-    yield from section(DAMPED, TableBlock(head, tuple(map(damped_row, problem.modal.damped))))
+    found = shown_damped(problem, report.wanted)
+    if not found and problem.scene.pieces:
+        yield from section("Damped modes", paragraph(_none_comes_back(problem)))
+        return
+    region = problem.modal.damped.region
+    yield from section(DAMPED, TableBlock(head, tuple(map(damped_row, found))), region and paragraph(
+        f"{region.count} eigenvalues, conjugates counted, have |λ| < {region.radius:.6g} 1/s by the argument "
+        "principle: none is missing"))
+
+
+def _none_comes_back(problem):
+    """Why there is no damped mode at all."""
+    from vibcli.analyses.continuous.matched_damper import dies_after
+
+    ended = dies_after(problem.configuration.linear_system)
+    return f"none: a wave that arrives at the damper dies; what moves freely has ended after 2L/c₀ = {ended:.6g} s"
 
 
 def modes(problem: "Problem", report: "Report") -> Iterator[Section]:
     names = problem.scene.coordinates
-    if len(names) < 2:
+    if len(names) < 2 and not problem.scene.pieces:
         return
     if problem.numeric.has_free_symbols:
         from vibcli.report.sections.symbolic_modes import shape_blocks
 
+        if problem.scene.pieces:        # shapes stand below the frequency equation
+            return
         if problem.closed_forms is not None:
             yield from section("Mode shapes (the first coordinate that moves is 1)",
                                *shape_blocks(problem, names, problem.closed_forms))
         return
-    if problem.modal.modes:
-        yield from _shapes(problem, report, problem.modal.modes, f"Mode shapes ({WORDS[report.normalise]})")
+    normalised, found = words(report.normalise, problem.spec.members), shown(problem, report.wanted)
+    if found and names:
+        yield from _shapes(problem, report, found, f"Mode shapes ({normalised})")
+    if found and not problem.modal.modes.finite:
+        from vibcli.report.sections.member_modes import along_members
+
+        yield from along_members(problem, found, report.normalise)
     if problem.modal.damped is not None:
-        one_each = {mode.index: mode for mode in reversed(problem.modal.damped)}       # two eigenvalues have one shape
+        damped = shown_damped(problem, report.wanted)
+        one_each = {mode.index: mode for mode in reversed(damped)}       # two eigenvalues have one shape
         yield from _shapes(problem, report, [one_each[i] for i in sorted(one_each)],
-                           f"Shapes of the damped modes ({WORDS[report.normalise]})", only_complex=True)
+                           f"Shapes of the damped modes ({normalised})", only_complex=True)
 
 
 def _shapes(problem, report, modes, title, only_complex=False):
     names = problem.scene.coordinates
     found = [problem.modal.shape(mode, report.normalise) for mode in modes]
     out_of_phase = any(abs(complex(value).imag) > 1e-9 * abs(value) for shape in found for value in shape)
+    numbers = [mode.index for mode in modes]
     if out_of_phase:
-        yield from section(f"{title}, amplitude ∠ phase", *shapes(names, found, polar))
+        yield from section(f"{title}, amplitude ∠ phase", *shapes(names, numbers, found, polar))
     elif not only_complex:
-        yield from section(title, *shapes(names, found))
+        yield from section(title, *shapes(names, numbers, found))
 
 
 MODES = Key("modes", "a list: modes of the system without its dampers, by ascending omega, unstable ones first", each=(
@@ -120,7 +188,7 @@ POLYNOMIAL = Key("characteristic_polynomial", "in letters only: factors in λ = 
 
 
 def frequencies_data(problem: "Problem", normalise: str = "first",
-                     digits: int | None = None) -> dict[str, Any]:
+                     digits: int | None = None, wanted: "Wanted | None" = None) -> dict[str, Any]:
     """What `vibcli frequencies --json` prints."""
     from vibcli.report.sections.equations_of_motion import MATRICES
     from vibcli.report.sections.statics import REACTIONS
@@ -131,13 +199,33 @@ def frequencies_data(problem: "Problem", normalise: str = "first",
         closed = _closed_forms(problem)
         return found | data((MODES, DAMPED_MODES, *[POLYNOMIAL] * (POLYNOMIAL.name in closed)), closed)
     if digits is None:
-        modes = _modes(problem, problem.modal.modes, problem.modal.damped, normalise, tau)
-        return found | data((MODES, DAMPED_MODES), modes)
+        still, modes = shown(problem, wanted), shown_damped(problem, wanted)
+        found |= data((MODES, DAMPED_MODES), _modes(problem, still, modes, normalise, tau))
+    else:
+        still, told = _to_digits(problem, normalise, digits, wanted)
+        found |= told
+    return found if problem.modal.modes.finite else _with_members(problem, found, still, normalise)
+
+
+def _to_digits(problem, normalise, digits, wanted):
+    """(the modes shown, {modes, damped}) to so many digits."""
     import mpmath
 
     with mpmath.workdps(digits + 15):
-        modes = _modes(problem, *problem.modal.to_digits(digits), normalise, 2 * mpmath.pi)
-        return found | data((MODES, DAMPED_MODES), modes, digits)
+        still, damped = problem.modal.to_digits(digits)
+        still = shown(problem, wanted, still)
+        modes = _modes(problem, still, shown_damped(problem, wanted, damped), normalise, 2 * mpmath.pi)
+        return still, data((MODES, DAMPED_MODES), modes, digits)
+
+
+def _with_members(problem, found, modes, normalise):
+    """The same with the shapes of members and the count that proves the modes complete."""
+    from vibcli.report.sections.member_modes import member_shapes
+
+    rows = [row | {"members": member_shapes(problem, mode.index, normalise)}
+            for row, mode in zip(found["modes"], modes, strict=True)]
+    count = problem.modal.modes.counted_above(modes[-1]) if modes[-1].omega else None
+    return found | {"matrices": None, "modes": rows, "count": count}
 
 
 def _modes(problem, modes, damped, normalise, turn):

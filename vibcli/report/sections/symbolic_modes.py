@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.base.work import longer
-from vibcli.notation.plain import plain
+from vibcli.notation.plain import lowered, plain
 from vibcli.report.blocks import (
     Either,
     Equations,
@@ -99,12 +99,12 @@ def _of_one(mode, same):
     if mode.unstable:
         return line(Words(f"mode {mode.index} is unstable: it grows as "), "exp(s·t), s = ", mode.omega)
     shown = mode.omega if letters(mode.omega) <= LONGEST else Words(LONG)
-    return line("".join(f"ω{_sub(other.index)} = " for other in same), shown)
+    return line("".join(f"ω{lowered(other.index)} = " for other in same), shown)
 
 
 def _of_two(twin):
     """ω₁,₂² = (B ∓ √D)/A, or the quadratic equation where that is long; None where D is a number or a root unstable."""
-    pair, names = twin[0].pair, [_sub(mode.index) for mode in twin]
+    pair, names = twin[0].pair, [lowered(mode.index) for mode in twin]
     if not pair.in_letters or twin[0].unstable:
         return None
     mark = pair.root.table.sqrt(pair.root.table.parameter(MARK, positive=False))
@@ -161,7 +161,7 @@ def _ratios(damped):
     for mode in damped:
         if mode.index not in done:
             same = [other for other in damped if mode.zeta_pattern and other.zeta_pattern is mode.zeta_pattern]
-            head = ", ".join(f"ζ{_sub(other.index)}" for other in same or [mode])
+            head = ", ".join(f"ζ{lowered(other.index)}" for other in same or [mode])
             yield line(f"{head} = ", *((mode.zeta_pattern, *_with(same)) if same else (mode.zeta,)), hang=None)
             done |= {other.index for other in same}
 
@@ -194,8 +194,4 @@ def turned(value: "Node") -> tuple[str | Factor, ...]:
 
 
 def _with(modes):
-    return Words("   with "), "ω = " + ", ".join(f"ω{_sub(mode.index)}" for mode in modes)
-
-
-def _sub(number):
-    return str(number).translate(str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉"))
+    return Words("   with "), "ω = " + ", ".join(f"ω{lowered(mode.index)}" for mode in modes)

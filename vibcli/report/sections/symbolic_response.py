@@ -44,6 +44,7 @@ def response_in_letters(problem: "Problem", names: Iterable) -> Iterator[Section
     if problem.spec.get("motion") == "full":
         raise NotInLetters("motions of the full equations are found in numbers",
                            "give the parameters values with --set")
+    problem.require_no_members()
     driven, names = bool(problem.scene.timed and problem.symbolic.excitation), list(names)
     growing = driven and are_powers(problem.symbolic)
     find = problem.symbolic_following if growing else problem.symbolic_steady_state

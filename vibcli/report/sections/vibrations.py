@@ -51,7 +51,8 @@ def _regime(problem):
 def _participation(problem):
     from vibcli.analyses.transient.free_vibration import energy_shares
 
-    if problem.modal.damped is not None or any(mode.omega is None for mode in problem.modal.modes):
+    if problem.modal.damped is not None or not problem.modal.modes.finite or any(
+            mode.omega is None for mode in problem.modal.modes):
         return []
     shares = energy_shares(problem.response.matrices[0], problem.modal.modes, *problem.response.deviations)
     told = ", ".join(f"mode {mode.index}: {figure(100 * share, digits=4)} %"

@@ -20,7 +20,7 @@ def damped(scene):
     if scene.numeric.has_free_symbols or scene.spec.choices:
         return ()
     try:
-        return scene.modal.damped or ()
+        return scene.modal.damped.shown() if scene.modal.damped else ()
     except (PhysicsError, SpecError):
         return ()
 

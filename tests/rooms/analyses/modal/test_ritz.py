@@ -199,7 +199,7 @@ def test_in_letters_numbers_are_missing_and_set_gives_them(tmp_path, capsys):
     found = json.loads(capsys.readouterr().out)["insight"]["ritz"]
     assert (found["shapes"], found["M"], found["K"]) == ([[1.0]], [[2.0]], [[8.0]])
     assert found["modes"] == [{"index": 1, "square": 4.0, "omega": 2.0, "exact": 2.0, "error": 0.0,
-                               "shape": {"x": pytest.approx(0.5**0.5, rel=1e-15)}}]
+                               "shape": {"x": pytest.approx(0.5**0.5, rel=1e-15)}, "weights": None}]
 
 
 def test_answers_and_conditions_ask_for_them(tmp_path, capsys):

@@ -1,0 +1,181 @@
+"""Complex frequencies of members: closed forms, roots by mpmath, perturbation, finite elements; none missed."""
+
+import cmath
+import math
+import random
+
+import mpmath
+import numpy as np
+import pytest
+
+from tests.support.random_members import at_rest, random_members
+from vibcli.analyses.continuous.argument_count import zeros_within
+from vibcli.analyses.continuous.damped_source import DampedModes
+from vibcli.analyses.continuous.dynamic_matrix import dynamic_matrix
+from vibcli.analyses.continuous.finite_elements import element_matrices, rows_as_array
+from vibcli.analyses.continuous.matched_damper import dies_after
+from vibcli.analyses.continuous.mode_source import NaturalModes
+from vibcli.analyses.modal.mode_sequence import Modes
+from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
+from vibcli.numerics.pieces.piece import Piece
+
+
+def member(piece, *rows):
+    return PlacedPiece("member", 0.0, piece, rows, at_rest(piece, rows))
+
+
+def bar(r, left=None):
+    """A bar of EA = μ = L = 1 with a damper r at its right end."""
+    rows = ({} if left is None else left, {0: 1.0})
+    return FactoredSystem(max(1, len(rows[0]) + 1), dampers=[(r, {0: 1.0})],
+                          pieces=[member(Piece(1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0), *rows)])
+
+
+def source(system):
+    natural = NaturalModes(system)
+    return DampedModes(system, lambda: Modes((), natural))
+
+
+def exact(r, count):
+    real = -math.log((1 + r) / abs(1 - r)) / 2
+    shift = 0.5 if r < 1 else 0.0
+    found = [complex(real, (n + shift) * math.pi) for n in range(count + 1)]
+    return sorted(found, key=abs)[:count]
+
+
+@pytest.mark.parametrize("r", [1e-3, 0.3, 0.5, 0.9, 0.99, 1.01, 1.5, 4.0, 100.0])
+def test_a_bar_with_an_end_damper(r):
+    found = source(bar(r)).numbered(1, 12)
+    near = max(1e-13, 2e-15 / abs(1 - r))       # as r is given
+    for mode, value in zip(found, exact(r, 12), strict=True):
+        assert abs(mode.eigenvalue - value) <= near * abs(value)
+        assert abs(mode.eigenvalue - value) <= 2 * mode.error * abs(value)
+
+
+@pytest.mark.parametrize("r", [0.2, 0.999, 1.001, 30.0])
+def test_zeros_within_a_circle(r):
+    matrix = dynamic_matrix(bar(r))
+    for radius in (1.1, 5.3, 30.0, 61.7):
+        known = [value for value in exact(r, 60) if abs(value) < radius]
+        assert zeros_within(matrix, radius) == sum(2 if value.imag else 1 for value in known)
+
+
+def test_a_matched_damper_lets_nothing_come_back():
+    assert dies_after(bar(1.0)) == 2.0
+    assert dies_after(bar(1.0 + 1e-12)) is None and dies_after(bar(0.5)) is None
+    assert zeros_within(dynamic_matrix(bar(1.0)), 2.0) == 0
+
+
+def test_what_hardly_comes_back_ends_in_a_refusal():
+    with pytest.raises(PhysicsError):
+        source(bar(1.0 + 1e-12)).numbered(1, 3)
+
+
+def test_a_free_bar_rests_once():
+    found = source(bar(0.5, {1: 1.0})).numbered(1, 4)
+    real = -math.log(1.5 / 0.5) / 2        # D ~ tanh s + r: λ = −artanh r + i n π
+    assert found[0].omega == 0
+    for mode, n in zip(found[1:], range(3), strict=True):
+        assert mode.eigenvalue == pytest.approx(complex(real, n * math.pi), rel=1e-13)
+
+
+@pytest.mark.parametrize("seed", range(0, 60, 7))
+def test_random_members_agree_with_finite_elements(seed):
+    draw, system = random.Random(seed), random_members(seed)
+    if not system.n:
+        return
+    dampers = [(10 ** draw.uniform(-2, 1), {draw.randrange(system.n): 1.0}) for _ in range(2)]
+    pieces = [one._replace(piece=one.piece._replace(drag=draw.choice((0.0, 0.3, 3.0)))) for one in system.pieces]
+    system = system.with_parts(dampers=dampers, pieces=pieces)
+    found = source(system)
+    modes = found.numbered(1, 6)
+    reach = abs(modes[-1].eigenvalue) * (1 - 1e-6)
+    other = [value for value in by_finite_elements(system) if value.imag >= 0 and 1e-4 * reach < abs(value) < reach]
+    mine = [mode.eigenvalue for mode in modes[:-1] if mode.eigenvalue]
+    for value in mine:
+        assert min(abs(value - one) for one in other) <= 3e-2 * abs(value)
+    assert abs(len(other) - len(mine)) <= 1        # where the last lies next to the circle
+
+
+def by_finite_elements(system, parts=24):
+    n, done = system.n, []
+    for placed in system.pieces:
+        half, left = placed.piece.order // 2, placed.rows[:placed.piece.order // 2]
+        for i in range(parts):
+            right = placed.rows[half:]
+            if i < parts - 1:
+                right = tuple({n + way: 1.0} for way in range(half))
+                n += half
+            size = placed.piece.length / parts
+            done.append((placed.piece._replace(length=size), (*left, *right)))
+            left = right
+    M, C, _, K = (np.pad(part, (0, n - system.n)) for part in system.with_parts(pieces=()).arrays())
+    for piece, rows in done:
+        S, (k, m) = rows_as_array(rows, n), element_matrices(piece)
+        K, M, C = K + S.T @ k @ S, M + S.T @ m @ S, C + S.T @ m @ S * piece.drag / piece.inertia
+    inverse = np.linalg.inv(M)
+    return np.linalg.eigvals(np.block([[np.zeros((n, n)), np.eye(n)], [-inverse @ K, -inverse @ C]]))
+
+
+def test_a_cantilever_with_mass_and_damper_by_mpmath():
+    """EI = μ = L = 1: F = (2 + 2 cos b cosh b)/… with s² = −b⁴, the tip force (m s² + c s) u."""
+    m, c = 0.7, 0.9
+    system = FactoredSystem(2, [(m, {0: 1.0})], dampers=[(c, {0: 1.0})], pieces=[
+        member(Piece(1.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0), {}, {}, {0: 1.0}, {1: 1.0})])
+    modes = source(system).numbered(1, 5)
+
+    def equation(s):
+        b = mpmath.sqrt(mpmath.sqrt(-s * s))
+        cos, sin, cosh, sinh = mpmath.cos(b), mpmath.sin(b), mpmath.cosh(b), mpmath.sinh(b)
+        return b**3 * (1 + cos * cosh) + (m * s * s + c * s) * (sin * cosh - cos * sinh) * 1
+
+    with mpmath.workdps(30):
+        for mode in modes:
+            value = mpmath.findroot(equation, mpmath.mpc(mode.eigenvalue))
+            assert abs(value - mode.eigenvalue) <= 1e-13 * abs(value)
+
+
+def test_light_damping_is_that_of_perturbation():
+    """λ = iω − xᵀCx/2, xᵀ ∂D/∂s² x = 1."""
+    c = 1e-6
+    plain = random_members(8)
+    row = {0: 1.0}
+    undamped = NaturalModes(plain).numbered(1, 5)
+    damped = source(plain.with_parts(dampers=[(c, row)])).numbered(1, 5)
+    for one, other in zip(undamped, damped, strict=True):
+        assert other.eigenvalue == pytest.approx(complex(-c * one.shape[0] ** 2 / 2, one.omega), abs=1e-10 * one.omega)
+
+
+def test_equal_members_side_by_side_have_each_root_twice():
+    piece = Piece(1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0)
+    system = FactoredSystem(2, dampers=[(0.4, {0: 1.0}), (0.4, {1: 1.0})],
+                            pieces=[member(piece, {}, {0: 1.0}), member(piece, {}, {1: 1.0})])
+    found = source(system).numbered(1, 6)
+    for i in range(0, 6, 2):
+        value = exact(0.4, 3)[i // 2]
+        assert cmath.isclose(found[i].eigenvalue, value, rel_tol=1e-13)
+        assert cmath.isclose(found[i + 1].eigenvalue, value, rel_tol=1e-13)
+        assert abs(np.linalg.det(np.array([found[i].shape, found[i + 1].shape]))) > 0.1
+
+
+def test_a_piece_held_at_both_ends_swings_by_itself():
+    system = FactoredSystem(0, pieces=[member(Piece(1.0, 0.0, 1.0, 0.0, 1.0, 0.2, 0.0), {}, {})])
+    found = source(system).numbered(1, 3)
+    for n, mode in enumerate(found, 1):
+        assert mode.eigenvalue == pytest.approx(complex(-0.1, math.sqrt((n * math.pi) ** 2 - 0.01)), rel=1e-13)
+
+
+def test_damping_below_rounding_is_not_lost_and_what_rests_is_not_damped():
+    piece = Piece(1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0)
+    halves = FactoredSystem(1, dampers=[(1e-18, {0: 1.0})], pieces=[member(piece, {}, {0: 1.0}),
+                                                                   member(piece, {0: 1.0}, {})])
+    found = source(halves).numbered(1, 4)       # λ = iω − c/(4 · L/2) where the middle moves, L = 2
+    assert [mode.decay for mode in found] == pytest.approx([5e-19, 0.0, 5e-19, 0.0], rel=1e-9, abs=0.0)
+
+
+def test_drag_below_rounding_is_not_lost():
+    """Drag that is the same everywhere gives all modes the decay c/(2μ)."""
+    beam = Piece(1.3, 2.0, 0.0, 0.0, 0.7, 1e-18, 0.0)
+    found = source(FactoredSystem(2, pieces=[member(beam, {}, {}, {0: 1.0}, {1: 1.0})])).numbered(1, 4)
+    assert [mode.decay for mode in found] == pytest.approx([1e-18 / 1.4] * 4, rel=1e-6, abs=0.0)

@@ -1,0 +1,76 @@
+"""Limits that prove members and their joints: rigid, massless, in halves, on a foundation, hanging."""
+
+import math
+
+import mpmath
+import numpy as np
+import pytest
+
+from tests.support.random_members import at_rest, random_members
+from vibcli.analyses.continuous.mode_source import NaturalModes
+from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
+from vibcli.numerics.pieces.piece import Piece
+
+
+def placed(piece, *rows):
+    return PlacedPiece("member", 0.0, piece, rows, at_rest(piece, rows))
+
+
+def frequencies(system, count=5):
+    return [mode.omega for mode in NaturalModes(system).numbered(1, count)]
+
+
+@pytest.mark.parametrize("seed", [4, 10, 21])
+def test_halves_that_are_clamped_together_are_the_whole(seed):
+    whole = random_members(seed)
+    n, pieces = whole.n, []
+    for one in whole.pieces:
+        half = one.piece.order // 2
+        middle = tuple({n + way: 1.0} for way in range(half))
+        n += half
+        for part, rows in ((0.375, one.rows[:half] + middle), (0.625, middle + one.rows[half:])):
+            pieces.append(placed(one.piece._replace(length=one.piece.length * part), *rows))
+    assert frequencies(whole.with_parts(n=n, pieces=pieces)) == pytest.approx(frequencies(whole), rel=1e-12)
+
+
+@pytest.mark.parametrize("ends", [({}, {}, {0: 1.0}, {1: 1.0}), ({0: 1.0}, {1: 1.0}, {2: 1.0}, {3: 1.0})])
+def test_a_foundation_moves_every_square_alike(ends):
+    n = sum(map(len, ends))
+    bare, bedded = (Piece(1.4, 3.0, 0.0, 0.0, 0.7, 0.0, bed) for bed in (0.0, 11.0))
+    squares = np.array(frequencies(FactoredSystem(n, pieces=[placed(bare, *ends)]), 6)) ** 2
+    mass = [(1e-300, {0: 1.0})]         # so that counting has to find them
+    found = np.array(frequencies(FactoredSystem(n, mass, pieces=[placed(bedded, *ends)]), 6)) ** 2
+    assert found == pytest.approx(squares + 11.0 / 0.7, rel=1e-12)
+
+
+def test_a_very_stiff_beam_is_a_rigid_body():
+    size, inertia, k = 2.0, 3.0, 5.0
+    beam = Piece(size, 1e14, 0.0, 0.0, inertia, 0.0, 0.0)
+    rows = tuple({i: 1.0} for i in range(4))
+    found = frequencies(FactoredSystem(4, springs=[(k, rows[0]), (k, rows[2])], pieces=[placed(beam, *rows)]), 2)
+    assert found == pytest.approx([math.sqrt(2 * k / (inertia * size)), math.sqrt(6 * k / (inertia * size))], rel=1e-12)
+
+
+def test_a_light_cantilever_is_a_spring():
+    beam = Piece(2.0, 7.0, 0.0, 0.0, 1e-14, 0.0, 0.0)
+    rows = ({}, {}, {0: 1.0}, {1: 1.0})
+    found = frequencies(FactoredSystem(2, [(3.0, {0: 1.0})], pieces=[placed(beam, *rows)]), 1)
+    assert found == pytest.approx([math.sqrt(3 * 7.0 / 2.0**3 / 3.0)], rel=1e-12)
+
+
+def test_a_hanging_chain_has_the_zeros_of_bessel():
+    chain = Piece(1.7, 0.0, 2.3 * 9.81 * 1.7, -2.3 * 9.81, 2.3, 0.0, 0.0)
+    found = frequencies(FactoredSystem(1, pieces=[placed(chain, {}, {0: 1.0})]), 6)
+    exact = [float(mpmath.besseljzero(0, n)) / 2 * math.sqrt(9.81 / 1.7) for n in range(1, 7)]
+    assert found == pytest.approx(exact, rel=1e-12)
+
+
+def test_units_do_not_matter():
+    system = random_members(3)
+
+    def changed(piece):
+        return piece._replace(piece=piece.piece._replace(inertia=piece.piece.inertia * 4.0))
+
+    slow = system.with_parts(inertias=[(4.0 * m, row) for m, row in system.inertias],
+                             pieces=[changed(piece) for piece in system.pieces])
+    assert [2.0 * omega for omega in frequencies(slow)] == frequencies(system)

@@ -1,0 +1,57 @@
+"""Approximations of frequencies of members, against closed forms: Rayleigh 1877, Dunkerley 1894."""
+
+from math import sqrt
+
+import pytest
+from support.scenes import problem
+
+BEAM = ("parameters: {L: 0.6 m, EI: 56 N*m^2, mu: 0.27 kg/m}\n"
+        "beams:\n  arm: {length: L, EI: EI, mass_per_length: mu, %s}\n")
+BAR = "parameters: {L: 2 m, EA: 800 N, mu: 3 kg/m}\nbars:\n  rod: {length: L, EA: EA, mass_per_length: mu, %s}\n"
+
+
+def estimates(text):
+    return problem(text).modal.result("estimates")
+
+
+def test_a_cantilever():
+    """Static deflection of a cantilever under its weight: ω² = 162/13 EI/(μL⁴); Σ 1/ω_n² = μL⁴/(12 EI)."""
+    found = estimates(BEAM % "left: clamped")
+    unit = sqrt(56 / 0.27) / 0.6**2
+    assert found.rayleigh == pytest.approx(sqrt(162 / 13) * unit, rel=1e-6)
+    assert found.dunkerley == pytest.approx(sqrt(12) * unit, rel=1e-9)
+    tip = found.members.lumped["arm.u(L)"]
+    assert tip.of_members == pytest.approx(33 / 140, rel=1e-12)
+    assert tip.stiffness == pytest.approx(3 * 56 / 0.6**3, rel=1e-12)
+    assert found.dunkerley < found.omega < found.rayleigh
+
+
+def test_a_bar_held_at_both_ends():
+    """No coordinate at all: ω² ≤ 10 EA/(μL²), Σ 1/ω_n² = μL²/(6 EA)."""
+    found = estimates(BAR % "left: clamped, right: clamped")
+    unit = sqrt(800 / 3) / 2
+    assert found.rayleigh == pytest.approx(sqrt(10) * unit, rel=1e-4)
+    assert found.dunkerley == pytest.approx(sqrt(6) * unit, rel=1e-12)
+    assert found.members.lumped == {}
+
+
+def test_a_bar_counts_a_third_at_its_end():
+    found = estimates(BAR % "left: clamped, attached: [{at: L, mass: 5 kg}]")
+    assert found.members.lumped["rod.u(L)"].mass == pytest.approx(5 + 2, rel=1e-12)
+    assert found.dunkerley == pytest.approx(sqrt(1 / (3 * 4 / 2 / 800 + 5 * 2 / 800)), rel=1e-12)
+
+
+@pytest.mark.parametrize("text, order", [(BEAM % "left: clamped", 4), (BAR % "left: clamped", 2)])
+def test_elements_converge_from_above(text, order):
+    """Errors of cubic elements fall with h⁴, of linear ones with h²."""
+    found = estimates(text)
+    errors = [omegas[0] / found.omega - 1 for _, omegas in found.members.elements]
+    assert all(error > 0 for error in errors)
+    assert errors[-2] / errors[-1] == pytest.approx(2**order, rel=0.15)
+
+
+def test_what_holds_nothing_is_refused():
+    from vibcli.base.errors import PhysicsError
+
+    with pytest.raises(PhysicsError, match="rigid"):
+        estimates(BAR % "right: free")

@@ -1,0 +1,165 @@
+"""Modes of scenes with members as they are told: normalised, with nodes, the count that proves them, and in --json."""
+
+import json
+from itertools import pairwise
+from math import pi, sqrt
+
+import mpmath
+import pytest
+from support.scenes import problem, value
+
+from vibcli.base.errors import PhysicsError
+from vibcli.cli import run
+from vibcli.report.document import Report
+from vibcli.report.formats.text import render
+
+BAR = "    bars: {rod: {length: 2 m, EA: 2e6 N, mass_per_length: 2 kg/m, left: clamped%s}}"
+CANTILEVER = """
+    beams:
+      wing: {length: 0.6 m, EI: 56 N*m^2, mass_per_length: 0.27 kg/m, left: clamped,
+             attached: [{at: 0.6 m, mass: 0.05 kg}]}
+"""
+
+
+def told(scene, *names):
+    report = Report(scene)
+    for name in names or ("equilibrium", "frequencies", "damping", "modes"):
+        report.add(name)
+    assert report.refusal is None
+    return render([report.document()])
+
+
+def cantilever(index):
+    """(largest |u|, its place, nodes) of a cantilever with a tip mass, the tip moving by 1, in mpmath."""
+    ratio = mpmath.mpf("0.05") / mpmath.mpf("0.162")
+
+    def equation(y):
+        return 1 + mpmath.cos(y) * mpmath.cosh(y) + ratio * y * (
+            mpmath.cos(y) * mpmath.sinh(y) - mpmath.sin(y) * mpmath.cosh(y))
+
+    y = mpmath.findroot(equation, [1.5, 4.2, 7.25][index - 1])
+    mix = (mpmath.cosh(y) + mpmath.cos(y)) / (mpmath.sinh(y) + mpmath.sin(y))
+
+    def shape(x):
+        return mpmath.cosh(y * x) - mpmath.cos(y * x) - mix * (mpmath.sinh(y * x) - mpmath.sin(y * x))
+
+    grid = [mpmath.mpf(i) / 200 for i in range(1, 201)]
+
+    def slope(x):
+        return mpmath.diff(shape, x)
+
+    nodes, turns = ([mpmath.findroot(f, pair, solver="anderson") for pair in pairwise(grid)
+                     if f(pair[0]) * f(pair[1]) < 0] for f in (shape, slope))
+    top = max([mpmath.mpf(1), *turns], key=lambda x: abs(shape(x)))
+    return shape(top) / shape(1), 0.6 * top, [0.6 * x for x in nodes]
+
+
+@pytest.mark.parametrize("index", [1, 2, 3])
+def test_the_largest_displacement_of_a_member_is_one(index, capsys, tmp_path):
+    path = tmp_path / "wing.yaml"
+    path.write_text(CANTILEVER, encoding="utf-8")
+    assert run(["frequencies", str(path), "--json", "--modes", "3"]) == 0
+    mode = json.loads(capsys.readouterr().out)["modes"][index - 1]
+    largest, place, nodes = cantilever(index)
+    wing = mode["members"]["wing"]
+    assert mode["shape"]["wing.u(0.6 m)"] == pytest.approx(float(1 / largest), rel=1e-12)
+    assert wing["nodes"] == pytest.approx(list(map(float, nodes)), rel=1e-12)
+    assert max(wing["u"]) == pytest.approx(1, rel=1e-13)
+    assert wing["x"][wing["u"].index(max(wing["u"]))] == pytest.approx(float(place), rel=1e-7)
+    assert wing["shear"][-1] == pytest.approx(-0.05 * mode["omega"] ** 2 * mode["shape"]["wing.u(0.6 m)"], rel=1e-9)
+
+
+def test_a_scene_without_coordinates_has_modes():
+    scene = problem(BAR % ", right: clamped")
+    assert not scene.scene.q
+    text = told(scene)
+    assert "J = 5 just above ω₅: none is missing" in text and "(the drawn position)" in text
+    assert "Modes along rod (the first coordinate that moves is 1, where none does the largest displacement" in text
+    assert "  3     1          0.333333  0.666667, 1.33333" in text
+    for i in (1, 2, 40):
+        assert value(scene, f"omega[{i}]") == pytest.approx(500 * i * pi, rel=2e-15)
+    assert value(scene, "stable") is True
+
+
+def test_nothing_moves_where_nothing_can():
+    with pytest.raises(PhysicsError, match="nothing moves in this scene"):
+        value(problem("    bars: {rod: {length: 2 m, EA: 2e6 N, left: clamped, right: clamped}}"), "omega[1]")
+
+
+def test_the_count_from_one_number_to_another():
+    text = told(problem(BAR % "" + "\n    find: [{modes: [990, 1000]}]"))
+    assert "J = 1000 just above ω₁₀₀₀: none is missing" in text
+
+
+def test_two_alike_are_counted_together():
+    text = told(problem("""
+        bars:
+          one: {length: 2 m, EA: 2e6 N, mass_per_length: 2 kg/m, left: clamped}
+          two: {length: 2 m, EA: 2e6 N, mass_per_length: 2 kg/m, left: clamped}"""))
+    assert "repeated" in text and "J = 6 just above ω₅ ≈ ω₆: none is missing" in text
+
+
+def test_coordinates_of_the_file_come_first():
+    scene = problem("""
+        bodies: {block: {mass: 3 kg, slide: x}}
+        bars: {rod: {length: 2 m, EA: 2e6 N, mass_per_length: 2 kg/m, left: clamped, right: {clamped: block}}}""")
+    assert [value(scene, f"mode[{i}][x]") for i in (1, 2, 3)] == [1.0, 1.0, 1.0]
+    y = value(scene, "omega[2]") * sqrt(2 / 2e6) * 2
+    inner = 2 * 2 * (0.5 - float(mpmath.sin(2 * y)) / (4 * y)) / float(mpmath.sin(y)) ** 2
+    assert value(scene, "modal_mass[2]") == pytest.approx(3 + inner, rel=1e-12)
+
+
+def test_the_modal_mass_of_a_bar_alone_is_half_of_it():
+    scene = problem(BAR % "")
+    assert [value(scene, f"modal_mass[{i}]") for i in (1, 7)] == pytest.approx([2.0, 2.0], rel=1e-13)
+
+
+def test_damped_modes_of_members_are_told_with_their_number():
+    scene = problem(BAR % ", right: {c: 5 N*s/m}")
+    assert "of the undamped system" in told(scene, "frequencies")
+    assert "by the argument principle: none is missing" in " ".join(told(scene, "damping").split())
+    with pytest.raises(PhysicsError, match="in floats alone"):
+        scene.modal.damped_to(30)
+
+
+def test_a_matched_damper_leaves_no_mode():
+    scene = problem(BAR % ", right: {c: 2000 N*s/m}")
+    assert scene.modal.damped.finite and not scene.modal.damped
+
+
+def test_parts_without_inertia_are_springs_in_what_is_told():
+    scene = problem("""
+        bars:
+          rod: {segments: [{length: 1 m, EA: 1e6 N, mass_per_length: 2 kg/m}, {length: 1 m, EA: 2e6 N}], left: clamped,
+                attached: [{at: 2 m, mass: 3 kg}]}""")
+    written = told(scene, "energies", "equations", "frequency_equation", "frequencies", "modes")
+    first = mpmath.findroot(lambda y: y * mpmath.tan(y) - mpmath.mpf(2) / 3 + y * y / 2, 0.63)
+    assert f"βL = {float(first):.10g}, 2.39747" in written and "1.154" not in written
+    assert value(scene, "omega[1]") == pytest.approx(float(first) * sqrt(1e6 / 2), rel=1e-13)
+
+
+def test_a_member_that_turns_in_equilibrium_has_no_equations_in_letters_but_modes():
+    scene = problem("""
+        gravity: 9.81 m/s^2
+        beams:
+          arm: {from: [0, 0], to: [1.2 m, 0], EI: 2400 N*m^2, mass_per_length: 3 kg/m, left: clamped,
+                right: {clamped: motor}}
+        bodies:
+          motor: {mass: 5 kg, at: [1.2 m, 0], move: [0, y, psi]}
+          bob: {mass: 1 kg, at: [1.2 m, -0.3 m], pin: {at: [1.2 m, 0], carrier: motor, by: phi}}""")
+    written = told(scene, "energies", "equations", "frequency_equation", "frequencies", "modes")
+    assert "not found in letters, as the equilibrium is not" in written
+    assert "  1     0          –         rests" in written
+    assert value(scene, "omega[1]") == pytest.approx(sqrt(9.81 / 0.3), rel=1e-12)
+
+
+def test_what_no_spring_touches_is_free_beside_what_moves_along_a_bar():
+    """A bar that floats: across at both ends, along, and the turn of a body by itself; the rest is held."""
+    modes = problem("""
+    bodies: {cart: {mass: 4, slide: x}, block: {mass: 3, inertia: 1, at: [2, 0], move: [X, Y, psi]}}
+    springs: {s: {k: 30, between: [cart, ground]}, t: {k: 200, between: [block, [2, 3]]},
+              u: {k: 100, between: [block, [5, 0]]}}
+    bars: {rod: {from: [0, 0], to: [2, 0], EA: 500, mass_per_length: 2, attached: [{at: 2, mass: 3}]}}
+""").modal.modes
+    assert [modes[i].omega for i in range(4)] == [0.0] * 4 < [modes[4].omega]
+    assert modes[4].omega == pytest.approx(sqrt(30 / 4), rel=1e-13)

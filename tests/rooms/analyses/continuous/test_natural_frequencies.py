@@ -1,0 +1,155 @@
+"""Natural frequencies of members: against known zeros to the last digits, and counted against finite elements."""
+
+import math
+import subprocess
+import sys
+
+import mpmath
+import numpy as np
+import pytest
+
+from tests.support.random_members import at_rest, random_members, squares_by_finite_elements
+from vibcli.analyses.continuous.mode_source import NaturalModes
+from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
+from vibcli.numerics.pieces.piece import Piece
+
+EPS = 2.0 ** -52
+
+
+def placed(piece, *rows):
+    return PlacedPiece("member", 0.0, piece, rows, at_rest(piece, rows))
+
+
+def beam(length=1.0, bending=1.0, inertia=1.0, tension=0.0, foundation=0.0):
+    return Piece(length, bending, tension, 0.0, inertia, 0.0, foundation)
+
+
+def bar(length=1.0, stiffness=1.0, inertia=1.0):
+    return Piece(length, 0.0, stiffness, 0.0, inertia, 0.0, 0.0)
+
+
+def cantilever(tip=0.0, **data):
+    masses = [(tip, {0: 1.0})] if tip else []
+    return FactoredSystem(2, masses, pieces=[placed(beam(**data), {}, {}, {0: 1.0}, {1: 1.0})])
+
+
+def test_cantilever_with_half_its_mass_at_the_tip_to_two_roundings():
+    exact = [mpmath.findroot(lambda x: 1 + mpmath.cos(x) * mpmath.cosh(x) + x / 2 * (
+        mpmath.cos(x) * mpmath.sinh(x) - mpmath.sin(x) * mpmath.cosh(x)), start) for start in (1.42, 4.11, 7.19, 10.3)]
+    modes = NaturalModes(cantilever(0.5)).numbered(1, 4)
+    for mode, x in zip(modes, exact, strict=True):
+        assert abs(math.sqrt(mode.omega) / x - 1) <= 2 * EPS
+        assert abs(mode.omega / (x * x) - 1) <= mode.error < 1e-13
+
+
+def test_floats_do_not_import_what_digits_need():
+    program = ("import sys; from tests.support.random_members import random_members; "
+               "from vibcli.analyses.continuous.mode_source import NaturalModes; "
+               "NaturalModes(random_members(4)).numbered(1, 6); "
+               "print({'mpmath', 'scipy', 'sympy'} & set(sys.modules))")
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert done.stdout == "set()\n"
+
+
+def test_many_digits_agree_with_mpmath():
+    with mpmath.workdps(60):
+        exact = mpmath.findroot(lambda x: 1 + mpmath.cos(x) * mpmath.cosh(x), 4.69)
+        mode = NaturalModes(cantilever(), digits=50).numbered(2, 2)[0]
+        assert abs(mode.omega / exact**2 - 1) <= mode.error < 1e-50
+
+
+def test_modes_that_rest_at_every_joint_are_found():
+    rows = ({}, {0: 1.0}, {}, {1: 1.0}), ({}, {1: 1.0}, {}, {2: 1.0})
+    modes = NaturalModes(FactoredSystem(3, pieces=[placed(beam(), *row) for row in rows])).numbered(1, 6)
+    clamped = [mpmath.findroot(lambda x: mpmath.tan(x) - mpmath.tanh(x), (n + 0.25) * math.pi) for n in (1, 2, 3)]
+    exact = sorted([n * math.pi for n in (1, 2, 3)] + clamped)
+    assert [math.sqrt(mode.omega) for mode in modes] == pytest.approx([float(x) for x in exact], rel=4 * EPS)
+
+
+def test_a_bar_without_a_coordinate_and_two_alike_that_do_not_touch():
+    one = NaturalModes(FactoredSystem(0, pieces=[placed(bar(), {}, {})])).numbered(1, 5)
+    assert [mode.omega for mode in one] == pytest.approx([n * math.pi for n in range(1, 6)], rel=2 * EPS)
+    two = NaturalModes(FactoredSystem(2, pieces=[placed(bar(), {}, {i: 1.0}) for i in (0, 1)])).numbered(1, 4)
+    exact = [math.pi / 2] * 2 + [3 * math.pi / 2] * 2
+    assert [mode.omega for mode in two] == pytest.approx(exact, rel=2 * EPS)
+    inertia = np.array([[mode.shape @ other.shape for other in two[:2]] for mode in two[:2]])
+    assert inertia == pytest.approx(2 * np.eye(2), abs=1e-12)
+
+
+def test_high_modes_are_found_without_those_below():
+    source = NaturalModes(random_members(21))
+    modes = source.numbered(100_000, 100_003)
+    assert [source.counted_above(mode) for mode in modes] == [100_000, 100_001, 100_002, 100_003]
+    assert all(mode.error < 1e-12 for mode in modes)
+
+
+def test_two_weakly_tied_cantilevers_are_told_apart():
+    pieces = [placed(beam(), {}, {}, {2 * i: 1.0}, {2 * i + 1: 1.0}) for i in (0, 1)]
+    modes = NaturalModes(FactoredSystem(4, [], [(1.5e-14, {0: 1.0, 2: -1.0})], pieces=pieces)).numbered(1, 4)
+    for one, other in (modes[:2], modes[2:]):
+        assert other.omega >= one.omega
+        assert one.shape[0] * one.shape[2] > 0 > other.shape[0] * other.shape[2]
+    gap = 2 * 1.5e-14 * 4 / (2 * modes[0].omega ** 2)
+    assert modes[1].omega / modes[0].omega - 1 == pytest.approx(gap, abs=3e-16)
+
+
+def test_a_free_beam_moves_rigidly_first():
+    free = FactoredSystem(4, pieces=[placed(beam(), *({i: 1.0} for i in range(4)))])
+    modes = NaturalModes(free).numbered(1, 4)
+    assert [mode.rigid for mode in modes] == [True, True, False, False]
+    assert modes[0].shape == pytest.approx([1, 0, 1, 0], abs=1e-12)
+    assert modes[1].shape == pytest.approx(math.sqrt(12) * np.array([-0.5, 1, 0.5, 1]), rel=1e-9)
+    assert math.sqrt(modes[2].omega) == pytest.approx(4.730040744862704, rel=1e-14)
+
+
+def test_what_grows_is_followed_by_what_is_free():
+    rows = [[{i: 1.0} for i in range(2, 6)], [{}, {0: 1.0}, {}, {1: 1.0}]]
+    pieces = [placed(beam(), *rows[0]), placed(beam(tension=-15.0), *rows[1])]
+    source = NaturalModes(FactoredSystem(6, pieces=pieces))
+    assert [mode.kind for mode in source.numbered(1, 4)] == ["divergence", "rigid", "rigid", "oscillation"]
+    assert source.counted_above(source.numbered(6, 6)[0]) == 6
+
+
+def test_a_beam_beyond_its_buckling_load_grows():
+    load = 1.5 * math.pi**2
+    pinned = FactoredSystem(2, pieces=[placed(beam(tension=-load), {}, {0: 1.0}, {}, {1: 1.0})])
+    modes = NaturalModes(pinned).numbered(1, 3)
+    squares = [(n * math.pi) ** 4 - load * (n * math.pi) ** 2 for n in (1, 2, 3)]
+    assert modes[0].growth_rate == pytest.approx(math.sqrt(-squares[0]), rel=1e-13)
+    assert [mode.omega for mode in modes[1:]] == pytest.approx([math.sqrt(x) for x in squares[1:]], rel=1e-13)
+
+
+def test_a_chain_of_sixty_spans_has_all_its_frequencies():
+    spans = [placed(beam(), {}, {i: 1.0}, {}, {i + 1: 1.0}) for i in range(60)]
+    modes = NaturalModes(FactoredSystem(61, pieces=spans)).numbered(1, 180)
+    found = np.array([mode.omega for mode in modes])
+    assert (np.diff(found) > 0).all()
+    assert np.sqrt(found[[0, 60, 120]]) == pytest.approx([math.pi, 2 * math.pi, 3 * math.pi], rel=1e-14)
+    assert all(mode.error < 1e-12 for mode in modes)
+
+
+def test_bars_tied_by_gyroscopic_terms_and_free_ones_that_are_refused():
+    def coupled(*ends):
+        pieces = [placed(bar(), end, {i: 1.0}) for i, end in enumerate(ends)]
+        masses = [(1.0, {i: 1.0}) for i in (0, 1)]
+        n = 2 + sum(map(len, ends))
+        return FactoredSystem(n, masses, G={(0, 1): 0.7, (1, 0): -0.7}, pieces=pieces)
+
+    exact = sorted(mpmath.findroot(lambda w, sign=sign: mpmath.cot(w) - w - 0.7 * sign, near)
+                   for sign, near in ((1, 0.6), (-1, 1.1), (1, 3.4), (-1, 3.5), (1, 6.4)))
+    found = [mode.omega for mode in NaturalModes(coupled({}, {})).numbered(1, 5)]
+    assert found == pytest.approx([float(w) for w in exact], rel=1e-14)
+    with pytest.raises(PhysicsError, match="gyroscopic"):
+        NaturalModes(coupled({2: 1.0}, {3: 1.0}))
+
+
+def test_random_members_have_as_many_frequencies_as_their_finite_elements():
+    for seed in range(12):
+        system = random_members(seed)
+        source = NaturalModes(system)
+        modes = source.numbered(1, 6)
+        assert modes[-1].rigid or source.counted_above(modes[-1]) == 6
+        exact = squares_by_finite_elements(system, 6)
+        found = [0.0 if mode.rigid else -mode.growth_rate**2 if mode.growth_rate else mode.omega**2 for mode in modes]
+        assert found == pytest.approx(exact, rel=1e-2, abs=1e-7 * exact[-1])

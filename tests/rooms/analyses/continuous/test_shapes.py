@@ -1,0 +1,60 @@
+"""Shapes of modes along members: known nodes, orthogonality by quadrature, ends."""
+
+import mpmath
+import numpy as np
+import pytest
+
+from tests.support.moved_pieces import moved_pieces
+from tests.support.random_members import at_rest, random_members
+from vibcli.analyses.continuous.mode_source import NaturalModes
+from vibcli.analyses.continuous.shapes import antinodes, nodes, shape_along
+from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
+from vibcli.numerics.pieces.piece import Piece
+
+BEAM = Piece(1.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0)
+
+
+def modes_of(n, *rows, piece=BEAM):
+    pieces = [PlacedPiece("member", float(i), piece, ends, at_rest(piece, ends)) for i, ends in enumerate(rows)]
+    return NaturalModes(FactoredSystem(n, pieces=pieces)).numbered(1, 4)
+
+
+def test_nodes_and_antinodes_of_a_cantilever():
+    modes = modes_of(2, ({}, {}, {0: 1.0}, {1: 1.0}))
+    found = [nodes(moved_pieces(mode, "member")) for mode in modes]
+    assert [len(places) for places in found] == [0, 1, 2, 3]
+    with mpmath.workdps(40):
+        b = mpmath.findroot(lambda x: 1 + mpmath.cos(x) * mpmath.cosh(x), 4.69)
+        ratio = (mpmath.cosh(b) + mpmath.cos(b)) / (mpmath.sinh(b) + mpmath.sin(b))
+        shape = lambda x: mpmath.cosh(b*x) - mpmath.cos(b*x) - ratio * (mpmath.sinh(b*x) - mpmath.sin(b*x))  # noqa: E731
+        node, top = mpmath.findroot(shape, 0.78), mpmath.findroot(lambda x: mpmath.diff(shape, x), 0.47)
+    assert found[1] == pytest.approx([float(node)], rel=4e-15)
+    assert antinodes(moved_pieces(modes[1], "member")) == pytest.approx([float(top)], rel=4e-15)
+
+
+def test_supports_are_no_nodes_and_modes_at_rest_at_joints_have_a_shape():
+    modes = modes_of(3, ({}, {0: 1.0}, {}, {1: 1.0}), ({}, {1: 1.0}, {}, {2: 1.0}))
+    assert [nodes(moved_pieces(mode, "member")) for mode in modes[:2]] == [[], []]
+    assert nodes(moved_pieces(modes[2], "member")) == pytest.approx([0.5, 1.5], abs=1e-12)
+    bar = modes_of(0, ({}, {}), piece=Piece(1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0))
+    assert np.abs(shape_along(moved_pieces(bar[0], "member"), [0.0, 0.25, 1.0])[:, 0]) == pytest.approx(
+        [0, 1, 0], abs=1e-14)
+
+
+@pytest.mark.parametrize("seed", [0, 8, 17])
+def test_shapes_are_orthogonal_with_what_is_attached(seed):
+    system = random_members(seed)
+    modes = NaturalModes(system).numbered(1, 5)
+    x, weights = np.polynomial.legendre.leggauss(60)
+    inertia = np.zeros((5, 5))
+    for mass, row in system.inertias:
+        at = np.array([sum(c * mode.shape[i] for i, c in row.items()) for mode in modes])
+        inertia += mass * np.outer(at, at)
+    starts = np.cumsum([0.0, *(placed.piece.length for placed in system.pieces)])
+    placed = [piece._replace(start=start) for piece, start in zip(system.pieces, starts, strict=False)]
+    modes = NaturalModes(system.with_parts(pieces=placed)).numbered(1, 5)
+    for piece, start in zip(placed, starts, strict=False):
+        places = start + piece.piece.length * (x + 1) / 2
+        u = np.array([shape_along(moved_pieces(mode, "member"), places)[:, 0] for mode in modes])
+        inertia += piece.piece.inertia * piece.piece.length / 2 * (u * weights) @ u.T
+    assert inertia == pytest.approx(np.eye(5), abs=1e-9)

@@ -1,0 +1,94 @@
+"""Pictures of members: every one is drawn with what holds it, modes are bent as their fields tell, nodes are marked."""
+
+from math import pi, sin
+from pathlib import Path
+
+import pytest
+from support.scenes import problem, problem_of
+
+from vibcli.drawing import animation
+from vibcli.drawing.canvas.primitives import Circle, Hatch, LetterRuns, Polygon, Polyline
+from vibcli.drawing.drawing import draw
+from vibcli.drawing.layout import compose
+from vibcli.drawing.symbols import member, mode_shape
+from vibcli.drawing.vibration import Vibration
+
+ROOT = Path(__file__).parents[3]
+EXAMPLES = [ROOT / "vibcli/examples" / f"{name}.yaml" for name in ("bars", "shafts", "beams", "strings", "beam")]
+STRING = """
+    strings: {cord: {length: 2 m, preload: 50 N, mass_per_length: 0.1 kg/m, left: clamped, right: pinned}}
+"""
+CANTILEVER = """
+    parameters: {M: 2 kg}
+    beams: {arm: {from: [0, 0], to: [3 m, 0], EI: 900 N*m^2, mass_per_length: 1 kg/m, left: clamped,
+      right: {clamped: block}}}
+    bodies: {block: {mass: M, at: [3 m, 0], move: [0, y, psi]}}
+"""
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_every_member_is_drawn_and_no_word_lies_over_another(path):
+    found = problem_of(path)
+    stage, drawn = compose.Scenery(found.scene), draw(found)
+    assert {strip.name for strip in stage.strips} == set(found.scene.members)
+    boxes = [part.box for part in drawn if isinstance(part, LetterRuns)]
+    assert not [(a, b) for i, a in enumerate(boxes) for b in boxes[:i]
+                if min(a[2], b[2]) - max(a[0], b[0]) > 1e-6 and min(a[3], b[3]) - max(a[1], b[1]) > 1e-6]
+
+
+def test_a_clamped_string_bends_as_its_mode_and_rests_at_its_nodes():
+    found = problem(STRING)
+    vibration = Vibration(found, 3, compose.Scenery(found.scene))
+    (bend,), (strip,) = vibration.bends(0.0).values(), vibration.stage.strips
+    places = [0.1 * i for i in range(21)]
+    size = bend.at([1 / 3])[0][1]
+    for x, (_, u) in zip(places, bend.at(places), strict=True):
+        assert u == pytest.approx(size * sin(3 * pi * x / 2), abs=1e-9 * abs(size))
+    assert bend.nodes == pytest.approx([2 / 3, 4 / 3])
+    drawn = mode_shape.draw(found, 3)
+    marks = [part for part in drawn if isinstance(part, Circle) and part.role == "coordinate"]
+    assert [part.centre for part in marks] == [pytest.approx(strip.at(x)) for x in bend.nodes]
+
+
+def test_a_beam_ends_where_the_body_is_that_it_holds():
+    found = problem(CANTILEVER)
+    for index in (1, 2, 3):
+        stage = compose.Scenery(found.scene)
+        vibration = Vibration(found, index, stage)
+        moved, (bend,) = vibration.at(0.0), vibration.bends(0.0).values()
+        assert member.place(stage.strips[0], bend, 3.0) == pytest.approx(moved.frames["block"].place, abs=1e-6)
+        assert member.place(stage.strips[0], bend, 0.0) == pytest.approx(stage.strips[0].start)
+
+
+def test_ends_have_their_signs():
+    def drawn(left):
+        return draw(problem("beams: {arm: {length: 1 m, EI: 9 N*m^2, mass_per_length: 1 kg/m, left: " + left
+                            + ", attached: [{at: 1 m, k: 1 N/m}]}}"))
+
+    def count(parts, kind):
+        return sum(isinstance(part, kind) for part in parts)
+
+    free, clamped, pinned, guided = map(drawn, ("free", "clamped", "pinned", "guided"))
+    assert count(clamped, Hatch) == count(free, Hatch) + 1
+    assert count(pinned, Polygon) == count(free, Polygon) + 1
+    assert count(guided, Circle) == count(free, Circle) + 2
+    assert count(drawn("{k: 2 N/m}"), Polyline) == count(free, Polyline) + 1
+
+
+def test_modes_move_and_return():
+    frames, words, _ = animation.of_mode(problem(STRING), 2)
+    assert words.startswith("mode 2")
+    assert frames[0] != frames[animation.FRAMES // 4]
+
+
+def test_motions_in_time_bend_members_that_have_no_coordinates():
+    found = problem_of(ROOT / "problems/8_continuous/plucked_string.yaml")
+    frames, _, _ = animation.of_response(found)
+
+    def curve(frame):
+        return next(part.points for part in frame if isinstance(part, Polyline) and part.role == "ink")
+
+    first = curve(frames[0])
+    heights = [y - first[0][1] for _, y in first]
+    assert max(heights) > 10.0 and heights[len(heights) // 4] == pytest.approx(max(heights), rel=0.05)
+    assert curve(frames[7]) != first

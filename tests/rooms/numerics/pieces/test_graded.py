@@ -1,0 +1,97 @@
+"""Pieces whose tension varies along them: Bessel's functions, limits, and laws of any division."""
+
+import random
+
+import mpmath
+import numpy as np
+import pytest
+
+from vibcli.numerics.pieces.fields import fields
+from vibcli.numerics.pieces.held_count import held_count
+from vibcli.numerics.pieces.piece import Piece
+from vibcli.numerics.pieces.stiffness import dynamic_stiffness, stiffness_and_slope
+
+CHAIN = Piece(2.0, 0.0, 0.0, 0.7 * 9.81, 0.7, 0.0, 0.0)         # hangs, its free end at x = 0
+
+
+def bessel(order, place, omega):
+    return mpmath.besselj(order, 2 * mpmath.mpf(omega) * mpmath.sqrt(mpmath.mpf(place) / mpmath.mpf(9.81)))
+
+
+def test_a_hanging_chain_has_the_zeros_of_bessel():
+    roots = 0.5 * np.array([float(mpmath.besseljzero(0, i)) for i in (1, 2, 5, 30)]) * (9.81 / 2) ** 0.5
+    assert held_count(CHAIN, roots * (1 - 1e-13)).tolist() == [0, 1, 4, 29]
+    assert held_count(CHAIN, roots * (1 + 1e-13)).tolist() == [1, 2, 5, 30]
+    for omega in (1e-3, 2.0, 40.0):
+        d = dynamic_stiffness(CHAIN, 1j * omega)
+        exact = -0.7 * (9.81 * 2) ** 0.5 * omega * bessel(1, 2, omega) / bessel(0, 2, omega)
+        assert d[1, 1].real == pytest.approx(float(exact), rel=1e-13)
+        assert not d[0].any() and not d[:, 0].any()
+        for x in (0.0, 1e-9, 0.1, 1.5, 2.0):
+            u = fields(CHAIN, -0.7 * omega**2, np.array([5.0, 1.0]), x)[0]
+            assert u == pytest.approx(float(bessel(0, x, omega) / bessel(0, 2, omega)), abs=1e-13 * (1 + abs(u)))
+
+
+def graded(seed, count):
+    """(piece, κ)"""
+    rng = random.Random(seed)
+    for i in range(count):
+        length, stiff, size = 10 ** rng.uniform(-1, 1), 10 ** rng.uniform(-2, 4), 10 ** rng.uniform(-3, 1.7)
+        order = 2 + 2 * (i % 2)
+        tension = stiff if order == 2 else rng.choice((0, 10 ** rng.uniform(-3, 3), -20)) * stiff / length**2
+        gradient = (rng.choice((-0.9, -0.2, 1e-9, 10, 1e4)) * tension if order == 2 else
+                    rng.choice((-1, 1)) * 10 ** rng.uniform(-6, 3) * stiff / length**2) / length
+        kappa = rng.choice((-1, -1, 1)) * stiff * (size / length) ** order
+        yield Piece(length, stiff if order == 4 else 0.0, tension, gradient, 1.0, 0.0, 0.0), kappa
+
+
+def halves(piece, x):
+    return (piece._replace(length=x),
+            piece._replace(length=piece.length - x, tension=piece.tension + piece.gradient * x))
+
+
+@pytest.mark.parametrize("seed", range(2))
+def test_two_parts_make_the_whole(seed):
+    for piece, kappa in graded(seed, 30):
+        parts, h = halves(piece, 0.3713 * piece.length), piece.order // 2
+        whole, slope = stiffness_and_slope(piece, kappa)
+        left, right = (stiffness_and_slope(part, kappa)[0] for part in parts)
+        joint = left[h:, h:] + right[:h, :h]
+        counts = [held_count(one._replace(foundation=kappa), 0.0) for one in (piece, *parts)]
+        assert counts[0] == counts[1] + counts[2] + (np.linalg.eigvalsh(joint) < 0).sum()
+        ends = np.random.default_rng(seed).normal(size=2 * h) / np.array([1, piece.length] * 2)[::2 // h]
+        inner = np.linalg.solve(joint, -left[h:, :h] @ ends[:h] - right[:h, h:] @ ends[h:])
+        own = np.array([1, piece.length] * 2)[:h]
+        found = fields(piece, kappa, ends, 0.3713 * piece.length)[:h]
+        along = fields(piece, kappa, ends, np.linspace(0, piece.length, 9))[:, :h]
+        worn = np.linalg.cond(joint / np.outer(own, own) ** 0) * 1e-13
+        assert np.abs((found - inner) * own).max() <= max(1e-11, worn) * np.abs(along * own).max()
+        x, weights = np.polynomial.legendre.leggauss(200)
+        y = (x + 1) / 2                                             # dense where the tension may be small
+        squares = fields(piece, kappa, ends, y**3 * piece.length)[:, 0] ** 2 * 3 * y**2
+        assert ends @ slope @ ends == pytest.approx(weights @ squares * piece.length / 2, rel=1e-9)
+        assert (whole == whole.T).all()
+
+
+def test_without_gradient_it_is_the_uniform_piece():
+    for piece, kappa in graded(5, 20):
+        even = piece._replace(gradient=0.0)
+        nearly = stiffness_and_slope(even._replace(gradient=1e-30), kappa)
+        for one, other in zip(stiffness_and_slope(even, kappa), nearly, strict=True):
+            assert np.allclose(one, other, rtol=0, atol=1e-10 * np.abs(one).max())
+
+
+def test_many_digits_and_many_pieces():
+    with mpmath.workdps(40):
+        chain = Piece(*map(mpmath.mpf, CHAIN))._replace(gradient=mpmath.mpf(0.7) * mpmath.mpf(9.81))
+        found = dynamic_stiffness(chain, mpmath.mpc(0, 2))[1, 1]
+        exact = -mpmath.mpf(0.7) * mpmath.sqrt(mpmath.mpf(9.81) * 2) * 2 * bessel(1, 2, 2) / bessel(0, 2, 2)
+        assert abs(found / exact - 1) < 1e-37
+        u = fields(chain, mpmath.mpf(0.7) * -4, np.array([0, 1]), mpmath.mpf(1))[0]
+        assert isinstance(u, mpmath.mpf)
+        assert abs(u - bessel(0, 1, 2) / bessel(0, 2, 2)) < 1e-37
+    pieces = [piece for piece, _ in graded(3, 10) if piece.order == 4]
+    together = Piece(*(np.array(values) for values in zip(*pieces, strict=True)))
+    found, _ = stiffness_and_slope(together, -2.0)
+    for one, piece in zip(found, pieces, strict=True):
+        assert np.allclose(one, stiffness_and_slope(piece, -2.0)[0], rtol=1e-12)

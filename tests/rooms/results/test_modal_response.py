@@ -1,0 +1,208 @@
+"""Motions in time of scenes with beams by modes: against series of their own, Laplace transforms and energies."""
+
+from textwrap import dedent
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+from support.scenes import problem
+
+from vibcli.analyses.continuous.mode_basis import ModeBasis
+from vibcli.base.errors import PhysicsError
+from vibcli.language.signals_of_places import with_places
+from vibcli.results.modal_response import ModalResponse
+from vibcli.results.wave_response import WaveResponse
+from vibcli.symbolic.parser import parse
+
+CANTILEVER = dedent("""\
+    parameters: {L: 1 m, EI: 1 N*m^2, mu: 1 kg/m}
+    beams:
+      arm: {length: L, EI: EI, mass_per_length: mu, left: clamped, right: free}
+    """)
+PULLED = "points: {tip: {body: arm, at: L}}\nforces: {pull: {at: tip, force: 1 N}}\ninitial: {released: pull}\n"
+TIMES = np.array([0.0, 0.05, 0.37, 0.8, 2.5])
+
+
+def signal(scene, text):
+    return scene.response.signal(with_places(parse(text), scene.spec.members))
+
+
+def roots(count):
+    """βL of a cantilever, cos βL cosh βL = −1."""
+    def equation(b):
+        return np.cos(b) + 1 / np.cosh(b)
+
+    return np.array([brentq(equation, (j - 1) * np.pi + 1e-9, j * np.pi, xtol=1e-15) if 1 < j < 14 else
+                     1.875104068711961 if j == 1 else (j - 0.5) * np.pi for j in range(1, count + 1)])
+
+
+def shape(b, x):
+    """That of a cantilever, 2 at its end but for the sign: written with what fades from both ends."""
+    e = np.exp(-b)
+    ratio = (1 + 2 * np.cos(b) * e + e * e) / (1 - e * e + 2 * np.sin(b) * e)
+    growing = (1 - ratio) / 2 * np.exp(np.minimum(b * x, 300.0))
+    large = b > 20
+    growing = np.where(large, -(np.cos(b) - np.sin(b)) * np.exp(-b * (1 - x)), growing)
+    return growing + (1 + ratio) / 2 * np.exp(-b * x) - np.cos(b * x) + ratio * np.sin(b * x)
+
+
+def series(x, b, weights, times):
+    return (shape(b, x) * weights) @ np.cos(np.outer(b * b, times))
+
+
+@pytest.mark.parametrize("x", [0.5, 1.0])
+def test_a_cantilever_let_go_is_the_sum_of_its_modes(x):
+    scene = problem(CANTILEVER + PULLED)
+    assert isinstance(scene.response, ModalResponse)
+    found, b = signal(scene, f"arm.u({x}*L)"), roots(4000)
+    expected = series(x, b, shape(b, 1.0) / b**4, TIMES)
+    off = np.abs(found.values(TIMES) - expected)
+    assert off.max() <= 1e-10 / 3
+    assert (off <= [found.error(t) + 1e-13 for t in TIMES]).all()
+    grid = np.linspace(0.0, 5.0, 3001)
+    time, highest = found.extreme(0.0, 5.0, 1)
+    near = time + np.linspace(-2e-3, 2e-3, 4001)
+    assert highest >= series(x, b[:60], shape(b, 1.0)[:60] / b[:60]**4, grid).max() - 1e-6
+    assert highest == pytest.approx(found.values(near[near >= 0]).max(), abs=1e-11)
+
+
+def test_a_load_that_begins_and_one_that_oscillates():
+    """η̈ + b⁴ η = φ f by hand, of each mode."""
+    b = roots(4000)
+    step = signal(problem(CANTILEVER + "points: {mid: {body: arm, at: L/2}}\n"
+                          "forces: {push: {at: mid, force: 1 N*step(t - 0.05 s)}}\n"), "arm.u(0.3*L)")
+    late = np.maximum(TIMES - 0.05, 0.0)
+    expected = (shape(b, 0.3) * shape(b, 0.5) / b**4) @ (1 - np.cos(np.outer(b * b, late)))
+    assert np.abs(step.values(TIMES) - expected).max() <= 1e-11
+    shaken = signal(problem(CANTILEVER + "points: {mid: {body: arm, at: L/2}}\n"
+                            "forces: {push: {at: mid, force: 1 N*sin(5 rad/s*t)}}\n"), "arm.u(0.3*L)")
+    own = np.sin(5 * TIMES) - 5 / b[:, None]**2 * np.sin(np.outer(b * b, TIMES))
+    expected = (shape(b, 0.3) * shape(b, 0.5) / (b**4 - 25)) @ own
+    assert np.abs(shaken.values(TIMES) - expected).max() <= 1e-13
+
+
+def test_fields_at_the_start():
+    """∫ φ u dx by Gauss's rule, of displacements whose moment does not fit the free end and of velocities."""
+    b, (at, weights) = roots(400), np.polynomial.legendre.leggauss(2000)
+    at, weights = (1 + at) / 2, weights / 2
+    shapes = np.array([shape(b, x) for x in at]).T
+    for text, field, rate in (("arm.u: 1 mm*(x/(1 m))^2", 1e-3 * at**2, 0), ("arm.u': 1 m/s*sin(2*x/(1 m))",
+                                                                           np.sin(2 * at), 1)):
+        found = signal(problem(CANTILEVER + f"initial: {{{text}}}\n"), "arm.u(0.7*L)")
+        turning = np.outer(b * b, TIMES)
+        curve = np.sin(turning) / b[:, None]**2 if rate else np.cos(turning)
+        expected = (shape(b, 0.7) * (shapes @ (weights * field))) @ curve
+        assert np.abs(found.values(TIMES) - expected).max() <= (1e-9 if rate else 1e-7) * np.abs(expected).max()
+
+
+def test_shears_without_a_bound_are_refused():
+    scene = problem(CANTILEVER + PULLED)
+    with pytest.raises(PhysicsError, match="no bound"):
+        signal(scene, "arm.shear(0 m)").values(TIMES)
+    moment = signal(scene, "arm.moment(0 m)")
+    assert 1e-5 < moment.error(0.37) < 1e-2
+    assert abs(moment.values(np.array([0.0]))[0] - 1) <= moment.error(0.0)
+
+
+def test_zeros_and_products():
+    scene = problem(CANTILEVER + PULLED)
+    end = signal(scene, "arm.u(L)")
+    found = end.zeros(0.0, 3.0)
+    assert len(found) == 3
+    assert np.abs(end.values(np.array(found))).max() <= 1e-12
+    assert end.error_of_zero(found[0]) <= 1e-9
+    time, lowest = end.extreme(0.0, 3.0, -1)
+    grid = np.linspace(0, 3, 4001)
+    assert lowest <= end.values(grid).min() + 1e-12
+    assert end.values(np.array([time]))[0] == pytest.approx(lowest, abs=1e-13)
+    square = signal(scene, "arm.u(L)*arm.u(L)")
+    assert square.extreme(0.0, 3.0, 1)[1] == pytest.approx(1 / 9, rel=1e-9)
+
+
+BARS = {"free": ("""\
+    parameters: {L: 1 m, E: 1 Pa, A: 1 m^2, rho: 1 kg/m^3}
+    bars:
+      rod: {length: L, E: E, A: A, rho: rho, attached: [{at: L, mass: 0.7 kg}]}
+    points: {tip: {body: rod, at: L}}
+    forces: {push: {at: tip, force: 1 N*(t/(1 s))^2*exp(-t/(0.5 s))}}
+    initial: {rod.u': 0.2 m/s*x/L}
+    """, ("rod.u(L)", "rod.u(0.2*L)", "rod.u'(L)", "rod.force(L/2)")), "stepped": ("""\
+    parameters: {L: 1 m, E: 1 Pa, A: 1 m^2, rho: 1 kg/m^3}
+    bars:
+      rod: {length: L, E: E, A: A, rho: rho, left: clamped, segments: [{length: 0.4*L}, {length: 0.6*L, A: 3 m^2}]}
+    points: {tip: {body: rod, at: L}}
+    forces: {push: {at: tip, force: 1 N*sin(7 rad/s*t)}}
+    """, ("rod.u(L)", "rod.u(0.2*L)")), "shaken": ("""\
+    parameters: {L: 3 m, N: 90 N, mu: 0.1 kg/m}
+    bodies: {hand: {slide: 2 cm*sin(4 rad/s*t)}}
+    strings:
+      cord: {length: L, preload: N, mass_per_length: mu, left: {clamped: hand}, right: clamped}
+    """, ("cord.u(L/3)", "cord.u(0.9*L)"))}
+
+
+@pytest.mark.parametrize("kind", BARS)
+def test_modes_agree_with_waves_within_their_bounds(kind):
+    text, names = BARS[kind]
+    scene, times = problem(text), np.array([0.03, 0.37, 1.93])
+    for name in names:
+        tree = with_places(parse(name), scene.spec.members)
+        expected = WaveResponse(scene).signal(tree).values(times)
+        found = ModalResponse(scene).signal(tree)
+        off = np.abs(found.values(times) - expected)
+        assert off.max() <= 1e-4 * np.abs(expected).max()
+        assert (off <= [found.error(t) + 1e-13 for t in times]).all()
+
+
+def test_drag_along_a_pinned_beam_on_a_foundation():
+    """η̈ + c/μ η̇ + (π⁴ + k) η = 0 of a half sine, which is a mode; it decays with e^{−ct/2μ}."""
+    scene = problem("""\
+        parameters: {L: 1 m, EI: 1 N*m^2, mu: 1 kg/m}
+        beams:
+          arm: {length: L, EI: EI, mass_per_length: mu, drag: 3 N*s/m^2, foundation: 20 N/m^2, left: pinned,
+                right: pinned}
+        initial: {arm.u: 2 mm*sin(pi*x/L)}
+        """)
+    found = signal(scene, "arm.u(0.3*L)")
+    turning = np.sqrt(np.pi**4 + 20 - 1.5**2)
+    curve = np.exp(-1.5 * TIMES) * (np.cos(turning * TIMES) + 1.5 / turning * np.sin(turning * TIMES))
+    assert np.abs(found.values(TIMES) - 2e-3 * np.sin(0.3 * np.pi) * curve).max() <= 1e-15
+    bend = signal(scene, "arm.moment(0.5*L)")
+    assert np.abs(bend.values(TIMES) + 2e-3 * np.pi**2 * curve).max() <= bend.error(0.0) <= 1e-9
+
+
+def test_a_beam_on_a_shaken_base_moves_with_it():
+    """u = s + w with η̈ + b⁴ η = −s̈ ∫ φ dx by hand; at first it rests while its base has a velocity."""
+    scene = problem("""\
+        parameters: {L: 1 m, EI: 1 N*m^2, mu: 1 kg/m, Y: 1 mm}
+        bodies: {base: {slide: Y*sin(2 rad/s*t)}}
+        beams:
+          arm: {length: L, EI: EI, mass_per_length: mu, left: {clamped: base}}
+        """)
+    b, found = roots(400), signal(scene, "arm.u(L)")
+    carried = 2 / b * (1 + np.exp(-2 * b) + 2 * np.cos(b) * np.exp(-b)) / (
+        1 - np.exp(-2 * b) + 2 * np.sin(b) * np.exp(-b))
+    own = 4 * (np.sin(2 * TIMES) - 2 / b[:, None]**2 * np.sin(np.outer(b * b, TIMES))) / (b**4 - 4)[:, None]
+    begun = -2 * np.sin(np.outer(b * b, TIMES)) / b[:, None]**2
+    expected = np.sin(2 * TIMES) + (shape(b, 1.0) * carried) @ (own + begun)
+    assert np.abs(found.values(TIMES) - 1e-3 * expected).max() <= 1e-10
+
+
+def test_modes_of_a_string_that_rest_at_every_place_of_a_grid():
+    scene = problem("""\
+        parameters: {L: 3 m, N: 90 N, mu: 0.1 kg/m}
+        strings:
+          cord: {length: L, preload: N, mass_per_length: mu, left: clamped, right: clamped}
+        """)
+    basis = ModeBasis(scene.modal.modes.first(128), scene.configuration.linear_system.pieces)
+    for mode in (64, 128):
+        found = basis.field(0, np.array([0.9, 2.2]))[:, mode - 1]
+        expected = np.sin(mode * np.pi * np.array([0.9, 2.2]) / 3)
+        assert found[0] * expected[1] == pytest.approx(found[1] * expected[0], rel=1e-9)
+
+
+def test_what_rests_under_a_steady_load_has_its_extremes_at_once():
+    scene = problem(CANTILEVER + PULLED.replace("initial: {released: pull}\n", ""))
+    tip = signal(scene, "arm.u(L)")
+    assert tip.extreme(0.0, 50.0, 1) == (0.0, pytest.approx(1 / 3, rel=1e-12))
+    assert tip.extreme(0.0, 50.0, -1)[1] == pytest.approx(1 / 3, rel=1e-12)
+    assert tip.zeros(0.0, 50.0) == []

@@ -1,0 +1,180 @@
+"""Motions in time of scenes with bars, shafts and strings, against waves that are followed by hand."""
+
+from textwrap import dedent
+
+import numpy as np
+import pytest
+from support.scenes import problem
+
+from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
+from vibcli.base.errors import PhysicsError
+from vibcli.language.signals_of_places import with_places
+from vibcli.results.wave_response import WaveResponse
+from vibcli.symbolic.parser import parse
+
+UNIT = "parameters: {L: 1 m, E: 1 Pa, A: 1 m^2, rho: 1 kg/m^3}\n"
+BAR = UNIT + dedent("""\
+    bars:
+      rod: {length: L, E: E, A: A, rho: rho, left: clamped, RIGHT}
+    points: {tip: {body: rod, at: L}}
+    forces: {pull: {at: tip, force: 1 N}}
+    initial: {released: pull}
+""")
+
+
+def signal(scene, text):
+    return scene.response.signal(with_places(parse(text), scene.spec.members))
+
+
+def values(scene, text, times):
+    return signal(scene, text).values(np.asarray(times, float))
+
+
+def test_mass_equal_to_that_of_the_bar():
+    scene = problem(BAR.replace("RIGHT", "attached: [{at: L, mass: rho*A*L}]"))
+    assert isinstance(scene.response, WaveResponse)
+    tau = np.linspace(0, 2, 101)
+    assert np.abs(values(scene, "rod.u(L)", tau) - (2 - tau - np.exp(-tau))).max() <= 1e-13
+    later = np.linspace(1, 3, 101)
+    for text in ("rod.force(0)", "rod.stress(0)"):
+        assert np.abs(values(scene, text, later) - (2 * np.exp(1 - later) - 1)).max() <= 1e-13
+    assert values(scene, "rod.u'(L)", [1.0]) == pytest.approx([np.exp(-1) - 1], abs=1e-13)
+    assert values(scene, "rod.force(L)*rod.u'(L)", [1.0]) == pytest.approx([np.exp(-1) * (np.exp(-1) - 1)], abs=1e-13)
+    assert signal(scene, "rod.force(0)").error(3.0) < 1e-13
+
+
+def test_free_end_leaves_a_rectangle():
+    """The strain is 1 until the wave from the end is there, then −1, then 1 (period 4)."""
+    scene = problem(BAR.replace("RIGHT", "right: free"))
+    force = signal(scene, "rod.force(0.25*L)")
+    assert force.values(np.array([0.7, 0.75, 1.2, 1.25, 2.7, 3.3])) == pytest.approx([1.0, 0.0, 0.0, -1.0, -1.0, 1.0],
+                                                                                     abs=1e-15)
+    assert force.values_before(np.array([0.75, 1.25])) == pytest.approx([1.0, 0.0], abs=1e-15)
+    assert [t for t, *_ in force.leaps(4.0)] == pytest.approx([0.75, 1.25, 2.75, 3.25])
+    assert force.extreme(0.0, 4.0, -1) == pytest.approx((1.25, -1.0))
+    assert signal(scene, "rod.u(L)").zeros(0.0, 4.0) == pytest.approx([1.0, 3.0])
+    product = signal(scene, "rod.force(0)*rod.u(L)")
+    assert product.extreme(0.0, 4.0, 1) == pytest.approx((0.0, 1.0))
+    assert product.zeros(0.0, 1.5) == pytest.approx([1.0])
+
+
+def test_bar_of_two_sections_between_driven_base_and_free_end():
+    """Base 0.01 m·sin 2t: behind the step of section the wave is 2Z₁/(Z₁ + Z₂) of what arrives."""
+    scene = problem(UNIT + dedent("""\
+        bodies: {base: {slide: 0.01 m*sin(2 s^-1*t)}}
+        bars:
+          rod:
+            segments: [{length: L, A: A}, {length: L, A: 3*A}]
+            E: E
+            rho: rho
+            left: {clamped: base}
+    """))
+    times = np.array([0.5, 1.2, 1.9, 2.5])
+    run = 0.01 * np.sin(2 * np.maximum(times - 1, 0)) * 2 / 4
+    assert values(scene, "rod.u(L)", times[:3]) == pytest.approx(run[:3], abs=1e-16)
+    assert values(scene, "rod.u(2*L)", times) == pytest.approx(
+        0.01 * np.where(times > 2, np.sin(2 * (times - 2)), 0), abs=1e-16)
+    assert values(scene, "rod.u(0)", times) == pytest.approx(0.01 * np.sin(2 * times), abs=1e-16)
+
+
+def test_shaft_that_carries_discs_and_an_oscillator_keeps_its_angular_momentum():
+    scene = problem("""\
+        parameters: {L: 1 m, M: 5 N*m, T: 0.5 s}
+        bodies: {disc: {inertia: 2 kg*m^2, turn: phi}}
+        shafts:
+          line: {length: L, GIo: 4 N*m^2, inertia_per_length: 1 kg*m, left: {clamped: disc}, attached: [
+            {at: L/3, oscillator: {inertia: 0.4 kg*m^2, torsion: 30 N*m, c: 0.2 N*m*s}}, {at: L, inertia: 1 kg*m^2}]}
+        forces: {drive: {body: disc, moment: M*(1 - step(t - T))}}
+        """)
+    t = 3.7
+    x, w = np.polynomial.legendre.leggauss(200)
+    places = (x + 1) / 2
+    along = sum(weight / 2 * values(scene, f"line.phi'({place:.17g} m)", [t])[0]
+                for place, weight in zip(places, w, strict=True))
+    lumped = (2 * values(scene, "phi'", [t])[0] + values(scene, "line.phi'(L)", [t])[0]
+              + 0.4 * scene.response.alone.march.coordinates[scene.scene.coordinates.index(
+                  "line.oscillator(L/3)")].at(np.array([t]), 1)[0])
+    assert along + lumped == pytest.approx(5 * 0.5, rel=1e-5)
+
+
+def test_beams_are_not_followed_by_waves():
+    scene = problem("""\
+        beams: {wing: {length: 1 m, EI: 1 N*m^2, mass_per_length: 1 kg/m, left: clamped}}
+        find: [{response: {of: [wing.u(1 m)], until: 1 s}}]
+        """)
+    assert not isinstance(scene.response, WaveResponse)
+    with pytest.raises(NotByWaves, match="beams disperse"):
+        WaveResponse(scene).alone  # noqa: B018
+
+
+def test_a_blow_on_what_has_no_mass_makes_slopes_infinite():
+    scene = problem("""\
+        parameters: {L: 1 m, p: 1 N*s}
+        strings: {cord: {length: L, preload: 1 N, mass_per_length: 1 kg/m, left: clamped, right: clamped}}
+        points: {mid: {body: cord, at: L/2}}
+        forces: {blow: {at: mid, force: p*impulse(t)}}
+        """)
+    assert values(scene, "cord.u(L/4)", [0.2, 0.3, 0.7, 0.8]) == pytest.approx([0.0, 0.5, 0.5, 0.0], abs=1e-15)
+    assert values(scene, "cord.slope(0)", [0.2, 0.7]) == pytest.approx([0.0, 0.0], abs=1e-15)
+    with pytest.raises(PhysicsError, match=r"infinite for an instant, at t = 0\.5 s"):
+        signal(scene, "cord.slope(0)").extreme(0.0, 2.0, 1)
+    with pytest.raises(PhysicsError, match="infinite for an instant"):
+        signal(scene, "cord.slope(0)").error(0.5)
+    with pytest.raises(PhysicsError, match="infinite for an instant"):
+        signal(scene, "cord.slope(0)").sampled(np.linspace(0, 1, 4))
+
+
+PLUCKED = """\
+    parameters: {L: 1 m, N: 100 N, mu: 10 g/m, h: 3 mm, a: 0.3 m}
+    strings: {cord: {length: L, preload: N, mass_per_length: mu, left: clamped, right: clamped}}
+    initial: {cord.u: "h*min(x/a, (L - x)/(L - a))"}
+    """
+
+
+def test_string_that_is_plucked_where_nothing_stands():
+    scene, c = problem(PLUCKED), 100.0
+    times = np.linspace(0, 0.05, 200)
+
+    def odd(x):
+        x = np.mod(x + 1, 2) - 1
+        return 0.003 * np.sign(x) * np.minimum(np.abs(x) / 0.3, (1 - np.abs(x)) / 0.7)
+
+    for text, x in (("cord.u(L/2)", 0.5), ("cord.u(0.9*L)", 0.9)):
+        assert np.abs(values(scene, text, times) - (odd(x - c * times) + odd(x + c * times)) / 2).max() < 1e-16
+    assert signal(scene, "cord.slope(0)").leaps(0.02) == [
+        pytest.approx((0.003, 0.01, -0.003 / 0.7)), pytest.approx((0.017, -0.003 / 0.7, 0.01))]
+    instants = scene.response.instants([signal(scene, "cord.slope(0)")], 3)
+    assert signal(scene, "cord.slope(0)").sampled(instants)[1:3] == pytest.approx([0.01, -0.003 / 0.7])
+
+
+def test_the_earliest_of_equal_extremes_counts():
+    assert signal(problem(PLUCKED), "cord.u(L/2)").extreme(0.0, 1.0, -1) == pytest.approx((0.008, -0.003 * 5 / 7))
+
+
+def test_fields_on_segments_start_from_the_equilibrium_and_carry_what_is_attached():
+    scene = problem("""\
+        parameters: {L: 1 m, E: 1 Pa, A: 1 m^2, rho: 1 kg/m^3, F: 2 N}
+        bars:
+          rod: {segments: [{length: L/2}, {length: L/2}], E: E, A: A, rho: rho, left: clamped, attached: [
+            {at: L, mass: rho*A*L}]}
+        points: {tip: {body: rod, at: L}}
+        forces: {held: {at: tip, force: F}}
+        initial: {rod.u: 3*x}
+        """)
+    tau = np.linspace(0, 2, 21)
+    assert values(scene, "rod.u(L)", tau) == pytest.approx(2 + (2 - tau - np.exp(-tau)), abs=1e-13)
+    assert values(scene, "rod.force(0)", [0.5, 1.5]) == pytest.approx([3.0, 2 + 2 * np.exp(-0.5) - 1], abs=1e-13)
+    thrown = problem("""\
+        bars: {rod: {length: 1 m, E: 1 Pa, A: 1 m^2, rho: 1 kg/m^3, left: clamped}}
+        initial: {rod.u': -1 m/s}
+        """)
+    assert values(thrown, "rod.force(0)", [0.0, 1.9, 2.1]) == pytest.approx([-1.0, -1.0, 1.0])
+
+
+def test_a_matched_damper_ends_the_motion():
+    scene = problem(BAR.replace("RIGHT", "right: {c: A*sqrt(E*rho)}"))
+    assert scene.response.alone.still_from(5.0) == 2.0
+    force = signal(scene, "rod.force(L/4)")
+    assert (force.before(1.25), force.before(1.0)) == (pytest.approx(0.5), None)
+    assert not force.values(np.array([1.25, 1.7, 4.9])).any()
+    assert problem(BAR.replace("RIGHT", "right: {c: 2*A*sqrt(E*rho)}")).response.alone.still_from(5.0) == np.inf

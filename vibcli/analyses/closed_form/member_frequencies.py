@@ -1,0 +1,128 @@
+"""Frequency equations of members as textbooks write them: βL·tan βL = μL/M, cos βL·cosh βL = −1.
+
+A chain of one or two uniform pieces, bars end to end or a beam with something at an inner place, whose stations carry
+what acts on one motion each: masses, springs to the ground, oscillators. Of what is coupled otherwise there is none.
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from vibcli.analyses.closed_form.frequency_functions import UniformPiece, frequency_function
+from vibcli.mechanics.symbolic_matrices import matrices_in_letters
+from vibcli.symbolic.common_denominator import single
+from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.rationals import HALF
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.factored_system import PlacedPiece
+    from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.symbolic.node import Node
+
+MOST = 2            # pieces of a chain whose equation is written out
+WAVE_NUMBER = "βL"      # of notation.PRODUCTS
+
+
+class FrequencyEquation(NamedTuple):
+    """What vanishes at the natural frequencies of the `members`: {functions of the arguments: coefficient}; βL, β that
+    of the first piece and L the length of the chain, ω² by βL, the argument of each piece, what acts on the stations,
+    and the coordinates of what hangs on those."""
+
+    members: tuple
+    order: int
+    wave_number: "Node"
+    square: "Node"
+    arguments: list
+    function: dict
+    pieces: "list[PlacedPiece]"
+    impedances: "list[tuple]"
+    hung: list
+
+
+def frequency_equations(symbolic: "SymbolicSystem") -> "list[FrequencyEquation | None]":
+    """One of each chain of pieces; None of those for which there is none in closed form."""
+    form = symbolic.linearisation
+    return [_equation(form, chain) for chain in chains(form.pieces)]
+
+
+def chains(pieces: "Sequence[PlacedPiece]") -> "list[list[PlacedPiece]]":
+    """The pieces in chains from left to right, each beginning where the one before it ends."""
+    found: list = []
+    for piece in pieces:
+        half = len(piece.rows) // 2
+        left = piece.rows[:half]
+        before = next((chain for chain in found if any(left) and chain[-1].rows[half:] == left), None)
+        if before is None and found and found[-1][-1].owner == piece.owner:
+            before = found[-1]
+        if before is None:
+            found.append([piece])
+        else:
+            before.append(piece)
+    return found
+
+
+def _equation(form, chain):
+    uniform = all(part.piece.gradient.is_zero and (part.piece.bending.is_zero or part.piece.tension.is_zero)
+                  for part in chain)
+    if len(chain) > MOST or not uniform or any(len(row) > 1 for part in chain for row in part.rows):
+        return None
+    elsewhere = {i for piece in form.pieces if piece not in chain for row in piece.rows for i in row}
+    M, _, G, K = matrices_in_letters(form)
+    table, first = form.table, chain[0].piece
+    x, order = table.parameter(WAVE_NUMBER), 2 if first.bending.is_zero else 4
+    stiffness = _stiffness(first)
+    length = textbook(table.total([part.piece.length for part in chain]))
+    square = (stiffness * (x / length) ** order + first.foundation) / first.inertia
+    acting = None if G else _impedances(form.n, M, K, square, _stations(chain), elsewhere, table)
+    if acting is None:
+        return None
+    pieces, beta = [], x / length
+    for part in chain:
+        own = _stiffness(part.piece)
+        power = textbook((part.piece.inertia * square - part.piece.foundation) / own)
+        of_first = textbook((first.inertia * square - first.foundation) / stiffness)
+        ratio = textbook(single(power / of_first)) if part is not chain[0] else table.one
+        if x in reachable([ratio]):
+            return None         # on a foundation of its own
+        number = beta * ratio ** (HALF if order == 2 else HALF / 2)
+        pieces.append(UniformPiece(number, number * part.piece.length, own))
+    function = frequency_function(table, order, pieces, acting[0])
+    return FrequencyEquation(tuple(dict.fromkeys(part.owner for part in chain)), order, x, square,
+                             [piece.argument for piece in pieces], function, chain, *acting)
+
+
+def _stiffness(piece):
+    return piece.tension if piece.bending.is_zero else piece.bending
+
+
+def _stations(chain):
+    """[rows of the motions] of the stations from left to right."""
+    half = len(chain[0].rows) // 2
+    return [chain[0].rows[:half], *(part.rows[half:] for part in chain)]
+
+
+def _impedances(n, M, K, square, stations, elsewhere, table):
+    """[(Z of the displacement, of beams of the turn)] of the stations, None of what is held, and the coordinates of
+    what hangs on them; None where what acts on one motion is coupled to another, or to another member (`elsewhere`)."""
+    moving = [next(iter(row)) for rows in stations for row in rows if row]
+    if len(set(moving)) != len(moving) or elsewhere.intersection(moving):
+        return None
+    entries = {pair: K.get(pair, table.zero) - square * M.get(pair, table.zero) for pair in {*K, *M}}
+    beside = {i: {j for i2, j in entries if i2 == i and j != i} for i in range(n)}
+    if any(j in moving for i in moving for j in beside[i]):
+        return None
+    hung = {j: i for i in moving for j in beside[i]}
+    if any(beside[j] != {hung[j]} for j in hung) or elsewhere.intersection(hung):
+        return None
+    return [tuple(_impedance(row, entries, beside, table) for row in rows) for rows in stations], list(hung)
+
+
+def _impedance(row: "Mapping[int, Node]", entries: Any, beside: Any, table: Any):
+    """Z of the force along a motion by what acts on its coordinate; what hangs on that is eliminated."""
+    if not row:
+        return None
+    (i, slope), = row.items()
+    Z = entries.get((i, i), table.zero)
+    for j in beside[i]:
+        Z = Z - entries[i, j] * entries[j, i] / entries[j, j]
+    return textbook(Z / slope**2)

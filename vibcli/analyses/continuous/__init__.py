@@ -1,0 +1,1 @@
+"""Bars, shafts, strings and beams exactly: natural frequencies, shapes, responses, travelling waves."""

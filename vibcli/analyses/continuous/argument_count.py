@@ -1,0 +1,158 @@
+"""How many zeros det D(s) has within |s| < R, multiplicities counted, certain by the argument principle.
+
+F(s) = det D(s) Π e(s) is entire; the zeros of e are the s at which a piece vibrates with its ends held. Those of F less
+those of Π e are the turns that arg det D makes around the circle, twice those of its upper half as D(s̄) is D(s)
+conjugate. How far the argument can change along a step from s₀ is bounded: as a function of κ = μs² + cs + k a piece is
+
+    d(κ) = a + b κ + Σ R_j (1/(κ_j − κ) − 1/κ_j),    κ_j real, b, R_j ≥ 0 (Nevanlinna),
+
+so that |xᴴ (d(κ) − d(κ₀)) y|² ≤ xᴴQx · yᴴQy with Q = P |κ − κ₀|/(1 − |κ − κ₀|/ρ), P = Im d(κ₀)/Im κ₀ and ρ the distance
+of κ₀ to the κ_j. With Q for all that D is added from, σ_i the singular values of Q^½ D(s₀)⁻¹ Q^½,
+
+    |Δ arg det D| ≤ −Σ ln(1 − σ_i)      (H. Weyl 1949).
+"""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from vibcli.analyses.continuous.counting import GUARD
+from vibcli.numerics.pieces.held_count import held_count
+
+if TYPE_CHECKING:
+    from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix, EvaluatedMatrix, PieceStack
+    from vibcli.numerics.pieces.piece import Piece
+
+ARCS = 16           # of half the circle, to begin with
+LEAST = 2.0**-30    # the shortest arc: something lies on the circle
+MOST = 20_000       # arcs
+TURN = 1.4          # by which the argument changes at most between the middle of an arc and its ends: below π/2
+UNIT = 2.0**-53
+CLEAR = 2.0 ** -np.arange(10.0)     # relative distances at which poles are looked for
+
+
+def zeros_within(matrix: "DynamicMatrix", radius: float) -> int | None:
+    """The zeros of F in |s| < radius; None where one of them, or of a piece held at its ends, is next to the circle."""
+    if not matrix.n:
+        return sum(int(held_within(stack.piece, radius).sum()) for stack in matrix.stacks)
+    arguments = _arguments(matrix, radius)
+    if arguments is None:
+        return None
+    steps = np.angle(arguments[1:] / arguments[:-1])
+    turned = _to_real(arguments[0]) + steps.sum() - _to_real(arguments[-1])
+    return round(turned / np.pi) + sum(int(held_within(stack.piece, radius).sum()) for stack in matrix.stacks)
+
+
+def held_within(piece: "Piece", radius: float) -> np.ndarray:
+    """How many s in |s| < radius there are at which pieces vibrate with all end values 0, drag and all: (pieces, 1)."""
+    mu, c, k = piece.inertia, np.abs(piece.drag), piece.foundation
+
+    def beyond(kappa):
+        return held_count(piece._replace(foundation=kappa), 0)
+
+    left, right = beyond(k + (mu * radius - c) * radius), beyond(k + (mu * radius + c) * radius)
+    turning = np.where(mu > 0, c * c / (4 * np.where(mu > 0, mu, 1.0)), 0.0)
+    double = beyond(k - turning)                    # these decay without swinging
+    slow = c < 2 * mu * radius
+    swinging = np.maximum(beyond(k - mu * radius * radius) - double, 0)
+    return np.where(slow, 2 * swinging + 2 * double - right - left, left - right)
+
+
+def _to_real(value):
+    """The angle from the nearest part of the real axis, where D is real."""
+    angle = np.angle(value)
+    return angle - np.pi * np.rint(angle / np.pi)
+
+
+def _arguments(matrix, radius):
+    """det D/|det D| at the middles of arcs, in order, between which it changes by less than half a turn."""
+    ends = np.linspace(0, np.pi, ARCS + 1)
+    low, high = ends[:-1], ends[1:]
+    angles, values, spent = [np.zeros(0)], [np.zeros(0, complex)], 0
+    while len(low):
+        spent += len(low)
+        if spent > MOST or (high - low).min() < LEAST:
+            return None
+        middle = (low + high) / 2
+        phase, change = _phases(matrix, radius * np.exp(1j * middle), 2 * radius * np.sin((high - low) / 4))
+        good = change <= TURN
+        angles.append(middle[good])
+        values.append(phase[good])
+        low, middle, high = low[~good], middle[~good], high[~good]
+        low, high = np.concatenate([low, middle]), np.concatenate([middle, high])
+    order = np.argsort(np.concatenate(angles))
+    return np.concatenate(values)[order]
+
+
+def _phases(matrix, s, step):
+    """det D/|det D| at each s, and how far its argument can be from that within so long a step."""
+    with np.errstate(all="ignore"):
+        found = matrix.at(s, steep=True)
+        room = _room(matrix, found, s, step)
+        D = np.moveaxis(found.D, -1, 0).astype(complex)
+        scale = 1 / np.sqrt(np.maximum(sizes(found, s).T, 1e-300))
+        D = D * scale[:, :, None] * scale[:, None, :]
+        room = room * scale[:, :, None] * scale[:, None, :]
+        usable = np.isfinite(D).all(axis=(1, 2)) & np.isfinite(room).all(axis=(1, 2))
+        phase, change = np.ones(len(s), complex), np.full(len(s), np.inf)
+        if not usable.any():
+            return phase, change
+        phase[usable] = np.linalg.slogdet(D[usable])[0]
+        usable &= phase != 0
+        values, basis = np.linalg.eigh(room[usable])
+        root = basis * np.sqrt(np.maximum(values, 0))[:, None, :]
+        sigma = np.linalg.svd(np.swapaxes(root, 1, 2) @ np.linalg.solve(D[usable], root.astype(complex)),
+                              compute_uv=False)
+        change[usable] = np.where(sigma.max(axis=1) < 1, -np.log1p(-sigma).sum(axis=1), np.inf)
+    return phase, np.where(np.isfinite(change), change, np.inf)
+
+
+def sizes(found: "EvaluatedMatrix", s: np.ndarray) -> np.ndarray:
+    """What the diagonal of D was added from, and what it changes by as s does by itself: also where all parts are 0."""
+    return np.abs(found.size) + abs(s) * np.abs(np.moveaxis(np.diagonal(found.slope), -1, 0))
+
+
+def _room(matrix, found, s, step):
+    """Q of a step from each s: (N, n, n)."""
+    C, M = (_majorant(part) for part in matrix.polynomial[1:])
+    size = abs(s)
+    room = (step * (2 * size + step))[:, None, None] * M + step[:, None, None] * C
+    n = matrix.n
+    room[:, range(n), range(n)] += GUARD * n * UNIT * sizes(found, s).T
+    for stack, (d, _) in zip(matrix.stacks, found.ends, strict=True):
+        kappa = stack.piece.reaction(s)
+        moved = (abs(2 * stack.piece.inertia * s + stack.piece.drag) + stack.piece.inertia * step) * step
+        left = 1 - moved / _distance(stack, kappa)
+        share = np.where(left > 0, moved / np.where(left > 0, left, 1), np.inf)
+        power = d.imag / kappa.imag * share
+        for p, rows in enumerate(stack.ends):
+            for a, b in np.ndindex(len(rows), len(rows)):
+                for i, x in rows[a].items():
+                    for j, y in rows[b].items():
+                        room[:, i, j] += float(x * y) * power[a, b, p]
+    return room
+
+
+def _majorant(part):
+    """|A| + |Aᵀ| of a matrix, |A| where it is symmetric: |xᴴAy|² ≤ xᴴQx · yᴴQy."""
+    if not part.any():
+        return part
+    if (part == part.T).all():
+        return _magnitude(part)
+    return _magnitude(part) + _magnitude(part.T)
+
+
+def _magnitude(part):
+    """√(AᵀA)."""
+    _, values, basis = np.linalg.svd(part)
+    return (basis.T * values) @ basis
+
+
+def _distance(stack: "PieceStack", kappa: np.ndarray) -> np.ndarray:
+    """A distance of κ within which there is no frequency of pieces held at their ends."""
+    free = np.zeros(kappa.shape)
+    for part in CLEAR[::-1]:
+        width = part * abs(kappa)
+        ends = (held_count(stack.piece._replace(foundation=kappa.real + side * width), 0) for side in (-1, 1))
+        free = np.where(np.equal(*ends), width, free)
+    return np.hypot(kappa.imag, free) * 0.999

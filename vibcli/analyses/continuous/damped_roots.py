@@ -1,0 +1,116 @@
+"""Complex frequencies of members, polished: λ with D(λ) x = 0 from an estimate, with a bound.
+
+Newton's method for the whole matrix: (D(s) + δ D′(s)) x = 0 has a δ that leads from s to the nearest λ (A. Ruhe 1973).
+At the last, vectors x and w of D x = 0, wᴴ D = 0 give λ to rounding; what rounds in D is |ΔD_ij| ≤ E √(size_i size_j).
+"""
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from vibcli.analyses.continuous.argument_count import sizes
+from vibcli.analyses.continuous.counting import GUARD, SLACK
+from vibcli.analyses.continuous.dynamic_matrix import BLOWN, SHARES
+
+if TYPE_CHECKING:
+    from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix, EvaluatedMatrix
+
+STEPS, SETTLED = 30, 1e-9
+UNIT = 2.0**-53
+ALIKE = 1e-7        # relative distance below which roots are looked at together
+FLAT = 1e-6         # of κ: so near the real axis the energy of a piece is that of its slope
+
+
+class DampedRoot(NamedTuple):
+    """λ, the bound of its relative error, and the shape over the coordinates of the scene, of unit kinetic energy."""
+
+    value: complex
+    error: float
+    shape: np.ndarray
+
+
+class Whole:
+    """A matrix, and the same with nodes within its pieces where it is too large near a frequency of one held."""
+
+    def __init__(self, matrix: "DynamicMatrix"):
+        self.matrix, self._divided = matrix, {}
+
+    def at(self, s: complex) -> "EvaluatedMatrix":
+        """D and D′ at s, of the matrix, or that with nodes where its pieces are smallest."""
+        with np.errstate(all="ignore"):
+            found = self.matrix.at(np.array([complex(s)]), steep=True)
+            if found.excess[0] <= BLOWN and self.matrix.n:
+                return found
+            others = [self._by(share).at(np.array([complex(s)]), steep=True) for share in SHARES]
+        candidates = [found, *others] if self.matrix.n else others
+        return min(candidates, key=lambda one: np.nan_to_num(one.excess[0], nan=np.inf))
+
+    def _by(self, share):
+        if share not in self._divided:
+            self._divided[share] = self.matrix.divided(share)
+        return self._divided[share]
+
+
+def approached(whole: Whole, s: complex) -> complex | None:
+    """The root to which Newton's steps lead from s; None where they do not settle."""
+    for _ in range(STEPS):
+        D, slope, _ = _scaled(whole.at(s), s)
+        if not np.isfinite(D).all():
+            return None
+        step = _steps(D, slope)
+        if not len(step):
+            return None
+        step = step[np.argmin(abs(step))]
+        s = s + step
+        if abs(step) <= SETTLED * abs(s):
+            return s if s.imag >= 0 else s.conjugate()
+    return None
+
+
+def roots_at(whole: Whole, s: complex) -> list[DampedRoot]:
+    """All roots that coincide at s, or nearly do, each with its bound; none where that does not tell."""
+    found = whole.at(s)
+    D, slope, scale = _scaled(found, s)
+    left, _, right = np.linalg.svd(D)
+    aside = _scaled(whole.at(s * (1 + ALIKE)), s)
+    several = max(1, int((abs(_steps(*aside[:2])) < 3 * ALIKE * abs(s)).sum()))
+    w, x = left[:, -several:], right[-several:].conj().T
+    away = np.linalg.eigvals(np.linalg.solve(w.conj().T @ slope @ x, -(w.conj().T @ D @ x)))
+    gain = np.linalg.norm(np.linalg.inv(w.conj().T @ slope @ x), 2)
+    spread = (abs(w).sum(axis=0) ** 2).sum() ** 0.5 * (abs(x).sum(axis=0) ** 2).sum() ** 0.5
+    error = SLACK * GUARD * UNIT * spread * gain / abs(s) + 4 * UNIT
+    out = []
+    for i, step in enumerate(away):
+        value = complex(s + step)
+        shape = (scale * x[:, i])[:whole.matrix.n]
+        out.append(DampedRoot(value, float(error), shape / _kinetic(found, scale * x[:, i], value)))
+    return out
+
+
+def _scaled(found, s):
+    """D and D′ with a unit for each coordinate in which what its diagonal was added from is 1; these units."""
+    scale = 1 / np.sqrt(np.maximum(sizes(found, s)[:, 0], 1e-300))
+    return *(part[:, :, 0] * scale[:, None] * scale for part in (found.D, found.slope)), scale
+
+
+def _steps(D, slope):
+    """All δ with det(D + δ D′) = 0."""
+    try:
+        nu = np.linalg.eigvals(np.linalg.solve(D, slope))
+    except np.linalg.LinAlgError:       # D is singular in floats: a root
+        return np.zeros(1)
+    return -1 / nu[abs(nu) > 0]
+
+
+def _kinetic(found, x, s):
+    """√(xᴴ M x + Σ μ ∫|u|² dx)."""
+    energy = float((x.conj() @ found.matrix.polynomial[2] @ x).real)
+    for stack, (d, slope) in zip(found.matrix.stacks, found.ends, strict=True):
+        kappa = stack.piece.reaction(np.array([s]))
+        flow = 2 * stack.piece.inertia * s + stack.piece.drag
+        for p, rows in enumerate(stack.ends):
+            u = np.array([sum(float(c) * x[i] for i, c in row.items()) for row in rows], complex)
+            plain = abs(kappa[p, 0].imag) <= FLAT * abs(kappa[p, 0])
+            form = (slope[:, :, p, 0] / flow[p, 0]).real if plain else d[:, :, p, 0].imag / kappa[p, 0].imag
+            energy += float(stack.piece.inertia[p, 0]) * float((u.conj() @ form @ u).real)
+    return np.sqrt(energy) if energy > 0 else float(np.linalg.norm(x)) or 1.0

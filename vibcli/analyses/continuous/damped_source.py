@@ -1,0 +1,197 @@
+"""The damped modes of a scene with continuous members, as they are asked for: by ascending |λ|, none missed.
+
+Estimates are polished to rounding; how many λ there are with |λ| < R is certain by the argument principle. Where as
+many are found as there are none is missing, and each is simple or has the multiplicity with which it is listed.
+"""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from vibcli.analyses.continuous.argument_count import held_within, zeros_within
+from vibcli.analyses.continuous.damped_roots import ALIKE, DampedRoot, Whole, approached, roots_at
+from vibcli.analyses.continuous.dynamic_matrix import dynamic_matrix
+from vibcli.analyses.continuous.trial_eigenvalues import trial_eigenvalues
+from vibcli.analyses.modal.damped_modes import DampedMode
+from vibcli.base.errors import PhysicsError
+from vibcli.numerics.pieces.held_count import held_count
+from vibcli.numerics.pieces.stiffness import stiffness_and_slope
+
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.mode_sequence import Modes
+    from vibcli.mechanics.factored_system import FactoredSystem
+
+WIDER, TRIES = 1.35, 14     # times by which the circle grows, and how often
+EFFORTS = 1, 1.6, 2.5       # more functions within pieces, in turn
+SURE = 1e-3                 # relative bound of a root that is told
+RESTING = 1e-5              # of the radius: what is nearer to 0 is looked for there
+STILL = 1e-11       # of the largest component of a shape: what moves less rests
+GAPS = 4                    # that are tried in turn for the circle
+
+
+class Region(NamedTuple):
+    """|λ| < radius holds `count` eigenvalues, conjugates counted, those of rigid motions too; its modes by |λ|."""
+
+    radius: float
+    count: int      # type: ignore[assignment]
+    modes: list[DampedMode]
+
+
+class DampedModes:
+    """What `Modes` asks for damped modes; natural: what gives those without dampers."""
+
+    def __init__(self, elements: "FactoredSystem", natural: "Callable[[], Modes]"):
+        self.matrix, self._natural = dynamic_matrix(elements), natural
+        self.whole, self.region = Whole(self.matrix), Region(0.0, 0, [])
+        self._resting = [mode.shape for mode in natural().shown() if mode.rigid]
+
+    def numbered(self, first: int, last: int) -> list[DampedMode]:
+        """The modes with an index from first to last."""
+        self._reach(lambda sizes: len(sizes) + len(self._resting) >= last, self._start(last))
+        return self.region.modes[first - 1:last]
+
+    def count(self, Omega: float) -> int:
+        """How many have |λ| ≤ Omega, the rigid ones among them."""
+        self._reach(lambda sizes: True, 1.02 * Omega, Omega)
+        return sum(float(mode.omega) <= Omega for mode in self.region.modes)
+
+    def _start(self, last):
+        """A radius in which so many may be: the frequency of the next mode without dampers."""
+        oscillating = [mode for mode in self._natural().first(last + 2) if mode.omega]
+        return 1.05 * float(oscillating[-1].omega) if oscillating else 2 * self.region.radius
+
+    def _reach(self, enough, radius, least=0.0):
+        """Widens the region until its roots are enough."""
+        if self.region.radius >= max(least, 1e-300) and enough([1] * (len(self.region.modes) - len(self._resting))):
+            return
+        for _ in range(TRIES):
+            found = self._search(radius, enough, least)
+            if found is not None:
+                self.region = found
+                return
+            radius *= WIDER
+        raise _few(radius / WIDER)
+
+    def _search(self, radius, enough, least):
+        """The Region about this radius or less; None where its roots are not enough."""
+        undecided = None
+        for effort in EFFORTS:
+            roots = self._roots(radius, effort)
+            sizes = sorted(abs(root.value) for root in roots if abs(root.value) < radius)
+            circles = _circles(sizes, self._held(radius), radius, least, enough)
+            for circle in circles:
+                count = zeros_within(self.matrix, circle)
+                inside = [root for root in roots if abs(root.value) < circle]
+                rigid = self._at_rest(sizes[0] if sizes else circle) if count is not None else 0
+                if count is not None and count == rigid + sum(2 if root.value.imag else 1 for root in inside):
+                    return Region(circle, count, self._listed(inside))
+                undecided = circle
+            if not circles and effort == EFFORTS[-1]:
+                return None
+            if not circles and undecided is None and not sizes and zeros_within(self.matrix, radius) in (0, None):
+                return None
+        raise _undecided(undecided)
+
+    def _roots(self, radius, effort):
+        """Polished roots from estimates within a radius."""
+        matrix, waves = self.matrix, []
+        for placed in matrix.pieces:
+            piece = placed.piece._make(np.array([float(x)]) for x in placed.piece)
+            kappa = piece.foundation - piece.inertia * (1.3 * radius)**2
+            waves.append(float(held_count(piece._replace(foundation=kappa), 0)[0]))
+        found = trial_eigenvalues(matrix, [int((2.5 * one + 14) * effort) for one in waves], radius)
+        if found is None:
+            raise PhysicsError("so many damped modes of members are not found", "ask for fewer")
+        least = RESTING * radius if self._resting else 0.0
+        near = sorted({complex(s) for s in found[(abs(found) < 1.2 * radius) & (abs(found) > least)]}, key=abs)
+        points: list[complex] = []
+        for s in near:
+            root = approached(self.whole, s)
+            if root is not None and abs(root) > least and not any(abs(root - one) < ALIKE * abs(one) for one in points):
+                points.append(root)
+        roots = [(s, _cleaned(root, self.matrix)) for s in points for root in roots_at(self.whole, s)]
+        return _distinct([(s, root) for s, root in roots if root.error < SURE and root.value.imag >= 0])
+
+    def _held(self, radius):
+        """The number of frequencies of held pieces within a radius, as a function."""
+        return lambda size: sum(int(held_within(stack.piece, size).sum()) for stack in self.matrix.stacks)
+
+    def _at_rest(self, nearest):
+        """How often λ = 0 is an eigenvalue."""
+        return (zeros_within(self.matrix, 0.03 * nearest) or 0) if self._resting else 0
+
+    def _listed(self, roots):
+        rigid = [DampedMode(i, 0.0, 0.0, None, shape, 0.0, "rigid motion: λ = 0")
+                 for i, shape in enumerate(self._resting, 1)]
+        roots = sorted(roots, key=lambda root: (round(abs(root.value) / abs(roots[0].value), 12), -root.value.real))
+        return rigid + [_mode(i, root) for i, root in enumerate(roots, len(rigid) + 1)]
+
+
+def _circles(sizes, held, radius, least, enough):
+    """Radii between roots, and away from frequencies of held pieces, within which roots are enough; the clearest
+    first."""
+    ends, found = [*sizes, radius], []
+    for i in range(len(sizes) + 1):
+        low, high = max(ends[i - 1] if i else 0.0, least), ends[i]
+        if not high > low * (1 + 1e-6) or not enough(sizes[:i]):
+            continue
+        parts = low + (high - low) * np.linspace(0, 1, 9)
+        counts = [held(float(part)) for part in parts]
+        clear = [(a + b) / 2 for a, b, one, two in zip(parts, parts[1:], counts, counts[1:], strict=False)
+                 if one == two]
+        best = max(clear or [(low + high) / 2], key=lambda at: min(at - low, high - at))
+        found.append((min(best - low, high - best) / best, float(f"{best:.6g}")))     # as it is printed
+    return [at for _, at in sorted(found[:GAPS], reverse=True)]
+
+
+def _distinct(roots):
+    """Roots of which none is another one found twice, from a neighbouring estimate."""
+    found: list[tuple[complex, DampedRoot]] = []
+    for at, root in roots:
+        if not any(at != other and abs(root.value - one.value) <= 4 * (root.error + one.error) * abs(root.value)
+                   for other, one in found):
+            found.append((at, root))
+    return [root for _, root in found]
+
+
+def _cleaned(root, matrix):
+    """A root whose imaginary part is nothing beside its bound has none; where its real part is, that is
+    −(xᴴCx + Σ c ∫|u|² dx)/2, as far as the shape moves what C holds to."""
+    size = 2 * root.error * abs(root.value)
+    value = root.value
+    if abs(value.imag) <= size:
+        value = complex(value.real, 0.0)
+    elif abs(value.real) <= size:
+        x = np.where(abs(root.shape) > STILL * abs(root.shape).max(initial=0.0), root.shape, 0.0)
+        lost = float((x.conj() @ matrix.polynomial[1] @ x).real) + _dragged(matrix, x, value.imag)
+        value = complex(-lost / 2, value.imag)
+    return root._replace(value=value)
+
+
+def _dragged(matrix, x, omega):
+    """Σ c ∫|u|² dx of pieces with drag."""
+    found = 0.0
+    for placed in matrix.pieces:
+        if placed.piece.drag:
+            ends = np.array([sum(value * x[i] for i, value in row.items()) for row in placed.rows])
+            slope = stiffness_and_slope(placed.piece, placed.piece.undamped_reaction(omega))[1]
+            found += float(placed.piece.drag * (ends.conj() @ slope @ ends).real)
+    return found
+
+
+def _mode(index, root):
+    value, omega = root.value, abs(root.value)
+    zeta = -value.real / omega if value.imag else None
+    return DampedMode(index, value, omega, zeta, root.shape.astype(complex), root.error)
+
+
+def _few(radius):
+    return PhysicsError(f"so many damped modes are not there: there are fewer with |λ| < {radius:.4g} 1/s",
+                        "a damper near √(Nμ) of a bar, shaft or string lets no wave come back: ask for fewer modes")
+
+
+def _undecided(radius):
+    return PhysicsError(f"the number of damped modes with |λ| < {radius:.4g} 1/s is not certain"
+                        if radius else "the damped modes are not told from one another",
+                        "a damper may be so near √(Nμ) that hardly a wave comes back; ask for frequency responses")

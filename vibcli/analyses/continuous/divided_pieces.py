@@ -1,0 +1,15 @@
+"""Pieces with further nodes, which are free to move."""
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.factored_system import PlacedPiece
+
+
+def divided_at(placed: "PlacedPiece", x: Any, n: int) -> "list[PlacedPiece]":
+    """A piece in two at x from its left end: the node between has the coordinate n, of beams n and n + 1."""
+    piece, half = placed.piece, placed.piece.order // 2
+    node = tuple({n + i: 1.0} for i in range(half))
+    right = piece._replace(length=piece.length - x, tension=piece.tension + piece.gradient * x)
+    return [placed._replace(piece=piece._replace(length=x), rows=(*placed.rows[:half], *node)),
+            placed._replace(piece=right, rows=(*node, *placed.rows[half:]), start=placed.start + x)]

@@ -1,0 +1,175 @@
+"""The dynamic stiffness of bodies, springs, dampers and members at many complex frequencies at a time:
+
+    D(s) = K + s (C + G) + s² M + Σ Sᵀ d(s) S        D′ = dD/ds
+
+d has poles where a piece vibrates with its ends held, and D is too large near these to hold what else is in it. The
+motion is not: there pieces are divided by a node that is free to move.
+"""
+
+from collections import defaultdict
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from vibcli.analyses.continuous.divided_pieces import divided_at
+from vibcli.numerics.pieces.piece import Piece
+from vibcli.numerics.pieces.stiffness import stiffness_and_slope
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
+
+SHARES = 0.382, 0.5, 0.29       # of a piece at which it is divided, in the order in which they are tried
+BLOWN = 32.0        # times its natural size: where a piece is as large, it is near a frequency with its ends held
+BLOCK = 2.0**17     # entries of the matrices that are held at once
+
+
+class PieceStack:
+    """Pieces of one differential equation, evaluated together: their coefficients as columns; ends[p]: the rows
+    {coordinate: component} of the end values of piece p; numbers[p]: its place among all pieces."""
+
+    __slots__ = ("ends", "numbers", "piece")
+
+    def __init__(self, placed: "Sequence[PlacedPiece]", numbers: "Sequence[int]"):
+        self.ends, self.numbers = [one.rows for one in placed], list(numbers)
+        self.piece = Piece(*(np.array([[float(getattr(one.piece, name))] for one in placed]) for name in Piece._fields))
+
+    def stiffness(self, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """(d, dd/ds), each (m, m, pieces, N); real where s is imaginary and nothing drags."""
+        piece = self.piece
+        damped = piece.drag.any() or s.real.any()
+        kappa = piece.reaction(s) if damped else piece.undamped_reaction(s.imag)
+        d, slope = (np.moveaxis(part, (-2, -1), (0, 1)) for part in stiffness_and_slope(piece, kappa))
+        return d, slope * (2 * piece.inertia * s + piece.drag)
+
+    def excess(self, d: np.ndarray, s: np.ndarray) -> np.ndarray:
+        """How many times larger d is than a wave of its length would make it, the most of all pieces: (N,)."""
+        piece = self.piece
+        kappa, force = np.abs(piece.reaction(s)), np.abs(piece.tension)
+        natural = (12 * piece.bending / piece.length**3 + piece.bending**0.25 * kappa**0.75 + force / piece.length
+                   + np.sqrt(force * kappa))
+        return (np.abs(d[0, 0]) / natural).max(axis=0)
+
+
+class DynamicMatrix:
+    """polynomial: K, C + G, M, (3, n, n), without what pieces are at rest; pieces: PlacedPieces."""
+
+    def __init__(self, polynomial: np.ndarray, pieces: "Sequence[PlacedPiece]"):
+        self.polynomial, self.pieces, self.n = polynomial, list(pieces), polynomial.shape[-1]
+        alike = defaultdict(list)
+        for number, placed in enumerate(self.pieces):
+            piece = placed.piece
+            alike[piece.order, bool(piece.tension), bool(piece.gradient)].append(number)
+        self.stacks = [PieceStack([self.pieces[k] for k in numbers], numbers) for numbers in alike.values()]
+
+    @property
+    def undamped(self) -> bool:
+        """Is D a real function of s²?"""
+        return not self.polynomial[1].any() and not any(stack.piece.drag.any() for stack in self.stacks)
+
+    def divided(self, share: float) -> "DynamicMatrix":
+        """The same with a free node within each piece."""
+        pieces, n = [], self.n
+        for placed in self.pieces:
+            parts = divided_at(placed, share * placed.piece.length, n)
+            pieces += parts
+            n += placed.piece.order // 2
+        return DynamicMatrix(_padded(self.polynomial, n), pieces)
+
+    def without_damping(self) -> "DynamicMatrix":
+        """The same without dampers and drag, gyroscopic terms kept."""
+        K, C, M = self.polynomial
+        pieces = [placed._replace(piece=placed.piece._replace(drag=0.0)) for placed in self.pieces]
+        return DynamicMatrix(np.array([K, (C - C.T) / 2, M]), pieces)
+
+    def mixed(self, other: "DynamicMatrix", share: float) -> "DynamicMatrix":
+        """The same and a share of what the other has besides in K, C and M."""
+        return DynamicMatrix(self.polynomial + share * (other.polynomial - self.polynomial), self.pieces)
+
+    def at(self, s: np.ndarray, steep: bool = False) -> "EvaluatedMatrix":
+        """D, and D′ if it is `steep`, at each s: (N,)."""
+        D, slope = self._polynomial(s, steep)
+        K, C, M = (np.abs(np.diagonal(part))[:, None] for part in self.polynomial)
+        size, excess, ends = K + np.abs(s) * (C + np.abs(s) * M), np.zeros(len(s)), []
+        for stack in self.stacks:
+            d, steeper = stack.stiffness(s)
+            D = D.astype(np.result_type(D, d), copy=False)
+            excess = np.maximum(excess, stack.excess(d, s))
+            ends.append((d, steeper))
+            for p, rows in enumerate(stack.ends):
+                for a, row in enumerate(rows):
+                    for i, x in row.items():
+                        size[i] += float(x) ** 2 * np.abs(d[a, a, p])
+                _added(D, rows, d[:, :, p])
+                if slope is not None:
+                    _added(slope, rows, steeper[:, :, p])
+        return EvaluatedMatrix(self, D, slope, size, excess, ends)
+
+    def _polynomial(self, s, steep):
+        """K + s C + s² M and its slope, real where it may be: (n, n, N)."""
+        square = s * s if s.real.any() else -s.imag**2
+        n, kind = self.n, square.dtype if self.undamped else complex
+        D, slope = np.zeros((n, n, len(s)), kind), np.zeros((n, n, len(s)), complex) if steep else None
+        for i, j in zip(*np.nonzero(self.polynomial.any(axis=0)), strict=True):
+            k, c, m = self.polynomial[:, i, j].tolist()
+            D[i, j] = k + square * m if not c else k + s * c + square * m
+            if slope is not None:
+                slope[i, j] = 2 * s * m + c
+        return D, slope
+
+
+def _added(D, rows, d):
+    """Adds Sᵀ d S to D; rows: those of S."""
+    for a, b in np.ndindex(len(rows), len(rows)):
+        for i, x in rows[a].items():
+            for j, y in rows[b].items():
+                share = float(x * y)
+                D[i, j] += d[a, b] if share == 1.0 else share * d[a, b]
+
+
+class EvaluatedMatrix:
+    """D and D′ (n, n, N); size: of the parts that the diagonal was added from, (n, N); excess: that of the pieces;
+    ends: (d, dd/ds) of each stack."""
+
+    __slots__ = ("D", "ends", "excess", "matrix", "size", "slope")
+
+    def __init__(self, matrix: DynamicMatrix, D: np.ndarray, slope: np.ndarray | None, size: np.ndarray,
+                 excess: np.ndarray, ends: "list[tuple[np.ndarray, np.ndarray]]"):
+        self.matrix, self.D, self.slope, self.size, self.excess, self.ends = matrix, D, slope, size, excess, ends
+
+    def of_piece(self, number: int) -> tuple[np.ndarray, np.ndarray]:
+        """(d, dd/ds) of one piece, (m, m, N)."""
+        for stack, (d, slope) in zip(self.matrix.stacks, self.ends, strict=True):
+            if number in stack.numbers:
+                at = stack.numbers.index(number)
+                return d[:, :, at], slope[:, :, at]
+        raise IndexError(number)
+
+
+def dynamic_matrix(elements: "FactoredSystem", pieces: "Sequence[PlacedPiece] | None" = None,
+                   n: int | None = None) -> DynamicMatrix:
+    """The DynamicMatrix of a FactoredSystem; pieces, n: divided ones, and how many coordinates they need."""
+    polynomial = _padded(_polynomial(elements, elements.n), elements.n if n is None else n)
+    return DynamicMatrix(polynomial, elements.pieces if pieces is None else pieces)
+
+
+def _padded(polynomial, n):
+    """With further coordinates."""
+    more = n - polynomial.shape[-1]
+    return np.pad(polynomial, ((0, 0), (0, more), (0, more)))
+
+
+def _polynomial(elements, n):
+    """K, C + G, M as (3, n, n), without the springs that pieces are at rest."""
+    M, C, G, _ = elements.matrices()
+    K = dict(elements.K)
+    for weight, row in elements.springs:
+        for i, x in row.items():
+            for j, y in row.items():
+                K[i, j] = K.get((i, j), 0) + weight * x * y
+    found = np.zeros((3, n, n))
+    for power, entries in ((0, K), (1, C), (1, G), (2, M)):
+        for pair, x in entries.items():
+            found[power][pair] += float(x)
+    return found

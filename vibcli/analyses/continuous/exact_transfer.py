@@ -1,0 +1,70 @@
+"""What outputs of a scene with members answer to its loads at complex frequencies, exactly: no modes.
+
+    y = Σ row · x,      D(s) x = f,      within a piece the field of its end values
+"""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix
+from vibcli.numerics.pieces.fields import fields
+from vibcli.numerics.pieces.stiffness import stiffness_and_slope
+
+if TYPE_CHECKING:
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.mechanics.factored_system import PlacedPiece
+
+
+class DrivenEnd(NamedTuple):
+    """An end value of a piece that a channel of the loads moves, beside the coordinates."""
+
+    piece: int
+    end: int
+
+
+class ExactTransfer:
+    """H(s) of a system: polynomial: K, C, M (3, n, n) without pieces; pieces: PlacedPieces in floats; driven:
+    DrivenEnds, the channels behind those of the n coordinates."""
+
+    def __init__(self, polynomial: np.ndarray, pieces: "Sequence[PlacedPiece]", driven: Sequence[DrivenEnd]):
+        self.matrix, self.pieces, self.driven = DynamicMatrix(polynomial, pieces), list(pieces), list(driven)
+        self.n = polynomial.shape[-1]
+
+    def at(self, output: "LinearOutput", s: np.ndarray) -> np.ndarray:
+        """(channels, number of s): the output, its constant and channels left out, for a unit e^{st} on each."""
+        x = self._moved(s)
+        found = np.zeros(x.shape[1:], complex)
+        for power, part in enumerate((output.q, output.v, output.a)):
+            for i, factor in part.items():
+                found += factor * s**power * x[i]
+        for place, factor in output.places.items():
+            one = self.pieces[place.piece]
+            ends = np.stack([sum((v * x[i] for i, v in row.items()), np.zeros(x.shape[1:], complex))
+                             for row in one.rows], axis=-1)
+            for channel, drive in enumerate(self.driven, self.n):
+                if drive.piece == place.piece:
+                    ends[channel, :, drive.end] += 1.0
+            values = fields(one.piece, one.piece.reaction(s), ends, place.x)[..., place.along]
+            found += factor * s**place.rates * values
+        return found
+
+    def _moved(self, s):
+        """(n, channels, number of s): the coordinates."""
+        forces = np.zeros((len(s), self.n, self.n + len(self.driven)), complex)
+        forces[:, range(self.n), range(self.n)] = 1.0
+        for channel, drive in enumerate(self.driven, self.n):
+            one = self.pieces[drive.piece]
+            column = stiffness_and_slope(one.piece, one.piece.reaction(s))[0][..., drive.end]
+            for a, row in enumerate(one.rows):
+                for i, v in row.items():
+                    forces[:, i, channel] -= v * column[:, a]
+        if not self.n:
+            return np.zeros((0, len(self.driven), len(s)), complex)
+        D = np.moveaxis(self.matrix.at(s).D, -1, 0)
+        return np.moveaxis(np.linalg.solve(D, forces), 0, -1)
+
+    def at_rest(self, q: np.ndarray) -> np.ndarray:
+        """The forces that hold coordinates q at rest: D(0) q."""
+        return self.matrix.at(np.zeros(1)).D[:, :, 0].real @ q

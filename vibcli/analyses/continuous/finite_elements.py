@@ -1,0 +1,76 @@
+"""Members in finite elements, with which approximations are made: cubic displacements of beams, linear ones of others.
+
+    K = ∫ (B N″N″ᵀ + (N + n x) N′N′ᵀ + k N Nᵀ) dx      M = ∫ μ N Nᵀ dx      (Przemieniecki 1968, ch. 5 and 11)
+"""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.factored_system import FactoredSystem
+    from vibcli.numerics.pieces.piece import Piece
+
+AT, WEIGHTS = np.polynomial.legendre.leggauss(5)
+AT, WEIGHTS = (AT + 1) / 2, WEIGHTS / 2     # exact to degree 9
+
+
+def finite_elements(elements: "FactoredSystem", divisions: int) -> tuple[np.ndarray, np.ndarray]:
+    """K and M of a system each of whose pieces is so many elements: (n + inner nodes) square; inner nodes come last."""
+    size, parts = elements.n, []
+    for placed in elements.pieces:
+        half = len(placed.rows) // 2
+        nodes = [placed.rows[:half]]
+        for _ in range(divisions - 1):
+            nodes.append(tuple({size + i: 1.0} for i in range(half)))
+            size += half
+        nodes.append(placed.rows[half:])
+        length = placed.piece.length / divisions
+        for i in range(divisions):
+            tension = placed.piece.tension + placed.piece.gradient * i * length
+            parts.append((placed.piece._replace(length=length, tension=tension), (*nodes[i], *nodes[i + 1])))
+    K, M = np.zeros((size, size)), np.zeros((size, size))
+    discrete = elements.with_parts(pieces=()).arrays()
+    M[:elements.n, :elements.n], K[:elements.n, :elements.n] = discrete[0], discrete[3]
+    for part, rows in parts:
+        S = rows_as_array(rows, size)
+        k, m = element_matrices(part)
+        K += S.T @ k @ S
+        M += S.T @ m @ S
+    return K, M
+
+
+def rows_as_array(rows: Any, size: int) -> np.ndarray:
+    """Rows {coordinate index: component} as an array."""
+    found = np.zeros((len(rows), size))
+    for i, row in enumerate(rows):
+        for j, x in row.items():
+            found[i, j] = x
+    return found
+
+
+def element_matrices(piece: "Piece") -> tuple[np.ndarray, np.ndarray]:
+    """K and M of one element, of (u₀, u_l), of beams (u₀, u₀′, u_l, u_l′)."""
+    length = float(piece.length)
+    values = _cubic(length) if piece.order == 4 else _linear(length)
+    tension = float(piece.tension) + float(piece.gradient) * AT * length
+    K = sum(_products(f, factor * WEIGHTS * length) for f, factor in zip(
+        values[::-1], (float(piece.bending), tension, float(piece.foundation))[-len(values):], strict=True))
+    return K, _products(values[0], float(piece.inertia) * WEIGHTS * length)
+
+
+def _products(values, weights):
+    return (values * weights) @ values.T
+
+
+def _linear(length):
+    """N and N′ at the points of the rule."""
+    return np.array([1 - AT, AT]), np.array([-np.ones(5), np.ones(5)]) / length
+
+
+def _cubic(length):
+    """N, N′ and N″ at the points of the rule."""
+    x = AT
+    return (np.array([1 - 3*x**2 + 2*x**3, length * (x - 2*x**2 + x**3), 3*x**2 - 2*x**3, length * (x**3 - x**2)]),
+            np.array([(6*x**2 - 6*x) / length, 1 - 4*x + 3*x**2, (6*x - 6*x**2) / length, 3*x**2 - 2*x]),
+            np.array([(12*x - 6) / length, 6*x - 4, (6 - 12*x) / length, 6*x - 2]) / length)

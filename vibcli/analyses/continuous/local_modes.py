@@ -1,0 +1,88 @@
+"""All modes within a narrow bracket at a time: those that coincide, nearly coincide, or lie at a pole of D."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from vibcli.analyses.continuous.rayleigh_steps import nearer, start
+from vibcli.analyses.continuous.refinement import away_from_poles
+from vibcli.numerics.sparse_elimination import product, quadratic
+
+if TYPE_CHECKING:
+    from vibcli.analyses.continuous.brackets import Bracket
+    from vibcli.analyses.continuous.system import ContinuousSystem
+
+STEPS = 12
+STEADY = 64         # roundings of z that are no step any more
+SPARE = 2           # vectors more than modes, so that near ones outside do not mix in
+
+
+def local_modes(system: "ContinuousSystem", bracket: "Bracket"
+                ) -> "tuple[ContinuousSystem, np.ndarray, np.ndarray, list[int]]":
+    """The system with further nodes, z ascending, shapes in columns, indices of the modes within a bracket.
+
+    D(z) x = 0 is D(z₀) x = (z − z₀) D′ x close to z₀: iterated in a subspace.
+    """
+    system = away_from_poles(system, bracket.low, bracket.high)
+    wanted = bracket.above - bracket.below
+    indices = list(range(bracket.below + 1, bracket.above + 1))
+    size = min(wanted + SPARE, system.n)
+    middle, width = (bracket.low + bracket.high) / 2, (bracket.high - bracket.low) / 2
+    x, near = start(system, size), np.zeros(0)
+    for _ in range(STEPS):
+        z = system.numbers([middle])
+        entries, _, slope = system.dynamic_stiffness(z)
+        x = nearer(system, z, product(system.pattern, slope, x))
+        moved, x = _projected(system, entries, slope, x)
+        before, near = near, _within(bracket, middle + moved)[:wanted]
+        steady = len(before) and max(abs(moved[near])) <= STEADY * system.unit * abs(middle)
+        values = middle + moved[near]
+        if steady:
+            break
+        middle = sum(values) / wanted if all(abs(values - middle) <= 2 * width) else middle
+    return system, values, x[:, near], indices
+
+
+def _within(bracket, z):
+    """The places of z, those within the bracket first, of others the nearest; ascending where there are enough."""
+    middle = (bracket.low + bracket.high) / 2
+    wanted = bracket.above - bracket.below
+    inside = [i for i, x in enumerate(z) if bracket.low < x < bracket.high]
+    outside = sorted((i for i in range(len(z)) if i not in inside), key=lambda i: abs(z[i] - middle))
+    return np.array(sorted((inside + outside)[:wanted], key=lambda i: z[i]), int)
+
+
+def _projected(system, entries, slope, x):
+    """The eigenvalues by which z moves and the vectors of D, D′ in the space of x."""
+    size = x.shape[1]
+    stiff, mass = np.empty((size, size), x.dtype), np.empty((size, size), x.dtype)
+    x = x / np.sqrt(abs(quadratic(system.pattern, slope, x)))
+    for j in range(size):
+        column = x[:, j:j + 1]
+        stiff[:, j] = quadratic(system.pattern, entries, x, column)
+        mass[:, j] = quadratic(system.pattern, slope, x, column)
+    moved, basis = _pencil(stiff, mass)
+    return moved, x @ basis
+
+
+def _pencil(stiff: Any, mass: Any):
+    """The eigenvalues and vectors of stiff y = λ mass y, yᵀ mass y = 1."""
+    if stiff.dtype.kind == "O":
+        return _precise_pencil(stiff, mass)
+    values, basis = np.linalg.eigh(mass)
+    kept = values > values.max() * 1e-13
+    basis = basis[:, kept] / np.sqrt(values[kept])
+    values, vectors = np.linalg.eigh(basis.conj().T @ stiff @ basis)
+    return values, basis @ vectors
+
+
+def _precise_pencil(stiff, mass):
+    import mpmath
+
+    values, basis = mpmath.eigsy(mpmath.matrix(mass.tolist()))
+    size = len(stiff)
+    kept = [k for k in range(size) if values[k] > values[size - 1] * mpmath.mpf(10) ** (-mpmath.mp.dps // 2)]
+    basis = np.array([[basis[i, k] / mpmath.sqrt(values[k]) for k in kept] for i in range(size)], object)
+    values, vectors = mpmath.eigsy(mpmath.matrix((basis.T @ stiff @ basis).tolist()))
+    vectors = np.array(vectors.tolist(), object).reshape(len(kept), len(kept))
+    return np.array(list(values), object), basis @ vectors

@@ -1,0 +1,242 @@
+"""The motion of a scene with members by its first modes beside what loads do exactly:
+
+    y(t) = Σ Re(x C e^{λτ}) + ∂ᵏ/∂sᵏ [H(s) F e^{sτ}]        under F τᵏ e^{sτ}
+
+H is exact, so that the sum holds free vibrations alone; the remainder is theirs, of the modes left out. H without its
+first modes, R(s), has no pole nearby: its derivatives are means over a circle (Cauchy).
+"""
+
+from math import comb, factorial, inf
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from vibcli.analyses.continuous.modal_states import FreeStretch, followed, moved, next_to, parts, states_of
+from vibcli.analyses.continuous.remainder import remainder
+from vibcli.base.errors import PhysicsError
+from vibcli.base.work import Work
+
+if TYPE_CHECKING:
+    from vibcli.analyses.continuous.exact_transfer import ExactTransfer
+    from vibcli.analyses.continuous.mode_basis import ModeBasis
+    from vibcli.analyses.excitation.forcing import Forcing
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+
+EPSILON = 2.0**-52
+POINTS, INSIDE = 24, 8.0        # of the circle, and how far inside the poles that are left it lies
+NOISE = 2.0**-51                # of the largest η: what is only rounding
+AT_ONCE = 2_000_000             # exponentials at a time
+
+
+class Read:
+    """What an output reads of a ModalMotion, in a rate: rows over states and over (η, η̇) of what nothing holds."""
+
+    def __init__(self, motion: "ModalMotion", output: "LinearOutput", order: int):
+        states, rows = motion.states, motion.rows_of(output)
+        powers = [states.rates ** (m + order) for m in range(3)]
+        self.output, self.order = output, order
+        self.states = sum((rows[m, motion.moving][states.modes] * powers[m] for m in range(3)), 0 * states.rates)
+        self.rigid = np.zeros((2, len(motion.rigid)))
+        for m in range(3):
+            if m + order < 2:
+                self.rigid[m + order] += rows[m, motion.rigid]
+
+
+class ModalMotion:
+    """Of the modes of a ModeBasis, under a Forcing whose channels are those of an ExactTransfer, from η and η̇ at t = 0;
+    ratios: damping of each mode, which the transfer knows; reads: the Forcing whose channels outputs read."""
+
+    def __init__(self, basis: "ModeBasis", transfer: "ExactTransfer", inputs: np.ndarray, forcing: "Forcing",
+                 start: tuple[np.ndarray, np.ndarray], ratios: np.ndarray, work: Work | None = None,
+                 reads: "Forcing | None" = None):
+        self.basis, self.transfer, self.forcing, self.work = basis, transfer, forcing, work or Work()
+        self.inputs, (self.eta, self.rate), self.ratios = inputs, [_without_noise(part) for part in start], ratios
+        self.reads = forcing if reads is None else reads
+        eta, rate = self.eta, self.rate
+        squares = basis.squares
+        self.moving, self.rigid = np.flatnonzero(squares), np.flatnonzero(squares == 0)
+        at = self.moving
+        self.states = states_of(squares[at], ratios[at], inputs[at], eta[at], rate[at])
+        self.fastest = float(np.abs(self.states.rates).max(initial=0.0))
+        self._rows: dict[Any, np.ndarray] = {}
+        self._taylor: dict[Any, np.ndarray] = {}
+        self._until, self._stretches = -1.0, []
+
+    def fastest_of(self, count: int) -> float:
+        """|λ| of the fastest of the first modes, or of a load that is faster."""
+        chosen = np.abs(self.states.rates[self.states.modes < count])
+        loads = [abs(stroke.exponent) for stretch in self.stretches(0.0)[:8] for stroke in stretch.strokes]
+        return float(max([*chosen, *loads], default=1.0)) or 1.0
+
+    def under(self, forcing: "Forcing") -> "ModalMotion":
+        """The same motion, whose outputs read further channels of the loads."""
+        return ModalMotion(self.basis, self.transfer, self.inputs, self.forcing, (self.eta, self.rate), self.ratios,
+                           self.work, forcing)
+
+    def stretches(self, until: float) -> list[FreeStretch]:
+        """Up to an instant."""
+        if until > self._until:
+            self._until = inf if self.forcing.listed else max(until, 2 * self._until)
+            segments = self.forcing.segments(self._until if self._until == inf else np.nextafter(self._until, inf),
+                                             self.work)
+            channels = self.inputs.shape[1]
+            with self.work.task("the motion from one jump or bend of its loads to the next", 20_000) as task:
+                task.step(steps=len(segments) * len(self.eta) / 10_000)
+                self._stretches = followed(self.states, self.inputs[self.rigid],
+                                           np.array([self.eta[self.rigid], self.rate[self.rigid]]), segments, channels)
+        return self._stretches
+
+    def rows_of(self, output: "LinearOutput") -> np.ndarray:
+        """(3, N): what an output reads of each η, η̇ and η̈."""
+        key = _key(output)
+        if key not in self._rows:
+            self._rows[key] = self.basis.rows(output)
+        return self._rows[key]
+
+    def values(self, output: "LinearOutput", times: Any, order: int = 0, modes: int | None = None) -> np.ndarray:
+        """The order-th rate of the output at instants, just after what jumps there; modes: of so many alone."""
+        times = np.asarray(times, float)
+        t, found = times.ravel(), np.full(times.size, output.constant if not order else 0.0)
+        read = Read(self, output, order)
+        for stretch, at in self._placed(t):
+            found[at] += self._on(read, stretch, t[at] - stretch.start, modes)
+        return (found + self._direct(output, t, order)).reshape(times.shape)
+
+    def _placed(self, t):
+        stretches = self.stretches(float(t.max(initial=0.0)))
+        which = np.searchsorted([stretch.start for stretch in stretches], t, side="right") - 1
+        for number in np.unique(which).tolist():
+            yield stretches[max(number, 0)], which == number
+
+    def _on(self, read, stretch, tau, modes):
+        """Without constants and channels, on one stretch."""
+        states = self.states
+        weights = read.states * stretch.free
+        chosen = np.flatnonzero((weights != 0) & (states.modes < (len(self.eta) if modes is None else modes)))
+        found = np.zeros(len(tau))
+        step = max(1, AT_ONCE // max(1, len(chosen)))
+        for i in range(0, len(tau), step):
+            found[i:i + step] = np.real(np.exp(np.outer(tau[i:i + step], states.rates[chosen])) @ weights[chosen])
+        for order in range(2):
+            if read.rigid[order].any():
+                found += moved(self.inputs[self.rigid], stretch, tau, order) @ read.rigid[order]
+        return found + self._driven(read, stretch, tau)
+
+    def _driven(self, read, stretch, tau):
+        found = np.zeros(len(tau))
+        for stroke in stretch.strokes:
+            k = stroke.power
+            taylor = self._remaining(read, stroke.exponent, k) @ stroke.force
+            g = np.array([comb(k, i) * factorial(k - i) * taylor[k - i] for i in range(k + 1)])
+            found += np.real(np.exp(stroke.exponent * tau) * np.polynomial.polynomial.polyval(tau, g))
+            for s, own, at, a in parts(self.states, stroke):
+                sums = own @ read.states
+                found += np.real(np.exp(s * tau) * np.polynomial.polynomial.polyval(tau, sums))
+                for j, x in zip(at, a, strict=True):
+                    found += np.real(read.states[j] * x * next_to(self.states.rates[j], s, k, tau))
+        return found
+
+    def _remaining(self, read, s, power):
+        """(power + 1, channels): the coefficients of Taylor's series of R about s."""
+        key = (_key(read.output), read.order, s)
+        if key not in self._taylor or len(self._taylor[key]) <= power:
+            radius = (self.fastest - abs(s)) / INSIDE
+            if not radius > self.fastest / (4 * INSIDE):
+                raise TooSlow(f"a load turns with {abs(s):.4g} rad/s, as fast as the modes that are counted")
+            turn = np.exp(2j * np.pi * (np.arange(POINTS) + 0.5) / POINTS)
+            left = self._left(read, s + radius * turn)
+            self._taylor[key] = np.array([(left * turn**-m).mean(axis=1) / radius**m for m in range(power + 5)])
+        return self._taylor[key][:power + 1]
+
+    def _left(self, read, s):
+        """R at points, (channels, points)."""
+        exact = self.transfer.at(read.output, s) * s**read.order
+        for sign in (1, -1):
+            weight, rates, inputs = (part if sign > 0 else part.conj()
+                                     for part in (read.states, self.states.rates, self.states.inputs))
+            exact = exact - ((weight / (s[:, None] - rates)) @ inputs).T / 2
+        for order in range(2):
+            exact = exact - np.outer(read.rigid[order] @ self.inputs[self.rigid], s ** (order - 2.0))
+        return exact
+
+    def _direct(self, output, t, order):
+        """What loads add of themselves."""
+        if not any(output.channels.values()):
+            return 0.0
+        segments = self.reads.segments(np.nextafter(t.max(initial=0.0), inf), self.work)
+        which = np.maximum(np.searchsorted([one.start for one in segments], t, side="right") - 1, 0)
+        found = np.zeros(len(t))
+        for number in np.unique(which).tolist():
+            here = which == number
+            tau = t[here] - segments[number].start
+            for wave in segments[number].waves:
+                factor = output.channels.get(wave.channel, 0.0)
+                if factor:
+                    found[here] += factor * _rate(wave, tau, order)
+        return found
+
+    def bound(self, output: "LinearOutput", t: float, order: int = 0, modes: int | None = None) -> float:
+        """What modes beyond those counted, or beyond the first `modes`, can add at an instant."""
+        read, (stretch, _) = Read(self, output, order), next(iter(self._placed(np.array([float(t)]))))
+        sizes = self._amplitudes(read, stretch)
+        rest = remainder(sizes)
+        if modes is not None:
+            return rest + float(sizes[modes:].sum())
+        slow = float(np.max(self.states.rates.real[len(self.moving) // 2:len(self.moving)], initial=-inf))
+        return rest * float(np.exp(min(slow, 0.0) * (t - stretch.start))) if 0 < rest < inf else rest
+
+    def is_near(self, output: "LinearOutput", share: float) -> bool:
+        """Is the remainder below a share of how large the output becomes on the first stretches?"""
+        read = Read(self, output, 0)
+        for stretch in self.stretches(0.0)[:8]:
+            tau = np.linspace(0, 2 * np.pi / float(np.abs(self.states.rates).min(initial=self.fastest) or 1.0), 65)
+            most = float(np.abs(self._on(read, stretch, tau, 64)).max())
+            if remainder(self._amplitudes(read, stretch)) > share * most:
+                return False
+        return True
+
+    def _amplitudes(self, read, stretch):
+        """That of each mode on a stretch, in order of frequency."""
+        sizes = np.zeros(len(self.eta))
+        np.add.at(sizes, self.moving[self.states.modes], np.abs(read.states * stretch.free))
+        return sizes
+
+    def errors(self, output: "LinearOutput", times: Any, order: int = 0) -> np.ndarray:
+        """Bounds of the errors of the same values: the remainder, and rounding."""
+        times = np.asarray(times, float)
+        read, states = Read(self, output, order), self.states
+        lost = NOISE * (np.abs(self.eta).max(initial=0.0) + (np.abs(self.rate) / max(np.abs(states.rates).min(
+            initial=self.fastest), 1e-300)).max(initial=0.0))
+        found = np.full(times.shape, EPSILON * abs(output.constant) + lost * float(np.abs(read.states).sum()))
+        for stretch, at in self._placed(times):
+            felt = np.abs(read.states * stretch.free)
+            phase = (self.basis.error + EPSILON) * (np.abs(states.rates) @ felt)
+            for number in np.flatnonzero(at):
+                found[number] += self.bound(output, times[number], order) + 8 * EPSILON * felt.sum()
+                found[number] += phase * (times[number] - stretch.start)
+            driven = sum(abs(complex(part)) for stroke in stretch.strokes for _, g, _, _ in parts(states, stroke)
+                         for part in g @ read.states)
+            found[at] += 16 * EPSILON * driven
+        return found
+
+
+class TooSlow(PhysicsError):
+    """More modes are needed."""
+
+
+def _without_noise(start):
+    """What modes start with, 0 where that is only the rounding of others."""
+    return np.where(np.abs(start) > NOISE * np.abs(start).max(initial=0.0), start, 0.0)
+
+
+def _rate(wave, tau, order):
+    """The order-th derivative of a wave."""
+    found, s = np.zeros(len(tau), complex), complex(wave.exponent)
+    for i in range(min(order, wave.power) + 1):
+        fall = factorial(wave.power) / factorial(wave.power - i)
+        found += comb(order, i) * fall * tau ** (wave.power - i) * s ** (order - i)
+    return np.real(wave.coefficient * found * np.exp(s * tau))
+
+
+def _key(output):
+    return tuple(tuple(sorted(part.items())) for part in (output.q, output.v, output.a, output.places))

@@ -1,0 +1,130 @@
+"""Where a motion by modes is largest, smallest or zero: first by few modes on a wide grid, then, where these leave it
+open, by more of them on finer grids, the remainder of each level being known.
+"""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from vibcli.analyses.continuous.modal_motion import ModalMotion
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+
+LEVELS = 12, 48, 192, 768       # modes
+TURN = 0.4                      # of the fastest of them, from place to place
+MOST = 2_000                    # steps of 100,000 values
+BENT = 0.5                      # of the largest second difference beside it: how far a value rises between places
+NARROW = 40                     # sections of the last search
+LEVEL = 1e-12                   # of its size: what varies by less is at rest
+
+
+def extreme(motion: "ModalMotion", output: "LinearOutput", start: float, end: float,
+            sense: int) -> tuple[float, float]:
+    """(t, value) of the largest (sense 1) or smallest (−1) value."""
+    def high(cells, values, rest):
+        if np.ptp(values) + 2 * rest <= LEVEL * np.abs(values).max():
+            return np.arange(len(cells)) == 0
+        tops = (sense * values).max(axis=1)
+        return tops + BENT * _bends(cells, values) >= tops.max() - 2 * rest
+
+    cells = _searched(motion, output, start, end, high)
+    values = sense * motion.values(output, cells)
+    best = cells[np.argsort(-values.max(axis=1))[:4]]
+    times = [_top(motion, output, low, high, sense) for low, high in best]
+    found = sense * motion.values(output, np.array(times))
+    return float(times[int(np.argmax(found))]), float(sense * found.max())
+
+
+def zeros(motion: "ModalMotion", output: "LinearOutput", start: float, end: float) -> list[float]:
+    """Instants at which it passes zero."""
+    def near(cells, values, rest):
+        if np.abs(values).max() + rest == 0:
+            return np.zeros(len(cells), bool)
+        passes = values[:, 0] * values[:, 1] <= 0
+        return passes | (np.abs(values).min(axis=1) <= BENT * _bends(cells, values) + rest)
+
+    cells = _searched(motion, output, start, end, near)
+    if not len(cells):
+        return []
+    edges = np.unique(cells)
+    values = motion.values(output, edges)
+    turns = np.flatnonzero(values[:-1] * values[1:] < 0)
+    low, high, below = edges[turns], edges[turns + 1], values[turns]
+    for _ in range(60):
+        middle = (low + high) / 2
+        same = motion.values(output, middle) * below > 0
+        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    found = [*((low + high) / 2).tolist(), *edges[values == 0].tolist()]
+    return sorted(found)
+
+
+def width_of_top(motion: "ModalMotion", output: "LinearOutput", t: float, sense: int) -> float:
+    """δ, within which an extreme lies: a step away, on both sides, the value is less by more than its errors."""
+    doubt, value = 4 * float(motion.errors(output, np.array([t]))[0]), float(motion.values(output, np.array([t]))[0])
+    away = 1e-12 * t
+    while 0 < away < t:
+        beside = motion.values(output, np.array([t - away, t + away]))
+        if (sense * (value - beside) > doubt).all():
+            return away
+        away *= 2
+    return t
+
+
+def width_of_zero(motion: "ModalMotion", output: "LinearOutput", t: float) -> float:
+    """δ, within which a zero lies: a step away the value has one sign or the other for certain."""
+    doubt, away = 2 * float(motion.errors(output, np.array([t]))[0]), 1e-15 * t
+    while 0 < away < t:
+        before, after = motion.values(output, np.array([t - away, t + away])).tolist()
+        if before * after < 0 and min(abs(before), abs(after)) > doubt:
+            return away
+        away *= 2
+    return t
+
+
+def _divided(cells, step):
+    """Cells (count, 2) in parts no wider than a step."""
+    found = []
+    for low, high in cells:
+        edges = np.linspace(low, high, max(1, int(np.ceil((high - low) / step))) + 1)
+        found.append(np.stack([edges[:-1], edges[1:]], axis=1))
+    return np.concatenate(found)
+
+
+def _searched(motion, output, start, end, chosen):
+    """The cells left when all modes are counted, `chosen` saying which of those of a level are."""
+    cells, step, total = np.array([[start, end]]), end - start, len(motion.eta)
+    with motion.work.task("the search along a motion by modes", MOST) as task:
+        for count in [*(level for level in LEVELS if level < total), total]:
+            step = min(step, TURN / motion.fastest_of(count))
+            cells = _divided(cells, step)
+            task.step(steps=len(cells) * count / 1e5)
+            values = motion.values(output, cells, modes=count)
+            cells = cells[chosen(cells, values, motion.bound(output, end, modes=count))]
+            if not len(cells):
+                break
+    return cells
+
+
+def _bends(cells, values):
+    """How far the second differences beside each cell lie from zero; those at a gap count with the widest."""
+    if len(cells) < 3:
+        return np.full(len(cells), np.ptp(values))
+    slopes = values[:, 1] - values[:, 0]
+    inner = np.abs(np.diff(slopes))
+    return np.maximum(np.append(inner, inner[-1]), np.append(inner[0], inner))
+
+
+def _top(motion, output, low, high, sense):
+    """The place of the largest value between two, by sections; at a flat top by the parabola through its shoulders."""
+    for _ in range(NARROW):
+        places = np.linspace(low, high, 9)
+        values = sense * motion.values(output, places)
+        at = int(np.argmax(values))
+        low, high = places[max(at - 1, 0)], places[min(at + 1, 8)]
+        if np.ptp(values) <= 1e-9 * np.abs(values).max():
+            break
+    if 0 < at < 8:
+        fit = np.polyfit(np.linspace(-1, 1, 9), values, 2)
+        if fit[0] < 0 and abs(fit[1]) <= 2 * abs(fit[0]):
+            return float(places[4] - fit[1] / (2 * fit[0]) * (places[8] - places[0]) / 2)
+    return float(places[at])

@@ -1,0 +1,116 @@
+"""What a motion starts with, in modes: η = Σ φᵀ M q + Σ ∫ μ φ u dx.
+
+Of a shape that springs and pieces at rest take under forces r it is φᵀ r/ω² (Betti). Of a field u = c xᵏ e^{λx} on a
+piece, with w = ∂ᵏ/∂λᵏ [e^{λx}/P(λ)], P = B λ⁴ − N λ² + κ, so that B w⁗ − N w″ + κ w = u, by Green's identity
+
+    ∫ φ u dx = [B (φ w‴ − φ′ w″ + φ″ w′ − φ‴ w) − N (φ w′ − φ′ w)]
+"""
+
+from math import comb, factorial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from vibcli.numerics.pieces.arithmetic import arithmetic_of
+from vibcli.numerics.pieces.fields import fields
+from vibcli.numerics.pieces.integrals import product_integral
+from vibcli.numerics.pieces.panels import panel_rule
+from vibcli.numerics.pieces.stiffness import stiffness_and_slope
+
+if TYPE_CHECKING:
+    from vibcli.analyses.continuous.mode_basis import ModeBasis
+    from vibcli.analyses.excitation.forcing import Forcing
+
+FAR = 50.0          # times what else is in P: κ
+BLOCK = 64          # modes whose integrals are taken at a time
+
+
+def of_field(basis: "ModeBasis", piece: int, given: "Forcing", channel: int) -> np.ndarray:
+    """μ ∫ φ u dx of each mode over a piece, u being a channel of a Forcing over x."""
+    whole = basis.placed[piece].piece
+    found = np.zeros(len(basis.squares))
+    segments = given.segments(np.inf)
+    for part in basis.parts[piece]:
+        high = part.start + part.piece.length
+        for segment, after in zip(segments, [*[one.start for one in segments[1:]], whole.length], strict=True):
+            a, b = max(segment.start, part.start), min(after, high)
+            waves = [wave for wave in segment.waves if wave.channel == channel and wave.coefficient]
+            if b > a and waves:
+                found[part.modes] += whole.inertia * _integrals(part, segment.start, waves, a, b)
+    return found
+
+
+def of_shape(basis: "ModeBasis", piece: int, ends: np.ndarray) -> np.ndarray:
+    """μ ∫ φ u dx of each mode over a piece at rest with these end values."""
+    whole = basis.placed[piece].piece
+    found = np.zeros(len(basis.squares))
+    if not np.any(ends):
+        return found
+    rest, half = whole.foundation, whole.order // 2
+    for part in basis.parts[piece]:
+        one = part.piece
+        left, right = fields(whole, rest, ends, np.array([part.start, min(part.start + one.length, whole.length)]))
+        own = np.concatenate([left[:half], right[:half]])
+        force = stiffness_and_slope(one, np.float64(rest))[0] @ own
+        gap, stiff = part.kappa - rest, np.abs(force).max() / np.abs(own).max() / one.length
+        far = np.abs(gap) > stiff
+        with np.errstate(all="ignore"):
+            values = (part.forces() @ own - part.ends @ force) / gap
+        found[part.modes] += np.where(far, values, 0.0)
+        for k in np.flatnonzero(~far):
+            found[part.modes[k]] += product_integral(one, part.kappa[k], part.ends[k], rest, own)
+    return whole.inertia * found
+
+
+def _integrals(part, origin, waves, a, b):
+    """∫ φ u dx from a to b, (modes,)."""
+    piece, far = part.piece, np.zeros(len(part.modes), bool)
+    if not piece.gradient:
+        rate = max(abs(wave.exponent) + wave.power / (b - a) for wave in waves)
+        rest = piece.bending * rate**4 + abs(piece.tension) * rate**2
+        far = np.abs(part.kappa) > FAR * rest
+    found = np.zeros(len(part.modes))
+    if far.any():
+        found[far] = _by_ends(part, far, origin, waves, b) - _by_ends(part, far, origin, waves, a)
+    near = np.flatnonzero(~far)
+    for i in range(0, len(near), BLOCK):
+        at = near[i:i + BLOCK]
+        fastest = max(abs(wave.exponent) for wave in waves)
+        cut = piece._replace(length=b - a)
+        y, weights = panel_rule(cut, part.kappa[at], fastest, arithmetic_of(*cut, part.kappa))
+        x = a + (b - a) * y
+        u = np.real(sum(wave.coefficient * (x - origin) ** wave.power * np.exp(wave.exponent * (x - origin))
+                        for wave in waves))
+        phi = fields(piece, part.kappa[at], part.ends[at], (x - part.start)[:, None])[..., 0]
+        found[at] = (weights * u * (b - a)) @ phi
+    return found
+
+
+def _by_ends(part, chosen, origin, waves, x):
+    """The bracket of Green's identity at x."""
+    piece, kappa = part.piece, part.kappa[chosen]
+    phi = fields(piece, kappa, part.ends[chosen], np.clip(x - part.start, 0.0, piece.length))
+    w = sum((np.real(wave.coefficient * _particular(piece, kappa, wave, x - origin)) for wave in waves),
+            np.zeros((4, len(kappa))))
+    found = -piece.tension * (phi[:, 0] * w[1] - phi[:, 1] * w[0])
+    if piece.order == 4:
+        found += piece.bending * (phi[:, 0] * w[3] - phi[:, 1] * w[2] + phi[:, 2] * w[1] - phi[:, 3] * w[0])
+    return found
+
+
+def _particular(piece, kappa, wave, x):
+    """w, w′, w″, w‴ for xᵏ e^{λx}, (4, modes)."""
+    rate, k = complex(wave.exponent), wave.power
+    series = [kappa + piece.bending * rate**4 - piece.tension * rate**2,
+              4 * piece.bending * rate**3 - 2 * piece.tension * rate, 6 * piece.bending * rate**2 - piece.tension,
+              4 * piece.bending * rate, piece.bending]
+    inverse = [1 / series[0]]
+    for i in range(1, k + 1):
+        inverse.append(-sum(series[m] * inverse[i - m] for m in range(1, min(i, 4) + 1)) / series[0])
+    polynomial = [comb(k, i) * factorial(k - i) * inverse[k - i] for i in range(k + 1)]
+    found = []
+    for _ in range(4):
+        found.append(np.exp(rate * x) * sum(c * x**i for i, c in enumerate(polynomial)))
+        steeper = [(i + 1) * polynomial[i + 1] if i < k else 0 * polynomial[0] for i in range(k + 1)]
+        polynomial = [rate * c + d for c, d in zip(polynomial, steeper, strict=True)]
+    return np.array(found)

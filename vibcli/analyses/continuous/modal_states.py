@@ -1,0 +1,139 @@
+"""Modes that move by themselves, many at a time, from one bend of the loads to the next.
+
+An oscillating mode η̈ + 2ζω η̇ + ω² η = b f is η = Re c, ċ = λ c + w f; two real λ are two such states. Under a wave
+f = Re(F τᵏ e^{sτ}) with a(s) = w F/2
+
+    c = C e^{λτ} + Σ gᵢ τⁱ e^{sτ} + the same of s̄ and F̄,      (s − λ) gᵢ = a [i = k] − (i + 1) gᵢ₊₁
+
+and where s is next to λ the part k! a E[λ, s…s](τ), a divided difference, instead.
+"""
+
+from collections.abc import Iterator, Sequence
+from math import factorial
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from vibcli.analyses.transient.exponential_differences import differences
+
+if TYPE_CHECKING:
+    from vibcli.analyses.excitation.forcing import Segment
+
+NEAR = 1e-3         # relative: an exponent next to an eigenvalue
+
+
+class States(NamedTuple):
+    """rates λ, inputs w (states, channels), modes: the mode each is of, begin: c before the first segment."""
+
+    rates: np.ndarray
+    inputs: np.ndarray
+    modes: np.ndarray
+    begin: np.ndarray
+
+
+class Stroke(NamedTuple):
+    """A wave on all channels from the start of a segment on: Re(F τᵏ e^{sτ})."""
+
+    exponent: complex
+    power: int
+    force: np.ndarray
+
+
+class FreeStretch(NamedTuple):
+    """A segment of the loads: what drives, and C of each state; rigid: (η, η̇) of the modes that nothing holds."""
+
+    start: float
+    strokes: list[Stroke]
+    free: np.ndarray
+    rigid: np.ndarray
+
+
+def states_of(squares: np.ndarray, ratios: np.ndarray, inputs: np.ndarray, eta: np.ndarray,
+              rate: np.ndarray) -> States:
+    """Those of modes with ω² = squares ≠ 0 and damping ratios, b = inputs, which start with η and η̇."""
+    size = np.sqrt(np.abs(squares)) + 0j
+    inner = np.where(squares > 0, ratios**2 - 1, 1.0) + 0j
+    middle, half = np.where(squares > 0, -ratios, 0.0) * size, size * np.sqrt(inner)
+    turning = (squares > 0) & (ratios < 1)
+    found = []
+    for sign, chosen in ((1, np.ones(len(squares), bool)), (-1, ~turning)):
+        at = np.flatnonzero(chosen)
+        own, other = (middle + sign * half)[at], (middle - sign * half)[at]
+        share = np.where(turning[at], 2.0, 1.0) / (own - other)
+        found.append((own, share[:, None] * inputs[at], at, share * (rate[at] - other * eta[at])))
+    return States(*(np.concatenate(part) for part in zip(*found, strict=True)))
+
+
+def strokes(segment: "Segment", channels: int) -> list[Stroke]:
+    """The waves of a segment on the first channels, of one form together."""
+    found: dict[tuple[complex, int], np.ndarray] = {}
+    for wave in segment.waves:
+        if wave.channel < channels and wave.coefficient:
+            force = found.setdefault((complex(wave.exponent), wave.power), np.zeros(channels, complex))
+            force[wave.channel] += wave.coefficient
+    return [Stroke(s, k, force) for (s, k), force in found.items()]
+
+
+def halves(stroke: Stroke) -> tuple[tuple[complex, np.ndarray], tuple[complex, np.ndarray]]:
+    """(s, F/2) and the conjugate."""
+    return (stroke.exponent, stroke.force / 2), (stroke.exponent.conjugate(), stroke.force.conj() / 2)
+
+
+def parts(states: States, stroke: Stroke) -> Iterator[tuple[complex, np.ndarray, np.ndarray, np.ndarray]]:
+    """(s, g (k + 1, states), numbers of states next to s, their a) of both halves of a stroke."""
+    for s, force in halves(stroke):
+        a, gap = states.inputs @ force, s - states.rates
+        close = np.abs(gap) <= NEAR * np.maximum(abs(s), np.abs(states.rates))
+        gap = np.where(close, 1.0, gap)
+        g = np.zeros((stroke.power + 1, len(a)), complex)
+        g[stroke.power] = np.where(close, 0.0, a / gap)
+        for i in reversed(range(stroke.power)):
+            g[i] = -(i + 1) * g[i + 1] / gap
+        at = np.flatnonzero(close & (a != 0))
+        yield s, g, at, a[at]
+
+
+def next_to(rate: complex, s: complex, power: int, tau: Any) -> Any:
+    """k! E[λ, s…s](τ)."""
+    return factorial(power) * differences((rate, *(s,) * (power + 1)), np.atleast_1d(tau))
+
+
+def followed(states: States, rigid: np.ndarray, begin: np.ndarray, segments: "Sequence[Segment]",
+             channels: int) -> list[FreeStretch]:
+    """The FreeStretches of segments. rigid: b of the modes that nothing holds, begin: their (η, η̇), (2, modes)."""
+    found: list[FreeStretch] = []
+    c, at_rest = states.begin.copy(), begin.copy()
+    for segment, after in zip(segments, [*segments[1:], None], strict=True):
+        for channel, size in segment.impulses:
+            if channel < channels:
+                c = c + states.inputs[:, channel] * size
+                at_rest = at_rest + np.array([0 * rigid[:, channel], rigid[:, channel] * size])
+        given = strokes(segment, channels)
+        free = c - sum((g[0] for stroke in given for _, g, _, _ in parts(states, stroke)), 0 * c)
+        found.append(FreeStretch(segment.start, given, free, at_rest))
+        if after is not None:
+            tau = after.start - segment.start
+            c = _later(states, given, free, tau)
+            at_rest = np.array([moved(rigid, found[-1], np.array([tau]), order)[0] for order in range(2)])
+    return found
+
+
+def _later(states, given, free, tau):
+    c = free * np.exp(states.rates * tau)
+    for stroke in given:
+        for s, g, at, a in parts(states, stroke):
+            c = c + np.exp(s * tau) * np.polynomial.polynomial.polyval(tau, g)
+            for j, x in zip(at, a, strict=True):
+                c[j] += x * next_to(states.rates[j], s, stroke.power, tau)[0]
+    return c
+
+
+def moved(rigid: np.ndarray, stretch: FreeStretch, tau: np.ndarray, order: int) -> np.ndarray:
+    """η or η̇ of what nothing holds, (len(tau), modes)."""
+    eta, rate = stretch.rigid
+    found = eta + np.outer(tau, rate) if order == 0 else np.broadcast_to(rate, (len(tau), len(rate)))
+    for stroke in stretch.strokes:
+        nodes = (0j,) * (2 - order) + (stroke.exponent,) * (stroke.power + 1)
+        curve = factorial(stroke.power) * differences(nodes, tau)
+        found = found + np.real(np.outer(curve, rigid @ stroke.force))
+    return found

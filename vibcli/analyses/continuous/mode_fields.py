@@ -1,0 +1,174 @@
+"""Modes along members at single places, in floats or in mpmath's numbers where the mode has more digits, and the factor
+that normalises a shape. Pieces without inertia deflect as at rest between their stations.
+"""
+
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from vibcli.analyses.continuous.shapes import Moved, antinodes, nodes, shape_along
+from vibcli.base.errors import PhysicsError
+from vibcli.numerics.pieces.fields import fields
+from vibcli.numerics.pieces.piece import Piece
+from vibcli.symbolic.derivatives import gradient
+from vibcli.symbolic.evaluation import evaluate
+
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.undamped import Mode
+    from vibcli.scene.scene import Scene
+
+SAME = 1e-9         # of a length or displacement: nearer ones are one
+SHARES = np.append(np.arange(1, 62) * 0.6180339887498949 % 1, [0.0, 1.0])
+STEPS = 8           # of Newton's method, from a place that is known in floats
+
+
+class ModeFields:
+    """A mode along the members of a scene, as its shape is: of unit modal mass. arithmetic, values: the numbers at
+    rest; number: makes one of them of any."""
+
+    def __init__(self, mode: "Mode", scene: "Scene", arithmetic: Any, values: Any, number: Callable = float):
+        self.mode, self.scene, self.arithmetic, self.values, self.number = mode, scene, arithmetic, values, number
+
+    def pieces(self, member: str) -> list[Moved]:
+        """Those of a member from left to right, as they move."""
+        motion, found = self.mode.motion, []
+        for placed in motion.system.ordered if motion is not None else ():
+            if placed.owner == member:
+                piece = Piece(*map(self.number, placed.piece))
+                kappa = piece.foundation - piece.inertia * self.number(motion.z)
+                ends = [self._times(row, motion.shape) for row in placed.rows]
+                found.append(self._moved(placed.start, piece, kappa, ends, not any(placed.rows[0].values())))
+        found += self._light(member)
+        return sorted(found, key=lambda moved: moved.start)
+
+    def _light(self, name):
+        """The pieces without inertia and drag."""
+        member = self.scene.members[name]
+        for number, (left, right) in enumerate(pairwise(member.stations)):
+            middle = (self.scene.number(left.place) + self.scene.number(right.place)) / 2
+            segment = next(part for part in member.segments if middle < self.scene.number(part.end))
+            if segment.inertia.is_zero and segment.drag.is_zero:
+                tension, _ = member.tension(number, segment, self.scene)
+                yield self._at_rest(member, segment, tension, left, right)
+
+    def _at_rest(self, member, segment, tension, left, right):
+        zero, bends = self.scene.table.zero, member.kind.bends
+        nodes = [left.place, right.place - left.place, segment.stiffness if bends else zero, tension, zero, zero, zero,
+                 segment.foundation]
+        start, *coefficients = map(self.number, evaluate(nodes, self.arithmetic, self.values))
+        rows = [gradient(motion) for motion in (*member.motions(left), *member.motions(right))]
+        numbers = [dict(zip(row, evaluate(list(row.values()), self.arithmetic, self.values), strict=True))
+                   for row in rows]
+        ends = [self._times({self.scene.q.index(q): x for q, x in row.items() if q in self.scene.q}, self.mode.shape)
+                for row in numbers]
+        piece = Piece(*coefficients)
+        return self._moved(start, piece, piece.foundation, ends, not rows[0])
+
+    def _moved(self, start, piece, kappa, ends, supported):
+        kind = object if self.number is not float else complex if any(isinstance(x, complex) for x in ends) else float
+        return Moved(self.number(start), piece, kappa, np.array(ends, kind), supported)
+
+    def _times(self, row, shape):
+        total = sum((self.number(x) * shape[i] for i, x in row.items()), self.number(0))
+        return total if self.number is not float else complex(total) if total.imag else float(total.real)
+
+    def at(self, member: str, x: Any) -> list[Any]:
+        """u and its derivatives by x, of bars, shafts and strings up to the second, of beams to the third; at a jump
+        those on its right."""
+        pieces = self.pieces(member)
+        moved = pieces[0]
+        for later in pieces[1:]:
+            if later.start <= x + SAME * later.piece.length:
+                moved = later
+        return self._on(moved, x)
+
+    def _on(self, moved, x):
+        piece = moved.piece
+        place = min(max(self.number(x) - moved.start, 0 * piece.length), piece.length)
+        found = list(fields(piece, moved.kappa, moved.ends, place))
+        if piece.order == 2:        # (N u′)′ = κ u
+            found.append((moved.kappa * found[0] - piece.gradient * found[1]) / piece.tension)
+        return found
+
+    def displacements(self, member: str, places: Sequence[float]) -> np.ndarray:
+        """u at places of a member, in floats."""
+        return shape_along(self._in_floats(member), places)[:, 0]
+
+    def largest(self, member: str) -> tuple[Any, Any]:
+        """(x, u) where a member moves furthest, the leftmost of equal ones."""
+        pieces = self._in_floats(member)
+        ends = [place for moved in pieces for place in (moved.start, moved.start + moved.piece.length)]
+        places = sorted([*ends, *antinodes(pieces)])
+        sizes = np.abs(shape_along(pieces, places)[:, 0])
+        if not np.isfinite(sizes).all():
+            raise PhysicsError(f"the shape of a mode along '{member}' is not found", "ask for its frequency alone")
+        x = places[int(np.flatnonzero(sizes >= sizes.max() * (1 - SAME))[0])]
+        x = x if x in ends else self._polished(member, x, 1)
+        return x, self.at(member, x)[0]
+
+    def size(self, member: str, order: int) -> float:
+        """How large a derivative of u by x is on a member, or would be if it moved as far as any: what its rounding is
+        measured by."""
+        most = max(_most(moved, 0) for name in self.scene.members for moved in self._in_floats(name))
+        return max(max(_most(moved, order), most * _wave_number(moved)**order) for moved in self._in_floats(member))
+
+    def node_places(self, member: str) -> list[Any]:
+        """The places from left to right at which a member rests, its ends and supports not counted."""
+        return [self._polished(member, x, 0) for x in nodes(self._in_floats(member))]
+
+    def _in_floats(self, member):
+        return [Moved(float(moved.start), Piece(*map(float, moved.piece)), float(moved.kappa),
+                      moved.ends.astype(complex if any(map(_is_complex, moved.ends)) else float), moved.supported)
+                for moved in self.pieces(member)]
+
+    def _polished(self, member, x, order):
+        """The zero of u or u′ next to one in floats, by Newton's method in more digits."""
+        if self.number is float:
+            return x
+        x = self.number(x)
+        for _ in range(STEPS):
+            found = self.at(member, x)
+            x = x - found[order] / found[order + 1]
+        return x
+
+    def scale(self, how: str, weights: Sequence[float], named: int) -> Any:
+        """What the shape is multiplied by: `first` makes the first of the `named` coordinates that moves 1, where none
+        does the largest displacement of the first member that moves; `largest` the largest of all of these; mass 1.
+
+        weights: √M of each coordinate, by which those that move are told from those that rest.
+        """
+        shape, moves = self.mode.shape, MOVES * max(1.0, *map(abs, self._weighted(weights)))
+        if how == "mass":
+            return 1
+        first = next((x for x, part in zip(shape[:named], self._weighted(weights), strict=False) if abs(part) > moves),
+                     None)
+        if how == "first" and first is not None:
+            return 1 / first
+        tops = [self.largest(member)[1] for member in self.scene.members]
+        most = max(map(abs, tops))
+        if how == "largest":
+            return 1 / max([*shape[:named], *tops], key=abs)
+        return 1 / next(top for top in tops if abs(top) > MOVES * most)
+
+    def _weighted(self, weights):
+        return [x * weight for x, weight in zip(self.mode.shape, weights, strict=True)] or [0.0]
+
+
+MOVES = 1e-9        # of a mode of unit modal mass: what moves less rests
+
+
+def _most(moved, order):
+    """The largest of a derivative of u on a piece, at places that no mode finds all at rest."""
+    return float(np.abs(moved.along(moved.start + moved.piece.length * SHARES)[:, order]).max())
+
+
+def _wave_number(moved):
+    """Of what vibrates on a piece, at least as many as one on its length."""
+    piece = moved.piece
+    return max(abs(moved.kappa / (piece.bending or piece.tension)) ** (1 / piece.order), 1 / piece.length)
+
+
+def _is_complex(x):
+    return bool(getattr(x, "imag", 0))

@@ -1,0 +1,207 @@
+"""The natural modes of a scene with continuous members, as they are asked for: without end, none missed."""
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from vibcli.analyses.continuous.brackets import Ground, KnownCounts, flat, ground
+from vibcli.analyses.continuous.counting import count
+from vibcli.analyses.continuous.local_modes import local_modes
+from vibcli.analyses.continuous.natural_frequencies import SURE, NaturalFrequency, better, natural_frequencies
+from vibcli.analyses.continuous.rigid_motions import never_grows, rigid_count, rigid_shapes
+from vibcli.analyses.continuous.system import continuous_system
+from vibcli.analyses.continuous.uniform_members import uniform_member
+from vibcli.analyses.continuous.uniform_shapes import uniform_modes
+from vibcli.analyses.modal.undamped import Mode
+from vibcli.base.errors import PhysicsError
+from vibcli.numerics.sparse_elimination import quadratic
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.factored_system import FactoredSystem
+
+DEEPER = 40, 80, 160    # digits that are tried in turn where floats do not tell
+ABOVE = 1e-14, 1e-13, 1e-12, 1e-11      # relative distances above a frequency that are tried in turn
+NEVER_BELOW = 2.0 ** -53
+
+
+class NaturalModes:
+    """A ModeSource: `numbered(first, last)` and `count(Omega)` of the system without its dampers.
+
+    precise(dps): the same elements to so many digits, or None; digits: so many are asked for, as numbers of mpmath.
+    """
+
+    def __init__(self, elements: "FactoredSystem", precise: Callable | None = None, digits: int | None = None):
+        if elements.circulatory:
+            raise PhysicsError("modes of members are not found where forces follow what they act on",
+                               "take the force along a fixed direction, or make the member massless")
+        self.elements, self.precise, self.digits = elements, precise, digits
+        self._known: dict[int | None, KnownCounts] = {}
+        self.ground, self._resting = self._grounded()
+        uniform = uniform_member(elements) if digits is None else None
+        self.uniform = uniform if uniform is not None and uniform.resting == self.ground.resting else None
+
+    def numbered(self, first: int, last: int) -> list[Mode]:
+        """The modes with an index from first to last."""
+        growing, resting = self.ground.growing, self.ground.resting
+        found = self._found(first, min(last, growing)) if first <= growing else []
+        found += self._rigid(first, last)
+        start = max(first, resting + 1)
+        return found + self._found(start, last) if start <= last else found
+
+    def _found(self, first, last):
+        """Modes that are not rigid."""
+        if self.digits is not None:
+            roots = self._precise_roots(first, last, {}, 10.0 ** -self.digits)
+        elif self.uniform is not None:
+            resting = self.uniform.resting
+            known = uniform_modes(self.uniform, self._at(None).system, first - resting, last - resting)
+            roots = {root.index: root for root in known}
+        else:
+            roots = natural_frequencies(self._at(None), first, last)
+            for low, high in _runs([i for i in range(first, last + 1) if _doubtful(roots, i)]):
+                roots |= self._precise_roots(low, high, roots, SURE)
+        rates = [self._rate(roots[i]) for i in range(first, last + 1)] if self.uniform is None else (
+            self.uniform.frequencies(np.arange(first, last + 1) - self.uniform.resting))
+        return [self._mode(roots[i], rate) for i, rate in zip(range(first, last + 1), rates, strict=True)]
+
+    def count(self, Omega: float) -> int:
+        """How many have ω ≤ Omega, those that grow and the rigid ones among them."""
+        z = Omega * Omega * (1 + 1e-15)
+        counts = self._at(None)
+        found = count(counts.system, counts.system.numbers([z]))
+        return int(found.below[0])
+
+    def counted_above(self, mode: Mode) -> int | None:
+        """J just above the frequency of a mode, certain; None where close ones leave it open."""
+        home = mode.motion.system
+        system, omega = home if home.digits is None else self._at(None).system, float(mode.omega)
+        for away in (4 * float(mode.error), *ABOVE):
+            found = count(system, system.numbers([(omega * (1 + away)) ** 2]))
+            if found.below[0] == found.above[0]:
+                return int(found.below[0])
+        return None
+
+    def _at(self, digits):
+        """The KnownCounts in floats or in so many digits."""
+        if digits not in self._known:
+            elements = _in_digits(self.elements, self.precise, digits)
+            self._known[digits] = KnownCounts(continuous_system(elements, digits))
+        return self._known[digits]
+
+    def _precise_roots(self, first, last, roots, goal) -> dict[int, NaturalFrequency]:
+        """Roots in more digits, until their bounds are below the goal."""
+        found: dict[int, NaturalFrequency] = {}
+        for more in DEEPER:
+            digits = more + (self.digits or 0)
+            with working(digits):
+                counts = self._at(digits)
+                for i in range(first, last + 1):
+                    if i in roots:
+                        counts.add([counts.system.number(roots[i].z) * (1 + side * 1e-8) for side in (-1, 1)])
+                found = better(found, natural_frequencies(counts, first, last))
+            if all(i in found and found[i].error < goal for i in range(first, last + 1)):
+                return found
+        raise _undecided()
+
+    def _grounded(self):
+        """The Ground, and the shapes of what is rigid: from structure, or of what no number of digits tells from it."""
+        if any(self.elements.G.values()):
+            return self._held_and_turning(), None
+        rigid, sure = rigid_count(self.elements), never_grows(self.elements)
+        found = ground(self._at(None), rigid, sure)
+        for digits in DEEPER if found is None else ():
+            with working(digits):
+                found = found or ground(self._at(digits), rigid, sure)
+        if found is not None:
+            return found, rigid_shapes(self.elements, self._at(None).system, rigid) if rigid else None
+        with working(DEEPER[-1]):
+            near = flat(self._at(DEEPER[-1]))
+            if near is None:
+                raise _undecided()
+            system, _, shapes, _ = local_modes(self._at(DEEPER[-1]).system, near)
+            shapes = shapes / _sizes(system, shapes)
+        return Ground(near.below, near.above - near.below), shapes
+
+    def _rigid(self, first, last):
+        growing, resting = self.ground.growing, self.ground.resting
+        system = self._at(None).system
+        return [self._mode(NaturalFrequency(i, 0.0, 0.0, self._resting[:, i - growing - 1], system), 0.0)
+                for i in range(max(first, growing + 1), min(last, resting) + 1)]
+
+    def _mode(self, root, size):
+        """A root with √|z| as a Mode, in floats unless digits are asked for."""
+        n, digits = self.elements.n, self.digits
+        number = float if digits is None else lambda x: x
+        rate, error = number(size), root.error if digits is not None else max(root.error, NEVER_BELOW)
+        shape = root.shape[:n] if digits is not None else root.shape[:n].astype(
+            complex if root.shape.dtype.kind == "c" else float)
+        if digits is None and not np.isfinite(shape).all():
+            raise PhysicsError(f"the shape of mode {root.index} is not found", "ask for more digits, as in --digits 30")
+        rates = (None, rate) if root.z < 0 else (rate, None)
+        return Mode(root.index, *rates, shape, shape, error if root.z else 0.0, root)
+
+    def _rate(self, root):
+        """√|z|."""
+        if root.z and self.digits is not None:
+            from mpmath import mp
+
+            with working(self.digits + DEEPER[0]):
+                return mp.sqrt(abs(root.z))
+        return abs(float(root.z)) ** 0.5
+
+    def _held_and_turning(self):
+        """The Ground beside gyroscopic terms, which leave the count what it is only where a positive stiffness holds
+        every motion."""
+        counts = self._at(None)
+        if count(counts.system, counts.system.numbers([0])).above[0]:
+            raise PhysicsError("modes of members beside gyroscopic terms are counted only where every motion is held "
+                               "by a positive stiffness", "hold what is free, or take the turning out")
+        return ground(counts, 0, True)
+
+
+def _undecided():
+    return PhysicsError("the frequencies are so close to one another, or the data so far apart, that digits do not "
+                        "tell them", "look for stiffnesses of very different size")
+
+
+def _sizes(system, shapes):
+    """√(xᵀ ∂D/∂s² x) of columns, at rest."""
+    return quadratic(system.pattern, system.dynamic_stiffness(system.numbers([0]))[2], shapes) ** 0.5
+
+
+def _doubtful(roots, i):
+    """Is a root not known, not proved, or not told apart from a neighbour?"""
+    if i not in roots or not roots[i].error < SURE:
+        return True
+    return any(abs(roots[j].z - roots[i].z) <= 2 * (roots[i].error + roots[j].error) * abs(roots[i].z)
+               for j in (i - 1, i + 1) if j in roots)
+
+
+def _runs(numbers):
+    """The (first, last) of ascending numbers without a gap."""
+    found: list = []
+    for i in numbers:
+        if found and found[-1][1] == i - 1:
+            found[-1] = found[-1][0], i
+        else:
+            found.append((i, i))
+    return found
+
+
+def _in_digits(elements, precise, digits):
+    if digits is None:
+        return elements
+    from mpmath import mp
+
+    return elements.each(mp.mpf) if precise is None else precise(digits + 5)
+
+
+@contextmanager
+def working(digits: int) -> Iterator[None]:
+    """With numbers of mpmath of so many digits."""
+    from mpmath import mp
+
+    with mp.workdps(digits + 5):
+        yield

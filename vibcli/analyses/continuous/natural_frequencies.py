@@ -1,0 +1,135 @@
+"""Natural frequencies of bodies, springs and continuous members: none missed, none invented, coincident ones as many.
+
+Counts part them (brackets.py). Within a bracket without a pole of D a Rayleigh quotient of D leads to the frequency,
+
+    z ← z + xᵀD x / xᵀD′x        x ← D⁻¹ D′ x        D′ = ∂D/∂s²
+
+(an eigenvalue of D through zero; its determinant has poles that look like roots). Where frequencies lie as close as
+nothing, or at one of a held piece, pieces get further nodes and several x are taken at a time. Last the count on both
+sides of each value, √z (1 ± error), proves it.
+"""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from vibcli.analyses.continuous.brackets import Bracket, KnownCounts, parted, reached
+from vibcli.analyses.continuous.counting import GUARD, SLACK, count, rounding, scales
+from vibcli.analyses.continuous.local_modes import local_modes
+from vibcli.analyses.continuous.rayleigh_steps import rayleigh_step, settled, start
+from vibcli.numerics.sparse_elimination import quadratic
+
+if TYPE_CHECKING:
+    from vibcli.analyses.continuous.system import ContinuousSystem
+
+STEPS = 12
+WIDEST = 1e-9       # a bound that is not worth a proof
+SURE = 1e-12        # a relative bound that is good enough
+NOTHING = 256       # roundings of the largest, below which a part of a shape is zero
+DOUBTED = 0.5       # the bound of what counts do not prove
+WIDTHS = 1.3, 1.04, 1.001       # of z: from where on a Rayleigh quotient is tried
+NEAR_POLE = 0.02    # of the spacing of high frequencies, where a pole lies between
+TIGHT = 1 + 1e-6    # where there are several
+
+
+class NaturalFrequency(NamedTuple):
+    """A natural frequency: z = ω² (negative: growth rate √−z), the relative bound of √|z|, the shape, xᵀD′x = 1, over
+    the coordinates of `system`, which begin with those of the scene."""
+
+    index: int      # type: ignore[assignment]
+    z: Any
+    error: float
+    shape: np.ndarray
+    system: "ContinuousSystem"
+
+
+def natural_frequencies(counts: KnownCounts, first: int, last: int) -> dict[int, NaturalFrequency]:
+    """Those whose index lies from first to last, as far as this arithmetic tells them; none of them is rigid."""
+    reached(counts, first, last)
+    indices, found = list(range(first, last + 1)), {}
+    brackets: dict[int, Bracket] = {}
+    for width in WIDTHS:
+        left = [i for i in indices if i not in found or found[i].error >= SURE]
+        brackets = parted(counts, left, lambda bracket, width=width: _ready(bracket, width))
+        regular = {i: bracket for i, bracket in brackets.items() if bracket.single and not bracket.pole}
+        found = better(found, _polished(counts.system, regular))
+        if len(found) == len(indices) and all(root.error < SURE for root in found.values()):
+            return found
+    rest: dict[Bracket, list[int]] = {}
+    for i in indices:
+        if i in brackets and (i not in found or found[i].error >= SURE):
+            rest.setdefault(brackets[i], []).append(i)
+    for bracket, members in rest.items():
+        found = better(found, _local(counts, bracket, members))
+    return found
+
+
+def better(one: dict[int, NaturalFrequency], other: dict[int, NaturalFrequency]) -> dict[int, NaturalFrequency]:
+    """The roots of two searches, of one index that with the narrower bound."""
+    return one | {i: root for i, root in other.items() if i not in one or root.error < one[i].error}
+
+
+def _ready(bracket, width):
+    """Is a bracket narrow enough to leave counting?"""
+    if not bracket.single:
+        return _ratio(bracket) < TIGHT
+    return _ratio(bracket) < (1 + NEAR_POLE / (20 + bracket.above) if bracket.pole else width)
+
+
+def _ratio(bracket):
+    near, far = sorted((abs(bracket.low), abs(bracket.high)))
+    return far / near if near and (bracket.low > 0) == (bracket.high > 0) else float("inf")
+
+
+def _polished(system, brackets):
+    """The roots of brackets with one frequency and no pole, all at a time; those that fail are left out."""
+    if not brackets or not system.n:
+        return {}
+    indices = list(brackets)
+    low, high = (system.numbers(getattr(brackets[i], end) for i in indices) for end in ("low", "high"))
+    z, x, last = (low + high) / 2, start(system, len(indices)), system.aside ** 1.5
+    for _ in range(STEPS):
+        z, x, moved = rayleigh_step(system, z, x)
+        z = np.where((z > low) & (z < high), z, (low + high) / 2)
+        if (abs(moved) <= last * abs(z)).all():
+            break
+    within = (z > low) & (z < high) & (abs(moved) <= last * abs(z))
+    return {} if not within.any() else certified(system, z, x, indices, within)
+
+
+def certified(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, indices: Sequence[int],
+              wanted: np.ndarray) -> dict[int, NaturalFrequency]:
+    """Roots with the bound that counts on both sides of each prove; without those they do not."""
+    for _ in range(2):      # the shape and the inertia are those at the last z
+        entries, sizes, slope = system.dynamic_stiffness(z)
+        x = settled(system, z, entries, x)
+        inertia = abs(quadratic(system.pattern, slope, x).real)
+        z = z + quadratic(system.pattern, entries, x).real / inertia
+    scale = scales(system, z, sizes, slope)
+    room = (abs(x) ** 2 * rounding(system, sizes, scale)).sum(axis=0)
+    felt = abs(x) * scale
+    x = np.where(felt > NOTHING * system.unit * felt.max(axis=0, initial=0), x, 0 * x)
+    error = np.maximum(system.fine, SLACK * room / (inertia * abs(z)))
+    numbers, proved = np.array(indices), np.zeros(len(indices), bool)
+    left = np.flatnonzero(wanted & (z != 0))
+    while len(left := left[error[left] < WIDEST]):
+        away = 2 * error[left] * abs(z[left])
+        under, over = (count(system, side) for side in (z[left] - away, z[left] + away))
+        good = (under.above < numbers[left]) & (over.below >= numbers[left])
+        proved[left[good]] = True
+        left = left[~good]
+        error[left] *= 2
+    bounds = np.where(proved, error + GUARD * system.unit / 3, DOUBTED).astype(float)
+    return {indices[at]: NaturalFrequency(indices[at], z[at], float(bounds[at]),
+                                          x[:, at] / np.sqrt(inertia[at]), system)
+            for at in np.flatnonzero(wanted).tolist()}
+
+
+def _local(counts, bracket, members):
+    """The roots within a tight bracket, or one with a pole."""
+    system, z, x, indices = local_modes(counts.system, bracket)
+    if len(z) < len(indices):
+        return {}
+    wanted = np.array([i in members for i in indices])
+    return certified(system, z, x, indices, wanted)

@@ -1,0 +1,52 @@
+"""Steps towards a natural frequency by the Rayleigh quotient of D: z ← z + xᵀD x / xᵀD′x, x ← D⁻¹ D′ x."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from vibcli.numerics.sparse_elimination import product, quadratic
+
+if TYPE_CHECKING:
+    from vibcli.analyses.continuous.system import ContinuousSystem
+
+TAKEN_OUT = 2       # times; each leaves a millionth of what is not of a shape
+
+
+def start(system: "ContinuousSystem", count_: int) -> np.ndarray:
+    """Vectors that are orthogonal to nothing in particular, (n, count)."""
+    parts = np.sin(np.arange(1, system.n + 1)[:, None] * 1.7 + 0.6 * np.arange(count_)) + 1.3
+    return np.array([system.numbers(row) for row in parts]).reshape(system.n, count_)
+
+
+def rayleigh_step(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, np.ndarray, Any]:
+    """One Rayleigh quotient of each column: z, x with xᵀD′x = 1, and by how much z has moved. Taken beside z, where D
+    has an inverse: it ends within aside² of the frequency."""
+    here = beside(system, z)
+    entries, sizes, slope = system.dynamic_stiffness(here)
+    x = system.eliminated(entries, sizes).solved(product(system.pattern, slope, x))
+    x = x / np.sqrt(quadratic(system.pattern, slope, x).real)
+    new = here + quadratic(system.pattern, entries, x).real
+    return new, x, new - z
+
+
+def nearer(system: "ContinuousSystem", z: np.ndarray, loads: np.ndarray) -> np.ndarray:
+    """x of D x = load close to z: at z itself D can have no inverse."""
+    return _factors(system, z).solved(loads)
+
+
+def settled(system: "ContinuousSystem", z: np.ndarray, entries: np.ndarray, x: np.ndarray) -> np.ndarray:
+    """Shapes near those of D(z) x = 0 with what is not of them taken out: x ← x − D⁻¹ D(z) x, D⁻¹ taken beside z."""
+    factors = _factors(system, z)
+    for _ in range(TAKEN_OUT):
+        x = x - factors.solved(product(system.pattern, entries, x))
+    return x
+
+
+def beside(system: "ContinuousSystem", z: np.ndarray) -> Any:
+    """A z that is close, but none of those where D has no inverse."""
+    return z + system.aside * (abs(z) + system.aside * system.scale)
+
+
+def _factors(system, z):
+    entries, sizes, _ = system.dynamic_stiffness(beside(system, z))
+    return system.eliminated(entries, sizes)

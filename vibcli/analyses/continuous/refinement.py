@@ -1,0 +1,63 @@
+"""Further nodes where a frequency is near one that a piece has with its ends held: d is infinite there.
+
+A piece in two has other such frequencies. The node between is free, so that nothing of the motion changes; modes that
+rest at every joint move there.
+"""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from vibcli.analyses.continuous.piece_groups import held_by
+
+if TYPE_CHECKING:
+    from vibcli.analyses.continuous.system import ContinuousSystem
+
+PARTS = 0.5, 0.4375, 0.390625, 0.359375, 0.328125, 0.296875, 0.265625, 0.234375
+NEAR = 2.0 ** -np.array([1, 2, 3, 4, 6, 9, 13, 18, 23])     # relative distances in z at which poles are looked for
+CLEAR = 3           # place in NEAR: a piece without a pole as near as that stays whole
+
+
+def away_from_poles(system: "ContinuousSystem", low: Any, high: Any) -> "ContinuousSystem":
+    """The system with nodes within those pieces that have a frequency of their own between or near low and high."""
+    places, index = {}, 0
+    for group in system.groups:
+        pieces = [placed.piece._make(float(x) for x in placed.piece) for placed in group.pieces]
+        known = _best_parts(list(dict.fromkeys(pieces)), float(low), float(high))
+        for number, piece in enumerate(pieces, index):
+            if piece in known:
+                places[number] = system.number(known[piece])
+        index += len(pieces)
+    return system.refined(places) if places else system
+
+
+def _best_parts(pieces, low, high):
+    """The parts of their length where pieces of one kind had better be divided, of those for which it is better."""
+    whole = dict(zip(pieces, _clearance(pieces, low, high).tolist(), strict=True))
+    near = [piece for piece in pieces if whole[piece] >= CLEAR]
+    if not near:
+        return {}
+    best: dict[Any, tuple[int, float]] = {}
+    for part in PARTS:
+        distances = _clearance([half for piece in near for half in divided(piece, part)], low, high)
+        for piece, worst in zip(near, distances.reshape(-1, 2).max(axis=1).tolist(), strict=True):
+            best[piece] = min(best.get(piece, (whole[piece], 0.0)), (worst, part))
+        near = [piece for piece in near if best[piece][0] >= CLEAR]
+        if not near:
+            break
+    return {piece: part for piece, (_, part) in best.items() if part}
+
+
+def _clearance(pieces, low, high):
+    """For each piece the place in NEAR of the widest surrounding of low … high that is without a pole of it."""
+    z = np.concatenate([low - abs(low) * NEAR, high + abs(high) * NEAR])
+    held = held_by(pieces, z)
+    same = held[:, :len(NEAR)] == held[:, len(NEAR):]
+    return np.where(same.any(axis=1), same.argmax(axis=1), len(NEAR))
+
+
+def divided(piece: Any, part: Any) -> tuple[Any, Any]:
+    """A piece in two at this part of its length."""
+    near = piece.length * part
+    return (piece._replace(length=near),
+            piece._replace(length=piece.length * (1 - part), tension=piece.tension + piece.gradient * near))

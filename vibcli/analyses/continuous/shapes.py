@@ -1,0 +1,110 @@
+"""Shapes of modes along members: deflection and its derivatives anywhere, nodes and antinodes.
+
+A mode is normalised to shapeᵀ ∂D/∂s² shape = 1: the sum of mass times displacement² over bodies and along members.
+"""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from vibcli.numerics.pieces.fields import fields
+
+if TYPE_CHECKING:
+    from vibcli.numerics.pieces.piece import Piece
+
+CLOSE = 1e-6        # part of a piece by which one stays away from its ends
+FINE = 8            # places for each half-wave
+STEPS, SETTLED = 60, 4e-16
+
+
+class Moved(NamedTuple):
+    """A piece of a member from the place `start` on, in motion: κ = k − μ ω², its end values, and whether the member
+    cannot be displaced where it begins."""
+
+    start: float
+    piece: "Piece"
+    kappa: float
+    ends: np.ndarray
+    supported: bool
+
+    def along(self, x: Any) -> np.ndarray:
+        """(u, u′) of bars, shafts and strings, (u, u′, u″, u‴) of beams at places x of the member, (…, order)."""
+        return fields(self.piece, self.kappa, self.ends, np.clip(np.asarray(x) - self.start, 0.0, self.piece.length))
+
+
+def shape_along(pieces: Sequence[Moved], x: Any) -> np.ndarray:
+    """(u, u′) or (u, u′, u″, u‴) at places x of a member, (…, order): at a jump that on the right, at the right end
+    that on its left."""
+    places = np.asarray(x, float)
+    which = _piece_at(pieces, places)
+    found = np.zeros((*places.shape, pieces[0].piece.order), pieces[0].ends.dtype)
+    for number in np.unique(which):
+        chosen = which == number
+        found[chosen] = pieces[number].along(places[chosen])
+    return found
+
+
+def nodes(pieces: Sequence[Moved]) -> list[float]:
+    """The places at which a member rests, its ends and supports not counted."""
+    return crossings(pieces, 0, [moved.start for moved in pieces if moved.supported])
+
+
+def antinodes(pieces: Sequence[Moved]) -> list[float]:
+    """The places at which a member moves more than beside them, its ends not counted."""
+    return crossings(pieces, 1, [])
+
+
+def crossings(pieces: Sequence[Moved], derivative: int, left_out: Sequence[float]) -> list[float]:
+    """The places within a member where u or u′ changes its sign, but for those left out."""
+    places = np.concatenate([_grid(moved) for moved in pieces])
+    values = shape_along(pieces, places)[:, derivative].real
+    large = values[np.abs(values).argmax()] if len(values) else 0.0
+    if not large:
+        return []
+    turns = np.flatnonzero(values[:-1] * values[1:] < 0)
+    low, high, below = places[turns], places[turns + 1], values[turns]
+    kept = [not any(a < place < b for place in left_out) for a, b in zip(low, high, strict=True)]
+    low, high, below = low[kept], high[kept], below[kept]
+    return _narrowed(pieces, derivative, low, high, below).tolist()
+
+
+def _narrowed(pieces, derivative, low, high, below):
+    """The zeros of u or u′ between places, by Newton steps that stay between them; below: the values at `low`."""
+    place = (low + high) / 2
+    for _ in range(STEPS if len(place) else 0):
+        value, slope = _with_slope(pieces, derivative, place)
+        same = value * below > 0
+        low, high = np.where(same, place, low), np.where(same, high, place)
+        with np.errstate(all="ignore"):
+            step = place - value / slope
+        place, before = np.where((step >= low) & (step <= high), step, (low + high) / 2), place
+        if (abs(place - before) <= SETTLED * abs(place)).all():
+            break
+    return place
+
+
+def _with_slope(pieces, derivative, places):
+    """u or u′ and its slope; u″ = κ u / N of bars, shafts and strings."""
+    found = shape_along(pieces, places).real
+    if derivative + 1 < found.shape[1]:
+        return found[:, derivative], found[:, derivative + 1]
+    ratios = np.array([moved.kappa / moved.piece.tension for moved in pieces])
+    return found[:, derivative], found[:, 0] * ratios[_piece_at(pieces, places)]
+
+
+def _piece_at(pieces, places):
+    """The numbers of the pieces that places are on."""
+    starts = np.array([moved.start for moved in pieces])
+    return np.maximum(np.searchsorted(starts, places, side="right") - 1, 0)
+
+
+def _grid(moved):
+    """Places within a piece, several for each half-wave, close to its ends too."""
+    piece = moved.piece
+    stiffness = piece.bending or piece.tension
+    waves = (max(-moved.kappa, 0.0) / stiffness) ** (1 / piece.order) * piece.length / np.pi
+    if piece.order == 4 and piece.tension < 0:
+        waves += np.sqrt(-piece.tension / piece.bending) * piece.length / np.pi
+    inner = np.linspace(CLOSE, 1 - CLOSE, int(FINE * (waves + 1)) + 2)
+    return moved.start + piece.length * inner

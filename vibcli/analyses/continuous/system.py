@@ -1,0 +1,180 @@
+"""Bodies, springs and continuous members at one frequency, in z = ω²:
+
+    D(z) = K − z M + i√z G + Σ Sᵀ d S        J(z) = Σ J₀(z) + s{D(z)}      (Wittrick & Williams 1971)
+
+d is the exact dynamic stiffness of a piece between its end values, S their rows; J counts the natural frequencies below
+√z, s{·} negative eigenvalues, J₀ what a piece has with its ends held. Negative z are real s = √−z: what grows. Dampers
+are left out.
+"""
+
+from collections import defaultdict
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from vibcli.analyses.continuous.piece_groups import PieceGroup
+from vibcli.analyses.continuous.refinement import divided
+from vibcli.numerics.sparse_elimination import Elimination, Pattern
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.factored_system import PlacedPiece
+
+
+class Matrix:
+    """Entries {(i, j): value} of a symmetric or Hermitian matrix, and the magnitudes that each was added from."""
+
+    __slots__ = ("entries", "magnitudes")
+
+    def __init__(self, terms: Iterable[tuple[Any, Mapping[int, Any]]], extra: Mapping[tuple[int, int], Any],
+                 sizes: Mapping[tuple[int, int], Any] | None = None):
+        self.entries: dict = defaultdict(int)
+        self.magnitudes: dict = defaultdict(int)
+        for weight, row in terms:
+            for i, x in row.items():
+                for j, y in row.items():
+                    if i <= j:
+                        self.entries[i, j] += weight * x * y
+                        self.magnitudes[i, j] += abs(weight * x * y)
+        for (i, j), x in extra.items():
+            if i <= j:
+                self.entries[i, j] += x
+                self.magnitudes[i, j] += max((sizes or {}).get((i, j), 0), abs(x))
+
+
+class ContinuousSystem:
+    """D and J of a system of n coordinates, in floats or, `digits` given, in numbers of mpmath.
+
+    pieces: PlacedPieces; stiffness, inertia: Matrix; turning: the entries of G. unit: the rounding of a number;
+    fine: a relative bound that need not be narrower; aside: the part of a z by which one stays away from where D has
+    no inverse; scale: a z natural to the system; closest: the part of it below which a z is not told from zero.
+    """
+
+    def __init__(self, n: int, stiffness: Matrix, inertia: Matrix, turning: Mapping[tuple[int, int], Any],
+                 pieces: "Sequence[PlacedPiece]", digits: int | None = None):
+        self.n, self.stiffness, self.inertia, self.turning = n, stiffness, inertia, turning
+        self.pieces, self.digits = tuple(pieces), digits
+        self.unit = 2.0 ** -53 if digits is None else 10.0 ** -digits
+        self.aside = 2.0 ** -20 if digits is None else self.number(10) ** (-digits // 3)
+        self.fine = 4 * self.unit if digits is None else 10.0 ** (20 - digits)
+        self.closest = 1e-13 if digits is None else 10.0 ** (-digits // 2)
+        self.scale = _scale(self)
+        tied = [pair for part in (stiffness.entries, inertia.entries, turning) for pair in part]
+        tied += [(i, j) for piece in self.pieces for i in _touched(piece) for j in _touched(piece)]
+        self.pattern = Pattern(n, tied)
+        self.groups = [PieceGroup(self.pattern, group, digits) for group in _alike(self.pieces)]
+        self._constant = self._columns(stiffness.entries), self._columns(inertia.entries)
+        self._sizes = self._columns(stiffness.magnitudes), self._columns(inertia.magnitudes)
+        self._turning = self._columns({(i, j): x for (i, j), x in turning.items() if i < j}) if any(
+            turning.values()) else None
+
+    def _columns(self, entries):
+        out = np.zeros((self.pattern.size, 1), float if self.digits is None else object)
+        for (i, j), x in entries.items():
+            out[self.pattern.places[i, j], 0] = x if self.digits else float(x)
+        return out
+
+    def numbers(self, values: Iterable[Any]) -> np.ndarray:
+        """An array in the arithmetic of the system."""
+        return np.array([self.number(x) for x in values], float if self.digits is None else object)
+
+    def number(self, value: Any) -> Any:
+        """A number in the arithmetic of the system."""
+        if self.digits is None:
+            return float(value)
+        from mpmath import mp
+
+        return mp.mpf(value)
+
+    def dynamic_stiffness(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """For each z the entries of D, the magnitudes added in them, and the entries of −∂D/∂z = ∂D/∂s², the inertia
+        that a motion has at this frequency: arrays (entries of the pattern, number of z)."""
+        (k, m), (k_size, m_size) = self._constant, self._sizes
+        found, sizes, slope = k - m * z, k_size + m_size * abs(z), m + 0 * z
+        for group in self.groups:
+            group.add(z, found, sizes, slope)
+        if self._turning is not None:
+            omega = self._root(z)
+            found = found + 1j * self._turning * omega
+            slope = slope - 0.5j * self._turning / np.where(omega == 0, omega + 1, omega)
+        return found, sizes, slope
+
+    def _root(self, z):
+        if self.digits is None:
+            return np.sqrt(z)
+        from mpmath import mp
+
+        return np.array([mp.sqrt(x) for x in z], object)
+
+    def held(self, z: np.ndarray) -> np.ndarray:
+        """J₀ of each piece, (pieces, number of z)."""
+        if not self.groups:
+            return np.zeros((0, len(z)), int)
+        return np.concatenate([group.held(z) for group in self.groups])
+
+    def eliminated(self, entries: np.ndarray, sizes: np.ndarray) -> Elimination:
+        """The factors of matrices of these entries."""
+        return Elimination(self.pattern, entries, sizes[:self.n] * self.unit + 1e-300)
+
+    def refined(self, places: Mapping[int, Any]) -> "ContinuousSystem":
+        """The same with further nodes within pieces, {index of the piece: part of its length}, free to move there."""
+        pieces, n = [], self.n
+        for index, placed in enumerate(self.ordered):
+            if index not in places:
+                pieces.append(placed)
+                continue
+            pieces += _divided(placed, places[index], n, self.number)
+            n += placed.piece.order // 2
+        return ContinuousSystem(n, self.stiffness, self.inertia, self.turning, pieces, self.digits)
+
+    @property
+    def ordered(self) -> "list[PlacedPiece]":
+        """The pieces in the order of `held`."""
+        return [placed for group in self.groups for placed in group.pieces]
+
+
+def continuous_system(elements: Any, digits: int | None = None) -> ContinuousSystem:
+    """The ContinuousSystem of a FactoredSystem, without its dampers; its numbers are taken as they are."""
+    springs: list = [*elements.springs]
+    for placed in elements.pieces:
+        if not placed.piece.inertia:
+            springs += placed.springs
+    return ContinuousSystem(elements.n, Matrix(springs, elements.K, elements.K_size),
+                            Matrix(elements.inertias, elements.M), elements.G,
+                            [placed for placed in elements.pieces if placed.piece.inertia], digits)
+
+
+def _scale(system):
+    """A z that is natural to the system: that of its slowest piece or coordinate by itself."""
+    found = []
+    for placed in system.pieces:
+        piece = placed.piece
+        found.append((abs(piece.tension) / piece.length ** 2 + abs(piece.bending) / piece.length ** 4
+                      + abs(piece.foundation)) / piece.inertia)
+    for (i, j), m in system.inertia.magnitudes.items():
+        k = system.stiffness.magnitudes.get((i, i), 0)
+        if i == j and m and k:
+            found.append(k / m)
+    return system.number(min(found, default=1.0))
+
+
+def _touched(placed):
+    return {i for row in placed.rows for i, x in row.items() if x}
+
+
+def _alike(pieces):
+    """Pieces that one formula serves, together."""
+    groups = defaultdict(list)
+    for placed in pieces:
+        piece = placed.piece
+        groups[piece.order, bool(piece.tension), bool(piece.gradient)].append(placed)
+    return list(groups.values())
+
+
+def _divided(placed, part, n, number):
+    """A piece in two with a free node between, whose coordinates are n, of beams n and n + 1."""
+    half = placed.piece.order // 2
+    left, right = divided(placed.piece, part)
+    node = tuple({n + i: number(1)} for i in range(half))
+    return [placed._replace(piece=left, rows=(*placed.rows[:half], *node)),
+            placed._replace(piece=right, rows=(*node, *placed.rows[half:]), start=placed.start + left.length)]

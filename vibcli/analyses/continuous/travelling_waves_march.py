@@ -1,0 +1,230 @@
+"""Waves followed from station to station: what leaves an end of a piece arrives at its other end after its delay.
+
+The station that is least far goes on, up to the next front that reaches it, never beyond what is known to arrive, and
+by stretches on which Chebyshev series tell what happens to rounding.
+"""
+
+from collections.abc import Sequence
+from fractions import Fraction
+from heapq import heapify, heappop, heappush
+from math import inf
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from vibcli.analyses.continuous.travelling_waves_curves import LEVELS, SAME, Loads, PiecewiseSeries, series_of
+from vibcli.analyses.continuous.travelling_waves_fields import starting_waves
+from vibcli.analyses.continuous.travelling_waves_station import NotByWaves, WaveStation
+from vibcli.numerics.chebyshev import POINTS, WIDTH, N
+
+if TYPE_CHECKING:
+    from vibcli.analyses.excitation.forcing import Forcing
+    from vibcli.base.work import Work
+
+MOST = 6_000       # stretches of time of all stations
+FINEST = 1e-10      # of the time, and of the shortest delay: the shortest stretch
+
+
+class WavePiece(NamedTuple):
+    """A uniform piece of a bar, shaft or string: N u″ = μ ü over its length. left, right: ({coordinate: slope}, channel
+    of the loads that moves the end beside these or None)."""
+
+    length: float
+    tension: float
+    inertia: float
+    left: tuple[dict, int | None]
+    right: tuple[dict, int | None]
+
+    @property
+    def speed(self) -> float:
+        return (self.tension / self.inertia) ** 0.5
+
+    @property
+    def impedance(self) -> float:
+        return (self.tension * self.inertia) ** 0.5
+
+
+def wave_piece(placed: Any, left: tuple[dict, int | None], right: tuple[dict, int | None]) -> WavePiece:
+    """The WavePiece of a PlacedPiece between two ends; NotByWaves where waves change their form along it."""
+    length, bending, tension, gradient, inertia, drag, foundation = map(float, placed.piece)
+    reasons = (("beams disperse their waves", bending), ("its tension varies along it", gradient),
+               ("drag damps its waves on their way", drag), ("its foundation disperses its waves", foundation))
+    for reason, coefficient in reasons:
+        if coefficient:
+            raise NotByWaves(f"'{placed.owner}' is not followed by travelling waves: {reason}")
+    if not inertia > 0 or not tension > 0:
+        raise NotByWaves(f"no waves travel along '{placed.owner}'")
+    return WavePiece(length, tension, inertia, left, right)
+
+
+class WaveMarch:
+    """leaving: what leaves each end, coordinates: the motion of each coordinate, as PiecewiseSeries up to `known` at
+    least."""
+
+    def __init__(self, pieces: Sequence[WavePiece], stations: Sequence[WaveStation], fields: "Sequence[Forcing]",
+                 forcing: "Forcing", n: int, work: "Work"):
+        self.pieces, self.stations, self.forcing, self.work = pieces, stations, forcing, work
+        self.delays = [Fraction(piece.length / piece.speed) for piece in pieces]
+        self.coordinates, self.leaving = [PiecewiseSeries() for _ in range(n)], []
+        self.home = {end.number: k for k, station in enumerate(stations) for end in station.ends}
+        self.now, self.known = [Fraction(0)] * len(stations), 0.0
+        self._events: list[list[tuple]] = [[(Fraction(0), -1, 0.0)] for _ in stations]
+        self._pace = [inf] * len(stations)
+        self._loads, self._load_until = Loads(forcing.channels, []), -1.0
+        with work.task("the waves at the start", MOST) as task:
+            for number, (piece, field, delay) in enumerate(zip(pieces, fields, self.delays, strict=True)):
+                left, right, corners = starting_waves(field, piece.length, delay, task)
+                self.leaving += [left, right]
+                for x, leap in corners:
+                    after = delay * Fraction(x) / Fraction(piece.length)
+                    self._announce(2 * number + 1, delay - after, -leap / 2)
+                    self._announce(2 * number, after, leap / 2)
+
+    def reach(self, until: float) -> None:
+        """Follow the waves up to an instant, and as far beyond as makes no stretch of time short."""
+        if until <= self.known or not self.stations:
+            return
+        beyond = float(max(self.delays, default=0)) + until / 64
+        end = Fraction(until + beyond)
+        self._tell_loads(until + 2 * beyond)
+        self._require_few(float(end))
+        heap = [(now, k) for k, now in enumerate(self.now)]
+        heap.sort()
+        with self.work.task("the waves from front to front", MOST, self._refusal) as task:
+            while heap[0][0] < end:
+                _, k = heappop(heap)
+                self._advance(k, end, task)
+                heappush(heap, (self.now[k], k))
+        self.known = float(end)
+
+    def _refusal(self, task):
+        return _too_many(task.limit, self.work.patience)
+
+    def _require_few(self, end):
+        """NotByWaves where there are more fronts up to an instant than stretches are followed: seen before any is."""
+        limit, grain = MOST * self.work.patience, 1e-6 * float(min(self.delays, default=end))
+        coming = [(float(event[0]), k) for k, events in enumerate(self._events) for event in events]
+        ways = [[(float(self.delays[one.number // 2]), self.home[one.number ^ 1]) for one in station.ends]
+                for station in self.stations]
+        seen: set[tuple[int, int]] = set()
+        heapify(coming)
+        while coming and coming[0][0] < end:
+            t, k = heappop(coming)
+            if (round(t / grain), k) in seen:
+                continue
+            seen.add((round(t / grain), k))
+            if len(seen) > limit:
+                raise _too_many(limit, self.work.patience)
+            for delay, other in ways[k]:
+                heappush(coming, (t + delay, other))
+
+    def _tell_loads(self, until):
+        """Announce where the loads jump or bend up to an instant."""
+        self._loads = Loads(self.forcing.channels, self.forcing.segments(until * (1 + SAME), self.work))
+        for number, start in enumerate(self._loads.starts.tolist()):
+            if start <= self._load_until:
+                continue
+            acting = self._loads.used(number) | self._loads.used(max(number - 1, 0)) | {
+                channel for channel, _ in (self._loads.pieces[number].impulses if self._loads.pieces else ())}
+            for k, station in enumerate(self.stations):
+                if start and acting & self._channels(station):
+                    heappush(self._events[k], (Fraction(start), -1, 0.0))
+        self._load_until = max(self._load_until, float(self._loads.starts[-1]))
+
+    def _channels(self, station):
+        return {*station.indices, *(end.drive for end in station.ends if end.drive is not None)}
+
+    def _announce(self, number, instant, leap):
+        """A front arrives at an end at an instant, over which what arrives leaps."""
+        heappush(self._events[self.home[number]], (instant, number, leap))
+
+    def _tolerance(self, instant):
+        return Fraction(SAME) * max(abs(instant), min(self.delays, default=Fraction(0)))
+
+    def _advance(self, k, until, task):
+        """The next stretch of a station."""
+        station, now, events = self.stations[k], self.now[k], self._events[k]
+        if events and events[0][0] <= now + self._tolerance(now):
+            self._front(k)
+        limit = min((self.now[self.home[end.number ^ 1]] + self.delays[end.number // 2] for end in station.ends),
+                    default=until)
+        if events and events[0][0] <= limit + self._tolerance(limit):
+            limit = events[0][0]
+        if limit - now > 1.5 * self._pace[k]:
+            limit = now + Fraction(self._pace[k])
+        while True:
+            task.step()
+            stretch = self._stretch(station, now, limit)
+            if stretch.resolved or limit - now <= FINEST * max(now, min(self.delays, default=limit)):
+                break
+            self._pace[k] = float(limit - now) / 2
+            limit = now + Fraction(self._pace[k])
+        self._pace[k] *= 2
+        station.take(stretch)
+        for index, series in zip(station.indices, stretch.coordinates, strict=True):
+            self.coordinates[index].append(now, limit - now, series)
+        for end, series in zip(station.ends, stretch.leaving, strict=True):
+            self.leaving[end.number].append(now, limit - now, series)
+        self.now[k] = limit
+
+    def _stretch(self, station, now, limit):
+        half = float(limit - now) / 2
+        piece, count = self._loads.piece_at(float(now + limit) / 2), len(station.ends)
+        loads = np.zeros((LEVELS, self.forcing.channels, N))
+        if self._loads.used(piece) & self._channels(station):
+            loads = np.array([self._loads.at(piece, now, half * (1 + POINTS), level) for level in range(LEVELS)])
+        arriving, driven, scales = *np.zeros((2, count, LEVELS, WIDTH)), np.zeros((count, LEVELS))
+        for i, end in enumerate(station.ends):
+            source = self.leaving[end.number ^ 1]
+            scales[i], arriving[i] = source.scale, source.series(now - self.delays[end.number // 2], limit - now)
+            if end.drive is not None:
+                driven[i] = series_of(loads[:, end.drive])
+        return station.along(half, arriving, driven, loads[0][station.indices], scales)
+
+    def _front(self, k):
+        """All that reaches a station at this instant."""
+        station, now, events = self.stations[k], self.now[k], self._events[k]
+        arrived = dict.fromkeys((end.number for end in station.ends), 0.0)
+        while events and events[0][0] <= now + self._tolerance(now):
+            _, number, leap = heappop(events)
+            if number >= 0:
+                arrived[number] += leap
+        impulses, driven = self._blows(station, now)
+        moved, leaps = station.struck(impulses, np.array([arrived[end.number] for end in station.ends]), driven)
+        curves = [*(self.coordinates[i] for i in station.indices), *(self.leaving[end.number] for end in station.ends)]
+        for curve, leap in zip(curves, (*moved, *leaps), strict=True):
+            if leap:
+                curve.leaps.append(float(now))
+        for end, leap in zip(station.ends, leaps, strict=True):
+            self._announce(end.number ^ 1, now + self.delays[end.number // 2], float(leap))
+
+    def _blows(self, station, now):
+        """(impulses on the coordinates, leaps of what moves the ends) at an instant."""
+        impulses, driven = np.zeros(len(station.indices)), np.zeros(len(station.ends))
+        loads = self._loads
+        number = loads.piece_at(float(now + self._tolerance(now)))
+        if not loads.pieces or abs(loads.starts[number] - now) > self._tolerance(now):
+            return impulses, driven
+        for channel, size in loads.pieces[number].impulses:
+            if channel in station.indices:
+                impulses[station.indices.index(channel)] += size
+        here = Fraction(float(loads.starts[number])), np.zeros(1)
+        for i, end in enumerate(station.ends):
+            if end.drive is not None:
+                after = loads.at(number, *here)[end.drive, 0]
+                before = loads.at(number - 1, *here)[end.drive, 0] if number else self._shift(station, end)
+                driven[i] = after - before if abs(after - before) > SAME * max(abs(after), abs(before)) else 0.0
+        return impulses, driven
+
+    def _shift(self, station, end):
+        """How far the field at the start has moved an end beside its coordinates."""
+        piece = self.pieces[end.number // 2]
+        own, other = self.leaving[end.number], self.leaving[end.number ^ 1]
+        u = own.at(np.array([0.0]), before=True)[0] + other.at(np.array([-piece.length / piece.speed]))[0]
+        return u - end.row @ station.q
+
+
+def _too_many(limit, patience):
+    return NotByWaves(f"the fronts in this scene multiply: after {limit:.0f} stretches of time between them they are "
+                      "not followed further", f"ask for an earlier end, or --patience {10 * patience} follows ten "
+                      "times as many")

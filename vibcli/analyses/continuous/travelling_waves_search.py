@@ -1,0 +1,85 @@
+"""Where a function that is smooth between known instants is largest, smallest or zero: there it is Chebyshev series."""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from vibcli.analyses.continuous.travelling_waves_curves import SAME, series_of
+from vibcli.analyses.continuous.travelling_waves_fields import is_resolved
+from vibcli.numerics.chebyshev import POINTS, WIDTH, N, passages, summed, turning_points
+
+if TYPE_CHECKING:
+    from vibcli.base.work import Work
+
+EQUAL = 1e-14       # of the largest value: what is as large
+MOST, HALVED = 20_000, 40       # stretches, how often each is halved
+
+
+class Stretches(NamedTuple):
+    """A function stretch by stretch: its series from each of `starts` on, for `lengths`."""
+
+    starts: np.ndarray
+    lengths: np.ndarray
+    series: np.ndarray
+
+
+def stretches(values: Callable, breaks: np.ndarray, start: float, end: float, work: "Work") -> Stretches:
+    """The Stretches of values(times) from start to end, smooth between the instants `breaks`; work: counts them."""
+    inside = breaks[(breaks > start + SAME * end) & (breaks < end * (1 - SAME))]
+    starts = np.concatenate([[start], inside])
+    starts = starts[np.append(True, np.diff(starts) > SAME * end)]
+    lengths, parts = np.diff(np.append(starts, end)), []
+    with work.task("the search along the waves", MOST) as task:
+        for _ in range(HALVED):
+            task.step(steps=len(starts))
+            times = starts[:, None] + lengths[:, None] / 2 * (1 + POINTS)
+            series = series_of(values(times.ravel()).reshape(-1, N))
+            scale = np.abs(series).max(initial=0.0)
+            held = np.array([is_resolved(row[:N], scale) for row in series])
+            held |= lengths <= SAME * end
+            parts.append(Stretches(starts[held], lengths[held], series[held]))
+            starts, lengths = np.repeat(starts[~held], 2), np.repeat(lengths[~held] / 2, 2)
+            starts[1::2] += lengths[1::2]
+            if not len(starts):
+                break
+    found = Stretches(*(np.concatenate(part) for part in zip(*parts, strict=True)))
+    order = np.argsort(found.starts)
+    return Stretches(*(part[order] for part in found))
+
+
+def extreme(parts: Stretches, sense: int, off: float = 0.0) -> tuple[float, float]:
+    """(t, value) of the largest (sense 1) or smallest (−1) value, the earliest of equals but for errors `off`; at a
+    front both its values count."""
+    series = sense * parts.series
+    ends = [(series * signs).sum(axis=1) for signs in ((-1.0) ** np.arange(WIDTH), np.ones(WIDTH))]
+    rounding = max(EQUAL * np.abs(series).sum(axis=1).max(), 2 * off)
+    best, found = max(values.max() for values in ends), []
+    most = series[:, 0] + np.abs(series[:, 1:]).sum(axis=1)
+    for k in np.argsort(-most):
+        if most[k] < best - rounding:
+            break
+        for x in (-1.0, *turning_points(series[k]), 1.0):
+            value = float(summed(series[k], np.array([x]))[0])
+            found.append((float(parts.starts[k] + parts.lengths[k] * (1 + x) / 2), value))
+            best = max(best, value)
+    return min(t for t, value in found if value >= best - rounding), sense * best
+
+
+def zeros(parts: Stretches, end: float) -> np.ndarray:
+    """All times where the function passes, touches or leaps over zero, ascending; where it rests at zero, none, but the
+    instant at which it leaves it."""
+    times: list[float] = []
+    before = 0.0
+    for begin, length, series in zip(*parts, strict=True):
+        left = float(summed(series, np.array([-1.0]))[0])
+        if before * left < 0:
+            times.append(float(begin))
+        if np.abs(series[1:]).sum() >= abs(series[0]):
+            times += [float(begin + length * (1 + x) / 2) for x in passages(series)]
+        before = float(series.sum())
+    kept: list[float] = []
+    for t in sorted(times):
+        if not kept or t - kept[-1] > SAME * end:
+            kept.append(t)
+    return np.array(kept)

@@ -1,0 +1,68 @@
+"""First-order bounds of the errors of H(s) of scenes with members: |δH| ≤ |y|ᵀ |δD| |X| + |δc|ᵀ |X|.
+
+δD holds what the sums and the elimination round, and a change of every coefficient of a piece by a few roundings: that
+changes κ, and d by as much as dd/ds tells.
+"""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from vibcli.analyses.continuous.dynamic_matrix import BLOWN, SHARES
+from vibcli.analyses.transient.data_errors import DATA
+
+if TYPE_CHECKING:
+    from vibcli.analyses.continuous.dynamic_matrix import EvaluatedMatrix
+    from vibcli.analyses.frequency_response.member_response import MemberTransfer
+    from vibcli.analyses.frequency_response.member_system import MemberSystem
+
+EPSILON = 2.0**-52
+GUARD = 8       # roundings of what d is made of
+GIVEN = 4 * DATA
+
+
+def of_value(response: "MemberTransfer", Omega: float) -> float:
+    """|δH| at a frequency."""
+    s = np.array([1j * Omega])
+    systems = [response.system, *(response.system.divided(share) for share in SHARES)]
+    least = None
+    for system in systems:
+        found = system.matrix.at(s, True)
+        if least is None or found.excess[0] < least[1].excess[0]:
+            least = system, found
+        if least[1].excess[0] < BLOWN:
+            break
+    return _bound(*least, s) * abs(Omega)**response.order
+
+
+def _bound(system: "MemberSystem", found: "EvaluatedMatrix", s: np.ndarray) -> float:
+    matrix, free, driven = system.matrix, system.free, system.driven
+    (g, _), (c, c_slope) = system.driving(s), system.seen(found, s, True)
+    D = found.D[:, :, 0]
+    size = np.exp2(-np.round(np.log2(np.where(found.size[free, 0] > 0, found.size[free, 0], 1.0)) / 2))
+    inverse = np.linalg.pinv(D[np.ix_(free, free)] * np.outer(size, size)) * np.outer(size, size)
+    X = np.zeros(matrix.n, complex)
+    X[driven] = g[:, 0]
+    X[free] = -inverse @ (D[np.ix_(free, driven)] @ g[:, 0])
+    y = np.abs(c[free, 0] @ inverse)
+    parts = _magnitudes(found, s)
+    rounded = ((len(free) + GUARD) * EPSILON * parts[0] + GIVEN * parts[1]) @ np.abs(X)
+    seen = (GIVEN * np.abs(c[:, 0]) + 2 * DATA * np.abs(s[0] * c_slope[:, 0])) @ np.abs(X)
+    return float(y @ rounded[free] + seen + 8 * EPSILON * abs(c[:, 0] @ X))
+
+
+def _magnitudes(found: "EvaluatedMatrix", s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(Σ of the magnitudes that the entries of D were added from, how much of them moves with the coefficients)."""
+    matrix, large = found.matrix, abs(s[0])
+    K, C, M = (np.abs(part) for part in matrix.polynomial)
+    added = K + large * C + large**2 * M
+    moved = added.copy()
+    for stack, (d, slope) in zip(matrix.stacks, found.ends, strict=True):
+        for p, rows in enumerate(stack.ends):
+            of_d, of_slope = np.abs(d[:, :, p, 0]), large * np.abs(slope[:, :, p, 0])
+            S = np.zeros((len(rows), matrix.n))
+            for a, row in enumerate(rows):
+                for i, x in row.items():
+                    S[a, i] = abs(float(x))
+            added, moved = added + S.T @ of_d @ S, moved + S.T @ (of_d + 2 * of_slope) @ S
+    return added, moved

@@ -1,0 +1,103 @@
+"""Where the response of a scene with members has its poles and zeros, and which natural frequencies are shown."""
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from vibcli.analyses.continuous.mode_source import NaturalModes
+from vibcli.analyses.frequency_response.held_systems import held
+from vibcli.analyses.frequency_response.member_poles_and_zeros import distinct, followed, taking_part, zeros_on_axis
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from vibcli.analyses.frequency_response.member_response import MemberTransfer
+    from vibcli.analyses.modal.modal_analysis import ModalAnalysis
+    from vibcli.analyses.modal.undamped import Mode
+    from vibcli.mechanics.factored_system import FactoredSystem
+
+ROUNDING = 1e-15
+BESIDE = 0.05       # relative distance of a damped pole from where it is without dampers, within which it is its own
+DAMPINGS, EVEN, EACH = (0.003, 0.05, 0.2, 0.7), 40, 8      # where damped poles are looked for besides: ratios, places
+
+
+class Marks:
+    """modal: the ModalAnalysis of a scene, its elements; shared: the row of the place that load and signal have in
+    common, else None."""
+
+    __slots__ = ("_held", "_modal", "shared")
+
+    def __init__(self, modal: "ModalAnalysis", shared: "Mapping[int, float] | None"):
+        self._modal, self.shared = modal, shared
+        self._held: Any = None
+
+    def natural(self, low: float, high: float) -> "list[Mode]":
+        """The modes without dampers that oscillate, with low ≤ ω ≤ high."""
+        return [mode for mode in self._modal.modes.up_to(high) if mode.omega and mode.omega >= low]
+
+    def shown(self) -> "list[Mode]":
+        """The modes without dampers that oscillate and are shown."""
+        return [mode for mode in self._modal.modes.shown() if mode.omega]
+
+    def held(self, low: float, high: float) -> np.ndarray:
+        """The natural frequencies of the scene held where load and signal act."""
+        if self._held is None:
+            self._held = NaturalModes(held(still(self._modal.configuration.linear_system), self.shared or {}))
+        last = self._held.count(high)
+        modes = self._held.numbered(1, last) if last else []
+        return np.array([mode.omega for mode in modes if mode.omega and mode.omega >= low])
+
+
+def still(elements: "FactoredSystem") -> "FactoredSystem":
+    """The same elements without what damps."""
+    pieces = [placed._replace(piece=placed.piece._replace(drag=0 * placed.piece.drag)) for placed in elements.pieces]
+    return elements.with_parts(dampers=(), C=None, drag=None, pieces=pieces)
+
+
+def poles(response: "MemberTransfer", low: float, high: float) -> np.ndarray:
+    """The poles with low ≤ Im s ≤ high. With dampers, where damping may turn or merge what would move without it,
+    they are looked for from many places; a frequency without dampers near which none is found stands for its own."""
+    start = 1j * np.array([mode.omega for mode in response.marks.natural(low, high)])
+    if response.undamped or not math.isfinite(high):
+        return start
+    axis = np.linspace(low, high, EVEN + EACH * len(start) + 1)[1:]
+    starts = np.concatenate([start, *((1j - damping) * axis for damping in DAMPINGS)])
+    found = distinct(np.concatenate([followed(response.to_pole, starts), followed(response.to_pole_within, starts)]))
+    alone = [s for s in start if not (np.abs(found - s) <= BESIDE * abs(s)).any()]
+    found = np.concatenate([found[(found.imag >= low) & (found.imag <= high)], alone])
+    return found[np.argsort(found.imag)]
+
+
+def zeros(response: "MemberTransfer", low: float, high: float) -> np.ndarray:
+    """The zeros with low ≤ Im s ≤ high."""
+    if not response.undamped:
+        start = zeros(response.without_damping, low, high)
+        return distinct(followed(lambda s: _newton(response, s), start))
+    natural = np.array([mode.omega for mode in response.marks.natural(low, high)])
+    seen = taking_part(response, np.unique(natural))
+    if response.marks.shared is None:
+        return 1j * zeros_on_axis(response, seen, low or 1e-3 * response.pace, high)
+    return _newton_kept(response, 1j * np.unique(response.marks.held(low, high)))
+
+
+def _newton(response, s):
+    values, slopes, _ = response.at(s, True)
+    return -values / slopes
+
+
+def _newton_kept(response, places):
+    """Without those that no zero of H is near: modes in which the place rests anyhow."""
+    if not len(places):
+        return places
+    values, slopes, _ = response.at(places, True)
+    with np.errstate(all="ignore"):
+        return places[np.abs(values / slopes) <= 1e-6 * np.abs(places)]
+
+
+def error_of(modes: "list[Mode]", Omega: float) -> float:
+    """The relative bound of a natural frequency."""
+    near = min(modes, key=lambda mode: abs(float(mode.omega) - Omega), default=None)
+    return ROUNDING if near is None else max(float(near.error), ROUNDING)
+
+

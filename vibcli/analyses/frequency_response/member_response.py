@@ -1,0 +1,122 @@
+"""The frequency response of scenes with members as a FrequencyResponseFunction: values by D(s), poles and zeros by
+counts."""
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from vibcli.analyses.continuous.dynamic_matrix import BLOCK, BLOWN, SHARES
+from vibcli.analyses.frequency_response import member_marks
+from vibcli.analyses.frequency_response.frequency_response_function import FrequencyResponseFunction
+from vibcli.analyses.frequency_response.member_errors import of_value
+from vibcli.analyses.frequency_response.member_marks import error_of
+from vibcli.analyses.frequency_response.member_poles_and_zeros import taking_part
+
+if TYPE_CHECKING:
+    from vibcli.analyses.frequency_response.member_marks import Marks
+    from vibcli.analyses.frequency_response.member_system import MemberSystem
+
+
+class MemberTransfer(FrequencyResponseFunction):
+    """system: the MemberSystem; marks: its Marks."""
+
+    __slots__ = ("_kept", "marks", "system")
+
+    def __init__(self, system: "MemberSystem", marks: "Marks", order: int = 0):
+        super().__init__(order)
+        self.system, self.marks = system, marks
+        self._kept: dict[Any, np.ndarray] = {}
+
+    @property
+    def undamped(self) -> bool:
+        rows = self.system.output.rows
+        whole = not any(isinstance(x, complex) for x in (*rows[0].values(), *rows[2].values(),
+                                                         *self.system.given.weights.values()))
+        return self.system.matrix.undamped and not rows[1] and whole
+
+    @property
+    def pace(self) -> float:
+        shown = self.natural()
+        return float(np.exp(np.mean(np.log(shown)))) if shown else 1.0
+
+    @property
+    def end(self) -> float:
+        return 1.25 * max(self.natural(), default=math.inf)
+
+    def natural(self) -> list[float]:
+        return [float(mode.omega) for mode in self.marks.shown()]
+
+    def at(self, s: np.ndarray, steep: bool = False) -> "tuple[np.ndarray, np.ndarray | None, np.ndarray]":
+        """In blocks of frequencies; near what a held piece vibrates at by divided pieces."""
+        size = max(1, int(BLOCK / max(self.system.matrix.n, 4) ** 2))
+        blocks = [self._block(s[k:k + size], steep) for k in range(0, max(len(s), 1), size)]
+        values, slopes, resonant, _ = zip(*blocks, strict=True)
+        return np.concatenate(values), np.concatenate(slopes) if steep else None, np.concatenate(resonant)
+
+    def _block(self, s, steep):
+        found = self.system.solved(s, steep)
+        for share in SHARES:
+            near = np.flatnonzero(~(found.excess < BLOWN))
+            if not len(near):
+                break
+            other = self.system.divided(share).solved(s[near], steep)
+            better = ~(other.excess > found.excess[near])
+            for part, put in zip(found, other, strict=True):
+                if part is not None:
+                    part[near[better]] = put[better]
+        return found
+
+    def to_pole(self, s: np.ndarray) -> np.ndarray:
+        """Newton's step towards the next pole of any response of the scene, seen at its nodes."""
+        return self._to_pole(self.system, s)
+
+    def to_pole_within(self, s: np.ndarray) -> np.ndarray:
+        """The same, seen within pieces too, whose ends may rest."""
+        return self._to_pole(self.system.divided(SHARES[0]), s)
+
+    def _to_pole(self, system, s):
+        step, excess = system.to_pole(s)
+        for share in SHARES[1:]:
+            near = np.flatnonzero(~(excess < BLOWN))
+            if not len(near):
+                break
+            other, least = self.system.divided(share).to_pole(s[near])
+            better = ~(least > excess[near])
+            step[near[better]], excess[near[better]] = other[better], least[better]
+        return step
+
+    def poles(self, low: float = 0.0, high: float = math.inf) -> np.ndarray:
+        return self._found(member_marks.poles, low, high)
+
+    def zeros(self, low: float = 0.0, high: float = math.inf) -> np.ndarray:
+        return self._found(member_marks.zeros, low, high)
+
+    def _found(self, find, low, high):
+        high = high if math.isfinite(high) else self.end
+        if (find, low, high) not in self._kept:
+            self._kept[find, low, high] = find(self, low, high)
+        return self._kept[find, low, high]
+
+    @property
+    def without_damping(self) -> "MemberTransfer":
+        """The same without dampers and drag."""
+        return MemberTransfer(self.system.without_damping(), self.marks, self.order)
+
+    def endless(self, low: float = 0.0, high: float = math.inf) -> list[np.ndarray]:
+        places = [taking_part(self, np.unique(self.poles(low, high).imag)), self.zeros(low, high).imag]
+        return [np.unique(part[part > 0]) for part in places]
+
+    def error(self, Omega: float) -> float:
+        return of_value(self, Omega)
+
+    def error_of_pole(self, Omega: float) -> float:
+        return Omega * error_of(self.marks.natural(0.5 * Omega, 1.5 * Omega), Omega)
+
+    def with_damper(self, other: Any, c: float) -> "MemberTransfer":
+        return MemberTransfer(self.system.mixed(other.system, c), self.marks, self.order)
+
+    def felt(self, other: Any) -> float:
+        one, two = self.system.matrix.polynomial, other.system.matrix.polynomial
+        added = np.abs(np.diag(two[1] - one[1]))
+        return float(np.median(1 / added[added > 0])) if added.any() else 1.0

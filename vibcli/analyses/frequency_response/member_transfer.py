@@ -1,0 +1,50 @@
+"""The frequency response of a scene with members: its system, input and output put together."""
+
+from typing import TYPE_CHECKING
+
+from vibcli.analyses.continuous.dynamic_matrix import dynamic_matrix
+from vibcli.analyses.frequency_response.member_marks import Marks
+from vibcli.analyses.frequency_response.member_places import seen_at
+from vibcli.analyses.frequency_response.member_response import MemberTransfer
+from vibcli.analyses.frequency_response.member_system import MemberInput, MemberOutput, MemberSystem
+from vibcli.analyses.modal.modal_analysis import ModalAnalysis
+from vibcli.base.errors import PhysicsError
+from vibcli.language.signals import is_reaction
+from vibcli.mechanics.inputs_outputs.inputs import named_input
+from vibcli.mechanics.inputs_outputs.outputs import linear_row
+from vibcli.mechanics.inputs_outputs.place_signals import place_output
+
+if TYPE_CHECKING:
+    from vibcli.language.signal_names import SignalName
+    from vibcli.mechanics.configuration import Configuration
+
+
+def member_transfer(configuration: "Configuration", signal: "SignalName", driven_by: str, order: int,
+                    modal: "ModalAnalysis | None") -> MemberTransfer:
+    """The MemberTransfer of a signal to a named input."""
+    chosen = named_input(configuration, driven_by)
+    if chosen.carried:
+        raise PhysicsError("responses of members to a load that turns with what is driven are not found",
+                           "name a coordinate, or a force that keeps its line")
+    return transfer_to(configuration, signal, MemberInput(chosen.weights, chosen.turns), order, modal)
+
+
+def transfer_to(configuration: "Configuration", signal: "SignalName", given: MemberInput, order: int = 0,
+                modal: "ModalAnalysis | None" = None) -> MemberTransfer:
+    """The MemberTransfer of a signal to inputs."""
+    opened = configuration.with_inputs
+    opened.require_steady(given.weights)
+    elements, n = opened.numbers.elements, len(opened.scene.q)
+    pieces, size = list(elements.pieces), n
+    place = place_output(configuration, signal.text)
+    if place is not None:
+        pieces, size, output = seen_at(place, pieces, n)
+        order += place.primes
+    elif is_reaction(configuration.spec, signal.still.text) or signal.name == "ground":
+        raise PhysicsError(f"'{signal.text}' of small oscillations with members is not found",
+                           "ask for the force, shear or moment of a member at its end")
+    else:
+        row = linear_row(configuration, signal.text)
+        output = MemberOutput((row.q, row.v, row.a))
+    system = MemberSystem(dynamic_matrix(elements, pieces, size), range(opened.n, n), given, output)
+    return MemberTransfer(system, Marks(modal or ModalAnalysis(configuration), system.shared()), order)

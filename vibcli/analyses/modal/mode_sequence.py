@@ -1,0 +1,135 @@
+"""Modes in order, as many as there are: a list where they are finite, else found as they are asked for.
+
+A member with distributed inertia has modes without end. Nothing walks through them all: it asks for one, for the first
+few, for those up to a frequency, or for those that are shown.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from vibcli.base.errors import PhysicsError
+
+if TYPE_CHECKING:
+    from vibcli.analyses.continuous.damped_source import Region
+    from vibcli.analyses.modal.damped_modes import DampedMode
+    from vibcli.analyses.modal.undamped import Mode
+
+USUAL = 5           # that oscillate, where nobody says how many
+MOST = 10_000       # at once
+FAR = 50            # beyond those that are known, to be found without the ones between
+
+
+class Selection(NamedTuple):
+    """Modes that are asked for: from index `first` to `last`, or all up to the angular frequency `up_to`."""
+
+    first: int = 1
+    last: int = 0
+    up_to: float | None = None
+
+
+class Modes(Sequence):
+    """Modes by ascending index, undamped or damped, their places counted from 0 as in a list. finite: have they an end?
+
+    Where they have none a `source` finds them: source.numbered(first, last) those of the indices from `first` to
+    `last`, counted from 1, source.count(Omega) how many have ω ≤ Omega, those that grow and the rigid ones among them.
+    What needs all of them is refused then.
+    """
+
+    __slots__ = ("_apart", "_known", "_solved", "_source", "finite")
+
+    def __init__(self, known: "Sequence[Mode | DampedMode]", source: Any = None, solved: Callable | None = None):
+        """All of them, or the first and a source; `solved(find, *args)` runs what finds more as a task."""
+        self._known, self._source, self._apart = list(known), source, {}
+        self._solved, self.finite = solved or _run, source is None
+
+    def __len__(self) -> int:
+        return len(self._all())
+
+    def __iter__(self) -> "Iterator[Mode | DampedMode]":
+        return iter(self._all())
+
+    def __bool__(self) -> bool:
+        return not self.finite or bool(self._known)
+
+    def __getitem__(self, place: Any) -> Any:
+        if self.finite:
+            return self._known[place]
+        last = place.stop if isinstance(place, slice) else place + 1
+        if last is None or last < 0 or place == -1:
+            raise _endless()
+        return self._until(last)[place]
+
+    def first(self, count: int) -> list[Any]:
+        """Those up to the index `count`, fewer where there are no more."""
+        return self.numbered(1, count)
+
+    def numbered(self, first: int, last: int) -> list[Any]:
+        """Those of the indices from `first` to `last`, fewer where there are no more."""
+        if not self.finite:
+            if last - first >= MOST:
+                raise _too_many(last - first + 1)
+            if first > self._reached + FAR:
+                if (first, last) not in self._apart:
+                    self._apart[first, last] = list(self._solved(self._source.numbered, first, last))
+                return self._apart[first, last]
+            self._until(last)
+        return [mode for mode in self._known if first <= mode.index <= last]
+
+    def up_to(self, Omega: float) -> list[Any]:
+        """All with ω ≤ Omega, those that grow and the rigid ones among them."""
+        if self.finite:
+            return [mode for mode in self._known if not mode.omega or mode.omega * (1 - mode.error) <= Omega]
+        return self.first(self._solved(self._source.count, Omega))
+
+    def shown(self, asked: Selection | None = None) -> list[Any]:
+        """Those asked for; else all, or without end those that grow, the rigid ones and five more."""
+        if asked is not None:
+            return self.numbered(asked.first, asked.last) if asked.up_to is None else self.up_to(asked.up_to)
+        if self.finite:
+            return list(self._known)
+        found, count, wanted = [], 0, USUAL
+        while count < wanted:
+            count, found = wanted, self.first(wanted)
+            wanted = USUAL + len({mode.index for mode in found if not mode.omega or mode.growth_rate is not None})
+        return found
+
+    def counted_above(self, mode: "Mode") -> int | None:
+        """How many modes have at most the frequency of this one, certain by a count just above it; None where that
+        does not tell, or the modes are a list."""
+        return None if self.finite else self._solved(self._source.counted_above, mode)
+
+    @property
+    def region(self) -> "Region | None":
+        """Of damped modes without end the circle up to which all are known; None where the modes are a list."""
+        return getattr(self._source, "region", None)
+
+    @property
+    def _reached(self):
+        """The index up to which all are known."""
+        return self._known[-1].index if self._known else 0
+
+    def _until(self, last):
+        """Those known, up to the index `last` at least."""
+        if last > self._reached:
+            self._known.extend(self._solved(self._source.numbered, self._reached + 1, last))
+        return self._known
+
+    def _all(self):
+        if not self.finite:
+            raise _endless()
+        return self._known
+
+
+def _run(find, *args):
+    return find(*args)
+
+
+def _endless():
+    """The refusal of what needs all modes where they are without end."""
+    return PhysicsError("a member with distributed inertia has modes without end: what needs all of them is not found",
+                        "ask for some of them, as omega[1] or find: [{modes: 5}]")
+
+
+def _too_many(count):
+    return PhysicsError(f"{count} modes are asked for; at most {MOST} are found at once",
+                        "ask for fewer, as find: [{modes: [990, 1000]}]")

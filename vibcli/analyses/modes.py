@@ -1,0 +1,65 @@
+"""Which modes are asked for: so many, those from one number to another, or all up to a frequency."""
+
+from typing import Any
+
+from vibcli.analyses.modal.mode_sequence import MOST
+from vibcli.language.document.document import Scalar
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import Kind, Many, OneOf
+from vibcli.language.signal_kinds import FrequencyField
+
+LAST = 1_000_000       # number of a mode
+
+
+class ModeNumber(Kind):
+    """How many modes, or the number of one: a whole number from 1 to `most`."""
+
+    def __init__(self, most: int):
+        self.wants, self.most = f"a whole number from 1 to {most}", most
+
+    def read(self, node: Any, reader: Any):
+        text = node.text.strip() if isinstance(node, Scalar) else ""
+        if not (text.isascii() and text.isdigit()) or not int(text):
+            return reader.expected(node, self.wants)
+        if int(text) > self.most:
+            return reader.report(node.where, f"{text} is too many: expected {self.wants}",
+                                 f"ask for {self.most} at most")
+        return int(text)
+
+    def schema(self):
+        return {"type": "integer", "minimum": 1, "maximum": self.most}
+
+
+class NumberRange(Many):
+    """Two numbers of modes, the second not before the first and not too far after it."""
+
+    __slots__ = ()
+
+    def read(self, node: Any, reader: Any):
+        found = super().read(node, reader)
+        if found is not None and not 0 <= found[1] - found[0] < MOST:
+            far = found[1] > found[0]
+            return reader.report(node.where, f"these are {found[1] - found[0] + 1} modes, more than {MOST}" if far else
+                                 f"mode {found[1]} stands before mode {found[0]}",
+                                 "ask for fewer at once" if far else f"write [{found[1]}, {found[0]}]")
+        return found
+
+
+ELEMENT = Element(
+    "choice of modes",
+    "Which natural frequencies and mode shapes are found and printed. Modes are numbered from 1: unstable ones first, "
+    "then rigid-body modes, then the others by ascending frequency. Where there are fewer, fewer are printed. If "
+    "nothing is said, all are printed; of members with distributed inertia, which have modes without end, the unstable "
+    "ones, the rigid ones and five more.",
+    {
+        "numbers": Field(OneOf("how many modes, or two numbers [from, to]",
+                               scalar=ModeNumber(MOST),
+                               sequence=NumberRange(ModeNumber(LAST), 2, 2, "two numbers [from, to]")),
+                         "so many of the lowest, or those from one number to another"),
+        "up_to": Field(FrequencyField("Hz"), "all up to this frequency, those that grow or rest included"),
+    },
+    short="numbers",
+    exclusive=(("numbers", "up_to"),),
+    needs=(("numbers", "up_to"),),
+    example="many_modes",
+)

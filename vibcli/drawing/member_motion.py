@@ -1,0 +1,112 @@
+"""Modes along members, from their exact fields."""
+
+from bisect import bisect_right
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from vibcli.drawing.layout.strips import Strip, resting
+from vibcli.drawing.symbols.member import Bend
+
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.compose import Scenery
+    from vibcli.drawing.layout.sketch import Sketch
+
+RESTS = 1e-9        # of the most that a member moves
+PLACES = 32         # along a member at which its motion in time is found
+SEEN, ACROSS = 30.0, 22.0       # points that the largest displacement has in the plane, and beside it
+
+
+class MemberMode(NamedTuple):
+    """A mode along a member: its fields times a factor, where it rests, the most that it moves."""
+
+    strip: Strip
+    fields: Any
+    factor: complex
+    nodes: list
+    top: float
+
+    @property
+    def kind(self) -> str:
+        """What its displacements are measured with: those of the plane, of what slides or of what turns."""
+        return "placed" if self.strip.placed else "turns" if self.strip.member.kind.torsional else "slides"
+
+    def bend(self, rest: "Sketch", moved: "Sketch", factor: complex, unit: float, turn_unit: float) -> Bend:
+        """The Bend about the position `rest`, the mode times the real part of `factor`."""
+        strip, still, now = self.strip, resting(self.strip, rest.values), resting(self.strip, moved.values)
+        bar = strip.placed and not strip.sideways
+
+        def at(places):
+            u = (self.fields.displacements(strip.name, places) * (self.factor * factor)).real.tolist()
+            return [(along + part, there) if bar else (here, across + part)
+                    for (along, across), (here, there), part in zip(still(places), now(places), u, strict=True)]
+
+        scale = strip.scale if strip.placed else turn_unit if strip.member.kind.torsional else unit
+        return Bend(at, scale, self.nodes)
+
+
+def mode_along_members(problem: Any, mode: Any, stage: "Scenery", normalise: str, turn: complex) -> list[MemberMode]:
+    """The MemberModes of a mode, `turn` being the factor of its shape."""
+    if not stage.strips or not hasattr(mode, "motion"):
+        return []
+    told = problem.modal.told_apart(mode)
+    fields, factor, found = problem.modal.fields(told), complex(problem.modal.scale(told, normalise)) * turn, []
+    for strip in stage.strips:
+        top = abs(complex(fields.largest(strip.name)[1]) * factor)
+        nodes = [float(x) for x in fields.node_places(strip.name)] if top else []
+        found.append(MemberMode(strip, fields, factor, nodes, top))
+    most = {kind: max(one.top for one in found if one.kind == kind) for kind in {one.kind for one in found}}
+    return [one if one.top > RESTS * most[one.kind] else one._replace(nodes=[], top=0.0) for one in found]
+
+
+class MemberMotion:
+    """A motion in time of a scene with members, magnified so that it can be seen: `positions` {coordinate: value} and
+    the signals of places, `values(name)` being those of one at all instants; `laid_out(stage, positions)`: their
+    Sketches, unit and room."""
+
+    def __init__(self, problem: Any, stage: "Scenery", positions: Any, values: Any, laid_out: Any):
+        self.placed = any(strip.placed for strip in stage.strips)
+        self.curves = {strip.name: (strip, *_curve(strip, values)) for strip in stage.strips}
+        tops = {kind: max((abs(u) for strip, _, rows in self.curves.values() for row in rows for u in row
+                           if _kind(strip) == kind), default=0.0) for kind in ("placed", "slides", "turns")}
+        seen = tops["placed"] * stage.sketch.scale
+        self.factor = max(1.0, SEEN / seen) if seen else 1.0
+        base = problem.configuration.equilibrium.values
+        larger = [{name: base[name] + self.factor * (x - base[name]) for name, x in one.items()} for one in positions]
+        self.sketches, unit, self.room = laid_out(stage, larger)
+        self.unit = ACROSS / (tops["slides"] * self.factor) if tops["slides"] else unit
+        self.turn_unit = ACROSS / (tops["turns"] * self.factor) if tops["turns"] else 1.0
+
+    def bends(self, number: int) -> dict[str, Bend]:
+        """{member: Bend} in one frame."""
+        found = {}
+        for name, (strip, places, rows) in self.curves.items():
+            unit = {"placed": strip.scale, "slides": self.unit, "turns": self.turn_unit}[_kind(strip)]
+            still = resting(strip, self.sketches[number].values)
+            found[name] = Bend(_interpolated(strip, places, rows[number], still, self.factor), unit)
+        return found
+
+
+def _kind(strip):
+    return "placed" if strip.placed else "turns" if strip.member.kind.torsional else "slides"
+
+
+def _curve(strip, values):
+    """(places, u at them at each instant) of a member."""
+    places = [strip.metres * i / PLACES for i in range(PLACES + 1)]
+    columns = [values(f"{strip.name}.{strip.member.kind.motion}({x!r} m)") for x in places]
+    return places, list(zip(*columns, strict=True))
+
+
+def _interpolated(strip, places, row, still, factor):
+    """[(along, u)] between places at which u is known."""
+    bar = strip.placed and not strip.sideways
+
+    def at(xs):
+        found = []
+        for x, (along, across) in zip(xs, still(xs), strict=True):
+            i = min(max(bisect_right(places, x) - 1, 0), len(places) - 2)
+            t = (x - places[i]) / (places[i + 1] - places[i])
+            u = factor * (row[i] + t * (row[i + 1] - row[i]))
+            found.append((u, across) if bar else (along, u))
+        return found
+
+    return at

@@ -1,0 +1,113 @@
+"""Members as drawn: the thickness of their segments, straight or bent, what they rest on, their preload, and ordinates
+of what they do along their axis or about it."""
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from vibcli.drawing.canvas.primitives import BEHIND, BODY, ELEMENT, SURFACE, Circle, Hatch, Polygon, Polyline
+from vibcli.drawing.layout import plane
+from vibcli.drawing.layout.strips import Strip, grid
+from vibcli.drawing.symbols import arrow
+
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.sketch import Sketch
+
+BED, BED_SPRING, PULL, ASIDE = 17.0, 22.0, 22.0, 15.0
+NODE = 2.4
+
+
+class Bend(NamedTuple):
+    """How a member is displaced: `at(places)` gives [(along, u)], `unit` points for one of u; `nodes` where it
+    rests."""
+
+    at: Callable
+    unit: float
+    nodes: Sequence[float] = ()
+
+
+def place(strip: Strip, bend: Bend, x: float) -> tuple[float, float]:
+    """Where a place of a member is, displaced."""
+    (along, u), = bend.at([x])
+    return _moved(strip, bend, x, along, u)
+
+
+def _moved(strip, bend, x, along, u):
+    if strip.sideways:
+        return strip.at(x, u * bend.unit, along * bend.unit)
+    if strip.placed:
+        return strip.at(x, u * strip.scale, along * bend.unit)
+    return strip.at(x)
+
+
+def draw(strip: Strip, bend: Bend) -> list[Any]:
+    """The member itself; shafts and bars that move have ordinates."""
+    found: list[Any] = []
+    xs = grid(strip, bend.nodes)
+    rows = dict(zip(xs, bend.at(xs), strict=True))
+    axis = {x: _moved(strip, bend, x, *row) for x, row in rows.items()}
+    if strip.member.kind.name == "string":
+        found.append(Polyline(tuple(axis[x] for x in xs), width=1.5, layer=ELEMENT))
+    else:
+        found += [_body([axis[x] for x in xs if low - 1e-12 <= x <= high + 1e-12], half)
+                  for low, high, half in strip.segments]
+    if not strip.sideways:
+        found += _ordinates(strip, bend, xs, rows, axis)
+    found += [Circle(axis[x], NODE, "paper", "coordinate", 1.0, layer=ELEMENT) for x in bend.nodes]
+    return found
+
+
+def _body(points, half):
+    """A band about an axis, which may be bent."""
+    sides = []
+    for i in range(len(points)):
+        e = plane.unit(plane.minus(points[min(i + 1, len(points) - 1)], points[max(i - 1, 0)]))
+        sides.append(plane.left(e))
+    above = [plane.plus(p, n, half) for p, n in zip(points, sides, strict=True)]
+    below = [plane.plus(p, n, -half) for p, n in zip(points, sides, strict=True)]
+    return Polygon((*above, *below[::-1]), layer=BODY)
+
+
+def _ordinates(strip, bend, xs, rows, axis):
+    """u of bars, φ of shafts, drawn across the axis."""
+    which = 0 if strip.placed else 1
+    n = plane.left(strip.e)
+    tips = [plane.plus(axis[x], n, rows[x][which] * bend.unit) for x in xs]
+    if max(abs(rows[x][which]) for x in xs) * bend.unit < 1.0:
+        return []
+    legs = [Polyline((axis[x], tip), "coordinate", 0.5, layer=ELEMENT)
+            for x, tip in list(zip(xs, tips, strict=True))[::4]]
+    return [*legs, Polyline(tuple(tips), "coordinate", 1.3, layer=ELEMENT)]
+
+
+def bed(strip: Strip) -> list[Any]:
+    """A row of springs below the segments that rest on a foundation, with the ground under them."""
+    found = []
+    for part, (low, high, half) in zip(strip.member.segments, strip.segments, strict=True):
+        if part.foundation.is_zero:
+            continue
+        count = max(2, round((high - low) * strip.scale / BED_SPRING))
+        for i in range(count):
+            x = low + (high - low) * (i + 0.5) / count
+            found.append(_small_spring(strip, x, half))
+        ground = tuple(strip.at(x, -half - BED) for x in (low, high))
+        found.append(Hatch(ground, -1, layer=SURFACE))
+    return found
+
+
+def _small_spring(strip, x, half):
+    points = [strip.at(x, -half)]
+    for i in range(5):
+        points.append(strip.at(x, -half - BED * (i + 0.75) / 6, 2.6 * (-1) ** i))
+    return Polyline((*points, strip.at(x, -half - BED)), "spring", 0.8, layer=BEHIND)
+
+
+def preload(strip: Strip, sketch: "Sketch") -> list[Any]:
+    """Arrows beside both ends, outwards where the member is pulled as drawn."""
+    if "preload" not in strip.member.record:
+        return []
+    pulled = sketch.number(strip.member.record["preload"]) >= 0
+    found = []
+    for x, sense in ((0.0, -1.0), (strip.metres, 1.0)):
+        inner, outer = (strip.at(x, ASIDE, sense * far) for far in (-4.0, PULL - 4.0))
+        found += arrow.straight(inner, outer, "load") if pulled else arrow.straight(outer, inner, "load")
+    return found

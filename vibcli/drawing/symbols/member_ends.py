@@ -1,0 +1,161 @@
+"""What holds members and what is attached to them: walls, supports, springs, dampers, masses, discs, oscillators."""
+
+from collections.abc import Iterator, Sequence
+from math import pi
+from typing import TYPE_CHECKING, Any
+
+from vibcli.drawing.canvas.primitives import BODY, JOINT, SURFACE, Circle, Polygon, Polyline
+from vibcli.drawing.layout import captions, plane
+from vibcli.drawing.layout.strips import Strip
+from vibcli.drawing.symbols import damper, spring, support
+from vibcli.drawing.symbols.joint import Turn
+from vibcli.drawing.symbols.member import Bend, place
+
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.sketch import Sketch
+
+REACH, BALL, DISC, SIDE = 34.0, 5.2, 21.0, 8.0
+HELD = ("clamped", "pinned", "guided")
+
+
+def draw(strip: Strip, bend: Bend, sketch: "Sketch") -> tuple[list[Any], list[tuple[Any, Any, list[Any]]]]:
+    """(primitives, [(record, key, places for its name)]) of the ends and of all that is attached."""
+    found, named = [], []
+    for side, x, sense in (("left", 0.0, -1.0), ("right", strip.metres, 1.0)):
+        _end(strip.member.record.get(side, "free"), strip, bend, x, sense, sketch, found, named)
+    for record in strip.member.record.get("attached", ()):
+        x = sketch.number(record["at"])
+        if "support" in record:
+            found += _support(record["support"], strip, place(strip, bend, x), x)
+        _attached(record, strip, bend, x, 1.0 if x > 0.999 * strip.metres else -1.0 if x < 1e-3 * strip.metres else 0.0,
+                  found, named)
+    return found, named
+
+
+def _end(end, strip, bend, x, sense, sketch, found, named):
+    here, outward = place(strip, bend, x), plane.times(strip.e, sense)
+    if isinstance(end, str):
+        if end != "free":
+            found += _held(end, strip, here, outward)
+        return
+    word = next((word for word in HELD if word in end), None)
+    if word is None:
+        _attached(end, strip, bend, x, sense, found, named)
+    elif strip.placed:
+        found += support.hinge(here) if word == "pinned" or strip.member.kind.name == "bar" else []
+    elif end[word].text in sketch.scene.bodies:
+        body = sketch.scene.bodies[end[word].text].record
+        key = next((key for key in ("mass", "inertia") if key in body), None)
+        found += _mass(strip, bend, x, sense, key or "mass")
+        named.append((body, key, [plane.plus(here, outward, 14.0), plane.plus(here, (0.0, -1.0), 14.0)]))
+
+
+def branches(strips: "Sequence[Strip]", sketch: "Sketch") -> list[Polyline]:
+    """Dashed lines from ends of members without a place to the members that hold them."""
+    found, known = [], {strip.name: strip for strip in strips}
+    for strip in strips:
+        for side, x in (("left", 0.0), ("right", strip.metres)):
+            end = strip.member.record.get(side, "free")
+            word = None if isinstance(end, str) or strip.placed else next((w for w in HELD if w in end), None)
+            if word is not None and end[word].text in known:
+                there = known[end[word].text].at(sketch.number(end["at"]))
+                found.append(Polyline((strip.at(x), there), "measure", 0.8, True, SURFACE))
+    return found
+
+
+def _held(word, strip, here, outward):
+    """A wall, a bearing on the ground, or rollers on a wall."""
+    if word == "guided":
+        side = plane.left(outward)
+        rollers = [Circle(plane.plus(plane.plus(here, outward, 3.0), side, t), 3.0, "paper") for t in (-6.0, 6.0)]
+        return [*rollers, *support.wall(plane.plus(here, outward, 6.0), outward, 14.0)]
+    if word == "pinned" and strip.member.kind.bends:
+        return support.bearing(here, _down(strip, outward))
+    if word == "pinned" and strip.placed:
+        return support.bearing(here, outward)
+    return support.wall(here, outward, 14.0)
+
+
+def _down(strip, outward):
+    """Where the ground of a bearing lies: below; at the foot or head of what stands beyond its end."""
+    return (0.0, -1.0) if abs(strip.e[0]) > 0.5 else outward
+
+
+def _support(word, strip, here, x):
+    """A roller below, a wall beside a clamp."""
+    n = plane.left(strip.e)
+    half = strip.half(x)
+    foot = plane.plus(here, n, -half)
+    if strip.member.kind.bends and word == "pinned":
+        a, b = (plane.plus(plane.plus(foot, n, -10.0), strip.e, t) for t in (-6.5, 6.5))
+        rollers = [Circle(plane.plus(plane.plus(foot, n, -12.0), strip.e, t), 2.0, "paper") for t in (-4.0, 4.0)]
+        return [Polygon((foot, a, b), "paper", layer=JOINT - 1), *rollers,
+                *support.floor(plane.plus(foot, n, -14.0), strip.e, 12.0)]
+    head = plane.plus(here, n, half)
+    return [*support.floor(foot, strip.e, 9.0), *support.floor(head, plane.times(strip.e, -1), 9.0)]
+
+
+def _attached(record, strip, bend, x, sense, found, named):
+    here, n = place(strip, bend, x), plane.left(strip.e)
+    across = strip.sideways
+    outward = plane.times(strip.e, sense or 1.0)
+    for key in ("mass", "inertia"):
+        if key in record and not (key == "inertia" and "mass" in record):
+            found += _mass(strip, bend, x, sense, key)
+            named.append((record, key, [plane.plus(here, n, 10.0), plane.plus(here, outward, 10.0)]))
+    lanes = [key for key in ("k", "c") if key in record]
+    for i, key in enumerate(lanes):
+        start = plane.plus(here, strip.e if across else n, (i - 0.5 * (len(lanes) - 1)) * 15.0)
+        way = plane.times(n, -1.0) if across else outward
+        start = plane.plus(start, way, strip.half(x) if across else 0.0)
+        if strip.member.kind.torsional:
+            start = plane.plus(here, n, -strip.half(x) - 3.0)
+            way = plane.times(n, -1.0)
+        end = plane.plus(start, way, REACH)
+        symbol = spring if key == "k" else damper
+        found += [*symbol.between({}, start, end, REACH), *support.wall(end, way, 9.0)]
+        named.append((record, key, [plane.plus(plane.middle(start, end), strip.e if across else n, 10.0)]))
+        if len(lanes) > 1:
+            found.append(Polyline((here, start)))
+    if "torsion" in record:
+        parts, (middle, normal) = spring.about({}, Turn(here, plane.heading(outward) + pi, 0.0, None, 0))
+        found += parts
+        named.append((record, "torsion", [plane.plus(middle, normal, 6.0)]))
+    if "oscillator" in record:
+        _oscillator(record["oscillator"], strip, here, x, found, named)
+
+
+def _oscillator(record, strip, here, x, found, named):
+    n, e = plane.times(plane.left(strip.e), -1.0), strip.e
+    top = plane.plus(here, n, strip.half(x))
+    keys = [key for key in ("k", "torsion", "c") if key in record]
+    for i, key in enumerate(keys):
+        aside = (i - 0.5 * (len(keys) - 1)) * 15.0
+        start, end = plane.plus(top, e, aside), plane.plus(plane.plus(top, e, aside), n, REACH)
+        symbol = damper if key == "c" else spring
+        found += symbol.between({}, start, end, REACH)
+        named.append((record, key, [plane.plus(plane.middle(start, end), e, 10.0 if aside >= 0 else -10.0)]))
+    middle = plane.plus(top, n, REACH + 8.0)
+    found.append(Polygon(tuple(plane.box(middle, 32.0, 16.0, plane.heading(e))), layer=BODY))
+    named.append((record, "mass" if "mass" in record else "inertia", [middle]))
+
+
+def _mass(strip, bend, x, sense, key):
+    """A ball on what moves across, a block at or about a bar, a disc from the side on a shaft."""
+    here, angle = place(strip, bend, x), plane.heading(strip.e)
+    if strip.member.kind.torsional:
+        middle = plane.plus(here, strip.e, 4.0 * sense)
+        return [Polygon(tuple(plane.box(middle, 8.0, 2 * DISC, angle)), layer=JOINT)]
+    if strip.member.kind.name == "bar":
+        middle = plane.plus(here, strip.e, SIDE * sense)
+        return [Polygon(tuple(plane.box(middle, 2 * SIDE, 24.0, angle)), layer=JOINT)]
+    return [Circle(here, BALL, "ink" if key == "mass" else "inner", layer=JOINT)]
+
+
+def names(named: list[tuple[Any, Any, list[Any]]], sketch: "Sketch") -> Iterator[tuple[Any, list[Any]]]:
+    """(runs, places for them) of what is attached."""
+    for record, key, places in named:
+        if key is not None:
+            runs = captions.expression(record[key], sketch)
+            if runs:
+                yield runs, places

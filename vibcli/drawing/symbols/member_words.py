@@ -1,0 +1,121 @@
+"""What is written about members: their names, what is attached, loads on them, preload, lengths."""
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+from vibcli.drawing.canvas.primitives import Run
+from vibcli.drawing.layout import captions, lettering, plane
+from vibcli.drawing.layout.strips import Strip, resting
+from vibcli.drawing.symbols import arrow, member_ends, support
+from vibcli.drawing.symbols.dimension import SHORTEST, Length, named_length
+from vibcli.drawing.symbols.member import ASIDE, Bend, preload
+
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.sketch import Sketch
+
+NAMED_BY, PUSH, ROW, APART = ("EI", "EA", "GIo"), 30.0, 20.0, 18.0
+
+
+def of(strip: Strip, sketch: "Sketch") -> Iterator[tuple[list[Any], Any, list[Any], str]]:
+    """(primitives, runs, places for them, role) of all that is written on a member."""
+    record, bend = strip.member.record, Bend(resting(strip, sketch.values), strip.scale if strip.placed else 0.0)
+    yield [], _name(record, sketch), [strip.at(part * strip.metres, side * 10.0)
+                                                           for part in (0.3, 0.7, 0.5) for side in (1, -1)], "ink"
+    for runs, places in member_ends.names(member_ends.draw(strip, bend, sketch)[1], sketch):
+        yield [], runs, places, "ink"
+    if "preload" in record:
+        yield preload(strip, sketch), captions.expression(_size(record["preload"]), sketch), [
+            strip.at(strip.metres, ASIDE, 14.0)], "load"
+    yield from _points(strip, sketch)
+    for load in (sketch.spec.get("forces") or {}).values():
+        if "per_length" in load and load["body"].text == strip.name:
+            yield _spread(load, strip, sketch)
+
+
+def _name(record, sketch):
+    """Its stiffness, whose letters make one name, else the name of the member."""
+    text = next((record[key].text.strip() for key in NAMED_BY if key in record), "")
+    return (Run(text, True, lettering.SIZE),) if text in NAMED_BY else (
+        captions.expression(record[key], sketch) if (key := next((k for k in NAMED_BY if k in record), None)) else None
+        ) or lettering.words(record.name)
+
+
+def _size(field):
+    from vibcli.drawing.symbols.load import unsigned
+
+    return unsigned(field)
+
+
+def _points(strip, sketch):
+    """Points on a member, with the loads on one that has no place."""
+    for name, record in (sketch.spec.get("member_points") or {}).items():
+        if record["body"].text != strip.name:
+            continue
+        x = sketch.number(record["at"])
+        here = strip.at(x)
+        yield support.dot(here), None, [], "ink"
+        for load in (sketch.spec.get("forces") or {}).values():
+            if getattr(load.get("at"), "text", None) == name:
+                found = _load(load, strip, here, sketch)
+                if found is not None:
+                    yield found
+
+
+def _load(load, strip, here, sketch):
+    n = plane.left(strip.e)
+    if "moment" in load:
+        runs = captions.expression(load["moment"], sketch, 18) or lettering.named(load.name)
+        if strip.member.kind.torsional:
+            above = plane.plus(here, n, 12.0)
+            return arrow.over(above, "load", 1.7), runs, [plane.plus(above, (10.0, 6.0))], "load"
+        return arrow.round_(here, 15.0, -0.6, 2.2, "load", 1.7), runs, [plane.plus(here, n, 18.0)], "load"
+    if strip.placed or "force" not in load or isinstance(load["force"], list):
+        return None
+    runs = captions.expression(load["force"], sketch, 18) or lettering.named(load.name)
+    way = n if strip.sideways else strip.e
+    tip = plane.plus(here, way, PUSH)
+    return arrow.straight(here, tip, "load", 1.7), runs, [tip], "load"
+
+
+def _spread(load, strip, sketch):
+    """A row of arrows beside a member; along it on bars."""
+    start, end = (sketch.number(load[key]) if key in load else x
+                  for key, x in (("from", 0.0), ("to", strip.metres)))
+    count = max(2, round((end - start) * strip.scale / APART))
+    parts = []
+    for i in range(count + 1):
+        x = start + (end - start) * i / count
+        if strip.sideways:
+            parts += arrow.straight(strip.at(x, 6.0), strip.at(x, 6.0 + ROW), "load", 0.9)
+        elif i < count:
+            parts += arrow.straight(strip.at(x, 12.0), strip.at(x, 12.0, 0.7 * APART), "load", 0.9)
+    runs = captions.expression(load["per_length"], sketch, 24) or lettering.named(load.name)
+    return parts, runs, [strip.at((start + end) / 2, 10.0 + ROW)], "load"
+
+
+def lengths(strips: Sequence[Strip], sketch: "Sketch") -> list[Length]:
+    """The Lengths of members and of their segments, each as it is written."""
+    found, known = [], set()
+    for strip in strips:
+        for low, high, runs in _lengths(strip, sketch):
+            key = strip.placed, lettering.letters(runs or ())
+            if runs and key not in known and (high - low) * strip.scale > SHORTEST:
+                known.add(key)
+                found.append(Length(runs, strip.at(low), strip.at(high)))
+    return found
+
+
+def _lengths(strip, sketch):
+    record = strip.member.record
+    if "segments" in record:
+        for part, (low, high, _) in zip(record["segments"], strip.segments, strict=True):
+            if "length" in part:
+                yield low, high, captions.expression(part["length"], sketch)
+    elif "length" in record:
+        yield 0.0, strip.metres, captions.expression(record["length"], sketch)
+    elif "from" in record:
+        yield 0.0, strip.metres, named_length(strip.metres, (record["from"], record["to"]), sketch)
+    for part in record.get("attached", ()):
+        x = sketch.number(part["at"])
+        if 0.0 < x < strip.metres * (1 - 1e-9):
+            yield 0.0, x, captions.expression(part["at"], sketch)

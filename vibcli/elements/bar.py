@@ -1,0 +1,19 @@
+"""Bars, along their axis: (EA u′)′ = ρA ü."""
+
+from typing import TYPE_CHECKING, Any
+
+from vibcli.elements.member import built
+from vibcli.elements.member_fields import BAR, member_element
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Record
+
+ELEMENT = member_element(
+    BAR,
+    "An elastic bar that moves along its axis: `{length: L, E: E, A: A, rho: rho, left: clamped}`.",
+    "bars")
+
+
+def build(record: "Record", scene: Any) -> None:
+    """Add a bar to the scene."""
+    built(record.name, scene)

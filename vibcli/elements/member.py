@@ -1,0 +1,144 @@
+"""Members: bars, shafts, beams and strings as stations, whose motions are coordinates of their own, and pieces between.
+
+Stations are the ends, the steps of section, and every place with an attachment, a point or a joint. A motion that is
+free is a coordinate, named as its signal: `wing.u(L/2)`, `wing.slope(L)`, `line.phi(0 m)`; what is held to a body or
+another member is a function of theirs; what is clamped is zero. In the plane a bar stretches and stays straight, hinged
+at its ends; beams and strings keep their length, their mass going along.
+"""
+
+from functools import partial
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from vibcli.elements.member_attachments import attach
+from vibcli.elements.member_fields import MemberKind, members_of
+from vibcli.elements.member_holds import held_at
+from vibcli.elements.member_line import DrawnLine, Station, line_of
+from vibcli.elements.member_pieces import add_pieces
+from vibcli.elements.member_places import ROUNDING, places_of
+from vibcli.elements.member_segments import segments_of
+from vibcli.language.named_elements import load
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from vibcli.elements.member_segments import MemberSegment
+    from vibcli.language.signal_names import SignalName
+    from vibcli.symbolic.node import Node
+
+
+class Member(NamedTuple):
+    """A member as built: its kind, record, MemberSegments, and Stations from left to right; its DrawnLine in the plane;
+    `stretches`: the coordinates, one a station, by which it is cut open to find its tension, which is `settled` where
+    it is the same wherever the scene rests; `tie`: as drawn that of what both ends are held to, moving along."""
+
+    name: str
+    kind: MemberKind
+    record: Any
+    segments: list
+    stations: list
+    line: DrawnLine | None = None
+    stretches: tuple = ()
+    settled: bool = True
+    tie: Any = None
+    tensions: Any = ()
+
+    @property
+    def length(self) -> "Node":
+        """From its left to its right end."""
+        return self.segments[-1].end
+
+    @property
+    def nodes(self) -> "list[Node]":
+        """The motions of its stations."""
+        return [node for station in self.stations for node in station.nodes]
+
+    def over(self, new: "Mapping[Node, Node]") -> "Member":
+        """Itself with its motions replaced, {node: node}."""
+        return self._replace(stations=[station.over(new) for station in self.stations])
+
+    def position(self, station: Station) -> "tuple[Node, Node]":
+        """Where a station is now, in the plane."""
+        (x, y), (dx, dy) = self.line.drawn(station.place), self.line.displaced(station.along, station.u)
+        return x + dx, y + dy
+
+    @property
+    def turns(self) -> bool:
+        """Is it a bar in the plane, which turns besides?"""
+        return self.line is not None and self.kind.name == "bar"
+
+    def motions(self, station: Station) -> "list[Node]":
+        """What a station does in the sense of u: u or φ, of beams its slope too."""
+        return [station.along] if self.turns else station.motions
+
+    def tension(self, number: int, segment: "MemberSegment", scene: Any) -> "tuple[Node, Node]":
+        """(N at the left end of a piece, N′): EA and GI_o of bars and shafts, of strings and beams the tension."""
+        zero = scene.table.zero
+        if segment.stiffness is not None and not self.kind.bends:
+            return segment.stiffness, zero
+        if self.tensions:
+            return self.tensions[number]
+        return scene.lower(self.record["preload"]) if "preload" in self.record else zero, zero
+
+    def signal(self, scene: Any, signal: "SignalName", place: "Node"):
+        """The PlaceSignal of a name: a motion, force or stress at a place; None beyond the ends."""
+        from vibcli.elements.place_signals import place_signal
+
+        return place_signal(scene, self, signal, place)
+
+    def at(self, scene: Any, place: "Node") -> Station:
+        """The Station at a place, which stands for those that differ from it by rounding alone."""
+        x = scene.number(place)
+        found = min(self.stations, key=lambda station: abs(scene.number(station.place) - x))
+        if abs(scene.number(found.place) - x) > ROUNDING * scene.number(self.length):
+            scene.reports.report(self.record.where, f"nothing holds to the slack end of '{self.name}'", "a mass there "
+                                 "makes it taut")
+        return found
+
+
+def built(name: str, scene: Any) -> Member | None:
+    """The Member of that name, its terms added to the scene once; None where members are held to one another in a
+    circle, which is reported."""
+    kind, record = members_of(scene.spec)[name]
+    if name not in scene.members:
+        scene.members[name] = None
+        scene.members[name] = scene.owned(name, partial(_built, name, kind, record, scene))
+    elif scene.members[name] is None:
+        scene.report(record.where, f"'{name}' is held to what is held to itself", "let one end carry the other")
+    return scene.members[name]
+
+
+def _built(name, kind, record, scene):
+    before = len(scene.diagnostics)
+    if scene.spec.get("motion") == "full":
+        scene.report(record.where, f"'{name}' is linear about its drawn line: its motions are small ones",
+                     "leave out `motion: full`")
+    line = line_of(record, scene)
+    segments = segments_of(record, kind, line, scene)
+    places = places_of(name, record, segments, scene)
+    member = Member(name, kind, record, segments, [], line, tensions=[])
+    if len(scene.diagnostics) > before:
+        return member
+    held = [held_at(place, kind, line, scene, built) for place in places]
+    if line is None:
+        member = member._replace(stations=[_station(name, kind, place, motions, scene)
+                                           for place, motions in zip(places, held, strict=True)])
+    else:
+        tensions = scene.tensions.get(name)
+        member = load("member_plane").placed(member, places, held, scene)._replace(
+            settled=tensions is None or tensions.settled, tie=scene.tie(name))
+    scene.members[name] = member
+    add_pieces(member, scene)
+    member = member._replace(stations=[station for station in member.stations if station.u is not None])
+    scene.members[name] = member
+    for place in places if member.stations else ():
+        for here in (*(end for end in place.ends if not isinstance(end, str)), *place.attached):
+            attach(here, member, member.at(scene, place.node), scene)
+    return member
+
+
+def _station(name, kind, place, held, scene):
+    """The Station of a place: what is not held is a coordinate."""
+    signals = {"u": kind.motion, "slope": "slope"} if kind.bends else {"u": kind.motion}
+    found = {motion: held[motion] if motion in held else scene.coordinates.further(f"{name}.{signal}({place.text})")
+             for motion, signal in signals.items()}
+    return Station(place.node, place.text, **found)

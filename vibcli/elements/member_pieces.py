@@ -1,0 +1,86 @@
+"""The pieces of members between their stations: springs at rest, and what has inertia or drag a piece besides."""
+
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+from vibcli.elements.member_springs import springs_across, springs_along
+from vibcli.language.named_elements import load
+
+if TYPE_CHECKING:
+    from vibcli.elements.member import Member, Station
+    from vibcli.elements.member_segments import MemberSegment
+    from vibcli.symbolic.node import Node
+
+
+def add_pieces(member: "Member", scene: Any) -> None:
+    """Add the pieces of a member."""
+    for i, (segment, left, right) in enumerate(pieces_of(member, scene)):
+        if member.line is not None:
+            load("member_plane").add_placed_piece(member, segment, left, right, i, scene)
+            continue
+        tension = preload_of(member, scene)
+        if member.kind.bends:
+            add_across(segment, left, right, tension, scene)
+        else:
+            add_piece(segment, left, right, tension if segment.stiffness is None else segment.stiffness,
+                      [left.u, right.u], scene)
+
+
+def pieces_of(member: "Member", scene: Any) -> "Iterator[tuple[MemberSegment, Station, Station]]":
+    """(segment, left Station, right Station) of each piece, from left to right."""
+    for segment in member.segments:
+        inside = [station for station in member.stations if _within(station, segment, scene)]
+        for left, right in pairwise(inside):
+            yield segment, left, right
+
+
+def _within(station, segment, scene):
+    x, start, end = (scene.number(node) for node in (station.place, segment.start, segment.end))
+    slack = 1e-9 * abs(end)
+    return start - slack <= x <= end + slack
+
+
+def preload_of(member: "Member", scene: Any) -> "Node":
+    """The tension as drawn of a beam, zero where none is given, or of a string, which must be positive."""
+    if "preload" not in member.record:
+        return scene.table.zero
+    preload = member.record["preload"]
+    if member.kind.name != "string":
+        return scene.lower(preload)
+    return scene.positive(preload, f"the tension of '{member.name}'")
+
+
+def add_piece(segment: "MemberSegment", left: "Station", right: "Station", tension: "Node", ends: "list[Node]",
+              scene: Any, preload: "Node | None" = None, longer: "Node | None" = None,
+              gradient: "Node | None" = None) -> None:
+    """A piece of order 2 between two stations, `ends` being its displacements; `longer`: what a bar lengthens besides,
+    under its tension as drawn; `gradient`: of the tension along it."""
+    gradient = gradient or scene.table.zero
+    springs: list = list(springs_along(scene, right.place - left.place, tension, segment.foundation, ends, gradient))
+    if longer is not None:
+        stiffness, stretch = springs[0]
+        springs[0] = stiffness, stretch + longer, preload
+    _add(segment, left, right, (scene.table.zero, tension, gradient), ends, springs, scene)
+
+
+def add_across(segment: "MemberSegment", left: "Station", right: "Station", tension: "Node", scene: Any,
+               gradient: "Node | None" = None) -> None:
+    """A piece of a beam between two stations; where its tension has a gradient, the springs are those under the mean,
+    for which exact ones stand in numbers."""
+    gradient, length = gradient or scene.table.zero, right.place - left.place
+    ends, mean = [*left.motions, *right.motions], tension + gradient * length / 2
+    springs = springs_across(scene, length, segment.stiffness, mean, segment.foundation, ends)
+    _add(segment, left, right, (segment.stiffness, tension, gradient), ends, springs, scene)
+
+
+def _add(segment, left, right, stiff, ends, springs, scene):
+    zero = scene.table.zero
+    springs = [(weight, stretch, *(preload or [zero])) for weight, stretch, *preload in springs
+               if stretch.mask and not weight.is_zero]
+    if segment.inertia.is_zero and segment.drag.is_zero:
+        for weight, stretch, preload in springs:
+            scene.add_spring(weight, preload, stretch)
+    else:
+        coefficients = (right.place - left.place, *stiff, segment.inertia, segment.drag, segment.foundation)
+        scene.add_piece(left.place, coefficients, ends, springs)

@@ -1,0 +1,156 @@
+"""Members drawn in the plane: what their stations do along the line, their weight, and the tension that statics finds.
+
+Bars are hinged at their ends and stay straight: u is linear in x, and a piece l of the length L lengthens by Δa along
+the line and by its share l/L of √((L + ΔA)² + Δu²) − (L + ΔA), as the bar turns, so that tension stiffens it across.
+Beams and strings keep their length as a link does: all of them moves along together, and where both ends are held to
+what parts along the line, that is a condition.
+"""
+
+from typing import TYPE_CHECKING, Any
+
+from vibcli.elements.member_line import Station
+from vibcli.elements.member_pieces import add_across, add_piece, preload_of
+from vibcli.elements.member_springs import mean_across, mean_along
+from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.rationals import HALF
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from vibcli.elements.member import Member
+    from vibcli.elements.member_places import PlaceAlong
+    from vibcli.elements.member_segments import MemberSegment
+    from vibcli.symbolic.node import Node
+
+SLACK = 2.0**-40        # of the largest tension of a string: an end with less has none
+
+
+def placed(member: "Member", places: "Sequence[PlaceAlong]", held: "Sequence[Mapping[str, Node]]",
+           scene: Any) -> "Member":
+    """The Member with its Stations."""
+    if member.kind.name == "bar":
+        return member._replace(stations=_straight(member, places, held, scene))
+    along, stretches = _along(member, places, held, scene)
+    slack = [places[i] for i in _slack(member, places, scene)]
+    return member._replace(stations=[_station(member, place, motions, node, place in slack, scene) for
+                                     place, motions, node in zip(places, held, along, strict=True)],
+                           stretches=stretches)
+
+
+def _straight(member, places, held, scene):
+    """The Stations of a bar: between its ends u is linear in x."""
+    first, last = (held[i]["u"] if "u" in held[i] else
+                   scene.coordinates.further(f"{member.name}.u({places[i].text})") for i in (0, -1))
+    found = []
+    for place, motions in zip(places, held, strict=True):
+        share = place.node / member.length
+        u = first if place is places[0] else last if place is places[-1] else first + share * (last - first)
+        along = motions["along"] if "along" in motions else scene.coordinates.further(
+            f"{member.name}.along({place.text})")
+        found.append(Station(place.node, place.text, u, along=along))
+    return found
+
+
+def _station(member, place, motions, along, slack, scene):
+    """A Station of a beam or string: what is not held is a coordinate; at a `slack` end there is none to hold it by."""
+    if slack:
+        return Station(place.node, place.text, None, along=along)
+    named = ("u", "slope") if member.kind.bends else ("u",)
+    found = {motion: motions[motion] if motion in motions else
+             scene.coordinates.further(f"{member.name}.{motion}({place.text})") for motion in named}
+    return Station(place.node, place.text, along=along, **found)
+
+
+def _along(member, places, held, scene):
+    """(motion along of each station, coordinates by which it may stretch) of what keeps its length."""
+    left, right = (held[i].get("along") for i in (0, -1))
+    base = left if left is not None else right
+    if base is None:
+        base = scene.coordinates.further(f"{member.name}.along({places[0].text})")
+    tied = left is not None and right is not None and (right - left).mask
+    if scene.variant.stretched:
+        stretches = [None if "along" in motions else scene.coordinates.further(f"{member.name}.stretch {i}")
+                     for i, motions in enumerate(held)]
+        return [motions.get("along", base) if stretch is None else base + stretch
+                for motions, stretch in zip(held, stretches, strict=True)], tuple(stretches)
+    if tied:
+        scene.add_constraint(member.record, right - left, "link")
+    return [base] * len(places), ()
+
+
+def add_placed_piece(member: "Member", segment: "MemberSegment", left: Station, right: Station, i: int,
+                     scene: Any) -> None:
+    """The i-th piece of a member in the plane: its springs, its inertia both ways, its weight."""
+    length = right.place - left.place
+    mass = segment.inertia * length
+    if member.kind.name == "bar":
+        _add_bar(member, segment, left, right, mass, scene)
+        means = mean_along(scene, length, segment.stiffness, segment.foundation, (left.along, right.along)), (
+            left.u + right.u) * HALF
+    else:
+        scene.add_inertia(mass, right.along)
+        means = right.along, (_cut if scene.variant.stretched else _add_taut)(member, segment, left, right, i, scene)
+    if not mass.is_zero and scene.contents.gravity is not None:
+        (x, y), (dx, dy) = (member.line.drawn((left.place + right.place) * HALF), member.line.displaced(*means))
+        scene.add_weight(mass, x + dx, y + dy)
+
+
+def _cut(_member, _segment, left, right, _i, _scene):
+    """What bends plays no part in the tension."""
+    return (left.u + right.u) * HALF
+
+
+def _add_taut(member, segment, left, right, i, scene):
+    """A piece of a beam or string under the tension that statics finds; its mean displacement across."""
+    length = right.place - left.place
+    tension = scene.tension(member.name, i) or preload_of(member, scene)
+    gradient = _gradient(member, segment, scene)
+    member.tensions.append((tension, gradient))
+    if member.kind.bends:
+        add_across(segment, left, right, tension, scene, gradient)
+        return mean_across(scene, length, segment.stiffness, tension + gradient * length / 2, segment.foundation,
+                           [*left.motions, *right.motions])
+    ends = [scene.table.zero if station.u is None else station.u for station in (left, right)]
+    least, most = sorted(scene.number(node) for node in (tension, tension + gradient * length))
+    if not (least > 0 or (most > 0 and None in (left.u, right.u))):
+        scene.report(member.record.where, f"'{member.name}' is not taut: statics finds the tension {least:.6g} N in it",
+                     "let its loads, or a `preload`, pull it")
+    elif not gradient.is_zero and not segment.foundation.is_zero:
+        scene.report(member.record.where, f"the tension of '{member.name}' varies along it, and it rests on a "
+                     "foundation: this does not work yet", "leave out the weight or the foundation")
+    else:
+        add_piece(segment, left, right, tension, ends, scene, gradient=gradient)
+        return mean_along(scene, length, tension, segment.foundation, ends, gradient)
+    return scene.table.zero
+
+
+def _gradient(member, segment, scene):
+    """N′ = −μ g·e, the weight along the line."""
+    zero = scene.table.zero
+    if scene.contents.gravity is None or segment.inertia.is_zero:
+        return zero
+    (gx, gy), line = scene.contents.gravity, member.line
+    along = textbook(gx * line.ex + gy * line.ey)
+    size = abs(scene.number(gx)) + abs(scene.number(gy))
+    return zero if abs(scene.number(along)) <= 1e-12 * size else -segment.inertia * along
+
+
+def _slack(member, places, scene):
+    """The ends, 0 or -1, of a string that bear no tension: free ones, where its weight hangs or has not begun."""
+    if member.kind.name != "string" or member.name not in scene.tensions:
+        return []
+    first, last = (scene.tension(member.name, i) for i in (0, -1))
+    last = last + _gradient(member, member.segments[-1], scene) * (places[-1].node - places[-2].node)
+    sizes = [abs(scene.number(node)) for node in (first, last)]
+    return [i for i, size in zip((0, -1), sizes, strict=True) if size <= SLACK * max(sizes)]
+
+
+def _add_bar(member, segment, left, right, mass, scene):
+    """A piece of a bar with its share of what the bar lengthens as it turns; across it counts as a rigid rod."""
+    first, last = member.stations[0], member.stations[-1]
+    apart = member.length + (last.along - first.along)
+    longer = scene.distance(apart, last.u - first.u) - apart
+    add_piece(segment, left, right, segment.stiffness, [left.along, right.along], scene, preload_of(member, scene),
+              (right.place - left.place) / member.length * longer)
+    scene.add_inertia(mass, (left.u + right.u) * HALF)
+    scene.add_inertia(mass / 12, right.u - left.u)

@@ -1,0 +1,85 @@
+"""The fields of the place x that members start with, and what they say of the motions of their stations."""
+
+from math import isfinite
+from typing import TYPE_CHECKING, NamedTuple
+
+from vibcli.base.errors import PhysicsError
+from vibcli.language.sections.initial import FIELDS, PLACE
+from vibcli.symbolic.derivatives import gradient
+from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
+
+SAME = 1e-9         # of the largest displacement: how far a field may be from what holds the member
+POINTS = 61         # between which a field is looked at for its size
+
+
+class MemberFields(NamedTuple):
+    """u (of shafts φ) and its rate along a member at t = 0, counted from the drawn line, as functions of x, for which
+    the time of the scene stands; None of what is not given."""
+
+    displacement: "Node | None"
+    rate: "Node | None"
+
+
+def member_fields(scene: "Scene") -> dict[str, MemberFields]:
+    """{member: MemberFields} of those of which a field is given."""
+    found: dict[str, MemberFields] = {}
+    for signal, expression in (scene.spec.get(FIELDS) or {}).items():
+        node = scene.lower(expression, (PLACE, scene.time))
+        known = found.get(signal.name, MemberFields(None, None))
+        found[signal.name] = known._replace(**{"rate" if signal.primes else "displacement": node})
+    return found
+
+
+def start_of_stations(configuration: "Configuration") -> dict[str, float]:
+    """{coordinate, or velocity x': value} of what is attached to members that start with a field; PhysicsError where
+    a displacement contradicts a support."""
+    scene, found = configuration.scene, {}
+    for name, fields in member_fields(scene).items():
+        member = scene.members[name]
+        for field, primes in ((fields.displacement, ""), (fields.rate, "'")):
+            if field is not None:
+                found |= _along(configuration, member, field, primes)
+    return found
+
+
+def _along(configuration, member, field, primes):
+    scene, found = configuration.scene, {}
+    parts = [field, gradient(field).get(scene.time, scene.table.zero)] if member.kind.bends else [field]
+    where = scene.spec.get("initial").place(f"{member.name}.{member.kind.motion}{primes}")
+    values = [_values(configuration, parts, station, where) for station in member.stations]
+    sizes = _sizes(configuration, parts, member)
+    for station, row in zip(member.stations, values, strict=True):
+        for motion, value, size in zip(member.motions(station), row, sizes, strict=False):
+            if motion.op == "symbol" and motion.name in scene.coordinates:
+                found[motion.name + primes] = value
+            elif motion.mask:
+                raise PhysicsError(f"what '{member.name}' is held to at {station.text} does not move as one coordinate:"
+                                   " a field does not say how it starts", "give the start of each coordinate", where)
+            elif not primes and abs(value - _values(configuration, [motion], station, where)[0]) > SAME * size:
+                raise PhysicsError(f"'{member.name}' is held at {station.text}, where this field is {value:.6g}",
+                                   "a field of displacements fits the supports", where)
+    return found
+
+
+def _sizes(configuration, parts, member):
+    """How large functions of x are somewhere on a member."""
+    floats, time = configuration.numeric.floats, configuration.scene.time.name
+    length, = evaluate([member.length], Floats, floats)
+    found = [evaluate(parts, Floats, {**floats, time: length * k / POINTS}) for k in range(POINTS + 1)]
+    return [max((abs(x) for x in row if isfinite(x)), default=0.0) for row in zip(*found, strict=True)]
+
+
+def _values(configuration, parts, station, where):
+    """Functions of x at a station."""
+    floats = configuration.numeric.floats
+    place, = evaluate([station.place], Floats, floats)
+    found = evaluate(parts, Floats, {**floats, configuration.scene.time.name: place})
+    if not all(map(isfinite, found)):
+        raise PhysicsError(f"this field is no real number at {station.text}", "give another one under `initial:`",
+                           where)
+    return found

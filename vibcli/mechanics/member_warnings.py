@@ -1,0 +1,48 @@
+"""What makes the theory of slender members about their drawn line doubtful: thick beams, large turns in equilibrium."""
+
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    from vibcli.elements.member import Member
+    from vibcli.mechanics.configuration import Configuration
+
+SLENDER, SMALL = 10.0, 0.1
+
+
+def member_warnings(configuration: "Configuration") -> list[str]:
+    """Sentences about the members of a scene with numbers."""
+    found = []
+    for member in configuration.scene.members.values():
+        if member.kind.bends:
+            found += _thick(member, configuration)
+        if not member.kind.torsional:
+            found += _turned(member, configuration)
+    return found
+
+
+def _thick(member: "Member", configuration):
+    """L/h below 10, where shear and rotary inertia count (Timoshenko 1921)."""
+    depths = [segment.section.depth for segment in member.segments if segment.section is not None]
+    if not depths:
+        return
+    length, *sizes = evaluate([member.length, *depths], Floats, configuration.numeric.floats)
+    ratio = length / max(sizes)
+    if ratio < SLENDER:
+        yield (f"'{member.name}' is thick: L/h is {ratio:.3g}, below 10; shear and rotary inertia, which are left out, "
+               "lower its frequencies")
+
+
+def _turned(member, configuration):
+    """More than 0.1 rad in equilibrium, at a station or between two."""
+    if not any(node.mask for node in member.nodes):
+        return
+    slopes = [station.slope for station in member.stations if station.slope is not None]
+    if member.kind.bends or member.line is not None:
+        slopes += [(right.u - left.u) / (right.place - left.place) for left, right in pairwise(member.stations)]
+    largest = max(map(abs, evaluate(slopes, Floats, configuration.at_rest)), default=0.0)
+    if largest > SMALL:
+        yield (f"'{member.name}' turns by {largest:.3g} rad in equilibrium, more than 0.1 rad: members are linear "
+               "about their drawn line")

@@ -1,0 +1,165 @@
+"""Pieces whose tension varies along them: stiffness, held count and fields by short parts joined two and two."""
+
+from itertools import pairwise
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from vibcli.numerics.pieces.graded_parts import coefficients, is_slack, part_stiffness, parts_of, slack_series, sums
+from vibcli.numerics.pieces.parity import separate_roots
+from vibcli.numerics.pieces.scattering import divided, joined, scattered, stiffness_again
+
+if TYPE_CHECKING:
+    from vibcli.numerics.pieces.arithmetic import Arithmetic
+    from vibcli.numerics.pieces.piece import Piece
+
+AT_ONCE = 20_000        # parts times values of κ
+
+
+class _Tree(NamedTuple):
+    """One piece at several κ: cuts, (levels, from parts to the whole), 1/√Z at the nodes (nodes, κ, m/2)."""
+
+    cuts: list
+    levels: list
+    scale: np.ndarray
+
+
+def mirrored(piece: "Piece") -> "Piece":
+    """Seen from its other end."""
+    return piece._replace(tension=piece.tension + piece.gradient * piece.length, gradient=-piece.gradient)
+
+
+def graded_stiffness(piece: "Piece", kappa: np.ndarray, numbers: "Arithmetic") -> tuple[np.ndarray, np.ndarray]:
+    """(d, ∂d/∂κ), (κ, m, m), of one piece over flat κ. An end without tension of what is no beam bears no force."""
+    if piece.order == 2 and piece.gradient < 0:
+        d, slope = graded_stiffness(mirrored(piece), kappa, numbers)
+        return d[..., ::-1, ::-1], slope[..., ::-1, ::-1]
+    found = []
+    for some in _portions(piece, kappa):
+        tree = _tree(piece, some, numbers)
+        whole = [values[0] for values in stiffness_again(tree.levels[-1], _ports(tree, -1), numbers)]
+        real = numbers.is_real(kappa)
+        whole = [(values + values.swapaxes(-1, -2)) / 2 for values in whole]
+        found.append([numbers.real(values) if real else values for values in whole])
+    d, slope = (np.concatenate(values) for values in zip(*found, strict=True))
+    if piece.order == 2 and is_slack(piece):
+        for values in (d, slope):
+            values[:, 0, :] = values[:, :, 0] = 0 * values[:, :, 0]
+    return d, slope
+
+
+def graded_count(piece: "Piece", kappa: np.ndarray, numbers: "Arithmetic") -> np.ndarray:
+    """J₀ over flat real κ: no part vibrates between held ends, so it is the number of negative stiffnesses of the
+    joints, two parts at a time."""
+    if piece.order == 2 and piece.gradient < 0:
+        return graded_count(mirrored(piece), kappa, numbers)
+    found = []
+    for some in _portions(piece, kappa):
+        tree = _tree(piece, some, numbers)
+        found.append(sum(_negative(tree, i, numbers) for i in range(len(tree.levels) - 1)) + np.zeros(len(some), int))
+    return np.concatenate(found)
+
+
+def graded_fields(piece: "Piece", kappa: np.ndarray, ends: np.ndarray, x: np.ndarray,
+                  numbers: "Arithmetic") -> np.ndarray:
+    """(u, u′, …), (values, order), of one piece over flat κ, end values (values, order), places x."""
+    if piece.order == 2 and piece.gradient < 0:
+        found = graded_fields(mirrored(piece), kappa, ends[:, ::-1], piece.length - x, numbers)
+        return found * numbers.array([1, -1])
+    values, back = np.unique(kappa, return_inverse=True) if kappa.dtype.kind != "O" else (kappa, np.arange(len(kappa)))
+    found = np.empty((len(x), piece.order), np.result_type(kappa, ends, x))
+    real = numbers.is_real(kappa) and numbers.is_real(ends)
+    for i in range(len(values)):
+        chosen = np.flatnonzero(back.ravel() == i)
+        one = _one_field(piece, values[i:i + 1], ends[chosen], x[chosen], numbers)
+        found[chosen] = numbers.real(one) if real else one
+    return found
+
+
+def _portions(piece, kappa):
+    """κ in portions of about one size each, so that all have the parts that they need."""
+    sizes = np.array([float(abs(value)) for value in kappa])
+    step = max(1, AT_ONCE // len(parts_of(piece, sizes.max(initial=0.0))))
+    return [kappa[i:i + step] for i in range(0, len(kappa), step)]
+
+
+def _tree(piece, kappa, numbers):
+    cuts = parts_of(piece, max(float(abs(value)) for value in kappa))
+    scale = _scale(piece, cuts, kappa, numbers)
+    ports = np.concatenate([scale[:-1], scale[1:]], axis=-1)
+    levels = [scattered(*part_stiffness(piece, cuts, kappa, numbers), ports, numbers)]
+    while len(levels[-1].s) > 1:
+        levels.append(joined(levels[-1], numbers))
+    return _Tree(cuts, levels, scale)
+
+
+def _scale(piece, cuts, kappa, numbers):
+    """1/√Z of the nodes, of the order of what waves meet."""
+    if piece.order == 2:
+        each = [(piece.tension + piece.gradient * (a + b) / 2) / (b - a) for a, b in pairwise(cuts)]
+        z = numbers.array([each[0], *map(max, each, each[1:]), each[-1]])
+        return 1 / numbers.sqrt(z[:, None, None] + abs(kappa[None, :, None]) * 0)
+    nu = (piece.tension + piece.gradient * piece.length / 2) / piece.bending + 0 * kappa
+    one, other = separate_roots(nu, kappa / piece.bending + 2.0**-40 / piece.length**4, numbers)
+    p, q = (np.sqrt(np.abs(root).astype(float)) + 1 / float(piece.length) for root in (one, other))
+    z = float(piece.bending) * np.stack([p * q * (p + q), p + q], axis=-1)
+    return numbers.array(1 / np.sqrt(z))[None] * numbers.array(np.ones((len(cuts), 1, 1)))
+
+
+def _ports(tree, i):
+    """1/√Z at both ends of the parts of a level."""
+    nodes = [*range(0, len(tree.cuts) - 1, 2 ** (i % len(tree.levels))), -1]
+    return np.concatenate([tree.scale[nodes[:-1]], tree.scale[nodes[1:]]], axis=-1)
+
+
+def _negative(tree, i, numbers):
+    """How many negative eigenvalues the stiffnesses of joints that a level loses have, (κ)."""
+    level = tree.levels[i]
+    pairs, h = len(level.s) // 2, level.s.shape[-1] // 2
+    d, _ = stiffness_again(level, np.ones(level.s.shape[-1]), numbers)
+    joint = numbers.real(d[:2 * pairs:2, :, h:, h:] + d[1:2 * pairs:2, :, :h, :h])
+    if h == 1:
+        return (joint[..., 0, 0] < 0).sum(axis=0)
+    determinant = joint[..., 0, 0] * joint[..., 1, 1] - joint[..., 0, 1] * joint[..., 1, 0]
+    return np.where(determinant < 0, 1, 2 * (joint[..., 0, 0] + joint[..., 1, 1] < 0)).sum(axis=0)
+
+
+def _one_field(piece, kappa, ends, x, numbers):
+    """At one κ: what goes into the whole goes into its parts, whose end values follow."""
+    tree = _tree(piece, kappa, numbers)
+    slack = piece.order == 2 and is_slack(piece)
+    scale = _ports(tree, -1)[0, 0]
+    d, _ = (values[0, 0] for values in stiffness_again(tree.levels[-1], _ports(tree, -1), numbers))
+    if slack:
+        ends = ends * numbers.array([0, 1])
+    inward = ((ends @ d) * scale + numbers.i * ends / scale)[None]          # every field takes the place of a κ
+    for level in reversed(tree.levels[:-1]):
+        inward = divided(level, inward, numbers)
+    outward = (tree.levels[0].s @ inward[..., None])[..., 0]
+    parts = (inward - outward) / (2 * numbers.i) * _ports(tree, 0)
+    c, _, half = coefficients(piece, tree.cuts, kappa, numbers)
+    return _within(piece, tree.cuts, kappa, c, half, parts, x, numbers, slack)
+
+
+def _within(piece, cuts, kappa, c, half, parts, x, numbers, slack):
+    """The series of the part in which each place lies, from its end values."""
+    places = numbers.array(cuts)
+    index = np.clip(np.searchsorted(places.astype(float), x.astype(float), side="right") - 1, 0, len(cuts) - 2)
+    values = np.concatenate([np.stack([sums(c, eta, j) / half**j for j in range(piece.order // 2)], axis=-2)
+                             for eta in (-1, 1)], axis=-2)[:, 0]
+    own = (numbers.inverse(values)[index] @ parts[index, np.arange(len(x))][:, :, None])[..., 0]
+    eta = (x - (places[index] + places[index + 1]) / 2) / half[index, 0, 0]
+    terms = [(one[index, 0] * own).sum(axis=-1) for one in c]
+    found = np.stack([sums(terms, eta, j) / half[index, 0, 0] ** j for j in range(piece.order)], axis=-1)
+    if slack:
+        for i in np.flatnonzero(index == 0):
+            found[i] = _near_slack(piece, cuts[1], kappa, parts[0, i, 1], x[i], numbers)
+    return found
+
+
+def _near_slack(piece, end, kappa, value, x, numbers):
+    """(u, u′) next to the end without tension; u′ = κ/n there."""
+    whole, _, _, _ = slack_series(piece, end, kappa, numbers)
+    u, pull, _, _ = slack_series(piece, x, kappa, numbers)
+    slope = pull[0] / x if x else kappa[0] / piece.gradient
+    return np.array([u[0] / whole[0] * value, slope / whole[0] * value])

@@ -1,0 +1,142 @@
+"""A piece whose tension N + n x varies along it, cut into parts so short that power series about their middles serve.
+
+In η = (x − middle)/h, h half a part's length, u = Σ c_k ηᵏ follows from its first coefficients by
+
+    beams: (k+4)(k+3)(k+2)(k+1) c_{k+4} = ν (k+2)(k+1) c_{k+2} + γ (k+1)² c_{k+1} − χ c_k,
+    else:              (k+2)(k+1) c_{k+2} = χ c_k − ρ (k+1)² c_{k+1},
+
+ν = N h²/B, γ = n h³/B, χ = κ h⁴/B, but χ = κ h²/N, ρ = n h/N of strings. Where N vanishes at an end only one solution
+is bounded there, c_{k+1} = (κ x/n) c_k/(k+1)²; that end then bears no force whatever its value is.
+"""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from vibcli.numerics.pieces.arithmetic import Arithmetic
+    from vibcli.numerics.pieces.piece import Piece
+
+MEASURE = 4.0       # |ν| + |γ| + 2 √|χ| at most: nothing cancels in the series, and no part vibrates between held ends
+WIDEN = 0.5         # a part of a string is at most so long as this times its distance to where N would vanish
+NIL = 2.0**-50      # of the largest tension: an end with less has none
+
+
+def parts_of(piece: "Piece", most: float) -> list:
+    """The places of the cuts, ends included, for |κ| ≤ most; one piece in numbers, N ≥ 0 growing with x where it is
+    no beam."""
+    length = piece.length
+    if piece.order == 4:
+        largest = max(abs(piece.tension), abs(piece.tension + piece.gradient * length))
+        need = (largest + abs(piece.gradient) * length / 2 + 2 * float(most * piece.bending) ** 0.5) / piece.bending
+        count = max(1, int(float(length) / 2 * (float(need) / MEASURE) ** 0.5) + 1)
+        return [length * i / count for i in range(count + 1)]
+    if piece.tension < 0 and not is_slack(piece):
+        raise ValueError("what does not bend is pressed")
+    cuts = [0 * length]
+    if is_slack(piece):
+        cuts.append(cuts[0] + min(length, piece.gradient / most if most else length))
+    while cuts[-1] < length:
+        tension = piece.tension + piece.gradient * cuts[-1]
+        step = WIDEN * tension / piece.gradient
+        if most:
+            step = min(step, 2 * (tension / most) ** 0.5)
+        rest = length - cuts[-1]
+        cuts.append(length if rest < 1.2 * step else cuts[-1] + step)
+    return cuts
+
+
+def is_slack(piece: "Piece") -> bool:
+    """Does the tension of what is no beam vanish at x = 0?"""
+    return bool(abs(piece.tension) <= NIL * abs(piece.gradient * piece.length))
+
+
+def part_stiffness(piece: "Piece", cuts: list, kappa: np.ndarray,
+                   numbers: "Arithmetic") -> tuple[np.ndarray, np.ndarray]:
+    """(d, ∂d/∂κ) of all parts, (parts, κ, m, m)."""
+    ends, forces, slopes, force_slopes = _end_values(piece, cuts, kappa, numbers)
+    inverse = numbers.inverse(ends)
+    stiffness = forces @ inverse
+    slope = (force_slopes - stiffness @ slopes) @ inverse
+    if piece.order == 2 and is_slack(piece):
+        stiffness[0], slope[0] = _slack(piece, cuts[1], kappa, numbers)
+    return tuple((values + values.swapaxes(-1, -2)) / 2 for values in (stiffness, slope))
+
+
+def coefficients(piece: "Piece", cuts: list, kappa: np.ndarray,
+                 numbers: "Arithmetic") -> tuple[list, list, np.ndarray]:
+    """(c_k, ∂c_k/∂κ, h): lists of arrays (parts, κ, m), a column for each first coefficient; h (parts, 1, 1)."""
+    cuts_array = numbers.array(cuts)
+    half = ((cuts_array[1:] - cuts_array[:-1]) / 2)[:, None, None]
+    tension = piece.tension + piece.gradient * (cuts_array[1:, None, None] - half)
+    order, kappa = piece.order, kappa[None, :, None]
+    zero = kappa * half * 0
+    c = [zero + numbers.array([int(i == j) for j in range(order)]) for i in range(order)]
+    dc = [c[0] * 0 for _ in range(order)]
+    scale = half**order / (piece.bending if order == 4 else tension)
+    nu, gamma = tension * half**2 * scale / half**4, piece.gradient * half**3 * scale / half**4
+    rho = piece.gradient * half / tension
+    for k in range(numbers.terms(order)):
+        if order == 4:
+            below = (k + 4) * (k + 3) * (k + 2) * (k + 1)
+            drawn, leaning = nu * ((k + 2) * (k + 1)), gamma * (k + 1) ** 2
+            c.append((drawn * c[k + 2] + leaning * c[k + 1] - kappa * scale * c[k]) / below)
+            dc.append((drawn * dc[k + 2] + leaning * dc[k + 1] - scale * (c[k] + kappa * dc[k])) / below)
+        else:
+            below = (k + 2) * (k + 1)
+            c.append((kappa * scale * c[k] - rho * (k + 1) ** 2 * c[k + 1]) / below)
+            dc.append((scale * (c[k] + kappa * dc[k]) - rho * (k + 1) ** 2 * dc[k + 1]) / below)
+    return c, dc, half
+
+
+def sums(c: list, eta: Any, derivative: int) -> Any:
+    """Σ k!/(k − j)! c_k ηᵏ⁻ʲ: the j-th derivative by η."""
+    found = c[-1] * 0
+    for k in range(len(c) - 1, derivative - 1, -1):
+        weight = 1
+        for i in range(derivative):
+            weight *= k - i
+        found = found * eta + weight * c[k]
+    return found
+
+
+def _end_values(piece, cuts, kappa, numbers):
+    """End values and end forces of the solutions, rows, and their derivatives by κ: arrays (parts, κ, m, m)."""
+    c, dc, half = coefficients(piece, cuts, kappa, numbers)
+    places = numbers.array(cuts)
+    found = []
+    for series in (c, dc):
+        values, forces = [], []
+        for eta, place in ((-1, places[:-1]), (1, places[1:])):
+            tension = (piece.tension + piece.gradient * place)[:, None, None]
+            first = sums(series, eta, 1) / half
+            values.append(sums(series, eta, 0))
+            if piece.order == 4:
+                values.append(first)
+                forces.append(eta * (tension * first - piece.bending * sums(series, eta, 3) / half**3))
+                forces.append(eta * piece.bending * sums(series, eta, 2) / half**2)
+            else:
+                forces.append(eta * tension * first)
+        found += [np.stack(values, axis=-2), np.stack(forces, axis=-2)]
+    return found
+
+
+def slack_series(piece: "Piece", x: Any, kappa: np.ndarray, numbers: "Arithmetic") -> tuple[Any, Any, Any, Any]:
+    """(u, x u′) of the bounded solution, 1 where N = 0, and their derivatives by κ."""
+    z = kappa * x / piece.gradient
+    term, slope = z * 0 + 1, z * 0
+    found = [term, slope, slope, slope]
+    for k in range(1, numbers.terms(2)):
+        term, slope = term * z / k**2, (term + slope * z) / k**2
+        found = [found[0] + term, found[1] + k * term, found[2] + slope, found[3] + k * slope]
+    return found[0], found[1], found[2] * x / piece.gradient, found[3] * x / piece.gradient
+
+
+def _slack(piece, end, kappa, numbers):
+    """Of the part next to the end without tension: forces only at its other end."""
+    u, pull, u_slope, pull_slope = slack_series(piece, end, kappa, numbers)
+    own = piece.gradient * pull / u
+    zero = own * 0
+    slope = (piece.gradient * pull_slope - own * u_slope) / u
+    return tuple(np.stack([np.stack([zero, zero], axis=-1), np.stack([zero, value], axis=-1)], axis=-2)
+                 for value in (own, slope))

@@ -1,0 +1,128 @@
+"""A uniform beam of half length a about its middle: the functions of which its stiffness is made.
+
+In ξ = x/a: u⁗ − ν u″ + χ u = 0 with ν = N a²/B, χ = κ a⁴/B. Its roots P₁, P₂ of P² − ν P + χ = 0 give even solutions
+C(P ξ²) and odd ones ξ S(P ξ²). With A, B = ν ± 2 √χ = (√P₁ ± √P₂)² each function has two forms; one of them has
+well separated roots, and where all are small both are power series in ν and χ:
+
+    c = C₁ C₂             = (C(A) + C(B))/2
+    s = S₁ S₂             = 2 (C(A) − C(B))/(A − B)
+    d = (P₁ C₂ S₁ − P₂ C₁ S₂)/(P₁ − P₂) = (S(A) + S(B))/2
+    σ = (C₁ S₂ − C₂ S₁)/(P₁ − P₂)       = 2 (S(A) − S(B))/(A − B)
+
+Beams held at both ends vibrate evenly where d = 0, oddly where σ = 0.
+"""
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from vibcli.numerics.pieces.scaled_functions import ALIKE, even_functions, terms
+
+if TYPE_CHECKING:
+    from vibcli.numerics.pieces.arithmetic import Arithmetic
+
+
+class Parity(NamedTuple):
+    """Arrays: the four functions and their derivatives by χ times e^{−R}; what couples the ends times e^{−2R}.
+
+    uu = c d − χ s σ, ut = χ σ² − d², tt = c σ − d s, without the cancellation of these. R = Re √P₁ + Re √P₂.
+    """
+
+    c: np.ndarray
+    s: np.ndarray
+    d: np.ndarray
+    sigma: np.ndarray
+    c_slope: np.ndarray
+    s_slope: np.ndarray
+    d_slope: np.ndarray
+    sigma_slope: np.ndarray
+    uu: np.ndarray
+    ut: np.ndarray
+    tt: np.ndarray
+
+
+def parity_functions(nu: np.ndarray, chi: np.ndarray, numbers: "Arithmetic") -> Parity:
+    """Of arrays of equal shape (flat)."""
+    real = numbers.is_real(nu) and numbers.is_real(chi)
+    root = numbers.sqrt(chi)
+    small = np.abs(nu) + 2 * np.abs(root) <= ALIKE
+    apart = np.abs(nu * nu - 4 * chi) >= 16 * np.abs(chi)
+    found = None
+    for chosen, form in ((small, _series), (~small & apart, _by_roots), (~small & ~apart, _by_sums)):
+        if chosen.any():
+            part = form(nu[chosen], chi[chosen], numbers)
+            part = [numbers.real(values) for values in part] if real else list(part)
+            found = part if chosen.all() else _put(found, part, chosen)
+    return Parity(*found)
+
+
+def separate_roots(nu: np.ndarray, chi: np.ndarray, numbers: "Arithmetic") -> tuple[np.ndarray, np.ndarray]:
+    """P₁ and P₂, the larger first, without cancellation; not both 0."""
+    half, middle = numbers.sqrt(nu * nu / 4 - chi), nu / 2
+    one = np.where(np.abs(middle + half) >= np.abs(middle - half), middle + half, middle - half)
+    return one, chi / one
+
+
+def _put(found, part, chosen):
+    """Values of some elements among those known."""
+    if found is None:
+        found = [np.zeros(chosen.shape, values.dtype) for values in part]
+    for i, values in enumerate(part):
+        if found[i].dtype != values.dtype:
+            found[i] = found[i].astype(np.result_type(found[i], values))
+        found[i][chosen] = values
+    return found
+
+
+def _series(nu, chi, numbers):
+    """X_k = (Aᵏ + Bᵏ)/2 and Y_k = (Aᵏ − Bᵏ)/(A − B) by their recurrence, and the derivatives of Y_k by χ."""
+    total, product = 2 * nu, nu * nu - 4 * chi
+    zero = nu * chi * 0
+    x, y, dy = [zero + 1, zero + nu], [zero, zero + 1], [zero, zero]
+    for k in range(1, terms(ALIKE, numbers)):
+        x.append(total * x[k] - product * x[k - 1])
+        y.append(total * y[k] - product * y[k - 1])
+        dy.append(total * dy[k] - product * dy[k - 1] + 4 * y[k - 1])
+    c = s = d = sigma = s_slope = d_slope = sigma_slope = zero
+    weights = [numbers.array(1)]
+    for k in range(1, 2 * len(x)):
+        weights.append(weights[-1] / k)
+    for k in range(len(x) - 1, -1, -1):
+        even, odd = weights[2 * k], weights[2 * k + 1]
+        c, s = c + even * x[k], s + 2 * even * y[k]
+        d, sigma = d + odd * x[k], sigma + 2 * odd * y[k]
+        s_slope, sigma_slope = s_slope + 2 * even * dy[k], sigma_slope + 2 * odd * dy[k]
+        if k:
+            d_slope = d_slope + 2 * k * odd * y[k - 1]
+    return Parity(c, s, d, sigma, sigma / 2, s_slope, d_slope, sigma_slope,
+                  c * d - chi * s * sigma, chi * sigma * sigma - d * d, c * sigma - d * s)
+
+
+def _by_roots(nu, chi, numbers):
+    """From C, S and S′ at P₁ and P₂, which are not near each other."""
+    one, other = separate_roots(nu, chi, numbers)
+    f, g, gap = even_functions(one, numbers), even_functions(other, numbers), one - other
+    c, s, f_g, g_f = f.c * g.c, f.s * g.s, f.s * g.c, f.c * g.s
+    d, sigma = (one * f_g - other * g_f) / gap, (g_f - f_g) / gap
+    fading, other_fading = numbers.exp(-2 * g.r), numbers.exp(-2 * f.r)
+    return Parity(
+        c, s, d, sigma, sigma / 2, (f.s * g.slope - f.slope * g.s) / gap,
+        (nu * s / 2 - c - (f_g + g_f) / 2 + 2 * d) / gap**2,
+        (g.c * f.slope + f.c * g.slope - s + 2 * sigma) / gap**2,
+        (one * f.s * f.c * fading - other * g.s * g.c * other_fading) / gap,
+        -(one * f.s * f.s * fading - other * g.s * g.s * other_fading) / gap,
+        -(f.s * f.c * fading - g.s * g.c * other_fading) / gap)
+
+
+def _by_sums(nu, chi, numbers):
+    """From C, S and S′ at A and B, which are not near each other."""
+    root = numbers.sqrt(chi)
+    f, g = even_functions(nu + 2 * root, numbers), even_functions(nu - 2 * root, numbers)
+    least = np.where(f.r < g.r, f.r, g.r)
+    f_scale, g_scale = numbers.exp(least - g.r), numbers.exp(least - f.r)
+    f_c, f_s, f_slope = f.c * f_scale, f.s * f_scale, f.slope * f_scale
+    g_c, g_s, g_slope = g.c * g_scale, g.s * g_scale, g.slope * g_scale
+    s, d, sigma = (f_c - g_c) / (2 * root), (f_s + g_s) / 2, (f_s - g_s) / (2 * root)
+    return Parity((f_c + g_c) / 2, s, d, sigma, sigma / 2, (d - s) / (2 * chi), (f_slope - g_slope) / (2 * root),
+                  (f_slope + g_slope - sigma) / (2 * chi), (f_c * g_s + g_c * f_s) / 2, -f_s * g_s,
+                  (g_c * f_s - f_c * g_s) / (2 * root))

@@ -1,0 +1,71 @@
+"""The functions that uniform pieces are made of, without overflow and without loss of digits.
+
+C(z) = cosh √z and S(z) = sinh √z / √z are entire; S′ is dS/dz. They are handed on times e^{−r}, r = Re √z ≥ 0.
+"""
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from vibcli.numerics.pieces.arithmetic import Arithmetic
+
+SMALL = 1.0         # |z| up to which C, S and S′ are summed as power series
+ALIKE = 4.0         # |A|, |B| up to which functions of two roots are
+
+
+class Even(NamedTuple):
+    """C, S and S′ at z, each times e^{−r}, arrays."""
+
+    c: np.ndarray
+    s: np.ndarray
+    slope: np.ndarray
+    r: np.ndarray
+
+
+def even_functions(z: np.ndarray, numbers: "Arithmetic") -> Even:
+    """C, S and S′ of an array."""
+    near = np.abs(z) <= SMALL
+    if near.all():
+        return _series(z, numbers)
+    if not near.any():
+        return _exponentials(z, numbers)
+    series, closed = _series(z[near], numbers), _exponentials(z[~near], numbers)
+    return Even(*(merged(near, one, other) for one, other in zip(series, closed, strict=True)))
+
+
+def merged(chosen: np.ndarray, inside: np.ndarray, outside: np.ndarray) -> np.ndarray:
+    """One array of two: where chosen the values of the first in their order, elsewhere those of the second."""
+    found = np.empty(chosen.shape, np.result_type(inside, outside))
+    found[chosen], found[~chosen] = inside, outside
+    return found
+
+
+def terms(size: float, numbers: "Arithmetic") -> int:
+    """How many terms zᵏ/(2k)! a series needs for |z| ≤ size."""
+    term, k = 1.0, 0
+    while term > numbers.eps / 64:
+        k += 1
+        term *= size / (2 * k * (2 * k - 1))
+    return k + 1
+
+
+def _series(z, numbers):
+    """By Horner's rule from the last term: C = Σ zᵏ/(2k)!, S = Σ zᵏ/(2k+1)!, S′ = Σ k zᵏ⁻¹/(2k+1)!."""
+    c = s = z * 0 + 1
+    slope = z * 0 + 1
+    for k in range(terms(SMALL, numbers), 0, -1):
+        c = 1 + c * z / (2 * k * (2 * k - 1))
+        s = 1 + s * z / (2 * k * (2 * k + 1))
+        slope = 1 + slope * z / (2 * k * (2 * k + 3))
+    return Even(c, s, slope / 6, np.abs(z) * 0)
+
+
+def _exponentials(z, numbers):
+    p = numbers.sqrt(z)
+    r = numbers.real(p)
+    forward, backward = numbers.exp(p - r), numbers.exp(-p - r)
+    c, s = (forward + backward) / 2, (forward - backward) / (2 * p)
+    if numbers.is_real(z):
+        c, s = numbers.real(c), numbers.real(s)
+    return Even(c, s, (c - s) / (2 * z), r)

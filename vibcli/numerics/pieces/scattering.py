@@ -1,0 +1,91 @@
+"""Parts joined end to end by what they reflect and let through, which nothing in between makes large.
+
+With û = √Z u, f̂ = f/√Z at the ends, Z > 0 a stiffness chosen for each node, a = f̂ + i û goes in, b = f̂ − i û = S a
+comes out: S = (d̂ − i)(d̂ + i)⁻¹, unitary for real d. At a joint û is one and the forces cancel.
+"""
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from vibcli.numerics.pieces.arithmetic import Arithmetic
+
+
+class Level(NamedTuple):
+    """S and ∂S/∂κ of some parts, (parts, κ, m, m), m/2 values at either end."""
+
+    s: np.ndarray
+    slope: np.ndarray
+
+
+def scattered(stiffness: np.ndarray, slope: np.ndarray, scale: np.ndarray, numbers: "Arithmetic") -> Level:
+    """S of d with Z, (parts, κ, m): S = 1 − 2i (d̂ + i)⁻¹."""
+    both = scale[..., :, None] * scale[..., None, :]
+    one, i = _unit(stiffness, numbers)
+    inverse = numbers.inverse(stiffness * both + i)
+    return Level(one - 2 * i @ inverse, 2 * i @ inverse @ (slope * both) @ inverse)
+
+
+def stiffness_again(level: Level, scale: np.ndarray, numbers: "Arithmetic") -> tuple[np.ndarray, np.ndarray]:
+    """(d, ∂d/∂κ) of S: d̂ = 2i (1 − S)⁻¹ − i."""
+    one, i = _unit(level.s, numbers)
+    inverse = numbers.inverse(one - level.s)
+    both = scale[..., :, None] * scale[..., None, :]
+    return (2 * i @ inverse - i) / both, 2 * i @ inverse @ level.slope @ inverse / both
+
+
+def _unit(values, numbers):
+    one = numbers.array(np.eye(values.shape[-1]))
+    return one, one * numbers.i
+
+
+def joined(level: Level, numbers: "Arithmetic") -> Level:
+    """Neighbours in pairs; a last one without partner stays."""
+    pairs = len(level.s) // 2
+    left, right = (Level(*(values[j:2 * pairs:2] for values in level)) for j in range(2))
+    (s, slope), rest = _star(left, right, numbers), [values[2 * pairs:] for values in level]
+    return Level(np.concatenate([s, rest[0]]), np.concatenate([slope, rest[1]]))
+
+
+def _blocks(values):
+    h = values.shape[-1] // 2
+    return values[..., :h, :h], values[..., :h, h:], values[..., h:, :h], values[..., h:, h:]
+
+
+def _star(left, right, numbers):
+    """S of two in a row (Redheffer's product with f and −f at the joint)."""
+    l11, l12, l21, l22 = _blocks(left.s)
+    r11, r12, r21, r22 = _blocks(right.s)
+    d11, d12, d21, d22 = _blocks(left.slope)
+    e11, e12, e21, e22 = _blocks(right.slope)
+    one = numbers.array(np.eye(l11.shape[-1]))
+    p = numbers.inverse(one - l22 @ r11)
+    dp = p @ (d22 @ r11 + l22 @ e11) @ p
+    a, da = r11 @ p, e11 @ p + r11 @ dp
+    b, db = p @ l22, dp @ l22 + p @ d22
+    through, slope = one + a @ l22, da @ l22 + a @ d22
+    s = [l11 + l12 @ a @ l21, -l12 @ through @ r12, -r21 @ p @ l21, r22 + r21 @ b @ r12]
+    ds = [d11 + d12 @ a @ l21 + l12 @ da @ l21 + l12 @ a @ d21,
+          -(d12 @ through @ r12 + l12 @ slope @ r12 + l12 @ through @ e12),
+          -(e21 @ p @ l21 + r21 @ dp @ l21 + r21 @ p @ d21),
+          e22 + e21 @ b @ r12 + r21 @ db @ r12 + r21 @ b @ e12]
+    return tuple(np.concatenate([np.concatenate(part[:2], axis=-1), np.concatenate(part[2:], axis=-1)], axis=-2)
+                 for part in (s, ds))
+
+
+def divided(level: Level, inward: np.ndarray, numbers: "Arithmetic") -> np.ndarray:
+    """What goes into the parts of a level, (parts, κ, m), from what goes into the pairs joined of it."""
+    pairs = len(level.s) // 2
+    h = inward.shape[-1] // 2
+    _, _, l21, l22 = _blocks(level.s[:2 * pairs:2])
+    r11, r12, _, _ = _blocks(level.s[1:2 * pairs:2])
+    first, last = inward[:pairs, :, :h, None], inward[:pairs, :, h:, None]
+    inverse = numbers.inverse(numbers.array(np.eye(h)) - l22 @ r11)
+    out = inverse @ (l21 @ first - l22 @ r12 @ last)
+    back = r11 @ out - r12 @ last
+    found = np.empty((len(level.s), *inward.shape[1:]), out.dtype)
+    found[:2 * pairs:2] = np.concatenate([first, back], axis=-2)[..., 0]
+    found[1:2 * pairs:2] = np.concatenate([-out, last], axis=-2)[..., 0]
+    found[2 * pairs:] = inward[pairs:]
+    return found

@@ -1,0 +1,155 @@
+"""The deflection of uniform pieces between their ends, from its even and odd parts about the middle.
+
+With ξ = (x − a)/a and g either C(P ξ²) or ξ S(P ξ²), times P or P² for higher derivatives, at the two roots, what end
+values U, Θ = a θ of an even (odd) motion leave is, Δ = P₁ − P₂ and d, σ as in `parity`,
+
+    even: [(P₁ S₁ g₂ − P₂ S₂ g₁) U + (C₂ g₁ − C₁ g₂) Θ]/(Δ d),    odd: [(C₁ g₂ − C₂ g₁) U + (S₂ g₁ − S₁ g₂) Θ]/(Δ σ);
+
+where the roots are near each other, f₁ g₂ − f₂ g₁ = Δ (f′ ḡ − f̄ g′) by means f̄ and divided differences f′.
+What grows towards an end is scaled to 1 there.
+"""
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from vibcli.numerics.pieces.parity import separate_roots
+from vibcli.numerics.pieces.scaled_functions import ALIKE, even_functions, terms
+
+if TYPE_CHECKING:
+    from vibcli.numerics.pieces.arithmetic import Arithmetic
+
+
+class _Pair(NamedTuple):
+    """A function at both roots: its mean and divided difference, or its two values."""
+
+    one: np.ndarray
+    other: np.ndarray
+
+
+def second_order_fields(xi: np.ndarray, near: np.ndarray, half: np.ndarray, tension: np.ndarray, kappa: np.ndarray,
+                        ends: np.ndarray, numbers: "Arithmetic") -> np.ndarray:
+    """(u, u′), (…, 2), at ξ, near = 1 − |ξ|, of pieces with end values (…, 2), over flat arrays."""
+    z = kappa * half * half / tension
+    own, here = even_functions(z, numbers), even_functions(z * xi * xi, numbers)
+    fading = _fading(own, here, near, numbers)
+    even, odd = (ends[..., 1] + ends[..., 0]) / 2 / own.c * fading, (ends[..., 1] - ends[..., 0]) / 2 / own.s * fading
+    return np.stack([even * here.c + odd * xi * here.s, (even * z * xi * here.s + odd * here.c) / half], axis=-1)
+
+
+def fourth_order_fields(xi: np.ndarray, near: np.ndarray, half: np.ndarray, bending: np.ndarray, tension: np.ndarray,
+                        kappa: np.ndarray, ends: np.ndarray, numbers: "Arithmetic") -> np.ndarray:
+    """(u, u′, u″, u‴), (…, 4), at ξ, near = 1 − |ξ|, of beams with end values (…, 4), over flat arrays."""
+    nu, chi = tension * half * half / bending, kappa * half**4 / bending
+    root = numbers.sqrt(chi)
+    sums = [np.abs(nu + 2 * root), np.abs(nu - 2 * root)]
+    small = np.abs(nu) + 2 * np.abs(root) <= ALIKE
+    alike = ~small & ((sums[0] < 1) | (sums[1] < 1))
+    found = np.zeros((*chi.shape, 4), np.result_type(chi, nu, ends, xi))
+    real = numbers.is_real(chi) and numbers.is_real(nu) and numbers.is_real(ends)
+    for chosen, form in ((small, _by_series), (alike, _by_means), (~small & ~alike, _by_roots)):
+        if chosen.any():
+            parts = ends[chosen]
+            u_0, t_0, u_l, t_l = (parts[..., i] for i in range(4))
+            size = half[chosen]
+            amplitudes = ((u_l + u_0) / 2, (t_l - t_0) / 2 * size, (u_l - u_0) / 2, (t_l + t_0) / 2 * size)
+            values = form(nu[chosen], chi[chosen], xi[chosen], near[chosen], amplitudes, numbers)
+            values = np.stack([value / size**k for k, value in enumerate(values)], axis=-1)
+            found[chosen] = numbers.real(values) if real else values
+    return found
+
+
+def _fading(own, here, near, numbers):
+    """e to what a function at ξ was scaled by less what it was at the end."""
+    return numbers.exp(np.where(here.r == 0, -own.r, -own.r * near))
+
+
+def _by_roots(nu, chi, xi, near, amplitudes, numbers):
+    one, other = separate_roots(nu, chi, numbers)
+    gap, square = one - other, xi * xi
+    f, g = even_functions(one, numbers), even_functions(other, numbers)
+    f_here, g_here = even_functions(one * square, numbers), even_functions(other * square, numbers)
+    f_fading, g_fading = _fading(f, f_here, near, numbers), _fading(g, g_here, near, numbers)
+    even = _Pair(f_here.c * f_fading, g_here.c * g_fading)
+    odd = _Pair(xi * f_here.s * f_fading, xi * g_here.s * g_fading)
+
+    def times(pair):
+        return _Pair(pair.one * one, pair.other * other)
+
+    def cross(own, pair):
+        return (own.one * pair.other - own.other * pair.one) / gap
+
+    c, s = _Pair(f.c, g.c), _Pair(f.s, g.s)
+    d, sigma = cross(times(s), c), cross(c, s)
+    return _derivatives(even, odd, times, cross, (c, s), (d, sigma), amplitudes)
+
+
+def _by_means(nu, chi, xi, near, amplitudes, numbers):
+    """Near double roots: from A/4 and B/4, of which the second is small."""
+    root = numbers.sqrt(chi)
+    root = np.where(np.abs(nu + 2 * root) >= np.abs(nu - 2 * root), root, -root)
+    large, little = nu / 4 + root / 2, nu / 4 - root / 2
+
+    def pairs(square):
+        f, g = even_functions(large * square, numbers), even_functions(little * square, numbers)
+        difference = (f.c * g.s - f.s * g.c) / (2 * root)
+        c = _Pair(f.c * g.c, square * f.s * g.s / 2)
+        return f, g, c, _Pair((large * f.s * g.c - little * g.s * f.c) / root, difference)
+
+    f, g, c, s = pairs(xi * 0 + 1)
+    here, _, even, odd = pairs(xi * xi)
+    fading = _fading(f, here, near, numbers)
+    double, single = f.s * f.c, g.s * g.c * numbers.exp(-2 * f.r)
+    rest = ((double + single) / 2, (double - single) / (2 * root))
+    even, odd = _Pair(*(value * fading for value in even)), _Pair(*(value * xi * fading for value in odd))
+    return _derivatives(even, odd, *_of_means(nu, chi), (c, s), rest, amplitudes)
+
+
+def _by_series(nu, chi, xi, near, amplitudes, numbers):
+    """Means and divided differences of Pᵏ by their recurrence."""
+    zero = nu * chi * 0
+    means, differences = [zero + 1, zero + nu / 2], [zero, zero + 1]
+    for k in range(1, terms(ALIKE, numbers)):
+        means.append(nu * means[k] - chi * means[k - 1])
+        differences.append(nu * differences[k] - chi * differences[k - 1])
+
+    def pairs(square):
+        found, weight = [[zero, zero], [zero, zero]], numbers.array(1) + square * 0
+        for k, pair in enumerate(zip(means, differences, strict=True)):
+            if k:
+                weight = weight * square / (2 * k * (2 * k - 1))
+            for j in range(2):
+                found[0][j] = found[0][j] + weight * pair[j]
+                found[1][j] = found[1][j] + weight * pair[j] / (2 * k + 1)
+        return _Pair(*found[0]), _Pair(*found[1])
+
+    (c, s), (even, odd) = pairs(xi * 0 + 1), pairs(xi * xi)
+    times, cross = _of_means(nu, chi)
+    return _derivatives(even, _Pair(xi * odd.one, xi * odd.other), times, cross, (c, s),
+                        (cross(times(s), c), cross(c, s)), amplitudes)
+
+
+def _of_means(nu, chi):
+    """What multiplies a pair by P, and the crossed product."""
+    quarter = nu * nu / 4 - chi
+
+    def times(pair):
+        return _Pair(nu / 2 * pair.one + quarter * pair.other, nu / 2 * pair.other + pair.one)
+
+    def cross(own, pair):
+        return own.other * pair.one - own.one * pair.other
+
+    return times, cross
+
+
+def _derivatives(even, odd, times, cross, own, rest, amplitudes):
+    """u and its three derivatives by ξ; g of the even part follow one another as C, ξPS, PC, ξP²S, of the odd part
+    as ξS, C, ξPS, PC."""
+    c, s = own
+    slope = times(odd)
+    u, t, v, w = amplitudes[0] / rest[0], amplitudes[1] / rest[0], amplitudes[2] / rest[1], amplitudes[3] / rest[1]
+    ps = times(s)
+    found = []
+    for g, h in ((even, odd), (slope, even), (times(even), slope), (times(slope), times(even))):
+        found.append(cross(ps, g) * u - cross(c, g) * t + cross(c, h) * v - cross(s, h) * w)
+    return found

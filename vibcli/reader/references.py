@@ -1,0 +1,55 @@
+"""References by name: each names something of its namespace, and no name stands for two things."""
+
+from typing import TYPE_CHECKING
+
+from vibcli.base.diagnostics import quoted
+from vibcli.base.spelling import nearest
+from vibcli.language.spec import MEMBERS
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Reader
+    from vibcli.language.spec import Spec
+
+_KINDS = {"points": "point", "surfaces": "surface", "forces": "force", "bodies": "body", "coordinates": "coordinate",
+          "members": "member"}
+
+
+def check_references(spec: "Spec", reader: "Reader") -> None:
+    """Every reference must name something of its namespace; points and bodies share one namespace."""
+    spaces = {space: dict.fromkeys(spec.named.get(space, ())) for space in ("points", "bodies", "surfaces", "forces")}
+    spaces["members"] = dict.fromkeys(reader.members)
+    spaces |= {"ground": {"ground": None}, "coordinates": spec.coordinates}
+    _of_one_name(spec, reader, spaces)
+    for name, namespaces, wants in reader.references:
+        if any(name.text in spaces[space] for space in namespaces) or (
+                namespaces == ("coordinates",) and not reader.sound):
+            continue
+        valid = [word for space in namespaces for word in spaces[space]]
+        if namespaces == ("bodies",) and name.text in spaces["points"]:
+            reader.report(name.where, f"'{name.text}' is a point, expected the name of a body",
+                          nearest(name.text, valid))
+            continue
+        if namespaces == ("points",) and name.text in spaces["bodies"]:
+            reader.report(name.where, f"'{name.text}' is a body, expected {wants}",
+                          "name the place under `points`, and draw both there")
+            continue
+        if name.text == "ground" and "points" in namespaces and "place" in wants:
+            reader.report(name.where, f"expected {wants}, found 'ground'", "a place on the ground is written [x, y]")
+            continue
+        kind = " or ".join(_KINDS[space] for space in namespaces if space in _KINDS)
+        reader.report(name.where, f"there is no {kind} {quoted(name.text)}",
+                      nearest(name.text, valid) or f"expected {wants}")
+
+
+def _of_one_name(spec, reader, spaces):
+    """Points, bodies and members share one namespace."""
+    for name, record in (*(spec.get("points") or {}).items(), *(spec.get("member_points") or {}).items()):
+        if name in spaces["bodies"]:
+            reader.report(record.where, f"'{name}' is a point and a body", "rename one of them")
+    seen = dict.fromkeys(spaces["points"], "point") | dict.fromkeys(spaces["bodies"], "body")
+    for section in MEMBERS if reader.members else ():
+        for name, record in (spec.get(section) or {}).items():
+            if name in seen or name == "ground":
+                kind = seen.get(name, "the ground")
+                reader.report(record.where, f"'{name}' is a {kind} and a {section[:-1]}", "rename one of them")
+            seen[name] = section[:-1]

@@ -1,0 +1,103 @@
+"""Modes of scenes with members that have inertia: wave numbers, shapes along members."""
+
+from collections.abc import Iterator, Sequence
+from math import isclose
+from typing import TYPE_CHECKING, Any
+
+from vibcli.analyses.modal.normalisation import words
+from vibcli.notation.numbers import figure
+from vibcli.report.blocks import Section, TableBlock, section
+from vibcli.report.keys import Key
+
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.undamped import Mode
+    from vibcli.results.problem import Problem
+
+CLOSE, LISTED = 1e-9, 8     # lengths that are equal; nodes in a line of the table
+NOTHING = 1e-15             # of the largest displacement
+PLACES, PER_NODE = 101, 16  # along a member in the JSON
+FORCES = {"bar": "force", "shaft": "moment"}      # what u′ times the stiffness is
+
+
+def wave_numbers(problem: "Problem", modes: "Sequence[Mode]") -> list[str] | None:
+    """β of each mode in 1/m where one tells all members, ω = β √(N/μ) or β² √(B/μ); else None."""
+    pieces = [placed.piece for placed in problem.configuration.linear_system.pieces]
+    if not pieces or any(piece.foundation or (piece.bending and piece.tension) or not piece.inertia
+                         for piece in pieces):
+        return None
+    ratios = [float(piece.inertia / (piece.bending or piece.tension)) for piece in pieces]
+    orders = {piece.order for piece in pieces}
+    if len(orders) > 1 or not all(isclose(ratio, ratios[0], rel_tol=CLOSE) for ratio in ratios):
+        return None
+    power = 2 / orders.pop()
+    return ["–" if mode.omega is None else figure((float(mode.omega) * ratios[0] ** 0.5) ** power, mode.error)
+            if mode.omega else "0" for mode in modes]
+
+
+def along_members(problem: "Problem", modes: "Sequence[Mode]", how: str) -> Iterator[Section]:
+    """Of each member a table: the largest displacement in each mode, and where it rests."""
+    stated = "" if problem.scene.coordinates else f" ({words(how, problem.scene.members)})"
+    for name, member in problem.scene.members.items():
+        rows = []
+        for mode in modes:
+            fields, scale = problem.modal.fields(mode), problem.modal.scale(mode, how)
+            place, largest = fields.largest(name)
+            rows.append((str(mode.index), *_row(place, largest * scale, fields.node_places(name))))
+        motion = "φ" if member.kind.torsional else "u"
+        head = ("mode", f"largest {motion}", "at x [m]", "nodes at x [m]")
+        yield from section(f"Modes along {name}{stated}", TableBlock(head, tuple(rows)))
+
+
+def _row(place, largest, nodes):
+    if not largest:
+        return "0", "–", "rests"
+    told = ", ".join(figure(x) for x in nodes[:LISTED]) + (
+        f", … ({len(nodes)} in all)" if len(nodes) > LISTED else "")
+    size = f"{abs(largest):.6g}" if getattr(largest, "imag", 0) else figure(float(largest.real))
+    return size, figure(place), told or "none"
+
+
+def member_shapes(problem: "Problem", index: int, how: str) -> dict[str, dict[str, Any]]:
+    """{member: its shape in a mode, with the keys of MEMBERS}."""
+    mode, = problem.modal.modes.numbered(index, index)
+    fields, scale = problem.modal.fields(mode), problem.modal.scale(mode, how)
+    return {name: _shape(member.kind, fields.pieces(name), scale, fields.largest(name)[0])
+            for name, member in problem.scene.members.items()}
+
+
+def _shape(kind, pieces, scale, top):
+    """x, u and what follows of it; `top`: where the member moves most."""
+    import numpy as np
+
+    from vibcli.analyses.continuous.shapes import antinodes, nodes, shape_along
+
+    resting, turning = nodes(pieces), antinodes(pieces)
+    starts = np.array([moved.start for moved in pieces])
+    end, count = pieces[-1].start + pieces[-1].piece.length, max(PLACES, PER_NODE * (len(resting) + 1) + 1)
+    places = np.unique([*np.linspace(starts[0], end, count), *starts, *resting, *turning, top])
+    values = shape_along(pieces, places).T * scale
+    values[0][abs(values[0]) < NOTHING * abs(values[0]).max()] = 0
+    which = np.maximum(np.searchsorted(starts, places, side="right") - 1, 0)
+    stiffness = np.array([moved.piece.bending or moved.piece.tension for moved in pieces])[which]
+    forces: dict[str, Any] = {"moment": None, "shear": None, "force": None}
+    if kind.bends:
+        forces |= {"moment": stiffness * values[2], "shear": stiffness * values[3]}
+    elif kind.name in FORCES:
+        forces[FORCES[kind.name]] = stiffness * values[1]
+    forces = {name: value if value is None else value.tolist() for name, value in forces.items()}
+    return {"x": places.tolist(), "u": values[0].tolist(), "slope": values[1].tolist(), **forces,
+            "nodes": resting, "antinodes": turning}
+
+
+MEMBERS = Key("members", "of scenes with members that have inertia: {name: its shape}", of=(
+    Key("NAME", "the shape of a member", of=(
+        Key("x", "places from the left end on [m], nodes and antinodes among them"),
+        Key("u", "displacements there, of shafts turns, normalised as the coordinates are"),
+        Key("slope", "u′ there"),
+        Key("moment", "EI u″, of shafts GI_o φ′; null of others"),
+        Key("shear", "(EI u″)′ of beams; null of others"),
+        Key("force", "EA u′ of bars; null of others"),
+        Key("nodes", "the places at rest, ends and supports not counted"),
+        Key("antinodes", "the places within it that move most beside those around them"))),))
+COUNT = Key("count", "of scenes with members that have inertia: how many modes are certain to have at most the "
+            "frequency of the last one, by a count just above it; null where that does not tell")

@@ -1,0 +1,62 @@
+"""The modes that are printed: those that the command or the file asks for, else all, or the first of those without
+end."""
+
+from typing import TYPE_CHECKING
+
+from vibcli.analyses.modal.mode_sequence import Selection
+from vibcli.base.errors import PhysicsError
+from vibcli.reader.sections.find import MODES
+from vibcli.report.wanted import Wanted
+
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.damped_modes import DampedMode
+    from vibcli.analyses.modal.mode_sequence import Modes
+    from vibcli.analyses.modal.undamped import Mode
+    from vibcli.results.problem import Problem
+
+
+def lowest(count: int) -> Selection:
+    """The Selection of so many modes."""
+    return Selection(last=count)
+
+
+def selection(problem: "Problem", wanted: Wanted | None = None) -> Selection | None:
+    """The Selection that is asked for; None where nobody says which."""
+    if wanted is not None and wanted.modes is not None:
+        return wanted.modes
+    find = problem.spec.get("find")
+    record = find.about(MODES) if find is not None else None
+    if record is None:
+        return None
+    if "up_to" in record:
+        from vibcli.quantities.expression import number_of
+
+        return Selection(up_to=number_of(problem, record["up_to"].tree))
+    numbers = record["numbers"]
+    return Selection(last=numbers) if isinstance(numbers, int) else Selection(*numbers)
+
+
+def shown(problem: "Problem", wanted: Wanted | None = None, modes: "Modes | None" = None) -> "list[Mode]":
+    """The undamped modes that are printed, of `modes` where those are found to more digits."""
+    modes, asked = problem.modal.modes if modes is None else modes, selection(problem, wanted)
+    found = modes.shown(asked)
+    if not found and modes and asked is not None:
+        raise _none(modes, asked)
+    return found
+
+
+def _none(modes, asked):
+    if asked.up_to is None:
+        from vibcli.quantities.modal import counted
+
+        return PhysicsError(f"there is no mode {asked.first}: this scene has {counted(len(modes), 'mode')}",
+                            "ask for one that it has")
+    return PhysicsError(f"there is no mode up to {asked.up_to:.6g} rad/s: the first one has ω = "
+                        f"{float(modes[0].omega):.6g} rad/s", "ask for those up to a higher frequency")
+
+
+def shown_damped(problem: "Problem", wanted: Wanted | None = None,
+                 modes: "Modes | None" = None) -> "list[DampedMode] | None":
+    """The damped modes that are printed; None where nothing damps."""
+    modes = problem.modal.damped if modes is None else modes
+    return None if modes is None else modes.shown(selection(problem, wanted))

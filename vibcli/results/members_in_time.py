@@ -1,0 +1,44 @@
+"""The motion in time of scenes with members: by travelling waves where these are exact and their fronts few,
+else by modes."""
+
+from typing import TYPE_CHECKING
+
+from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
+from vibcli.base.errors import PhysicsError
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+    from vibcli.results.responses import SmallResponse
+
+
+def members_in_time(problem: "Problem") -> "SmallResponse":
+    """The response of a scene whose members vibrate."""
+    from vibcli.results.wave_response import WaveResponse
+
+    if problem.spec.get("motion") == "full":
+        raise PhysicsError("members are linear about their drawn line: the full equations of this scene are not found",
+                           "write motion: small")
+    waves = WaveResponse(problem)
+    try:
+        if waves.ends:
+            waves.alone.march.reach(waves.until)
+        else:
+            waves.alone  # noqa: B018 - is its motion one of waves?
+    except NotByWaves:
+        return _by_modes(problem)
+    return waves
+
+
+def _by_modes(problem):
+    """The ModalResponse, or a response of which steady states alone are found."""
+    from vibcli.results.modal_response import ModalResponse, NotByModes
+
+    modes = ModalResponse(problem)
+    try:
+        modes.alone  # noqa: B018 - is its motion one of modes by themselves?
+    except NotByModes as reason:
+        from vibcli.results.steady_response import SteadyResponse
+
+        return SteadyResponse(problem, PhysicsError(
+            f"the motion in time of this scene is not found: {reason.message}", reason.hint))
+    return modes

@@ -1,0 +1,221 @@
+"""The motion in time of scenes with members by modes beside what loads do exactly: of beams, and of bars, shafts and
+strings whose waves are not followed."""
+
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
+from vibcli.base.errors import PhysicsError
+from vibcli.results.response_of_members import CHECKED, SAME, ResponseOfMembers
+from vibcli.symbolic.rationals import fraction_of
+
+if TYPE_CHECKING:
+    from vibcli.analyses.continuous.modal_motion import ModalMotion
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+
+FIRST = 128         # modes
+FEWEST = 32
+MOST = {True: 2048, False: 512}     # modes of a uniform member by itself, and of others
+SHARES = 0.0, 0.25, 0.5, 0.75, 1.0      # of a piece
+CLOSE = 1e-10       # of the largest value: a remainder that is small enough
+
+
+class ModalResponse(ResponseOfMembers):
+    """Small oscillations about the equilibrium. NotByModes where what damps couples the modes."""
+
+    KIND, WORDS = "modes", "small oscillations about the equilibrium, by modes"
+
+    def __init__(self, problem: Any):
+        super().__init__(problem)
+        self._motions: dict[int, ModalMotion] = {}
+
+    @cached_property
+    def alone(self):
+        """The ModalMotion of the first modes under the excitation."""
+        count = FIRST
+        while True:
+            try:
+                return self.motion(count)
+            except NotByModes:
+                raise
+            except PhysicsError:        # frequencies that digits do not tell stand among so many
+                count //= 2
+                if count < FEWEST:
+                    raise
+
+    @cached_property
+    def most(self) -> int:
+        """So many modes are counted at most."""
+        return MOST[self.problem.modal.modes.first(1)[0].motion.system is not None and len(self.placed) == 1
+                    and not any(part.any() for part in self.matrices)]
+
+    def motion(self, count: int) -> "ModalMotion":
+        """That of so many modes."""
+        if count not in self._motions:
+            self._motions[count] = self._found(count)
+        return self._motions[count]
+
+    def _found(self, count):
+        import numpy as np
+
+        from vibcli.analyses.continuous.modal_motion import ModalMotion
+        from vibcli.analyses.continuous.mode_basis import ModeBasis
+
+        modes = self.problem.modal.modes.first(count)
+        basis = ModeBasis(modes, self.configuration.linear_system.pieces)
+        columns = [basis.shapes.T, *(-basis.end_forces(*drive)[:, None] for drive in self._driven_ends)]
+        inputs = np.concatenate(columns, axis=1)
+        return ModalMotion(basis, self._transfer, inputs, self._forces, self._start(basis), self._ratios(basis),
+                           self.problem.work)
+
+    @cached_property
+    def _driven_ends(self):
+        """DrivenEnds of all ends that the time moves."""
+        from vibcli.analyses.continuous.exact_transfer import DrivenEnd
+
+        ends = [(p, end) for p, placed in enumerate(self.placed) for end in range(len(placed.rows))]
+        return [DrivenEnd(*at) for at, (_, node) in zip(ends, self.ends_of_pieces, strict=True) if node is not None]
+
+    @cached_property
+    def _transfer(self):
+        import numpy as np
+
+        from vibcli.analyses.continuous.exact_transfer import ExactTransfer
+
+        M, C, K = self.matrices
+        linear = self.configuration.linear_system
+        if C.any() or linear.G:
+            raise NotByModes("dampers and gyroscopic terms couple the modes of members",
+                             "ask for steady(…), or damp with `drag:` along members")
+        pieces = [one._replace(piece=one.piece._make(float(x) for x in one.piece)) for one in linear.pieces]
+        if not all(one.piece.inertia for one in pieces):
+            raise NotByModes("a piece of a member without mass has drag", "give it mass, or take the drag out")
+        return ExactTransfer(np.array([K, C, M]), pieces, self._driven_ends)
+
+    @cached_property
+    def _forces(self):
+        """The Forcing of coordinates and driven ends."""
+        from vibcli.analyses.excitation.decompose import forcing_of
+        from vibcli.notation.plain import plain
+
+        n = len(self.matrices[0])
+        driven = [node for _, node in self.ends_of_pieces if node is not None]
+        nodes = self.drive_of_coordinates | dict(enumerate(driven, n))
+        return forcing_of(nodes, self.problem.scene.time, self.problem.numeric.floats, n + len(driven), write=plain,
+                          work=self.problem.work)
+
+    @property
+    def drive_of_coordinates(self):
+        """{i: node of the time}."""
+        return self.loads
+
+    def _ratios(self, basis):
+        """The damping ratio of each mode: drag c/μ that is the same everywhere damps each by itself."""
+        import numpy as np
+
+        rates = {placed.piece.drag / placed.piece.inertia for placed in self._transfer.pieces}
+        most = max(rates)
+        if not most:
+            return np.zeros(len(basis.squares))
+        if most - min(rates) > 1e-14 * most or self.matrices[0].any():
+            raise NotByModes("drag that differs from place to place couples the modes of members",
+                             "ask for steady(…), or give all the same drag by mass")
+        if not (basis.squares > 0).all():
+            raise NotByModes("drag on what nothing holds is not followed by modes", "hold it, or take the drag out")
+        return most / 2 / np.sqrt(basis.squares)
+
+    def _start(self, basis):
+        """η and η̇ at t = 0."""
+        import numpy as np
+
+        from vibcli.analyses.continuous.modal_start import of_field, of_shape
+
+        q, v = self.deviations
+        M = self.matrices[0]
+        eta, rate = basis.shapes.T @ (M @ q), basis.shapes.T @ (M @ v)
+        for number, (placed, given) in enumerate(zip(basis.placed, self.fields, strict=True)):
+            ends = np.array([sum(x * q[i] for i, x in row.items() if i < len(q)) for row in placed.rows])
+            shape, speed = given
+            eta = eta + (of_shape(basis, number, ends) if shape is None else of_field(basis, number, shape, 0))
+            rate = rate if speed is None else rate + of_field(basis, number, speed, 0)
+        return eta, rate
+
+    def _field(self, piece, given):
+        """(u, u̇) over one piece as Forcings; None of a u that is the shape at rest between its ends, and of no u̇."""
+        from vibcli.symbolic.derivatives import substitute
+
+        scene, held, u, rate = self.problem.scene, self.configuration.preloaded, None, None
+        place = {scene.time: scene.time + scene.table.number(fraction_of(float(piece.start)))}
+        if given is not None and given.displacement is not None:
+            u = substitute([given.displacement], place)[0] - self._resting(self.configuration, piece)
+        elif held is not None and held.scene.spread_loads:
+            u = self._resting(held, piece) - self._resting(self.configuration, piece)
+        if given is not None and given.rate is not None:
+            rate = substitute([given.rate], place)[0]
+        return self._over_place(u), self._over_place(rate)
+
+    def _over_place(self, node):
+        from vibcli.analyses.excitation.decompose import forcing_of
+        from vibcli.notation.plain import plain
+
+        return None if node is None else forcing_of({0: node}, self.problem.scene.time, self.problem.numeric.floats, 1,
+                                                    write=plain, work=self.problem.work)
+
+    def _resting(self, configuration, piece):
+        """u of a piece in the equilibrium of a Configuration, of the fourth degree as an even load bends it."""
+        import numpy as np
+
+        from vibcli.mechanics.inputs_outputs.displacements import resting
+        from vibcli.symbolic.evaluation import Floats, evaluate
+
+        scene, start, length = configuration.scene.resting, float(piece.start), float(piece.piece.length)
+        signal = f"{piece.owner}.{scene.members[piece.owner].kind.motion}"
+        nodes = [resting(scene, f"{signal}({start + share * length!r} m)") for share in (*SHARES, CHECKED)]
+        *values, other = evaluate(nodes, Floats, configuration.at_rest)
+        powers = np.linalg.solve(np.vander(SHARES, increasing=True), values)
+        if abs(np.polynomial.polynomial.polyval(CHECKED, powers) - other) > SAME * max(map(abs, values)):
+            raise NotByModes(f"'{piece.owner}' rests in a shape that is no polynomial of the fourth degree",
+                             "take its tension or what varies along it out")
+        table = self.problem.scene.table
+        xi = self.problem.scene.time / table.number(fraction_of(length))
+        return sum((table.number(fraction_of(float(c))) * xi**k for k, c in enumerate(powers) if c), table.zero)
+
+    def moved(self, direct: Any = ()):
+        """The same motion, read with nodes of the time on further channels."""
+        return self.alone.under(self.forcing(direct)) if direct else self.alone
+
+    def _enough(self, motion: "ModalMotion", output: "LinearOutput"):
+        """The motion by so many modes that the remainder of an output is small, or by the most."""
+        from vibcli.analyses.continuous.modal_motion import TooSlow
+
+        count = len(motion.eta)
+        while True:
+            try:
+                if motion.is_near(output, CLOSE) or 2 * count > self.most:
+                    return motion
+            except TooSlow:
+                if 2 * count > self.most:
+                    raise
+            count *= 2
+            try:
+                motion = self.motion(count).under(motion.reads)
+            except PhysicsError:        # frequencies that digits do not tell stand among so many
+                return motion
+
+    def _linear(self, constant, terms, source=()):
+        from vibcli.results.modal_signals import ModalSignal
+
+        motion, output = self._driven(constant, terms)
+        return ModalSignal(self._enough(motion, output), output)
+
+    def _composed(self, node, parts, source=()):
+        from vibcli.results.signals import ComposedSignal
+
+        if self._closing(node) is not None:
+            raise PhysicsError("signals of loops that close are not found by modes", "ask for coordinates")
+        signals = {symbol.name: self._one(part) for symbol, part in parts.items()}
+        return ComposedSignal(node, signals, self.values, self.problem.scene.time, None, self.problem.work)
+
+
+class NotByModes(NotByWaves):
+    """A system whose motion is not followed by modes, with the reason."""

@@ -1,0 +1,71 @@
+"""Signals of motions by modes, with the bound of the modes that are left out."""
+
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base.errors import PhysicsError
+from vibcli.results.signal import Signal
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.analyses.continuous.modal_motion import ModalMotion
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+
+
+class ModalSignal(Signal):
+    """A linear output of a ModalMotion."""
+
+    KIND = "a motion that is followed by modes of members"
+
+    def __init__(self, motion: "ModalMotion", output: "LinearOutput"):
+        self.modal, self.reads, self.work = motion, output, motion.work
+
+    def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
+        self.require_bound(float(max(times, default=0.0)) if hasattr(times, "__len__") else float(times), order)
+        return self.modal.values(self.reads, times, order)
+
+    def require_bound(self, t: float, order: int = 0) -> None:
+        """PhysicsError where what the modes left out add has no bound."""
+        import numpy as np
+
+        if np.isinf(self.modal.bound(self.reads, t, order)):
+            raise PhysicsError("the modes of this motion do not fall fast enough: what those left out add to this "
+                               "signal has no bound", "ask for displacements, or let the load begin smoothly")
+
+    def error(self, t: float) -> float:
+        import numpy as np
+
+        return float(self.modal.errors(self.reads, np.array([t]))[0])
+
+    def error_of_time(self, t: float) -> float:
+        from vibcli.analyses.continuous.modal_search import width_of_top
+
+        near = self.modal.values(self.reads, [t * (1 - 1e-6), t, t * (1 + 1e-6)])
+        return width_of_top(self.modal, self.reads, t, 1 if 2 * near[1] >= near[0] + near[2] else -1)
+
+    def error_of_zero(self, t: float) -> float:
+        from vibcli.analyses.continuous.modal_search import width_of_zero
+
+        return width_of_zero(self.modal, self.reads, t)
+
+    def extreme(self, start: float, end: float, sense: int) -> tuple[float, float]:
+        """(instant, value) of the largest (sense 1) or smallest (−1) value."""
+        from vibcli.analyses.continuous.modal_search import extreme
+
+        self.require_bound(end)
+        return extreme(self.modal, self.reads, start, end, sense)
+
+    def zeros(self, start: float, end: float) -> list[float]:
+        """Instants at which it passes or touches zero."""
+        from vibcli.analyses.continuous.modal_search import zeros
+
+        self.require_bound(end)
+        return zeros(self.modal, self.reads, start, end)
+
+    def along(self, end: float) -> Any:
+        """It has no few parts with known bounds."""
+        raise KeyError(self.KIND)
+
+    def final(self) -> float:
+        """It is not found."""
+        raise PhysicsError(f"the limit of {self.KIND} is not found", "ask for its value at a late instant")

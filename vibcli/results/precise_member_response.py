@@ -1,0 +1,89 @@
+"""H(iΩ) of scenes with members to any number of digits: D(s) X = load with the exact stiffness of every piece."""
+
+from typing import TYPE_CHECKING, Any
+
+from mpmath import mp
+
+from vibcli.analyses.frequency_response.member_places import seen_at
+from vibcli.analyses.frequency_response.member_system import MemberOutput
+from vibcli.base.errors import PhysicsError
+from vibcli.language.signal_names import signal_name
+from vibcli.mechanics.inputs_outputs.inputs import named_input
+from vibcli.mechanics.inputs_outputs.outputs import linear_row
+from vibcli.mechanics.inputs_outputs.place_signals import place_output
+from vibcli.mechanics.precise_configuration import PreciseConfiguration
+from vibcli.numerics.pieces.stiffness import dynamic_stiffness
+
+if TYPE_CHECKING:
+    import mpmath
+
+    from vibcli.results.problem import Problem
+
+
+class PreciseMemberCurve:
+    """H of a signal to a unit of an input, at the working precision."""
+
+    def __init__(self, problem: "Problem", signal: str, driver: str):
+        configuration = PreciseConfiguration(problem.configuration)
+        opened, self.given = configuration.with_inputs, named_input(configuration, driver)
+        if self.given.carried:
+            raise PhysicsError("more digits of a response to a load that turns with what is driven are not found",
+                               "leave --digits out")
+        self.elements = opened.numbers.elements
+        self.driven, self.n = range(opened.n, len(opened.scene.q)), len(opened.scene.q)
+        self.pieces, self.rates = list(self.elements.pieces), 0
+        place = place_output(configuration, signal)
+        if place is None:
+            row = linear_row(configuration, signal_name(signal).text)
+            self.output = MemberOutput((row.q, row.v, row.a))
+        else:
+            self.rates = place.primes
+            self.pieces, self.n, self.output = seen_at(place, self.pieces, self.n, mp.mpf)
+
+    def at(self, Omega: "mpmath.mpf") -> "list[mpmath.mpc]":
+        """[H]."""
+        s = mp.mpc(0, Omega)
+        d = [dynamic_stiffness(placed.piece, s) for placed in self.pieces]
+        D, free = self._matrix(s, d), [i for i in range(self.n) if i not in self.driven]
+        power = (-s * s) ** self.given.turns
+        X = [mp.mpc(0)] * self.n
+        for j in self.driven:
+            X[j] = mp.mpmathify(self.given.weights.get(j, 0)) * power
+        load = mp.matrix([-mp.fsum(D[i, j] * X[j] for j in self.driven) for i in free])
+        try:
+            found = mp.lu_solve(mp.matrix([[D[i, j] for j in free] for i in free]), load) if free else []
+        except ZeroDivisionError:
+            raise PhysicsError("the input drives an undamped mode at its natural frequency",
+                               "ask at another frequency") from None
+        for i, x in zip(free, found, strict=True):
+            X[i] = x
+        return [self._seen(X, s, d) * s**self.rates]
+
+    def _seen(self, X, s, d):
+        total = mp.fsum(mp.mpmathify(x) * s**power * X[i]
+                        for power, row in enumerate(self.output.rows) for i, x in row.items())
+        for factor, number, end in self.output.ends:
+            for b, row in enumerate(self.pieces[number].rows):
+                total += factor * d[number][end, b] * mp.fsum(x * X[i] for i, x in row.items())
+        return total
+
+    def _matrix(self, s, d):
+        """D with the inputs among its coordinates."""
+        elements, D = self.elements, mp.matrix(self.n, self.n)
+        rows: list[tuple[Any, dict]] = [*elements.springs, *((s * w, row) for w, row in elements.dampers),
+                                        *((s * s * w, row) for w, row in elements.inertias)]
+        for weight, row in rows:
+            for i, x in row.items():
+                for j, y in row.items():
+                    D[i, j] += weight * x * y
+        for factor, entries in ((1, elements.K), (s, elements.C), (s, elements.G), (s, elements.drag),
+                                (s * s, elements.M)):
+            for pair, x in entries.items():
+                D[pair] += factor * x
+        for placed, stiffness in zip(self.pieces, d, strict=True):
+            for a, one in enumerate(placed.rows):
+                for b, two in enumerate(placed.rows):
+                    for i, x in one.items():
+                        for j, y in two.items():
+                            D[i, j] += x * y * stiffness[a, b]
+        return D

@@ -1,0 +1,168 @@
+"""What all motions in time of scenes with members share: pieces between stations, what moves their ends, the fields
+that they start with, and signals of places between stations."""
+
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
+from vibcli.analyses.excitation.linear_output import FieldPoint, LinearOutput
+from vibcli.base.errors import PhysicsError
+from vibcli.results.responses import SmallResponse
+from vibcli.symbolic.rationals import fraction_of
+
+if TYPE_CHECKING:
+    from vibcli.results.steady_response import SteadyResponse
+    from vibcli.symbolic.node import Node
+
+CHECKED, SAME = 0.2, 1e-9       # where on a piece a parabola is checked, relative to its length, and how closely
+
+
+class ResponseOfMembers(SmallResponse):
+    """Small oscillations of a scene whose members vibrate. `moved(direct)` gives its motion, read by LinearOutputs with
+    FieldPoints; `matrices` leave the pieces out, which stand apart."""
+
+    @property
+    def start(self):
+        return self.problem.initial.start
+
+    @cached_property
+    def matrices(self):
+        """M, C + G, K without the pieces."""
+        M, C, G, K = self.configuration.linear_system.with_parts(pieces=()).arrays()
+        return M, C + G, K
+
+    @cached_property
+    def placed(self):
+        """The PlacedPieces, their rows over coordinates and, behind them, inputs."""
+        return self.configuration.with_inputs.numbers.elements.pieces
+
+    @cached_property
+    def _inputs(self):
+        """{number of an input: what moves it, a node of the time} of displacements that drive the scene."""
+        from vibcli.symbolic.transfer_between_tables import copied
+
+        opened = self.configuration.with_inputs
+        nodes = {i: one.node for i, one in enumerate(opened.scene.inputs.values(), opened.n) if one.node is not None}
+        return dict(zip(nodes, copied(list(nodes.values()), self.problem.scene.table), strict=True))
+
+    def _driven_by(self, row):
+        """What moves the end of a piece beside the coordinates, a node of the time, or None."""
+        table, n = self.problem.scene.table, self.configuration.with_inputs.n
+        terms = [self._inputs[i] * table.number(fraction_of(x)) for i, x in row.items() if i >= n and x]
+        return sum(terms[1:], terms[0]) if terms else None
+
+    @cached_property
+    def ends_of_pieces(self):
+        """[(row over coordinates, node of the time or None)] of all ends of pieces, from left to right."""
+        n = self.configuration.with_inputs.n
+        return [({i: float(x) for i, x in row.items() if i < n and x}, self._driven_by(row))
+                for piece in self.placed for row in piece.rows]
+
+    @cached_property
+    def loads(self):
+        """{i: node of the time}: what drives the coordinates, less what the springs that pieces are at rest would bring
+        from driven ends."""
+        table, n, found = self.problem.scene.table, self.configuration.with_inputs.n, dict(self.drive)
+        for piece in self.placed:
+            for weight, row in piece.springs:
+                driven = self._driven_by(row)
+                for i, x in row.items() if driven is not None else ():
+                    if i < n:
+                        found[i] = found.get(i, table.zero) + driven * table.number(fraction_of(weight * x))
+        return found
+
+    @property
+    def fields(self):
+        """What each piece starts with, counted from the equilibrium, as Forcing over its length; None of those that are
+        at rest, straight between their ends."""
+        from vibcli.mechanics.initial_fields import member_fields
+
+        given = member_fields(self.problem.scene)
+        return [self._field(piece, given.get(piece.owner)) for piece in self.placed]
+
+    def _field(self, piece, given):
+        """u and u̇ over one piece; the time of the scene stands for the place along it."""
+        from vibcli.analyses.excitation.decompose import forcing_of
+        from vibcli.notation.plain import plain
+        from vibcli.symbolic.derivatives import substitute
+
+        scene, held = self.problem.scene, self.configuration.preloaded
+        place = {scene.time: scene.time + scene.table.number(fraction_of(float(piece.start)))}
+        if given is not None and given.displacement is not None:
+            u = substitute([given.displacement], place)[0] - self._resting(self.configuration, piece)
+        elif held is not None and (given is not None or scene.gravity or held.scene.spread_loads):
+            u = self._resting(held, piece) - self._resting(self.configuration, piece)
+        elif given is not None:
+            u = self._powers(piece, *(sum(x * self.deviations[0][i] for i, x in row.items() if i < len(
+                self.deviations[0])) for row in piece.rows))
+        else:
+            return None
+        nodes = {0: u}
+        if given is not None and given.rate is not None:
+            nodes[1] = substitute([given.rate], place)[0]
+        return forcing_of(nodes, scene.time, self.problem.numeric.floats, 2, write=plain, work=self.problem.work)
+
+    def _resting(self, configuration, piece):
+        """u of a piece in the equilibrium of a Configuration: a parabola, as weight may lengthen it."""
+        from vibcli.mechanics.inputs_outputs.displacements import resting
+        from vibcli.symbolic.evaluation import Floats, evaluate
+
+        scene, start, length = configuration.scene.resting, float(piece.start), float(piece.piece.length)
+        signal = f"{piece.owner}.{scene.members[piece.owner].kind.motion}"
+        nodes = [resting(scene, f"{signal}({start + share * length!r} m)") for share in (0.0, 0.5, 1.0, CHECKED)]
+        left, middle, right, other = evaluate(nodes, Floats, configuration.at_rest)
+        bend = 2 * (left + right) - 4 * middle
+        found = left + (right - left) * CHECKED + bend * (CHECKED**2 - CHECKED)
+        if abs(found - other) > SAME * max(map(abs, (left, middle, right))):
+            raise NotByWaves(f"'{piece.owner}' rests under a load that varies along it")
+        return self._powers(piece, left, right, bend)
+
+    def _powers(self, piece, left, right, bend=0.0):
+        """left + (right − left) ξ + bend·(ξ² − ξ), ξ being the part of the piece up to a place."""
+        scene = self.problem.scene
+        number, xi = scene.table.number, scene.time / scene.table.number(fraction_of(float(piece.piece.length)))
+        return (number(fraction_of(left)) + number(fraction_of(right - left)) * xi
+                + number(fraction_of(bend)) * (xi * xi - xi))
+
+    @cached_property
+    def kept_up(self) -> "SteadyResponse":
+        """The response of which the steady state alone is asked."""
+        from vibcli.results.steady_response import SteadyResponse
+
+        return SteadyResponse(self.problem, PhysicsError(f"this is not found of {self.WORDS}",
+                                                         "ask for max(x), min(x) or values in time"))
+
+    def _one(self, part, source=()):
+        if getattr(part[0], "head", "") == "steady":
+            return self.kept_up.signal(part[0].args[0]).steady
+        return super()._one(part, source)
+
+    def lasting(self):
+        from vibcli.analyses.transient.duration import duration
+
+        return duration(self.problem.modal.modes.shown(), None, 0.0, [])
+
+    def _part(self, parts, name, primes, part):
+        from vibcli.mechanics.inputs_outputs.place_signals import place_output
+
+        found = place_output(self.configuration, name + "'" * primes) if isinstance(name, str) else None
+        if found is None:
+            return super()._part(parts, name, primes, part)
+        constant = 0.0 if primes else self._at_rest(name)
+        length = float(self.placed[found.piece].piece.length)
+        point = FieldPoint(found.piece, float(found.share) * length, found.order, found.primes)
+        output = LinearOutput(constant, places={point: float(found.factor)})
+        return self._named(parts, f"signal {name}" + "'" * primes, (output, None))
+
+    def _at_rest(self, name):
+        """A signal in equilibrium."""
+        from vibcli.mechanics.inputs_outputs.displacements import resting
+        from vibcli.symbolic.evaluation import Floats, evaluate
+
+        node = resting(self.problem.scene.resting, name)
+        return evaluate([node], Floats, self.configuration.at_rest)[0]
+
+    def state_signal(self, node: "Node"):
+        """Energies of members are spread along them: they are not found."""
+        raise PhysicsError("energies of scenes with members that vibrate are not found in time",
+                           "ask for displacements, forces and stresses")

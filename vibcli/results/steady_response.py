@@ -1,0 +1,173 @@
+"""Steady states of scenes with members by D(iΩ) at each frequency of their loads, where their motion in time is not
+followed from its start."""
+
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from vibcli.analyses.excitation.linear_output import LinearOutput
+from vibcli.base.errors import PhysicsError
+from vibcli.language.signal_names import signal_name
+from vibcli.results.responses import SmallResponse
+from vibcli.symbolic.syntax import QuantityRef
+
+if TYPE_CHECKING:
+    from vibcli.analyses.continuous.kept_up_motion import Harmonic, KeptUpMotion
+    from vibcli.analyses.excitation.forcing import Forcing
+    from vibcli.results.problem import Problem
+
+MOST = 10_000       # steps of a million products
+
+
+class SteadyResponse(SmallResponse):
+    """What loads keep up; `reason`: why nothing else is found."""
+
+    def __init__(self, problem: "Problem", reason: PhysicsError):
+        super().__init__(problem)
+        self.reason = reason
+        self._channels: dict[str, int] = {}
+        self._harmonics: list[Harmonic] = []
+
+    @property
+    def start(self):
+        return self.problem.initial.start
+
+    @property
+    def alone(self):
+        return NotFollowed(self)
+
+    def lasting(self):
+        from vibcli.analyses.transient.duration import duration
+
+        speeds = [Omega for waves in self.waves.values() for Omega, _ in waves if Omega]
+        if not speeds:
+            raise self.reason
+        return duration(self.problem.modal.modes.shown(), None, 0.0, speeds)
+
+    @property
+    def precise(self):
+        raise PhysicsError("more digits of steady states of members are not found", "leave --digits out")
+
+    def state_signal(self, node: Any):
+        """Energies of members are spread along them: they are not found."""
+        raise self.reason
+
+    def _part(self, parts, name, primes, part):
+        if name in self.problem.scene.parameters.nodes or isinstance(part, QuantityRef):
+            return super()._part(parts, name, primes, part)
+        text = name + "'" * primes
+        if text not in self._channels:
+            found = self._found(text, len(self._channels))
+            self._channels[text] = len(self._channels)
+            self._harmonics += found
+        return self._named(parts, f"signal {text}", (LinearOutput(0.0, channels={self._channels[text]: 1.0}), None))
+
+    def _found(self, text, channel):
+        """The Harmonics of a signal, Σ H(iΩ) times what each input has of the frequency, and its value at rest."""
+        import numpy as np
+
+        from vibcli.analyses.continuous.kept_up_motion import Harmonic
+        from vibcli.analyses.frequency_response.evaluate import sampled
+        from vibcli.analyses.frequency_response.member_system import MemberInput
+        from vibcli.analyses.frequency_response.member_transfer import transfer_to
+        from vibcli.analyses.transient.steady_state import resonance
+
+        found = [] if signal_name(text).primes else [Harmonic(channel, 0.0, self._at_rest(text), 0.0)]
+        for number, waves in self.waves.items():
+            curve = transfer_to(self.configuration, signal_name(text), MemberInput({number: 1.0}), 0,
+                                self.problem.modal)
+            with self.problem.work.task("steady states at the frequencies of loads", MOST):
+                values, resonant = sampled(curve, np.array([Omega for Omega, _ in waves]))
+                for (Omega, A), H, lost in zip(waves, values, resonant, strict=True):
+                    if lost:
+                        raise resonance(1j * Omega)
+                    size = abs(A) * (curve.error(Omega) + 1e-15 * abs(H))
+                    found.append(Harmonic(channel, Omega, complex(H * A), size))
+        return found
+
+    def _at_rest(self, text):
+        """A signal in equilibrium."""
+        from vibcli.analyses.excitation.signal_outputs import linear_output
+        from vibcli.mechanics.inputs_outputs.displacements import resting
+        from vibcli.mechanics.inputs_outputs.place_signals import place_output
+        from vibcli.symbolic.evaluation import Floats, evaluate
+
+        if place_output(self.configuration, text) is None:
+            return linear_output(self.configuration, text)[0].constant
+        node = resting(self.problem.scene.resting, text)
+        return evaluate([node], Floats, self.configuration.at_rest)[0]
+
+    @cached_property
+    def input_forcing(self) -> "Forcing":
+        """What the inputs do, each on a channel of its own."""
+        from vibcli.analyses.excitation.decompose import forcing_of
+        from vibcli.mechanics.linearise import load_at_rest
+        from vibcli.notation.plain import plain
+        from vibcli.symbolic.transfer_between_tables import copied
+
+        opened = self.configuration.with_inputs
+        nodes = {}
+        for number, one in enumerate(opened.scene.inputs.values()):
+            if one.node is not None:
+                nodes[number] = one.node
+            elif one.load is not None:
+                _, turning, waving, constant = load_at_rest(opened.scene, opened.scene.forces[one.load])
+                if turning.mask:
+                    raise self.reason
+                nodes[number] = waving + constant
+        nodes = dict(zip(nodes, copied(list(nodes.values()), self.problem.scene.table), strict=True))
+        return forcing_of(nodes, self.problem.scene.time, self.problem.numeric.floats, len(opened.scene.inputs),
+                          write=plain, work=self.problem.work)
+
+    @cached_property
+    def waves(self) -> dict[int, list[tuple[float, complex]]]:
+        """{coordinate of an input: [(Ω, A)]} of what the inputs do in the end, Re Σ A e^{iΩt}."""
+        from vibcli.analyses.transient.steady_state import steady_forcing
+
+        if any(mode.growth_rate is not None for mode in self.problem.modal.modes.shown()):
+            raise PhysicsError("there is no steady state: the free motion grows", "the equilibrium is unstable")
+        forcing, n = steady_forcing(self.input_forcing), self.configuration.with_inputs.n
+        if forcing.period is not None:
+            raise PhysicsError("this load has harmonics without end: the steady state of members is found at single "
+                               "frequencies", "ask for abs(frf[…](Ω)) at those that matter")
+        found: dict[int, dict[float, complex]] = {}
+        for wave in forcing.pieces[0].waves:
+            if wave.power:
+                raise PhysicsError("a load that grows with the time keeps up no steady state of a scene with members",
+                                   "let it end")
+            rate, A = wave.exponent.imag, complex(wave.coefficient)
+            rate, A = (-rate, A.conjugate()) if rate < 0 else (rate, A if rate else A.real)
+            waves = found.setdefault(n + wave.channel, {})
+            waves[rate] = waves.get(rate, 0.0) + A
+        return {number: list(waves.items()) for number, waves in found.items()}
+
+    @property
+    def kept(self) -> "KeptUpMotion":
+        """The steady state of all signals asked so far."""
+        from vibcli.analyses.continuous.kept_up_motion import KeptUpMotion
+
+        return KeptUpMotion(len(self._channels), self._harmonics, self.problem.work)
+
+
+class NotFollowed:
+    """A motion of which only the steady state is found."""
+
+    def __init__(self, response: SteadyResponse):
+        self._response = response
+
+    @property
+    def forcing(self):
+        """What drives it."""
+        return self._response.input_forcing
+
+    @property
+    def steady(self):
+        """What loads keep up."""
+        return self._response.kept
+
+    @property
+    def data_errors(self):
+        """Those of the steady state."""
+        return self.steady.data_errors
+
+    def __getattr__(self, name: str) -> Any:
+        raise self._response.reason

@@ -1,0 +1,73 @@
+"""The motion in time of scenes with bars, shafts and strings, by the waves that travel along them."""
+
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base.errors import PhysicsError
+from vibcli.results.response_of_members import ResponseOfMembers
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    import numpy as np
+
+    from vibcli.results.problem import Problem
+
+
+class WaveResponse(ResponseOfMembers):
+    """Small oscillations about the equilibrium, followed from front to front. NotByWaves where a member disperses its
+    waves or loses them on their way, or where the fronts are too many."""
+
+    KIND, WORDS = "waves", "small oscillations about the equilibrium, by travelling waves"
+
+    def __init__(self, problem: "Problem"):
+        super().__init__(problem)
+
+    @cached_property
+    def alone(self):
+        """The WaveMotion under the excitation."""
+        from vibcli.analyses.continuous.travelling_waves import wave_motion
+        from vibcli.analyses.continuous.travelling_waves_march import wave_piece
+        from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
+
+        if self.problem.spec.get("damping") is not None:
+            raise NotByWaves("damping that is given of modes acts on modes, not on travelling waves")
+        channels = iter(range(len(self.matrices[0]), len(self.matrices[0]) + len(self.ends_of_pieces)))
+        numbered = [(row, None if node is None else next(channels), node) for row, node in self.ends_of_pieces]
+        pieces = [wave_piece(placed, *(end[:2] for end in numbered[2 * k:2 * k + 2]))
+                  for k, placed in enumerate(self.placed)]
+        nodes = self.loads | {channel: node for _, channel, node in numbered if channel is not None}
+        return wave_motion(*self.matrices, pieces, self._forcing_of(nodes), *self.deviations, self.fields,
+                           self.problem.work)
+
+    def _forcing_of(self, nodes):
+        from vibcli.analyses.excitation.decompose import forcing_of
+        from vibcli.notation.plain import plain
+
+        count = max([len(self.matrices[0]) - 1, *nodes]) + 1
+        return forcing_of(nodes, self.problem.scene.time, self.problem.numeric.floats, count, write=plain,
+                          work=self.problem.work)
+
+    def moved(self, direct: Any = ()):
+        """The same motion, read with nodes of the time on further channels."""
+        return self.alone.under(self.forcing(direct)) if direct else self.alone
+
+    def instants(self, signals: "Sequence[Any]", points: int) -> "np.ndarray":
+        """With those of fronts, each twice."""
+        import numpy as np
+
+        found = sorted({t for signal in signals for t, *_ in signal.leaps(self.known)})[:points]
+        return np.sort(np.concatenate([super().instants(signals, points), found, found]))
+
+    def _linear(self, constant, terms, source=()):
+        from vibcli.results.wave_signals import WaveSignal
+
+        return WaveSignal(*self._driven(constant, terms))
+
+    def _composed(self, node, parts, source=()):
+        from vibcli.results.wave_signals import ComposedOfWaves
+
+        if self._closing(node) is not None:
+            raise PhysicsError("signals of loops that close are not found where waves travel", "ask for coordinates")
+        signals = {symbol.name: self._one(part) for symbol, part in parts.items()}
+        return ComposedOfWaves(node, signals, self.values, self.problem.scene.time, None, self.problem.work)

@@ -1,0 +1,183 @@
+"""Signals of what waves travel through: smooth between fronts, and at a front two values."""
+
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base.errors import PhysicsError
+from vibcli.results.signal import Signal
+from vibcli.results.signals import ComposedSignal
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.analyses.continuous.travelling_waves import WaveMotion
+    from vibcli.analyses.continuous.travelling_waves_search import Stretches
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+
+FRONT = 1e-12       # relative: how far the instant of a front may be off
+
+
+class WaveSignal(Signal):
+    """A linear output of a WaveMotion."""
+
+    KIND = "a motion that is followed by travelling waves"
+
+    def __init__(self, waves: "WaveMotion", output: "LinearOutput"):
+        self.waves, self.reads, self.work = waves, output, waves.work
+
+    def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
+        return self.waves.values(self.reads, times, order)
+
+    def values_before(self, times: "np.ndarray") -> "np.ndarray":
+        """Its values at instants, at a front those before it."""
+        return self.waves.values(self.reads, times, before=True)
+
+    def sampled(self, times: "np.ndarray") -> "np.ndarray":
+        return _both(self, times)
+
+    def before(self, t: float) -> float | None:
+        return _before(self, t)
+
+    def leaps(self, end: float) -> list[tuple[float, float, float]]:
+        return _leaps(self, end)
+
+    def breaks(self, end: float) -> "np.ndarray":
+        """The instants up to an end between which it is smooth, ascending."""
+        return self.waves.breaks(self.reads, end)
+
+    def require_bounded(self, end: float) -> None:
+        """PhysicsError where it is infinite at an instant."""
+        self.waves.require_bounded(self.reads, end)
+
+    def error(self, t: float) -> float:
+        import numpy as np
+
+        self.waves.require_bounded(self.reads, t, np.array([t]))
+        return float(self.waves.errors(self.reads, np.array([t]))[0])
+
+    def error_of_time(self, t: float) -> float:
+        from vibcli.analyses.transient.instant_errors import of_top
+
+        return FRONT * t if self._bends(t) else of_top(self.waves, self.reads, t)
+
+    def error_of_zero(self, t: float) -> float:
+        from vibcli.analyses.transient.instant_errors import of_passage
+
+        return FRONT * t if self._bends(t) else of_passage(self.waves, self.reads, t)
+
+    def _bends(self, t):
+        import numpy as np
+
+        return bool((np.abs(self.breaks(t) - t) <= FRONT * t).any())
+
+    def extreme(self, start: float, end: float, sense: int) -> tuple[float, float]:
+        """(instant, value) of the largest (sense 1) or smallest (−1) value, at a front that before it or after it."""
+        return _extreme(self, start, end, sense)
+
+    def zeros(self, start: float, end: float) -> list[float]:
+        """Instants at which it passes, touches or leaps over zero."""
+        return _zeros(self, start, end)
+
+    def final(self) -> float:
+        """Its value where all is at rest, if waves that die out have left it so; else it is not found."""
+        import numpy as np
+
+        end = self.waves.still_from(self.waves.long_after)
+        if not end < np.inf:
+            raise PhysicsError(f"the limit of {self.KIND} is not found", "ask for its value at a late instant")
+        return float(self.values(np.array([2 * end]))[0])
+
+    def error_of_final(self) -> float:
+        return self.error(self.waves.long_after)
+
+
+class ComposedOfWaves(ComposedSignal):
+    """A function of WaveSignals."""
+
+    KIND = "a signal composed of others that waves bring"
+    signals: Any
+
+    def breaks(self, end: float) -> "np.ndarray":
+        """The instants up to an end between which it is smooth, ascending."""
+        import numpy as np
+
+        return np.unique(np.concatenate([part.breaks(end) for part in self.signals.values()]))
+
+    def require_bounded(self, end: float) -> None:
+        """PhysicsError where a part of it is infinite at an instant."""
+        for part in self.signals.values():
+            part.require_bounded(end)
+
+    def values_before(self, times: "np.ndarray") -> "np.ndarray":
+        """Its values at instants, at a front those before it."""
+        return self.composed(times, {name: part.values_before(times) for name, part in self.signals.items()})
+
+    def sampled(self, times: "np.ndarray") -> "np.ndarray":
+        return _both(self, times)
+
+    def before(self, t: float) -> float | None:
+        return _before(self, t)
+
+    def leaps(self, end: float) -> list[tuple[float, float, float]]:
+        return _leaps(self, end)
+
+    def extreme(self, start: float, end: float, sense: int) -> tuple[float, float]:
+        return _extreme(self, start, end, sense)
+
+    def zeros(self, start: float, end: float) -> list[float]:
+        return _zeros(self, start, end)
+
+    def final(self) -> float:
+        """It is not found: waves are followed up to an instant."""
+        raise PhysicsError(f"the limit of {self.KIND} is not found", "ask for its value at a late instant")
+
+
+def _before(signal, t):
+    import numpy as np
+
+    at = np.array([t])
+    before, after = float(signal.values_before(at)[0]), float(signal.values(at)[0])
+    rounding = 4 * signal.error(t) + FRONT * max(abs(before), abs(after))
+    return before if t > 0 and abs(before - after) > rounding else None
+
+
+def _both(signal, times):
+    import numpy as np
+
+    signal.require_bounded(times[-1])
+    found = signal.values(times)
+    first = np.flatnonzero(times[:-1] == times[1:])
+    found[first] = signal.values_before(times[first])
+    return found
+
+
+def _along(signal, start, end) -> "Stretches":
+    from vibcli.analyses.continuous.travelling_waves_search import stretches
+
+    signal.require_bounded(end)
+    return stretches(signal.values, signal.breaks(end), start, end, signal.work)
+
+
+def _extreme(signal, start, end, sense):
+    from vibcli.analyses.continuous.travelling_waves_search import extreme
+
+    return extreme(_along(signal, start, end), sense, signal.error(end))
+
+
+def _zeros(signal, start, end):
+    from vibcli.analyses.continuous.travelling_waves_search import zeros
+
+    return zeros(_along(signal, start, end), end).tolist()
+
+
+def _leaps(signal, end):
+    import numpy as np
+
+    at = signal.breaks(end)
+    at = at[(at > 0) & (at <= end)]
+    before, after = signal.values_before(at), signal.values(at)
+    size = np.abs(after).max(initial=0.0)
+    found: list[tuple[float, float, float]] = []
+    for t, one, other in zip(at.tolist(), before.tolist(), after.tolist(), strict=True):
+        if abs(one - other) > 4 * signal.error(t) + FRONT * size and not (found and t - found[-1][0] <= FRONT * t):
+            found.append((t, one, other))
+    return found

@@ -1,0 +1,103 @@
+"""The tension along beams and strings in the plane, as it is found in statics, by virtual work.
+
+A scene whose members are cut open at their stations has for each a coordinate t along the line; as drawn the force
+F = −∂V/∂t + Σ Q ∂s/∂t of all that hangs there on the member balances the tensions left and right of it, Nⱼ₊₁ = Nⱼ − F.
+Where both ends are held, statics leaves N open but for the `preload`.
+"""
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.normal_form import is_zero, textbook
+
+if TYPE_CHECKING:
+    from vibcli.scene.scene import Scene
+
+LOOSE = 1e-9
+
+
+class Tensions(NamedTuple):
+    """N of each piece of a member as drawn, whether it is the same wherever the scene rests, and where both its ends
+    are held to what parts along it the multiplier of that condition, else None."""
+
+    pieces: list
+    settled: bool
+    tie: Any
+
+
+def tensions(scene: "Scene") -> dict[str, Tensions]:
+    """{name: Tensions} of a scene that is `stretched`."""
+    cuts = {t: scene.table.zero for member in scene.members.values() for t in member.stretches if t is not None}
+    ties = _ties(scene, cuts)
+    return {name: _found(scene, member, cuts, ties.get(name)) for name, member in scene.members.items()
+            if member.stretches}
+
+
+def _found(scene, member, cuts, tie):
+    whole = [None if t is None else substitute([_force(scene, t)], cuts)[0] for t in member.stretches]
+    forces = [None if node is None else textbook(scene.at_drawn(node)[0]) for node in whole]
+    settled = all(node is None or is_zero(node - force) for node, force in zip(whole, forces, strict=True))
+    return Tensions(_along(scene, member, forces, tie), settled, tie)
+
+
+def _ties(scene, cuts):
+    """{name: λ} of the members both of whose ends are held to what parts along them, as drawn: Σ λₖ ∂Gₖ/∂q is the force
+    along q, Gₖ = 0 the conditions that they and the constraints make."""
+    ends = {name: (member.stations[0].along, member.stations[-1].along) for name, member in scene.members.items()
+            if member.stretches and member.stretches[0] is None and member.stretches[-1] is None}
+    gaps = {name: right - left for name, (left, right) in ends.items() if (right - left).mask}
+    if not gaps:
+        return {}
+    conditions = [*gaps.values(), *(constraint.node for constraint in scene.constraints)]
+    rows = []
+    for q in scene.q:
+        slopes = [gradient(node).get(q, scene.table.zero) for node in conditions]
+        if q not in cuts and any(slopes):
+            rows.append(scene.at_drawn(*slopes, _force(scene, q)))
+    found = _solved(scene, rows, len(conditions))
+    return {name: textbook(found.get(k, scene.table.zero)) for k, name in enumerate(gaps)}
+
+
+def _solved(scene, rows, count):
+    """{unknown: value} of linear equations [coefficients, right side]; unknowns that they leave open are left out."""
+    pivots, work = {}, [list(row) for row in rows]
+    for k in range(count):
+        sizes = [(abs(scene.number(row[k])), i) for i, row in enumerate(work) if i not in pivots.values()]
+        size, i = max(sizes, default=(0.0, None))
+        if size <= LOOSE:
+            continue
+        pivots[k] = i
+        for j, row in enumerate(work):
+            if j != i and not row[k].is_zero:
+                factor = row[k] / work[i][k]
+                work[j] = [a - factor * b for a, b in zip(row, work[i], strict=True)]
+    return {k: work[i][-1] / work[i][k] for k, i in pivots.items()}
+
+
+def _along(scene, member, forces, tie):
+    if forces[-1] is not None:
+        return _summed(forces[:0:-1], scene.table.zero)[::-1]
+    if forces[0] is not None:
+        return [-node for node in _summed(forces[:-1], scene.table.zero)]
+    if tie is not None:
+        return _summed([tie, *forces[-2:0:-1]], scene.table.zero)[::-1]
+    start = scene.lower(member.record["preload"]) if "preload" in member.record else scene.table.zero
+    inner = [scene.table.zero, *_summed(forces[1:-1], scene.table.zero)]
+    return [start - node for node in inner]
+
+
+def _summed(forces, total):
+    found = []
+    for force in forces:
+        total = total + force
+        found.append(total)
+    return found
+
+
+def _force(scene, t):
+    """What pulls the station along, but for the member itself: −∂V/∂t and steady loads."""
+    zero = scene.table.zero
+    parts = [-(term.force(scene) * gradient(term.s).get(t, zero)) for term in scene.springs]
+    parts += [-(term.weight * gradient(term.s).get(t, zero)) for term in scene.weights]
+    parts += [term.steady * gradient(term.s).get(t, zero) for term in scene.forces]
+    return scene.table.total([*parts, -gradient(scene.energies["V"]).get(t, zero)])
