@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import PhysicsError, Unknown
 from vibcli.language.signals import is_reaction
 from vibcli.results.full_signals import FullSignal
-from vibcli.results.responses import Response
+from vibcli.results.response import Response
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef, Power, QuantityRef, Sum
