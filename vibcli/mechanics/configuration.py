@@ -124,12 +124,18 @@ class Configuration:
         found = self._without_given_damping()
         if self.spec.get("damping") is None:
             return found
-        from vibcli.mechanics.given_damping import with_damping
+        from vibcli.mechanics.given_damping import require_no_dampers, with_damping
 
+        if found.pieces:
+            require_no_dampers(found)
         return with_damping(found, self.given_damping().each(float))
 
     def given_damping(self, digits: int = 40):
-        """What `damping:` adds, as element data, to so many digits."""
+        """What `damping:` adds, as element data, to so many digits; nothing where members are damped mode by mode."""
+        if self.scene.pieces:
+            from vibcli.mechanics.factored_system import FactoredSystem
+
+            return FactoredSystem(len(self.scene.q))
         from vibcli.mechanics.given_damping import damping_of
 
         return damping_of(self, digits)

@@ -74,9 +74,9 @@ def columns_of(configuration: "Configuration", M: "Mapping", K: "Mapping", n: in
         return {pair: number(x) for pair, x in found.items() if x}
 
 
-def given_numbers(configuration: "Configuration") -> "dict[str, Any]":
-    """{key: its numbers} of `damping:`, at the working precision of mpmath."""
-    arithmetic = multiprecision()
+def given_numbers(configuration: "Configuration", arithmetic: Any = None) -> "dict[str, Any]":
+    """{key: its numbers} of `damping:` in an arithmetic, else at the working precision of mpmath."""
+    arithmetic = arithmetic or multiprecision()
     known, lower = configuration.numeric.values(arithmetic), configuration.scene.lower
 
     def numbers(expressions):
@@ -85,6 +85,17 @@ def given_numbers(configuration: "Configuration") -> "dict[str, Any]":
     record = configuration.spec.get("damping")
     return {key: dict(zip(given, numbers(given.values()), strict=True)) if isinstance(given, dict)
             else list(numbers(given)) for key, given in record.items()}
+
+
+def require_no_dampers(elements: Any) -> None:
+    """PhysicsError where members with inertia, which `damping:` damps by modes, have what couples these besides."""
+    if not any(placed.piece.inertia for placed in elements.pieces):
+        raise PhysicsError("members with drag and without inertia are not damped as a whole",
+                           "take `damping:` out, or give the members inertia")
+    several = elements.dampers or elements.C or elements.drag or any(placed.piece.drag for placed in elements.pieces)
+    if several or any(elements.G.values()):
+        raise PhysicsError("`damping:` of members is found where no dampers, drag or gyroscopic terms act besides",
+                           "take `damping:` out, or take the dampers out and give the modes higher ratios")
 
 
 def with_damping(elements: Any, more: FactoredSystem):

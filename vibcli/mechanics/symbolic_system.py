@@ -63,7 +63,7 @@ class SymbolicSystem:
             require_autonomous(self.configuration, self.scene.drawn_values)
         self._require_held()
         found = matrices_in_letters(self.linearisation)
-        if self.spec.get("damping") is not None:
+        if self.spec.get("damping") is not None and not self.scene.pieces:
             from vibcli.mechanics.given_damping_in_letters import in_letters
 
             M, C, G, K = found
@@ -149,7 +149,7 @@ class SymbolicSystem:
 
             for i, node in excitation_through(self).items():
                 found[i] = found.get(i, scene.table.zero) + node
-        if self.spec.get("damping") is not None:
+        if self.spec.get("damping") is not None and not self.scene.pieces:
             from vibcli.mechanics.given_damping_in_letters import excitation_by_damping
 
             for i, node in excitation_by_damping(self).items():

@@ -17,6 +17,7 @@ FIRST = 128         # modes
 FEWEST = 32
 MOST = {True: 2048, False: 512}     # modes of a uniform member by itself, and of others
 SHARES = 0.0, 0.25, 0.5, 0.75, 1.0      # of a piece
+CRITICAL = 1e-6     # |1 − ζ| below which two eigenvalues are not told apart
 CLOSE = 1e-10       # of the largest value: a remainder that is small enough
 
 
@@ -90,7 +91,19 @@ class ModalResponse(ResponseOfMembers):
         pieces = [one._replace(piece=one.piece._make(float(x) for x in one.piece)) for one in linear.pieces]
         if not all(one.piece.inertia for one in pieces):
             raise NotByModes("a piece of a member without mass has drag", "give it mass, or take the drag out")
-        return ExactTransfer(np.array([K, C, M]), pieces, self._driven_ends)
+        found = ExactTransfer(np.array([K, C, M]), pieces, self._driven_ends)
+        damping = self.problem.modal.member_damping
+        if damping is None:
+            return found
+        from vibcli.analyses.continuous.damped_transfer import DampedTransfer
+
+        if self._inputs:
+            raise NotByModes("supports are driven beside `damping:` of members",
+                             "ask for steady(…), or take `damping:` out")
+        if len(damping.series) > 2:
+            raise NotByModes("a Caughey series of three modes or more lets high modes creep ever more slowly",
+                             "ask for steady(…), or give ratios at one or two modes")
+        return DampedTransfer(found, self.problem.modal.modes, damping)
 
     @cached_property
     def _forces(self):
@@ -110,9 +123,12 @@ class ModalResponse(ResponseOfMembers):
         return self.loads
 
     def _ratios(self, basis):
-        """The damping ratio of each mode: drag c/μ that is the same everywhere damps each by itself."""
+        """The damping ratio of each mode: given, or of drag c/μ that is the same everywhere, which damps each by
+        itself."""
         import numpy as np
 
+        if self.problem.modal.member_damping is not None:
+            return self._given_ratios(basis)
         rates = {placed.piece.drag / placed.piece.inertia for placed in self._transfer.pieces}
         most = max(rates)
         if not most:
@@ -123,6 +139,20 @@ class ModalResponse(ResponseOfMembers):
         if not (basis.squares > 0).all():
             raise NotByModes("drag on what nothing holds is not followed by modes", "hold it, or take the drag out")
         return most / 2 / np.sqrt(basis.squares)
+
+    def _given_ratios(self, basis):
+        """Those of `damping:`."""
+        import numpy as np
+
+        damping = self.problem.modal.member_damping
+        modes = self.problem.modal.modes.first(len(basis.squares))
+        rates = np.array([float(damping.rate(mode)) for mode in modes])
+        if (rates[basis.squares <= 0] != 0).any() or (basis.squares < 0).any():
+            raise NotByModes("`damping:` damps what nothing holds or what grows", "hold it, or take `damping:` out")
+        found = rates / 2 / np.sqrt(np.where(basis.squares > 0, basis.squares, 1.0))
+        if (np.abs(found - 1) < CRITICAL).any():
+            raise NotByModes("a mode is damped critically", "give it a little more or less damping")
+        return found
 
     def _start(self, basis):
         """η and η̇ at t = 0."""

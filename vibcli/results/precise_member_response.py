@@ -25,6 +25,9 @@ class PreciseMemberCurve:
 
     def __init__(self, problem: "Problem", signal: str, driver: str):
         configuration = PreciseConfiguration(problem.configuration)
+        if problem.modal.member_damping is not None:
+            raise PhysicsError("more digits of a response of members with `damping:` are not found",
+                               "leave --digits out, or take `damping:` out")
         opened, self.given = configuration.with_inputs, named_input(configuration, driver)
         if self.given.carried:
             raise PhysicsError("more digits of a response to a load that turns with what is driven are not found",

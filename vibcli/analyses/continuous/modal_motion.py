@@ -17,6 +17,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Work
 
 if TYPE_CHECKING:
+    from vibcli.analyses.continuous.damped_transfer import DampedTransfer
     from vibcli.analyses.continuous.exact_transfer import ExactTransfer
     from vibcli.analyses.continuous.mode_basis import ModeBasis
     from vibcli.analyses.excitation.forcing import Forcing
@@ -46,8 +47,8 @@ class ModalMotion:
     """Of the modes of a ModeBasis, under a Forcing whose channels are those of an ExactTransfer, from η and η̇ at t = 0;
     ratios: damping of each mode, which the transfer knows; reads: the Forcing whose channels outputs read."""
 
-    def __init__(self, basis: "ModeBasis", transfer: "ExactTransfer", inputs: np.ndarray, forcing: "Forcing",
-                 start: tuple[np.ndarray, np.ndarray], ratios: np.ndarray, work: Work | None = None,
+    def __init__(self, basis: "ModeBasis", transfer: "ExactTransfer | DampedTransfer", inputs: np.ndarray,
+                 forcing: "Forcing", start: tuple[np.ndarray, np.ndarray], ratios: np.ndarray, work: Work | None = None,
                  reads: "Forcing | None" = None):
         self.basis, self.transfer, self.forcing, self.work = basis, transfer, forcing, work or Work()
         self.inputs, (self.eta, self.rate), self.ratios = inputs, [_without_noise(part) for part in start], ratios
@@ -58,6 +59,7 @@ class ModalMotion:
         at = self.moving
         self.states = states_of(squares[at], ratios[at], inputs[at], eta[at], rate[at])
         self.fastest = float(np.abs(self.states.rates).max(initial=0.0))
+        self._left_out = _left_out(squares[at], ratios[at])
         self._rows: dict[Any, np.ndarray] = {}
         self._taylor: dict[Any, np.ndarray] = {}
         self._until, self._stretches = -1.0, []
@@ -140,9 +142,11 @@ class ModalMotion:
         """(power + 1, channels): the coefficients of Taylor's series of R about s."""
         key = (_key(read.output), read.order, s)
         if key not in self._taylor or len(self._taylor[key]) <= power:
-            radius = (self.fastest - abs(s)) / INSIDE
-            if not radius > self.fastest / (4 * INSIDE):
+            highest, slowest = self._left_out
+            radius = (highest - abs(s)) / INSIDE
+            if not radius > highest / (4 * INSIDE):
                 raise TooSlow(f"a load turns with {abs(s):.4g} rad/s, as fast as the modes that are counted")
+            radius = min(radius, abs(s + slowest if s.real > -slowest else s.imag) / INSIDE)
             turn = np.exp(2j * np.pi * (np.arange(POINTS) + 0.5) / POINTS)
             left = self._left(read, s + radius * turn)
             self._taylor[key] = np.array([(left * turn**-m).mean(axis=1) / radius**m for m in range(power + 5)])
@@ -183,6 +187,7 @@ class ModalMotion:
         if modes is not None:
             return rest + float(sizes[modes:].sum())
         slow = float(np.max(self.states.rates.real[len(self.moving) // 2:len(self.moving)], initial=-inf))
+        slow = max(slow, -self._left_out[1])
         return rest * float(np.exp(min(slow, 0.0) * (t - stretch.start))) if 0 < rest < inf else rest
 
     def is_near(self, output: "LinearOutput", share: float) -> bool:
@@ -222,6 +227,13 @@ class ModalMotion:
 
 class TooSlow(PhysicsError):
     """More modes are needed."""
+
+
+def _left_out(squares, ratios):
+    """What no |λ| of a mode that is left out is below where it oscillates, and none where it creeps."""
+    highest = float(np.sqrt(np.abs(squares).max(initial=0.0)))
+    zeta = float(ratios[-1]) if len(ratios) else 0.0
+    return highest, highest / (2 * zeta) if zeta else np.inf
 
 
 def _without_noise(start):

@@ -23,7 +23,12 @@ GIVEN = 4 * DATA
 
 def of_value(response: "MemberTransfer", Omega: float) -> float:
     """|δH| at a frequency."""
-    s = np.array([1j * Omega])
+    return of_value_at(response, 1j * Omega) * abs(Omega)**response.order
+
+
+def of_value_at(response: "MemberTransfer", at: complex) -> float:
+    """|δH| of the output itself at a complex frequency."""
+    s = np.array([at], complex)
     systems = [response.system, *(response.system.divided(share) for share in SHARES)]
     least = None
     for system in systems:
@@ -32,7 +37,7 @@ def of_value(response: "MemberTransfer", Omega: float) -> float:
             least = system, found
         if least[1].excess[0] < BLOWN:
             break
-    return _bound(*least, s) * abs(Omega)**response.order
+    return _bound(*least, s)
 
 
 def _bound(system: "MemberSystem", found: "EvaluatedMatrix", s: np.ndarray) -> float:

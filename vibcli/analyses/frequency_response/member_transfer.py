@@ -15,13 +15,14 @@ from vibcli.mechanics.inputs_outputs.outputs import linear_row
 from vibcli.mechanics.inputs_outputs.place_signals import place_output
 
 if TYPE_CHECKING:
+    from vibcli.analyses.frequency_response.damped_member_response import DampedMemberTransfer
     from vibcli.language.signal_names import SignalName
     from vibcli.mechanics.configuration import Configuration
 
 
 def member_transfer(configuration: "Configuration", signal: "SignalName", driven_by: str, order: int,
-                    modal: "ModalAnalysis | None") -> MemberTransfer:
-    """The MemberTransfer of a signal to a named input."""
+                    modal: "ModalAnalysis | None") -> "MemberTransfer | DampedMemberTransfer":
+    """The response of a signal to a named input."""
     chosen = named_input(configuration, driven_by)
     if chosen.carried:
         raise PhysicsError("responses of members to a load that turns with what is driven are not found",
@@ -30,8 +31,31 @@ def member_transfer(configuration: "Configuration", signal: "SignalName", driven
 
 
 def transfer_to(configuration: "Configuration", signal: "SignalName", given: MemberInput, order: int = 0,
-                modal: "ModalAnalysis | None" = None) -> MemberTransfer:
-    """The MemberTransfer of a signal to inputs."""
+                modal: "ModalAnalysis | None" = None) -> "MemberTransfer | DampedMemberTransfer":
+    """The MemberTransfer of a signal to inputs; one that `damping:` damps where that is given."""
+    modal = modal or ModalAnalysis(configuration)
+    damping = modal.member_damping
+    if damping is None:
+        return _still(configuration, signal, given, order, modal)
+    from vibcli.analyses.frequency_response.damped_member_response import DampedMemberTransfer
+
+    found = _still(configuration, signal, given._replace(turns=0), order, modal)
+    if any(found.system.output.rows[1:]):
+        raise PhysicsError(f"'{signal.text}' needs velocities, whose response is not found with `damping:` of members",
+                           "ask for displacements, forces and stresses")
+    return DampedMemberTransfer(found, modal.modes, damping, _of_supports(configuration, given), given.turns)
+
+
+def _of_supports(configuration, given):
+    """Is an input the displacement of supports? Or a load."""
+    opened = configuration.with_inputs
+    driven = [j for j, opening in enumerate(opened.scene.inputs.values(), opened.n) if opening.node is not None]
+    return any(share and j in driven for j, share in given.weights.items())
+
+
+def _still(configuration: "Configuration", signal: "SignalName", given: MemberInput, order: int,
+           modal: "ModalAnalysis") -> MemberTransfer:
+    """Without what `damping:` damps."""
     opened = configuration.with_inputs
     opened.require_steady(given.weights)
     elements, n = opened.numbers.elements, len(opened.scene.q)
@@ -47,4 +71,4 @@ def transfer_to(configuration: "Configuration", signal: "SignalName", given: Mem
         row = linear_row(configuration, signal.text)
         output = MemberOutput((row.q, row.v, row.a))
     system = MemberSystem(dynamic_matrix(elements, pieces, size), range(opened.n, n), given, output)
-    return MemberTransfer(system, Marks(modal or ModalAnalysis(configuration), system.shared()), order)
+    return MemberTransfer(system, Marks(modal, system.shared()), order)

@@ -13,6 +13,7 @@ from vibcli.base.stage import Stage
 if TYPE_CHECKING:
     import mpmath
 
+    from vibcli.analyses.continuous.member_damping import MemberDamping
     from vibcli.analyses.continuous.mode_fields import ModeFields
     from vibcli.analyses.modal.damped_modes import DampedMode
     from vibcli.analyses.modal.stability import Stability
@@ -70,11 +71,30 @@ class ModalAnalysis:
     def damped(self) -> Modes | None:
         """The damped modes; None where nothing damps."""
         elements = self.configuration.linear_system
+        if self.member_damping is not None:
+            return self._rated(self.modes, self.member_damping)
         if not (elements.dampers or elements.C or any(placed.piece.drag for placed in elements.pieces)):
             return None
         from vibcli.analyses.modal.modes import damped_modes
 
         return self._sequence(self.solved(damped_modes, elements, lambda: self.modes, *self.configuration.sources))
+
+    @cached_property
+    def member_damping(self) -> "MemberDamping | None":
+        """What `damping:` gives to the modes of members with inertia; None where nothing is given."""
+        if self.spec.get("damping") is None or not self.scene.pieces or self.modes.finite:
+            return None
+        from vibcli.analyses.continuous.member_damping import member_damping
+        from vibcli.symbolic.evaluation import Floats
+
+        found = member_damping(self.configuration, self.modes, Floats)
+        return None if found is None or found.nothing else found
+
+    def _rated(self, modes, damping, digits=None):
+        """The damped modes of members whose modes are damped each by itself."""
+        from vibcli.analyses.continuous.rated_modes import RatedModes
+
+        return Modes((), RatedModes(modes, damping, digits), self.solved)
 
     def _sequence(self, found):
         """The Modes of a list of them, or of what finds modes without end; None of None."""
@@ -170,9 +190,22 @@ class ModalAnalysis:
 
     def damped_to(self, digits: int):
         """The damped modes, recomputed; None where nothing damps."""
+        if self.member_damping is not None:
+            return self._rated_to(digits)
         from vibcli.analyses.modal.modes import damped_modes
 
         return self._sharpened("damped", digits, damped_modes, lambda: self.modes_to(digits))
+
+    def _rated_to(self, digits):
+        """The damped modes of members whose modes are damped each by itself, to so many digits."""
+        from mpmath import mp
+
+        from vibcli.analyses.continuous.member_damping import member_damping
+        from vibcli.symbolic.evaluation import multiprecision
+
+        with mp.workdps(digits + MORE):
+            damping = member_damping(self.configuration, self.modes_to(digits), multiprecision())
+        return self._rated(self.modes_to(digits), damping, digits)
 
     def _sharpened(self, word, digits, solve, *natural):
         if (word, digits) not in self._results:

@@ -121,7 +121,7 @@ class SystemWithInputs:
                     if i < self.n <= j and x:
                         column = found[j][power]
                         column[i] = column.get(i, 0.0) - x
-        if self.configuration.spec.get("damping") is not None:
+        if self.configuration.spec.get("damping") is not None and not self.scene.pieces:
             for (i, j), x in self.damping.items():
                 found[j][1][i] = found[j][1].get(i, 0.0) - x
         return found

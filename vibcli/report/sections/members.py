@@ -19,6 +19,7 @@ RATES = (("∂²{u}/∂t²", "∂³{u}/∂x∂t²"), ("∂{u}/∂t", "∂²{u}/�
 SIMPLE, PRINTED = {"sin": "n·π", "cos": "(2n − 1)·π/2"}, 5
 CLOSE = 1e-8        # of ω²: frequencies that are one
 REMARK = "x counts from the left end of each member; [ ] is the jump at a place, right less left"
+DAMPED = "without what `damping` adds: it damps every mode by itself"
 RIGHT, SIDES = "(+)", "; (+) is what holds right of it, (−) left of it"
 
 
@@ -44,7 +45,8 @@ def member_equations(problem: "Problem") -> Iterator[Section]:
     others = [i for i in range(len(scene.q)) if i not in own]
     if others:
         blocks += [Heading("what they carry:"), equations(_carried(i, form.pieces, (M, C, K), scene) for i in others)]
-    yield from section("Equations of free vibration", *blocks, paragraph(remark, hang=4))
+    yield from section("Equations of free vibration", *blocks, paragraph(remark, hang=4),
+                       paragraph(DAMPED) if problem.spec.get("damping") is not None else None)
 
 
 def _differential(pieces, u):

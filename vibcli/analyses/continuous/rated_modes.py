@@ -1,0 +1,64 @@
+"""Damped modes of members that `damping:` damps: λ² + c λ + ω² = 0 of each mode without dampers, in its shape."""
+
+from typing import TYPE_CHECKING, Any
+
+from vibcli.analyses.modal.damped_modes import DampedMode
+from vibcli.base.errors import PhysicsError
+
+if TYPE_CHECKING:
+    from vibcli.analyses.continuous.member_damping import MemberDamping
+    from vibcli.analyses.modal.mode_sequence import Modes
+    from vibcli.analyses.modal.undamped import Mode
+
+ROUNDINGS = 8       # units in which λ, of ω and c, is not sharper
+UNIT = 2.0**-53
+
+
+class RatedModes:
+    """What `Modes` asks for the damped modes of a MemberDamping; natural: the modes without it; digits: those that it
+    has, as numbers of mpmath. They have the numbers of these, two eigenvalues of an over-damped mode its own."""
+
+    def __init__(self, natural: "Modes", damping: "MemberDamping", digits: int | None = None):
+        self._natural, self._damping = natural, damping
+        self._unit = UNIT if digits is None else 10.0**-digits
+
+    def numbered(self, first: int, last: int) -> list[DampedMode]:
+        """Those of the modes with an index from first to last."""
+        return [one for mode in self._natural.numbered(first, last) for one in self._of(mode)]
+
+    def count(self, Omega: float) -> int:
+        """How many modes have ω ≤ Omega, the rigid ones among them."""
+        return len(self._natural.up_to(Omega))
+
+    def _of(self, mode: "Mode") -> list[DampedMode]:
+        """One eigenvalue, with Im λ > 0, or two real ones."""
+        c, omega, shape = self._damping.rate(mode), mode.omega, mode.shape + 0j
+        if not omega:
+            if c or mode.growth_rate is not None:
+                raise PhysicsError("damped modes of members are not listed where what nothing holds, or what grows, is "
+                                   "damped as a whole", "hold it, or take `damping:` out; frequency responses are "
+                                   "found of what moves freely")
+            return [DampedMode(mode.index, 0 * c, 0 * c, None, shape, 0.0, "rigid motion: λ = 0")]
+        zeta, square = c / (2 * omega), omega**2
+        inner = (1 - zeta) * (1 + zeta)
+        error = self._error(float(mode.error), abs(float(inner))) * self._damping.spread(mode)
+        if inner > 0:
+            return [DampedMode(mode.index, _complex(-c / 2, omega * inner**0.5), omega, zeta, shape, error)]
+        fast = -(c / 2 + omega * (-inner)**0.5)
+        return [DampedMode(mode.index, _complex(value, 0 * c), omega, zeta, shape, error, None, c / 2)
+                for value in (square / fast, fast)]
+
+    def _error(self, known, inner):
+        """Of |δλ|/|λ|: that of ω, and what rounding of ζ makes of √|1 − ζ²|."""
+        rounded = ROUNDINGS * self._unit + 2 * known
+        return rounded / max(min(1.0, inner), rounded)**0.5
+
+
+def _complex(re: Any, im: Any) -> Any:
+    return complex(re, im) if isinstance(re, float) else _precise(re, im)
+
+
+def _precise(re, im):
+    import mpmath
+
+    return mpmath.mpc(re, im)

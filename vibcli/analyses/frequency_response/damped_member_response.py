@@ -1,0 +1,153 @@
+"""The frequency response of a scene with members whose modes `damping:` damps, from the exact one without damping.
+
+Supports that are driven by u leave damping by modes alone where they move everything as at rest, H₀(0) u:
+
+    H₀(s) = H₀(0) − s² G(s),      H(s) = H₀(0) − s² Σ ρ/(ω² + s² + c s)      with G = Σ ρ/(ω² + s²);
+
+damping in proportion to inertia and stiffness resists all velocities: H(s) = H₀(√−z), q(z) = 0.
+"""
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from vibcli.analyses.continuous.damped_sum import STEP, DampedSum, fractions
+from vibcli.analyses.frequency_response.frequency_response_function import FrequencyResponseFunction
+from vibcli.analyses.frequency_response.member_errors import of_value_at
+from vibcli.analyses.frequency_response.member_poles_and_zeros import distinct, followed
+from vibcli.base.errors import PhysicsError
+
+if TYPE_CHECKING:
+    from vibcli.analyses.continuous.member_damping import MemberDamping
+    from vibcli.analyses.frequency_response.member_response import MemberTransfer
+    from vibcli.analyses.modal.mode_sequence import Modes
+
+NEAR, STILL = 1e-3, 1e-6    # radius of a difference over the distance of a pole; ratio of what hardly is damped
+BEYOND = 2.0        # times a frequency: modes up to there may vibrate as slowly
+UNIT = 2.0**-52
+
+
+class DampedMemberTransfer(FrequencyResponseFunction):
+    """still: the MemberTransfer without damping; driven: is its input the displacement of supports? turns: its input
+    is (−s²)^turns times that of `still`."""
+
+    __slots__ = ("_modes", "_static", "_sum", "damping", "driven", "still", "turns")
+
+    def __init__(self, still: "MemberTransfer", modes: "Modes", damping: "MemberDamping", driven: bool, turns: int):
+        super().__init__(still.order)
+        self.still, self.damping, self.driven, self.turns = still, damping, driven, turns
+        self._modes, self._static = modes, 0.0
+        self._sum: DampedSum | None = None
+
+    @property
+    def undamped(self) -> bool:
+        return False
+
+    @property
+    def pace(self) -> float:
+        return self.still.pace
+
+    @property
+    def end(self) -> float:
+        return self.still.end
+
+    def natural(self) -> list[float]:
+        return self.still.natural()
+
+    def at(self, s: np.ndarray, steep: bool = False) -> "tuple[np.ndarray, np.ndarray | None, np.ndarray]":
+        """The slope is that of a difference about s, nearer than any pole."""
+        s = np.asarray(s, complex)
+        values, resonant, slopes = self._values(s), self._resonant(s), None
+        if steep:
+            size = np.maximum(np.abs(s), NEAR * self.pace)
+            radius = NEAR * np.maximum(self._damped_at(size) / 2, STILL * size)
+            around = [self._values(s + radius * turn) / turn for turn in (1, 1j, -1, -1j)]
+            slopes = sum(around) / (4 * radius)
+        return values, slopes, resonant
+
+    def _damped_at(self, omega):
+        """c at frequencies."""
+        if self.damping.ratios:
+            return 2 * min(map(float, self.damping.ratios)) * omega
+        return sum(float(a) * omega**(2 * k) for k, a in enumerate(self.damping.series))
+
+    def _resonant(self, s):
+        """At rest, where what moves freely has no response."""
+        found = s == 0
+        return found & self.still.at(np.zeros(1, complex))[2][0] if found.any() else found
+
+    def _values(self, s):
+        turned = (-s * s)**self.turns
+        if self.driven and self.damping.whole:
+            series = [float(a) for a in self.damping.series]
+            return turned * self.still.at(np.sqrt(-fractions(series, s)[0][0]))[0]
+        if self._sum is None:
+            self._static = self._at_rest() if self.driven else 0.0
+            self._sum = DampedSum(self.damping, self._modes, self._by_supports if self.driven else self._by_loads)
+        found = self._sum.at(s)
+        return turned * (self._static - s * s * found if self.driven else found)
+
+    def _at_rest(self):
+        values, _, resonant = self.still.at(np.zeros(1, complex))
+        if resonant[0]:
+            raise PhysicsError("responses of what moves freely beside driven supports are not found with damping by "
+                               "modes", "write `proportional: [alpha, beta]`, or hold it")
+        return values[0]
+
+    def _by_loads(self, sigma):
+        return self.still.at(sigma)[0]
+
+    def _by_supports(self, sigma):
+        return (self._static - self.still.at(sigma)[0]) / sigma**2
+
+    def poles(self, low: float = 0.0, high: float = math.inf) -> np.ndarray:
+        high = high if math.isfinite(high) else self.end
+        modes = [mode for mode in self._modes.up_to(BEYOND * high) if mode.omega] if math.isfinite(high) else []
+        half = np.array([float(self.damping.rate(mode)) / 2 for mode in modes])
+        omega = np.array([float(mode.omega) for mode in modes])
+        root = np.sqrt((omega**2 - half**2 + 0j)[half < omega]).real
+        found = -half[half < omega] + 1j * root
+        found = found[(root >= low) & (root <= high)]
+        return found[np.argsort(found.imag)]
+
+    def zeros(self, low: float = 0.0, high: float = math.inf) -> np.ndarray:
+        return distinct(followed(self._newton, self.still.zeros(low, high if math.isfinite(high) else self.end)))
+
+    def _newton(self, s):
+        values, slopes, _ = self.at(s, True)
+        return -values / slopes
+
+    def endless(self, low: float = 0.0, high: float = math.inf) -> list[np.ndarray]:
+        return self.still.endless(low, high)
+
+    def error(self, Omega: float) -> float:
+        """What rounding makes of each part of the sum, and of the integral the trapezoidal rule."""
+        s = np.array([1j * Omega])
+        size = float(np.abs(self._values(s)[0]))
+        if not self.damping.ratios:
+            parts = fractions([float(a) for a in self.damping.series], s)
+            weights = [1.0 if self.driven and self.damping.whole else 1 / abs(slope[0]) for _, slope in parts]
+            places = [np.sqrt(-z[0]) for z, _ in parts]
+        else:
+            zeta = float(self.damping.ratios[-1])
+            sine = math.sqrt(1 - zeta**2)
+            places, weights = [Omega * complex(zeta, sine), complex(Omega)], [2 / sine, 2 * zeta]
+            angle = math.asin(sine)
+            size *= 1 + 64 * len(self.damping.ratios) + math.exp(-2 * math.pi * angle / STEP) / UNIT
+        found = sum(weight * of_value_at(self.still, place) for place, weight in zip(places, weights, strict=True))
+        return (found + 8 * UNIT * size) * abs(Omega)**(self.order + 2 * self.turns)
+
+    def error_of_pole(self, Omega: float) -> float:
+        return self.still.error_of_pole(Omega)
+
+    @property
+    def without_damping(self) -> "MemberTransfer":
+        """The same without damping."""
+        return self.still
+
+    def with_damper(self, other: Any, c: float) -> "FrequencyResponseFunction":
+        raise PhysicsError("dampers beside `damping:` of members are not found", "take `damping:` out")
+
+    def felt(self, other: Any) -> float:
+        return self.with_damper(other, 1.0).pace
