@@ -61,13 +61,14 @@ class ModalResponse(ResponseOfMembers):
 
         from vibcli.analyses.continuous.modal_motion import ModalMotion
         from vibcli.analyses.continuous.mode_basis import ModeBasis
+        from vibcli.analyses.continuous.real_modes import RealModes
 
         modes = self.problem.modal.modes.first(count)
         basis = ModeBasis(modes, self.configuration.linear_system.pieces)
         columns = [basis.shapes.T, *(-basis.end_forces(*drive)[:, None] for drive in self._driven_ends)]
         inputs = np.concatenate(columns, axis=1)
-        return ModalMotion(basis, self._transfer, inputs, self._forces, self._start(basis), self._ratios(basis),
-                           self.problem.work)
+        modes = RealModes(basis, inputs, self._start(basis), self._ratios(basis))
+        return ModalMotion(modes, self._transfer, self._forces, self.problem.work)
 
     @cached_property
     def _driven_ends(self):
@@ -218,7 +219,7 @@ class ModalResponse(ResponseOfMembers):
         """The motion by so many modes that the remainder of an output is small, or by the most."""
         from vibcli.analyses.continuous.modal_motion import TooSlow
 
-        count = len(motion.eta)
+        count = motion.count
         while True:
             try:
                 if motion.is_near(output, CLOSE) or 2 * count > self.most:

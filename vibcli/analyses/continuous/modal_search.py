@@ -92,7 +92,7 @@ def _divided(cells, step):
 
 def _searched(motion, output, start, end, chosen):
     """The cells left when all modes are counted, `chosen` saying which of those of a level are."""
-    cells, step, total = np.array([[start, end]]), end - start, len(motion.eta)
+    cells, step, total = np.array([[start, end]]), end - start, motion.count
     with motion.work.task("the search along a motion by modes", MOST) as task:
         for count in [*(level for level in LEVELS if level < total), total]:
             step = min(step, TURN / motion.fastest_of(count))

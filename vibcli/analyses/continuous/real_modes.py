@@ -1,0 +1,54 @@
+"""Modes that move each by itself, as a motion in time needs them: η̈ + 2ζω η̇ + ω² η = Φᵀ f."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from vibcli.analyses.continuous.modal_states import states_of
+
+if TYPE_CHECKING:
+    from vibcli.analyses.continuous.mode_basis import ModeBasis
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+
+EPSILON = 2.0**-52
+NOISE = 2.0**-51                # of the largest η: what is only rounding
+
+
+class RealModes:
+    """Of a ModeBasis: inputs (modes, channels), η and η̇ at t = 0, ratios: damping of each mode.
+
+    states: those that a motion is added from; rigid_inputs, rigid_start: b and (η, η̇) of what nothing holds; left_out:
+    what no |λ| of a mode that is left out is below where it oscillates, and none where it creeps; fading: none of these
+    dies out more slowly; lost: rounding of the start, in η; doubt: relative bounds of the λ and of the amplitudes.
+    """
+
+    def __init__(self, basis: "ModeBasis", inputs: np.ndarray, start: tuple[np.ndarray, np.ndarray],
+                 ratios: np.ndarray):
+        eta, rate = (_without_noise(part) for part in start)
+        squares, self.basis, self.count = basis.squares, basis, len(basis.squares)
+        at, self.rigid = np.flatnonzero(squares), np.flatnonzero(squares == 0)
+        states = states_of(squares[at], ratios[at], inputs[at], eta[at], rate[at])
+        self.states = states._replace(modes=at[states.modes])
+        self.rigid_inputs, self.rigid_start = inputs[self.rigid], np.array([eta[self.rigid], rate[self.rigid]])
+        self.left_out = _left_out(squares[at], ratios[at])
+        slow = float(np.max(states.rates.real[len(at) // 2:len(at)], initial=-np.inf))
+        self.fading = min(max(slow, -self.left_out[1]), 0.0)
+        pace = max(np.abs(states.rates).min(initial=np.abs(states.rates).max(initial=0.0)), 1e-300)
+        self.lost = NOISE * float(np.abs(eta).max(initial=0.0) + (np.abs(rate) / pace).max(initial=0.0))
+        self.doubt = np.full(len(states.rates), basis.error + EPSILON), np.full(len(states.rates), 8 * EPSILON)
+
+    def rows(self, output: "LinearOutput") -> tuple[np.ndarray, np.ndarray]:
+        """What an output reads of each state, its rate and acceleration, (3, states), and of what nothing holds."""
+        rows = self.basis.rows(output)
+        return rows[:, self.states.modes], rows[:, self.rigid]
+
+
+def _left_out(squares, ratios):
+    highest = float(np.sqrt(np.abs(squares).max(initial=0.0)))
+    zeta = float(ratios[-1]) if len(ratios) else 0.0
+    return highest, highest / (2 * zeta) if zeta else np.inf
+
+
+def _without_noise(start):
+    """What modes start with, 0 where that is only the rounding of others."""
+    return np.where(np.abs(start) > NOISE * np.abs(start).max(initial=0.0), start, 0.0)
