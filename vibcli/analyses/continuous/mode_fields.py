@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.analyses.continuous.shapes import Moved, antinodes, nodes, shape_along
+from vibcli.analyses.continuous.shapes import Moved, antinodes, nodes, shape_along, turning_places
 from vibcli.base.errors import PhysicsError
 from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.piece import Piece
@@ -100,7 +100,7 @@ class ModeFields:
         """(x, u) where a member moves furthest, the leftmost of equal ones."""
         pieces = self._in_floats(member)
         ends = [place for moved in pieces for place in (moved.start, moved.start + moved.piece.length)]
-        places = sorted([*ends, *antinodes(pieces)])
+        places = sorted([*ends, *turning_places(pieces)])
         sizes = np.abs(shape_along(pieces, places)[:, 0])
         if not np.isfinite(sizes).all():
             raise PhysicsError(f"the shape of a mode along '{member}' is not found", "ask for its frequency alone")
@@ -117,6 +117,10 @@ class ModeFields:
     def node_places(self, member: str) -> list[Any]:
         """The places from left to right at which a member rests, its ends and supports not counted."""
         return [self._polished(member, x, 0) for x in nodes(self._in_floats(member))]
+
+    def antinode_places(self, member: str) -> list[float]:
+        """The places from left to right at which a member moves more than beside them, in floats."""
+        return antinodes(self._in_floats(member))
 
     def _in_floats(self, member):
         return [Moved(float(moved.start), Piece(*map(float, moved.piece)), float(moved.kappa),

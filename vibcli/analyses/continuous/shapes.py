@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 CLOSE = 1e-6        # part of a piece by which one stays away from its ends
 FINE = 8            # places for each half-wave
 STEPS, SETTLED = 60, 4e-16
+BESIDE, MOVES, ROUNDING = 1e-3, 1e-9, 1e-12     # of the way to the next turning place; of |u|, of the largest one
 
 
 class Moved(NamedTuple):
@@ -50,9 +51,21 @@ def nodes(pieces: Sequence[Moved]) -> list[float]:
     return crossings(pieces, 0, [moved.start for moved in pieces if moved.supported])
 
 
-def antinodes(pieces: Sequence[Moved]) -> list[float]:
-    """The places at which a member moves more than beside them, its ends not counted."""
+def turning_places(pieces: Sequence[Moved]) -> list[float]:
+    """The places within a member at which u is largest or least among those around them."""
     return crossings(pieces, 1, [])
+
+
+def antinodes(pieces: Sequence[Moved]) -> list[float]:
+    """The places at which a member moves more than beside them: |u| is largest there, at ends that are not held too."""
+    places = np.array([pieces[0].start, *turning_places(pieces), pieces[-1].start + pieces[-1].piece.length])
+    aside = BESIDE * np.diff(places)
+    size, left, right = (np.abs(shape_along(pieces, at)[:, 0].real) for at in (
+        places, places - np.append(0.0, aside), places + np.append(aside, 0.0)))
+    moves = size > MOVES * size.max()
+    above = [(size > (1 + ROUNDING) * beside) | (places == end) for beside, end in (
+        (left, places[0]), (right, places[-1]))]
+    return places[moves & above[0] & above[1]].tolist()
 
 
 def crossings(pieces: Sequence[Moved], derivative: int, left_out: Sequence[float]) -> list[float]:

@@ -147,8 +147,10 @@ def _roots(problem, found):
 def _orthogonality(problem, found):
     """∫ μ X_i X_j dx + M X_i(L) X_j(L) = 0 of two modes."""
     scene, M = problem.scene, problem.symbolic.discrete_matrices[0]
-    along = list(dict.fromkeys(tuple(_terms([(placed.piece.inertia, "X_i·X_j·dx")])) for placed in found.pieces))
-    told = [part for text in along for part in (" + ∫" if text is not along[0] else "∫", *text)]
+    along = _integrals(found.pieces, lambda placed: [(placed.piece.inertia, "X_i·X_j·dx")])
+    several, told = len({owner for owner, *_ in along}) > 1, []
+    for number, (owner, inner, where) in enumerate(along):
+        told += [" + ∫" if number else "∫", *inner, *([Words(f" ({owner})")] if several else []), *where]
     stations = {scene.q.index(node): (part, station.place) for name in found.members
                 for station in scene.members[name].stations for part, node in enumerate(station.motions)
                 if node in scene.q}
@@ -177,27 +179,40 @@ def _frequency(found):
 
 def member_energies(problem: "Problem", kind: str) -> list:
     """What members add to T and V, as integrals along each: parts of a formula, each after a plus."""
-    told: dict = {}
     form = problem.symbolic.linearisation if problem.symbolic.linearisable else problem.system.linearisation
-    for placed in form.pieces:
+
+    def integrand(placed):
         piece, u = placed.piece, problem.scene.members[placed.owner].kind.motion
-        terms = {"T": [(piece.inertia, f"(∂{u}/∂t)²")], "Phi": [(piece.drag, f"(∂{u}/∂t)²")],
-                 "V": [(piece.bending, f"(∂²{u}/∂x²)²"), *((along, f"{x}(∂{u}/∂x)²") for along, x in _tension(placed)),
-                       (piece.foundation, f"{u}²")]}
-        inner, end = tuple(_terms(terms[kind])), textbook(placed.start + piece.length)
+        return {"T": [(piece.inertia, f"(∂{u}/∂t)²")], "Phi": [(piece.drag, f"(∂{u}/∂t)²")],
+                "V": [(piece.bending, f"(∂²{u}/∂x²)²"), *((along, f"{x}(∂{u}/∂x)²") for along, x in _tension(placed)),
+                      (piece.foundation, f"{u}²")]}[kind]
+
+    found = _integrals(form.pieces, integrand)
+    several = len({owner for owner, *_ in found}) > 1
+    parts: list = []
+    for owner, inner, where in found:
+        long = len(inner) > 3
+        parts += [" + ½·∫(" if long else " + ½·∫", *inner, ")·d" if long else "·d", "x",
+                  *([Words(f" ({owner})")] if several else []), *where]
+    return parts
+
+
+def _integrals(pieces, integrand):
+    """[(member, parts of the integrand, parts that tell from where to where)]: one for all stretches on which it is the
+    same; `integrand(piece)`: terms (coefficient, text)."""
+    told: dict = {}
+    for placed in pieces:
+        inner, end = tuple(_terms(integrand(placed))), textbook(placed.start + placed.piece.length)
         if inner:
             spans = told.setdefault((placed.owner, inner), [])
             start = spans.pop()[0] if spans and spans[-1][1] == textbook(placed.start) else placed.start
             spans.append((start, end))
-    several = len({owner for owner, _ in told}) > 1
-    parts: list = []
+    found = []
     for (owner, inner), spans in told.items():
-        long = len(inner) > 3
-        where = [part for start, end in spans for part in (Words(", "), start, " < x < ", end)][1:]
         stepped = sum(one == owner for one, _ in told) > 1
-        parts += [" + ½·∫(" if long else " + ½·∫", *inner, ")·d" if long else "·d", "x",
-                  *([Words(f" ({owner})")] if several else []), *([Words(" ("), *where, Words(")")] if stepped else [])]
-    return parts
+        where = [part for start, end in spans for part in (Words(", "), start, " < x < ", end)][1:]
+        found.append((owner, inner, [Words(" ("), *where, Words(")")] if stepped else []))
+    return found
 
 
 def _is_own(node, member, scene):

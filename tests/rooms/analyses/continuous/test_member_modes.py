@@ -163,3 +163,29 @@ def test_what_no_spring_touches_is_free_beside_what_moves_along_a_bar():
 """).modal.modes
     assert [modes[i].omega for i in range(4)] == [0.0] * 4 < [modes[4].omega]
     assert modes[4].omega == pytest.approx(sqrt(30 / 4), rel=1e-13)
+
+
+def test_a_thick_beam_is_told_once_whether_an_equilibrium_is_told_or_not():
+    scene = problem("beams: {arm: {length: 1 m, E: 11 GPa, rho: 600 kg/m^3, section: {rectangle: [0.3 m, 0.15 m]}, "
+                    "left: clamped}}")
+    for names in (("frequencies",), ("equilibrium", "frequencies", "modes")):
+        assert told(scene, *names).count("'arm' is thick: L/h is 6.67") == 1
+
+
+ROD = """
+    parameters: {L: , EA: , mu: }
+    bars:
+      rod: {left: clamped, %s}
+      %s
+"""
+
+
+@pytest.mark.parametrize(("rod", "more", "written"), [
+    ("segments: [{length: L, EA: EA, mass_per_length: mu}, {length: 2*L, EA: EA, mass_per_length: 3*mu}]", "",
+     "∫μ·X_i·X_j·dx (0 < x < L) + ∫3·μ·X_i·X_j·dx (L < x < 3·L) = 0"),
+    ("length: L, EA: EA, mass_per_length: mu",
+     "more: {left: {clamped: rod, at: L}, length: L, EA: 2*EA, mass_per_length: mu}",
+     "∫μ·X_i·X_j·dx (rod) + ∫μ·X_i·X_j·dx (more) = 0")])
+def test_orthogonality_tells_on_which_stretch_and_member_each_integral_is(rod, more, written):
+    """By parts on every stretch: the forces between them cancel, whatever stretches belong together."""
+    assert written in told(problem(ROD % (rod, more)), "frequency_equation")
