@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 SAME = 1e-9         # of a length or displacement: nearer ones are one
 SHARES = np.append(np.arange(1, 62) * 0.6180339887498949 % 1, [0.0, 1.0])
+ALLOWED, PLACE = 1e-11, 1e-15       # what a shape is off in any case, as a part; a place and what is reckoned of it
 STEPS = 8           # of Newton's method, from a place that is known in floats
 
 
@@ -39,7 +40,8 @@ class ModeFields:
                 piece = Piece(*map(self.number, placed.piece))
                 kappa = piece.foundation - piece.inertia * self.number(motion.z)
                 ends = [self._times(row, motion.shape) for row in placed.rows]
-                found.append(self._moved(placed.start, piece, kappa, ends, not any(placed.rows[0].values())))
+                moved = self._moved(placed.start, piece, kappa, ends, not any(placed.rows[0].values()))
+                found.append(moved._replace(curves=motion.curves))
         found += self._light(member)
         return sorted(found, key=lambda moved: moved.start)
 
@@ -86,8 +88,11 @@ class ModeFields:
 
     def _on(self, moved, x):
         piece = moved.piece
-        place = min(max(self.number(x) - moved.start, 0 * piece.length), piece.length)
-        found = list(fields(piece, moved.kappa, moved.ends, place))
+        if moved.curves is not None:
+            found = moved.curves.along(x).tolist()
+        else:
+            place = min(max(self.number(x) - moved.start, 0 * piece.length), piece.length)
+            found = list(fields(piece, moved.kappa, moved.ends, place))
         if piece.order == 2:        # (N u′)′ = κ u
             found.append((moved.kappa * found[0] - piece.gradient * found[1]) / piece.tension)
         return found
@@ -110,9 +115,12 @@ class ModeFields:
 
     def size(self, member: str, order: int) -> float:
         """How large a derivative of u by x is on a member, or would be if it moved as far as any: what its rounding is
-        measured by."""
+        measured by. So many waves that what their length is off shows count as a larger one."""
+        pieces = self._in_floats(member)
         most = max(_most(moved, 0) for name in self.scene.members for moved in self._in_floats(name))
-        return max(max(_most(moved, order), most * _wave_number(moved)**order) for moved in self._in_floats(member))
+        largest = max(max(_most(moved, order), most * _wave_number(moved)**order) for moved in pieces)
+        phase = sum(_wave_number(moved) * moved.piece.length for moved in pieces)
+        return largest * max(1.0, phase * (float(self.mode.error) + PLACE) / ALLOWED)
 
     def node_places(self, member: str) -> list[Any]:
         """The places from left to right at which a member rests, its ends and supports not counted."""
@@ -124,7 +132,8 @@ class ModeFields:
 
     def _in_floats(self, member):
         return [Moved(float(moved.start), Piece(*map(float, moved.piece)), float(moved.kappa),
-                      moved.ends.astype(complex if any(map(_is_complex, moved.ends)) else float), moved.supported)
+                      moved.ends.astype(complex if any(map(_is_complex, moved.ends)) else float), moved.supported,
+                      moved.curves)
                 for moved in self.pieces(member)]
 
     def _polished(self, member, x, order):

@@ -1,5 +1,6 @@
 """The natural modes of a scene with continuous members, as they are asked for: without end, none missed."""
 
+import math
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
@@ -149,7 +150,7 @@ class NaturalModes:
 
             with working(self.digits + DEEPER[0]):
                 return mp.sqrt(abs(root.z))
-        return abs(float(root.z)) ** 0.5
+        return math.sqrt(abs(float(root.z)))
 
     def _held_and_turning(self):
         """The Ground beside gyroscopic terms, which leave the count what it is only where a positive stiffness holds

@@ -22,8 +22,9 @@ from vibcli.numerics.sparse_elimination import quadratic
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.system import ContinuousSystem
+    from vibcli.analyses.continuous.uniform_curves import UniformCurves
 
-STEPS = 12
+STEPS, PASSES = 12, 4
 WIDEST = 1e-9       # a bound that is not worth a proof
 SURE = 1e-12        # a relative bound that is good enough
 NOTHING = 256       # roundings of the largest, below which a part of a shape is zero
@@ -35,13 +36,14 @@ TIGHT = 1 + 1e-6    # where there are several
 
 class NaturalFrequency(NamedTuple):
     """A natural frequency: z = ω² (negative: growth rate √−z), the relative bound of √|z|, the shape, xᵀD′x = 1, over
-    the coordinates of `system`, which begin with those of the scene."""
+    the coordinates of `system`, which begin with those of the scene; curves: it along a uniform member."""
 
     index: int      # type: ignore[assignment]
     z: Any
     error: float
     shape: np.ndarray
     system: "ContinuousSystem"
+    curves: "UniformCurves | None" = None
 
 
 def natural_frequencies(counts: KnownCounts, first: int, last: int) -> dict[int, NaturalFrequency]:
@@ -101,11 +103,14 @@ def _polished(system, brackets):
 def certified(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, indices: Sequence[int],
               wanted: np.ndarray) -> dict[int, NaturalFrequency]:
     """Roots with the bound that counts on both sides of each prove; without those they do not."""
-    for _ in range(2):      # the shape and the inertia are those at the last z
+    for _ in range(PASSES):     # the shape and the inertia are those at the last z
         entries, sizes, slope = system.dynamic_stiffness(z)
         x = settled(system, z, entries, x)
         inertia = abs(quadratic(system.pattern, slope, x).real)
-        z = z + quadratic(system.pattern, entries, x).real / inertia
+        moved = quadratic(system.pattern, entries, x).real / inertia
+        z = z + moved
+        if (abs(moved) <= 16 * system.unit * abs(z)).all():
+            break
     scale = scales(system, z, sizes, slope)
     room = (abs(x) ** 2 * rounding(system, sizes, scale)).sum(axis=0)
     felt = abs(x) * scale

@@ -11,6 +11,7 @@ import numpy as np
 from vibcli.numerics.pieces.fields import fields
 
 if TYPE_CHECKING:
+    from vibcli.analyses.continuous.uniform_curves import UniformCurves
     from vibcli.numerics.pieces.piece import Piece
 
 CLOSE = 1e-6        # part of a piece by which one stays away from its ends
@@ -21,16 +22,19 @@ BESIDE, MOVES, ROUNDING = 1e-3, 1e-9, 1e-12     # of the way to the next turning
 
 class Moved(NamedTuple):
     """A piece of a member from the place `start` on, in motion: κ = k − μ ω², its end values, and whether the member
-    cannot be displaced where it begins."""
+    cannot be displaced where it begins; curves: the closed form along the whole member, where there is one."""
 
     start: float
     piece: "Piece"
     kappa: float
     ends: np.ndarray
     supported: bool
+    curves: "UniformCurves | None" = None
 
     def along(self, x: Any) -> np.ndarray:
         """(u, u′) of bars, shafts and strings, (u, u′, u″, u‴) of beams at places x of the member, (…, order)."""
+        if self.curves is not None:
+            return self.curves.along(x)
         return fields(self.piece, self.kappa, self.ends, np.clip(np.asarray(x) - self.start, 0.0, self.piece.length))
 
 
