@@ -65,8 +65,9 @@ ELEMENT = Element(
         "moment": Field(Load("N*m"), "the moment, counter-clockwise"),
         "coordinate": Field(NameOf("the name of a coordinate", "coordinates"), "the coordinate of a generalised force"),
         "value": Field(Load(), "the generalised force: its work is value·δq"),
-        "per_length": Field(Load(), "a load along the member `body`, per length: q0*sin(pi*x/L), x its place; it may "
-                                    "vary in time where the member has neither mass nor drag"),
+        "per_length": Field(Load(), "a load along the member `body` in the sense of its u, per length, x its place: "
+                                    "q0*sin(pi*x/L)*cos(Omega*t), a sum of such products in time; frf[…] to it is that "
+                                    "to a load of this form whose largest value is 1 N/m"),
         "from": Field(Quantity("m"), "where it begins (default: the left end)"),
         "to": Field(Quantity("m"), "where it ends (default: the right end)"),
         "unbalance": Field(Quantity("kg*m"), "a rotating unbalance: mass times eccentricity"),

@@ -60,12 +60,14 @@ class ModalResponse(ResponseOfMembers):
         import numpy as np
 
         from vibcli.analyses.continuous.modal_motion import ModalMotion
+        from vibcli.analyses.continuous.modal_start import of_drive
         from vibcli.analyses.continuous.mode_basis import ModeBasis
         from vibcli.analyses.continuous.real_modes import RealModes
 
         modes = self.problem.modal.modes.first(count)
         basis = ModeBasis(modes, self.configuration.linear_system.pieces)
-        columns = [basis.shapes.T, *(-basis.end_forces(*drive)[:, None] for drive in self._driven_ends)]
+        columns = [basis.shapes.T, *(-basis.end_forces(*drive)[:, None] for drive in self._driven_ends),
+                   *(of_drive(basis, drive)[:, None] for drive in self._spread)]
         inputs = np.concatenate(columns, axis=1)
         modes = RealModes(basis, inputs, self._start(basis), self._ratios(basis))
         return ModalMotion(modes, self._transfer, self._forces, self.problem.work)
@@ -92,7 +94,7 @@ class ModalResponse(ResponseOfMembers):
         pieces = [one._replace(piece=one.piece._make(float(x) for x in one.piece)) for one in linear.pieces]
         if not all(one.piece.inertia for one in pieces):
             raise NotByModes("a piece of a member without mass has drag", "give it mass, or take the drag out")
-        found = ExactTransfer(np.array([K, C, M]), pieces, self._driven_ends)
+        found = ExactTransfer(np.array([K, C, M]), pieces, self._driven_ends, self._spread)
         damping = self.problem.modal.member_damping
         if damping is None:
             return found
@@ -108,15 +110,24 @@ class ModalResponse(ResponseOfMembers):
 
     @cached_property
     def _forces(self):
-        """The Forcing of coordinates and driven ends."""
+        """The Forcing of coordinates, driven ends and loads along members."""
         from vibcli.analyses.excitation.decompose import forcing_of
         from vibcli.notation.plain import plain
 
         n = len(self.matrices[0])
-        driven = [node for _, node in self.ends_of_pieces if node is not None]
+        driven = [*(node for _, node in self.ends_of_pieces if node is not None),
+                  *(force.weight for force in self.spread_forces)]
         nodes = self.drive_of_coordinates | dict(enumerate(driven, n))
         return forcing_of(nodes, self.problem.scene.time, self.problem.numeric.floats, n + len(driven), write=plain,
                           work=self.problem.work)
+
+    @cached_property
+    def _spread(self):
+        """The SpreadDrives of loads along members in time."""
+        from vibcli.analyses.continuous.spread_drives import spread_drive
+        from vibcli.symbolic.evaluation import Floats
+
+        return [spread_drive(force, self.configuration.at_rest, Floats) for force in self.spread_forces]
 
     @property
     def drive_of_coordinates(self):

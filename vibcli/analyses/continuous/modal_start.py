@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from vibcli.analyses.excitation.load_forms import load_form
 from vibcli.numerics.pieces.arithmetic import arithmetic_of
 from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.integrals import product_integral
@@ -19,7 +20,9 @@ from vibcli.numerics.pieces.stiffness import stiffness_and_slope
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.mode_basis import ModeBasis
+    from vibcli.analyses.continuous.spread_drives import SpreadDrive
     from vibcli.analyses.excitation.forcing import Forcing
+    from vibcli.numerics.pieces.loads import LoadForm
 
 FAR = 50.0          # times what else is in P: κ
 BLOCK = 64          # modes whose integrals are taken at a time
@@ -28,15 +31,27 @@ BLOCK = 64          # modes whose integrals are taken at a time
 def of_field(basis: "ModeBasis", piece: int, given: "Forcing", channel: int) -> np.ndarray:
     """μ ∫ φ u dx of each mode over a piece, u being a channel of a Forcing over x."""
     whole = basis.placed[piece].piece
+    return whole.inertia * of_load(basis, piece, load_form(given, channel, whole.length))
+
+
+def of_drive(basis: "ModeBasis", drive: "SpreadDrive") -> np.ndarray:
+    """∫ φ f dx of each mode over a member."""
     found = np.zeros(len(basis.squares))
-    segments = given.segments(np.inf)
+    for number, placed in enumerate(basis.placed):
+        form = drive.on(placed)
+        if form is not None:
+            found += of_load(basis, number, form)
+    return found
+
+
+def of_load(basis: "ModeBasis", piece: int, form: "LoadForm") -> np.ndarray:
+    """∫ φ f dx of each mode over a piece."""
+    found = np.zeros(len(basis.squares))
     for part in basis.parts[piece]:
-        high = part.start + part.piece.length
-        for segment, after in zip(segments, [*[one.start for one in segments[1:]], whole.length], strict=True):
-            a, b = max(segment.start, part.start), min(after, high)
-            waves = [wave for wave in segment.waves if wave.channel == channel and wave.coefficient]
-            if b > a and waves:
-                found[part.modes] += whole.inertia * _integrals(part, segment.start, waves, a, b)
+        for one in form.stretches:
+            a, b = max(one.start, part.start), min(one.end, part.start + part.piece.length)
+            if b > a and one.terms:
+                found[part.modes] += _integrals(part, one.origin, one.terms, a, b)
     return found
 
 

@@ -152,4 +152,8 @@ class MemberSystem:
                     c[i] += factor * float(x) * d[end, b]
                     if c_slope is not None:
                         c_slope[i] += factor * float(x) * steeper[end, b]
+            for j, put, steeper in found.put.get(number, ()):
+                c[j] -= factor * put[:, end]
+                if c_slope is not None:
+                    c_slope[j] -= factor * steeper[:, end]
         return c, c_slope

@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING
 
 from vibcli.analyses.continuous.dynamic_matrix import dynamic_matrix
+from vibcli.analyses.continuous.spread_drives import spread_inputs
 from vibcli.analyses.frequency_response.member_marks import Marks
 from vibcli.analyses.frequency_response.member_places import seen_at
 from vibcli.analyses.frequency_response.member_response import MemberTransfer
@@ -70,5 +71,6 @@ def _still(configuration: "Configuration", signal: "SignalName", given: MemberIn
     else:
         row = linear_row(configuration, signal.text)
         output = MemberOutput((row.q, row.v, row.a))
-    system = MemberSystem(dynamic_matrix(elements, pieces, size), range(opened.n, n), given, output)
+    system = MemberSystem(dynamic_matrix(elements, pieces, size, spread_inputs(configuration, given.weights)),
+                          range(opened.n, n), given, output)
     return MemberTransfer(system, Marks(modal, system.shared()), order)
