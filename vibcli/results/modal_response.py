@@ -57,20 +57,24 @@ class ModalResponse(ResponseOfMembers):
         return self._motions[count]
 
     def _found(self, count):
-        import numpy as np
-
         from vibcli.analyses.continuous.modal_motion import ModalMotion
-        from vibcli.analyses.continuous.modal_start import of_drive
         from vibcli.analyses.continuous.mode_basis import ModeBasis
         from vibcli.analyses.continuous.real_modes import RealModes
 
         modes = self.problem.modal.modes.first(count)
         basis = ModeBasis(modes, self.configuration.linear_system.pieces)
+        modes = RealModes(basis, self._felt(basis), self._start(basis), self._ratios(basis))
+        return ModalMotion(modes, self._transfer, self._forces, self.problem.work)
+
+    def _felt(self, basis):
+        """What each mode feels of each channel."""
+        import numpy as np
+
+        from vibcli.analyses.continuous.modal_start import of_drive
+
         columns = [basis.shapes.T, *(-basis.end_forces(*drive)[:, None] for drive in self._driven_ends),
                    *(of_drive(basis, drive)[:, None] for drive in self._spread)]
-        inputs = np.concatenate(columns, axis=1)
-        modes = RealModes(basis, inputs, self._start(basis), self._ratios(basis))
-        return ModalMotion(modes, self._transfer, self._forces, self.problem.work)
+        return np.concatenate(columns, axis=1)
 
     @cached_property
     def _driven_ends(self):
@@ -81,20 +85,26 @@ class ModalResponse(ResponseOfMembers):
         return [DrivenEnd(*at) for at, (_, node) in zip(ends, self.ends_of_pieces, strict=True) if node is not None]
 
     @cached_property
-    def _transfer(self):
+    def _exact(self):
+        """The ExactTransfer of all but `damping:`."""
         import numpy as np
 
         from vibcli.analyses.continuous.exact_transfer import ExactTransfer
 
         M, C, K = self.matrices
         linear = self.configuration.linear_system
-        if C.any() or linear.G:
-            raise NotByModes("dampers and gyroscopic terms couple the modes of members",
-                             "ask for steady(…), or damp with `drag:` along members")
+        if linear.G:
+            raise NotByModes("gyroscopic terms couple the modes of members", "ask for steady(…)")
         pieces = [one._replace(piece=one.piece._make(float(x) for x in one.piece)) for one in linear.pieces]
         if not all(one.piece.inertia for one in pieces):
             raise NotByModes("a piece of a member without mass has drag", "give it mass, or take the drag out")
-        found = ExactTransfer(np.array([K, C, M]), pieces, self._driven_ends, self._spread)
+        return ExactTransfer(np.array([K, C, M]), pieces, self._driven_ends, self._spread)
+
+    @cached_property
+    def _transfer(self):
+        found = self._exact
+        if self.matrices[1].any():
+            raise CoupledModes("dampers couple the modes of members", "ask for steady(…)")
         damping = self.problem.modal.member_damping
         if damping is None:
             return found
@@ -146,10 +156,10 @@ class ModalResponse(ResponseOfMembers):
         if not most:
             return np.zeros(len(basis.squares))
         if most - min(rates) > 1e-14 * most or self.matrices[0].any():
-            raise NotByModes("drag that differs from place to place couples the modes of members",
-                             "ask for steady(…), or give all the same drag by mass")
+            raise CoupledModes("drag that differs from place to place couples the modes of members",
+                               "ask for steady(…), or give all the same drag by mass")
         if not (basis.squares > 0).all():
-            raise NotByModes("drag on what nothing holds is not followed by modes", "hold it, or take the drag out")
+            raise CoupledModes("drag on what nothing holds damps it without end", "hold it, or take the drag out")
         return most / 2 / np.sqrt(basis.squares)
 
     def _given_ratios(self, basis):
@@ -168,19 +178,27 @@ class ModalResponse(ResponseOfMembers):
 
     def _start(self, basis):
         """η and η̇ at t = 0."""
-        import numpy as np
-
-        from vibcli.analyses.continuous.modal_start import of_field, of_shape
+        from vibcli.analyses.continuous.modal_start import of_field
 
         q, v = self.deviations
         M = self.matrices[0]
         eta, rate = basis.shapes.T @ (M @ q), basis.shapes.T @ (M @ v)
-        for number, (placed, given) in enumerate(zip(basis.placed, self.fields, strict=True)):
-            ends = np.array([sum(x * q[i] for i, x in row.items() if i < len(q)) for row in placed.rows])
-            shape, speed = given
-            eta = eta + (of_shape(basis, number, ends) if shape is None else of_field(basis, number, shape, 0))
+        for number, (_, speed) in enumerate(self.fields):
+            eta = eta + self._displaced(basis, number)
             rate = rate if speed is None else rate + of_field(basis, number, speed, 0)
         return eta, rate
+
+    def _displaced(self, basis, number):
+        """μ ∫ φ u dx over one piece at t = 0."""
+        import numpy as np
+
+        from vibcli.analyses.continuous.modal_start import of_field, of_shape
+
+        q, shape = self.deviations[0], self.fields[number][0]
+        if shape is not None:
+            return of_field(basis, number, shape, 0)
+        rows = basis.placed[number].rows
+        return of_shape(basis, number, np.array([sum(x * q[i] for i, x in row.items() if i < len(q)) for row in rows]))
 
     def _field(self, piece, given):
         """(u, u̇) over one piece as Forcings; None of a u that is the shape at rest between its ends, and of no u̇."""
@@ -261,3 +279,7 @@ class ModalResponse(ResponseOfMembers):
 
 class NotByModes(NotByWaves):
     """A system whose motion is not followed by modes, with the reason."""
+
+
+class CoupledModes(NotByModes):
+    """A system whose modes do not move each by itself."""

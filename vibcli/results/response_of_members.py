@@ -76,7 +76,7 @@ class ResponseOfMembers(SmallResponse):
         """The SpreadForces that vary in time."""
         return [force for force in self.problem.scene.spread_forces if not force.weight.is_zero]
 
-    @property
+    @cached_property
     def fields(self):
         """What each piece starts with, counted from the equilibrium, as Forcing over its length; None of those that are
         at rest, straight between their ends."""

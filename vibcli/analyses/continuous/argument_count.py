@@ -28,7 +28,7 @@ LEAST = 2.0**-30    # the shortest arc: something lies on the circle
 MOST = 20_000       # arcs
 TURN = 1.4          # by which the argument changes at most between the middle of an arc and its ends: below π/2
 UNIT = 2.0**-53
-CLEAR = 2.0 ** -np.arange(10.0)     # relative distances at which poles are looked for
+CLEAR = 2.0 ** -np.array([*range(10), 11, 13])      # relative distances at which poles are looked for
 
 
 def zeros_within(matrix: "DynamicMatrix", radius: float) -> int | None:

@@ -17,6 +17,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Work
 
 if TYPE_CHECKING:
+    from vibcli.analyses.continuous.complex_modes import ComplexModes
     from vibcli.analyses.continuous.damped_transfer import DampedTransfer
     from vibcli.analyses.continuous.exact_transfer import ExactTransfer
     from vibcli.analyses.continuous.real_modes import RealModes
@@ -45,7 +46,7 @@ class ModalMotion:
     """Of RealModes or ComplexModes under a Forcing whose channels are those of an ExactTransfer, which knows their
     damping; reads: the Forcing whose channels outputs read."""
 
-    def __init__(self, modes: "RealModes", transfer: "ExactTransfer | DampedTransfer",
+    def __init__(self, modes: "RealModes | ComplexModes", transfer: "ExactTransfer | DampedTransfer",
                  forcing: "Forcing", work: Work | None = None, reads: "Forcing | None" = None):
         self.modes, self.transfer, self.forcing, self.work = modes, transfer, forcing, work or Work()
         self.reads = forcing if reads is None else reads
@@ -200,7 +201,7 @@ class ModalMotion:
         times = np.asarray(times, float)
         read, states = Read(self, output, order), self.states
         phase, size = self.modes.doubt
-        lost = EPSILON * abs(output.constant) + self.modes.lost * float(np.abs(read.states).sum())
+        lost = EPSILON * abs(output.constant) + float(self.modes.lost @ np.abs(read.states))
         found = np.full(times.shape, lost)
         for stretch, at in self._placed(times):
             felt = np.abs(read.states * stretch.free)

@@ -36,7 +36,7 @@ def of_field(basis: "ModeBasis", piece: int, given: "Forcing", channel: int) -> 
 
 def of_drive(basis: "ModeBasis", drive: "SpreadDrive") -> np.ndarray:
     """∫ φ f dx of each mode over a member."""
-    found = np.zeros(len(basis.squares))
+    found = np.zeros(basis.shapes.shape[1], basis.shapes.dtype)
     for number, placed in enumerate(basis.placed):
         form = drive.on(placed)
         if form is not None:
@@ -46,7 +46,7 @@ def of_drive(basis: "ModeBasis", drive: "SpreadDrive") -> np.ndarray:
 
 def of_load(basis: "ModeBasis", piece: int, form: "LoadForm") -> np.ndarray:
     """∫ φ f dx of each mode over a piece."""
-    found = np.zeros(len(basis.squares))
+    found = np.zeros(basis.shapes.shape[1], basis.shapes.dtype)
     for part in basis.parts[piece]:
         for one in form.stretches:
             a, b = max(one.start, part.start), min(one.end, part.start + part.piece.length)
@@ -58,7 +58,7 @@ def of_load(basis: "ModeBasis", piece: int, form: "LoadForm") -> np.ndarray:
 def of_shape(basis: "ModeBasis", piece: int, ends: np.ndarray) -> np.ndarray:
     """μ ∫ φ u dx of each mode over a piece at rest with these end values."""
     whole = basis.placed[piece].piece
-    found = np.zeros(len(basis.squares))
+    found = np.zeros(basis.shapes.shape[1], basis.shapes.dtype)
     if not np.any(ends):
         return found
     rest, half = whole.foundation, whole.order // 2
@@ -84,7 +84,7 @@ def _integrals(part, origin, waves, a, b):
         rate = max(abs(wave.exponent) + wave.power / (b - a) for wave in waves)
         rest = piece.bending * rate**4 + abs(piece.tension) * rate**2
         far = np.abs(part.kappa) > FAR * rest
-    found = np.zeros(len(part.modes))
+    found = np.zeros(len(part.modes), part.ends.dtype)
     if far.any():
         found[far] = _by_ends(part, far, origin, waves, b) - _by_ends(part, far, origin, waves, a)
     near = np.flatnonzero(~far)
@@ -105,17 +105,23 @@ def _by_ends(part, chosen, origin, waves, x):
     """The bracket of Green's identity at x."""
     piece, kappa = part.piece, part.kappa[chosen]
     phi = fields(piece, kappa, part.ends[chosen], np.clip(x - part.start, 0.0, piece.length))
-    w = sum((np.real(wave.coefficient * _particular(piece, kappa, wave, x - origin)) for wave in waves),
-            np.zeros((4, len(kappa))))
+    w = sum((factor * _particular(piece, kappa, rate, wave.power, x - origin) for wave in waves
+             for factor, rate in _halves(wave)), np.zeros((4, len(kappa))))
+    w = w if np.iscomplexobj(kappa) else np.real(w)
     found = -piece.tension * (phi[:, 0] * w[1] - phi[:, 1] * w[0])
     if piece.order == 4:
         found += piece.bending * (phi[:, 0] * w[3] - phi[:, 1] * w[2] + phi[:, 2] * w[1] - phi[:, 3] * w[0])
     return found
 
 
-def _particular(piece, kappa, wave, x):
+def _halves(wave):
+    """(c/2, λ) and the conjugate of Re(c xᵏ e^{λx})."""
+    factor, rate = complex(wave.coefficient), complex(wave.exponent)
+    return (factor / 2, rate), (factor.conjugate() / 2, rate.conjugate())
+
+
+def _particular(piece, kappa, rate, k, x):
     """w, w′, w″, w‴ for xᵏ e^{λx}, (4, modes)."""
-    rate, k = complex(wave.exponent), wave.power
     series = [kappa + piece.bending * rate**4 - piece.tension * rate**2,
               4 * piece.bending * rate**3 - 2 * piece.tension * rate, 6 * piece.bending * rate**2 - piece.tension,
               4 * piece.bending * rate, piece.bending]

@@ -19,7 +19,8 @@ class RealModes:
 
     states: those that a motion is added from; rigid_inputs, rigid_start: b and (η, η̇) of what nothing holds; left_out:
     what no |λ| of a mode that is left out is below where it oscillates, and none where it creeps; fading: none of these
-    dies out more slowly; lost: rounding of the start, in η; doubt: relative bounds of the λ and of the amplitudes.
+    dies out more slowly; lost: rounding of the start, in each state; doubt: relative bounds of the λ and of the
+    amplitudes.
     """
 
     def __init__(self, basis: "ModeBasis", inputs: np.ndarray, start: tuple[np.ndarray, np.ndarray],
@@ -34,7 +35,8 @@ class RealModes:
         slow = float(np.max(states.rates.real[len(at) // 2:len(at)], initial=-np.inf))
         self.fading = min(max(slow, -self.left_out[1]), 0.0)
         pace = max(np.abs(states.rates).min(initial=np.abs(states.rates).max(initial=0.0)), 1e-300)
-        self.lost = NOISE * float(np.abs(eta).max(initial=0.0) + (np.abs(rate) / pace).max(initial=0.0))
+        lost = NOISE * float(np.abs(eta).max(initial=0.0) + (np.abs(rate) / pace).max(initial=0.0))
+        self.lost = np.full(len(states.rates), lost)
         self.doubt = np.full(len(states.rates), basis.error + EPSILON), np.full(len(states.rates), 8 * EPSILON)
 
     def rows(self, output: "LinearOutput") -> tuple[np.ndarray, np.ndarray]:
