@@ -57,12 +57,6 @@ class ModalMotion:
         self._taylor: dict[Any, np.ndarray] = {}
         self._until, self._stretches = -1.0, []
 
-    def fastest_of(self, count: int) -> float:
-        """|λ| of the fastest of the first modes, or of a load that is faster."""
-        chosen = np.abs(self.states.rates[self.states.modes < count])
-        loads = [abs(stroke.exponent) for stretch in self.stretches(0.0)[:8] for stroke in stretch.strokes]
-        return float(max([*chosen, *loads], default=1.0)) or 1.0
-
     def under(self, forcing: "Forcing") -> "ModalMotion":
         """The same motion, whose outputs read further channels of the loads."""
         return ModalMotion(self.modes, self.transfer, self.forcing, self.work, forcing)
