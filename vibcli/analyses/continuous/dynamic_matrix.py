@@ -14,7 +14,7 @@ import numpy as np
 
 from vibcli.analyses.continuous.divided_pieces import divided_at
 from vibcli.numerics.pieces.piece import Piece
-from vibcli.numerics.pieces.stiffness import stiffness_and_slope
+from vibcli.numerics.pieces.stiffness import stiffness, stiffness_and_slope
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -37,11 +37,13 @@ class PieceStack:
         self.ends, self.numbers = [one.rows for one in placed], list(numbers)
         self.piece = Piece(*(np.array([[float(getattr(one.piece, name))] for one in placed]) for name in Piece._fields))
 
-    def stiffness(self, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """(d, dd/ds), each (m, m, pieces, N); real where s is imaginary and nothing drags."""
+    def stiffness(self, s: np.ndarray, steep: bool) -> tuple[np.ndarray, np.ndarray | None]:
+        """(d, dd/ds if it is `steep`), each (m, m, pieces, N); real where s is imaginary and nothing drags."""
         piece = self.piece
         damped = piece.drag.any() or s.real.any()
         kappa = piece.reaction(s) if damped else piece.undamped_reaction(s.imag)
+        if not steep:
+            return np.moveaxis(stiffness(piece, kappa), (-2, -1), (0, 1)), None
         d, slope = (np.moveaxis(part, (-2, -1), (0, 1)) for part in stiffness_and_slope(piece, kappa))
         return d, slope * (2 * piece.inertia * s + piece.drag)
 
@@ -49,8 +51,8 @@ class PieceStack:
         """How many times larger d is than a wave of its length would make it, the most of all pieces: (N,)."""
         piece = self.piece
         kappa, force = np.abs(piece.reaction(s)), np.abs(piece.tension)
-        natural = (12 * piece.bending / piece.length**3 + piece.bending**0.25 * kappa**0.75 + force / piece.length
-                   + np.sqrt(force * kappa))
+        waves = piece.bending**0.25 * np.sqrt(kappa * np.sqrt(kappa))       # κ^¾
+        natural = 12 * piece.bending / piece.length**3 + waves + force / piece.length + np.sqrt(force * kappa)
         return (np.abs(d[0, 0]) / natural).max(axis=0)
 
 
@@ -98,7 +100,7 @@ class DynamicMatrix:
         K, C, M = (np.abs(np.diagonal(part))[:, None] for part in self.polynomial)
         size, excess, ends = K + np.abs(s) * (C + np.abs(s) * M), np.zeros(len(s)), []
         for stack in self.stacks:
-            d, steeper = stack.stiffness(s)
+            d, steeper = stack.stiffness(s, steep)
             D = D.astype(np.result_type(D, d), copy=False)
             excess = np.maximum(excess, stack.excess(d, s))
             ends.append((d, steeper))
@@ -107,7 +109,7 @@ class DynamicMatrix:
                     for i, x in row.items():
                         size[i] += float(x) ** 2 * np.abs(d[a, a, p])
                 _added(D, rows, d[:, :, p])
-                if slope is not None:
+                if steeper is not None:
                     _added(slope, rows, steeper[:, :, p])
         return EvaluatedMatrix(self, D, slope, size, excess, ends, self._put(D, slope, s))
 
@@ -159,16 +161,16 @@ class EvaluatedMatrix:
     __slots__ = ("D", "ends", "excess", "matrix", "put", "size", "slope")
 
     def __init__(self, matrix: DynamicMatrix, D: np.ndarray, slope: np.ndarray | None, size: np.ndarray,
-                 excess: np.ndarray, ends: "list[tuple[np.ndarray, np.ndarray]]", put: "Mapping[int, list]"):
+                 excess: np.ndarray, ends: "list[tuple[np.ndarray, np.ndarray | None]]", put: "Mapping[int, list]"):
         self.matrix, self.D, self.slope, self.size, self.excess, self.ends = matrix, D, slope, size, excess, ends
         self.put = put
 
-    def of_piece(self, number: int) -> tuple[np.ndarray, np.ndarray]:
-        """(d, dd/ds) of one piece, (m, m, N)."""
+    def of_piece(self, number: int) -> "tuple[np.ndarray, np.ndarray | None]":
+        """(d, dd/ds or None) of one piece, (m, m, N)."""
         for stack, (d, slope) in zip(self.matrix.stacks, self.ends, strict=True):
             if number in stack.numbers:
                 at = stack.numbers.index(number)
-                return d[:, :, at], slope[:, :, at]
+                return d[:, :, at], None if slope is None else slope[:, :, at]
         raise IndexError(number)
 
 

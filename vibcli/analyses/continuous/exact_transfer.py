@@ -10,7 +10,7 @@ import numpy as np
 
 from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix
 from vibcli.numerics.pieces.fields import fields
-from vibcli.numerics.pieces.stiffness import stiffness_and_slope
+from vibcli.numerics.pieces.stiffness import stiffness
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.spread_drives import SpreadDrive
@@ -65,7 +65,7 @@ class ExactTransfer:
         forces[:, range(self.n), range(self.n)] = 1.0
         for channel, drive in enumerate(self.driven, self.n):
             one = self.pieces[drive.piece]
-            column = stiffness_and_slope(one.piece, one.piece.reaction(s))[0][..., drive.end]
+            column = stiffness(one.piece, one.piece.reaction(s))[..., drive.end]
             for a, row in enumerate(one.rows):
                 for i, v in row.items():
                     forces[:, i, channel] -= v * column[:, a]

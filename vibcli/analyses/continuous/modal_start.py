@@ -16,7 +16,7 @@ from vibcli.numerics.pieces.arithmetic import arithmetic_of
 from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.integrals import product_integral
 from vibcli.numerics.pieces.panels import panel_rule
-from vibcli.numerics.pieces.stiffness import stiffness_and_slope
+from vibcli.numerics.pieces.stiffness import stiffness
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.mode_basis import ModeBasis
@@ -66,7 +66,7 @@ def of_shape(basis: "ModeBasis", piece: int, ends: np.ndarray) -> np.ndarray:
         one = part.piece
         left, right = fields(whole, rest, ends, np.array([part.start, min(part.start + one.length, whole.length)]))
         own = np.concatenate([left[:half], right[:half]])
-        force = stiffness_and_slope(one, np.float64(rest))[0] @ own
+        force = stiffness(one, np.float64(rest)) @ own
         gap, stiff = part.kappa - rest, np.abs(force).max() / np.abs(own).max() / one.length
         far = np.abs(gap) > stiff
         with np.errstate(all="ignore"):

@@ -13,7 +13,7 @@ import numpy as np
 
 from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.piece import Piece
-from vibcli.numerics.pieces.stiffness import stiffness_and_slope
+from vibcli.numerics.pieces.stiffness import stiffness
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
@@ -40,7 +40,7 @@ class ModesOnPart(NamedTuple):
 
     def forces(self) -> np.ndarray:
         """Those that its ends need, (modes, order)."""
-        return np.einsum("kab,kb->ka", stiffness_and_slope(self.piece, self.kappa)[0], self.ends)
+        return np.einsum("kab,kb->ka", stiffness(self.piece, self.kappa), self.ends)
 
 
 class ModeBasis:

@@ -109,7 +109,7 @@ def certified(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, indices:
         inertia = abs(quadratic(system.pattern, slope, x).real)
         moved = quadratic(system.pattern, entries, x).real / inertia
         z = z + moved
-        if (abs(moved) <= 16 * system.unit * abs(z)).all():
+        if (abs(moved) <= 16 * system.unit * abs(z))[wanted].all():
             break
     scale = scales(system, z, sizes, slope)
     room = (abs(x) ** 2 * rounding(system, sizes, scale)).sum(axis=0)

@@ -42,7 +42,7 @@ def settled(system: "ContinuousSystem", z: np.ndarray, entries: np.ndarray, x: n
     for times in range(AT_MOST):
         other = factors.solved(product(system.pattern, entries, x))
         size = abs(other).max(axis=0, initial=0)
-        left = size > NOTHING_LEFT * system.unit * abs(x).max(axis=0, initial=0)
+        left = ~(size <= NOTHING_LEFT * system.unit * abs(x).max(axis=0, initial=0))
         if times >= TAKEN_OUT:      # shapes whose z are closer than a millionth are not told apart here
             left &= size < before / 2
         if not left.any():

@@ -110,7 +110,7 @@ class MemberSystem:
         """At each s: (N,)."""
         found = self.matrix.at(s, steep)
         (g, g_slope), (c, c_slope) = self.driving(s), self.seen(found, s, steep)
-        D, ahead = found.D[np.ix_(self.free, self.free)], found.D[np.ix_(self.free, self.driven)]
+        D, ahead = _among(found.D, self.free, self.free), _among(found.D, self.free, self.driven)
         b, seen, scale = -np.einsum("ijk,jk->ik", ahead, g), c[self.free], scales(found.size[self.free])
         loads = [b, seen] if steep and self.pattern is not None else [b]
         x, singular = motions(D, scale, loads, self.pattern)
@@ -150,10 +150,21 @@ class MemberSystem:
             for b, row in enumerate(self.matrix.pieces[number].rows):
                 for i, x in row.items():
                     c[i] += factor * float(x) * d[end, b]
-                    if c_slope is not None:
+                    if c_slope is not None and steeper is not None:
                         c_slope[i] += factor * float(x) * steeper[end, b]
             for j, put, steeper in found.put.get(number, ()):
                 c[j] -= factor * put[:, end]
                 if c_slope is not None:
                     c_slope[j] -= factor * steeper[:, end]
         return c, c_slope
+
+
+def _among(D, rows, columns):
+    """D over some rows and columns, ascending: no copy where they follow one another."""
+    return D[_run(rows)][:, _run(columns)]
+
+
+def _run(numbers):
+    """As a slice where it can be one."""
+    first, last = (numbers[0], numbers[-1] + 1) if len(numbers) else (0, 0)
+    return slice(first, last) if last - first == len(numbers) else numbers
