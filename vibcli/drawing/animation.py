@@ -40,6 +40,13 @@ def of_response(problem: Any) -> tuple[list[list[Any]], str, list[str]]:
                          times.tolist())
 
 
+def at_instant(problem: Any, instant: float) -> list[Any]:
+    """The frame of a scene with members at an instant of its motion in time."""
+    import numpy as np
+
+    return _with_members(problem, np.array([instant]))[0][0]
+
+
 def _with_members(problem, times):
     """The same of a scene with members, which are bent as the signals of their places tell."""
     from vibcli.symbolic.syntax import NameRef

@@ -79,11 +79,18 @@ class Member(NamedTuple):
             return self.tensions[number]
         return scene.lower(self.record["preload"]) if "preload" in self.record else zero, zero
 
-    def signal(self, scene: Any, signal: "SignalName", place: "Node"):
-        """The PlaceSignal of a name: a motion, force or stress at a place; None beyond the ends."""
+    def signal(self, scene: Any, signal: "SignalName", place: "Node", before: bool = False):
+        """The PlaceSignal of a name: a motion, force or stress at a place, on its right or `before` it; None beyond the
+        ends."""
         from vibcli.elements.place_signals import place_signal
 
-        return place_signal(scene, self, signal, place)
+        return place_signal(scene, self, signal, place, before)
+
+    def signals_along(self, scene: Any, part: str, at: "Node"):
+        """The PlaceSignals of a part on each of its pieces from left to right, all as far from its left end."""
+        from vibcli.elements.place_signals import signals_along
+
+        return signals_along(scene, self, part, at)
 
     def at(self, scene: Any, place: "Node") -> Station:
         """The Station at a place, which stands for those that differ from it by rounding alone."""

@@ -32,6 +32,20 @@ def draw(strip: Strip, bend: Bend, sketch: "Sketch") -> tuple[list[Any], list[tu
     return found, named
 
 
+def supports(strip: Strip, bend: Bend, sketch: "Sketch") -> list[Any]:
+    """What holds a member to the ground alone: walls and bearings at its ends, and along it."""
+    found: list[Any] = []
+    for side, x, sense in (("left", 0.0, -1.0), ("right", strip.metres, 1.0)):
+        end = strip.member.record.get(side, "free")
+        if isinstance(end, str) and end != "free":
+            found += _held(end, strip, place(strip, bend, x), plane.times(strip.e, sense))
+    for record in strip.member.record.get("attached", ()):
+        if "support" in record:
+            x = sketch.number(record["at"])
+            found += _support(record["support"], strip, place(strip, bend, x), x)
+    return found
+
+
 def _end(end, strip, bend, x, sense, sketch, found, named):
     here, outward = place(strip, bend, x), plane.times(strip.e, sense)
     if isinstance(end, str):
