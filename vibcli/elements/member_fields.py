@@ -27,6 +27,11 @@ class MemberKind(NamedTuple):
         return self.stiffness == "EI"
 
     @property
+    def letter(self) -> str:
+        """That of its motion in equations."""
+        return "w" if self.motion == "along" else self.motion
+
+    @property
     def torsional(self) -> bool:
         """Does it turn about its axis?"""
         return self.motion == "phi"
@@ -35,6 +40,7 @@ class MemberKind(NamedTuple):
 BAR = MemberKind("bar", "EA", "E", "A", "mass_per_length", "u")
 SHAFT = MemberKind("shaft", "GIo", "G", "Io", "inertia_per_length", "phi")
 BEAM = MemberKind("beam", "EI", "E", "I", "mass_per_length", "u")
+LENGTHWISE = BAR._replace(motion="along")        # a beam in the plane as it stretches
 STRING = MemberKind("string", None, None, "A", "mass_per_length", "u")
 KINDS = {"bars": BAR, "shafts": SHAFT, "beams": BEAM, "strings": STRING}
 MATERIAL = {
@@ -53,12 +59,11 @@ MATERIAL = {
 }
 OF_KIND = {"bar": ("E", "rho", "section", "A", "EA", "mass_per_length"),
            "shaft": ("G", "rho", "section", "Io", "GIo", "inertia_per_length"),
-           "beam": ("E", "rho", "section", "A", "I", "EI", "mass_per_length"),
+           "beam": ("E", "rho", "section", "A", "I", "EI", "EA", "mass_per_length"),
            "string": ("rho", "section", "A", "mass_per_length")}
 
 
-_INSTEAD = {"beam": {"EA": "beams keep their length: leave it out"},
-            "string": {"EA": "strings keep their length: leave it out", "E": "strings do not bend: leave it out"}}
+_INSTEAD = {"string": {"EA": "strings keep their length: leave it out", "E": "strings do not bend: leave it out"}}
 
 
 def member_element(kind: MemberKind, about: str, example: str) -> Element:
@@ -96,6 +101,11 @@ def _settle(record: Record, reader: Reader) -> None:
     if record.element.name == "bar" and "preload" in record and "from" not in record:
         reader.report(record.place("preload"), "the tension of a bar plays no part in what moves along it",
                       "leave it out, or draw the bar in the plane, `from` a place `to` another")
+    if record.element.name == "beam" and "from" not in record:
+        for part in (record, *record.get("segments", ())):
+            if "EA" in part:
+                reader.report(part.place("EA"), "a beam without a place moves across alone: its 'EA' plays no part",
+                              "leave it out, or draw the beam in the plane, `from` a place `to` another")
     if record.element.name == "string" and "preload" not in record and (
             "from" not in record or all(holds_along(record.get(side, FREE)) for side in ("left", "right"))):
         reader.report(record.where, f"nothing tells the tension of '{record.name}'", "give `preload: T`")

@@ -60,7 +60,7 @@ class PlaceSignal(NamedTuple):
         line, spread = self.member.line, scene.table.total([load.q for load in self._spread(scene) if load.even])
         if line is None or scene.gravity is None or self.segment.inertia.is_zero:
             return spread
-        return spread + self.segment.inertia * line.seen(*scene.gravity)[0 if self.member.turns else 1]
+        return spread + self.segment.inertia * line.seen(*scene.gravity)[0 if self.member.lengthwise else 1]
 
     def uneven(self, scene: "Scene") -> list:
         """The SpreadLoads along its piece that are not the same all along."""
@@ -132,7 +132,7 @@ def _segment(scene, member, left, right):
 def _part(scene, member, segment, part):
     """(order of the derivative, factor)."""
     kind, stiffness = member.kind, segment.stiffness
-    if part in ("u", "phi"):
+    if part in ("u", "phi", "along"):
         return 0, scene.table.one
     if part == "slope":
         return 1, scene.table.one

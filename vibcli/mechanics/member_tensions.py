@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
 
 ROUNDING = 1e-11        # of the largest force in the scene
+SAME = 1e-9             # of the largest tension along a beam that stretches: nearer ones are one
 
 
 def require_tensions(configuration: "Configuration") -> None:
@@ -21,11 +22,13 @@ def require_tensions(configuration: "Configuration") -> None:
         if not member.settled and not configuration.equilibrium.drawn:
             raise PhysicsError(f"the tension of '{member.name}' depends on where the scene rests: this does not work "
                                "yet", "draw the scene where it rests", member.record.where)
-        bent = any(not piece.piece.gradient.is_zero for piece in configuration.system.linearisation.pieces
-                   if piece.owner == member.name)
-        if bent and member.kind.bends and not configuration.equilibrium.drawn:
+        varies = any(not piece.piece.gradient.is_zero for piece in configuration.system.linearisation.pieces
+                     if piece.owner == member.name)
+        if varies and member.kind.bends and _bent(member, configuration):
             raise PhysicsError(f"'{member.name}' is bent by its loads, and its tension varies along it: this does not "
                                "work yet", "let it stand or hang upright, or leave out `gravity`", member.record.where)
+        if member.stretching:
+            _require_stretch(member, configuration)
     tied = {member.name: member for member in placed
             if any(constraint.name == member.name for constraint in scene.constraints)}
     if not tied:
@@ -42,3 +45,23 @@ def require_tensions(configuration: "Configuration") -> None:
                                "which are held to what moves: its stiffness under it does not work yet",
                                "leave out the loads that cause it",
                                member.record.where)
+
+
+def _bent(member, configuration):
+    """Does a member rest elsewhere than along its line as drawn?"""
+    if not member.stretching or configuration.equilibrium.drawn:
+        return not configuration.equilibrium.drawn
+    moved = [node for station in member.stations for node in station.motions]
+    return any(evaluate(moved, Floats, configuration.at_rest))
+
+
+def _require_stretch(member, configuration):
+    """PhysicsError where a beam stretches by another tension in equilibrium than the one in its stiffness: as what
+    both its ends are held to, or what bends, takes a share of it."""
+    parts = [evaluate(pair, Floats, configuration.at_rest) for pair in member.stretch_forces(configuration.scene)]
+    largest = max(map(abs, (x for pair in parts for x in pair)))
+    found = max(parts, key=lambda pair: abs(pair[0] - pair[1]))
+    if abs(found[0] - found[1]) > SAME * largest:
+        raise PhysicsError(f"'{member.name}' rests under the tension {found[0]:.6g} N, which statics alone does not "
+                           "find: its stiffness under it does not work yet", "leave out the loads that cause it",
+                           member.record.where)

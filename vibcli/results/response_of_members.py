@@ -113,7 +113,7 @@ class ResponseOfMembers(SmallResponse):
         from vibcli.symbolic.evaluation import Floats, evaluate
 
         scene, start, length = configuration.scene.resting, float(piece.start), float(piece.piece.length)
-        signal = f"{piece.owner}.{scene.members[piece.owner].kind.motion}"
+        signal = scene.members[piece.owner].signal_stem
         nodes = [resting(scene, f"{signal}({start + share * length!r} m)") for share in (0.0, 0.5, 1.0, CHECKED)]
         left, middle, right, other = evaluate(nodes, Floats, configuration.at_rest)
         bend = 2 * (left + right) - 4 * middle

@@ -18,11 +18,12 @@ NODE = 2.4
 
 class Bend(NamedTuple):
     """How a member is displaced: `at(places)` gives [(along, u)], `unit` points for one of u; `nodes` where it
-    rests."""
+    rests; `lengthwise`: it has ordinates of what it does along its line."""
 
     at: Callable
     unit: float
     nodes: Sequence[float] = ()
+    lengthwise: bool = False
 
 
 def place(strip: Strip, bend: Bend, x: float) -> tuple[float, float]:
@@ -40,7 +41,7 @@ def _moved(strip, bend, x, along, u):
 
 
 def draw(strip: Strip, bend: Bend) -> list[Any]:
-    """The member itself; shafts and bars that move have ordinates."""
+    """The member itself; shafts, bars and beams that move along alone have ordinates."""
     found: list[Any] = []
     xs = grid(strip, bend.nodes)
     rows = dict(zip(xs, bend.at(xs), strict=True))
@@ -50,7 +51,7 @@ def draw(strip: Strip, bend: Bend) -> list[Any]:
     else:
         found += [_body([axis[x] for x in xs if low - 1e-12 <= x <= high + 1e-12], half)
                   for low, high, half in strip.segments]
-    if not strip.sideways:
+    if not strip.sideways or bend.lengthwise:
         found += _ordinates(strip, bend, xs, rows, axis)
     found += [Circle(axis[x], NODE, "paper", "coordinate", 1.0, layer=ELEMENT) for x in bend.nodes]
     return found

@@ -36,12 +36,12 @@ def member_equations(problem: "Problem") -> Iterator[Section]:
     for name, member in scene.members.items():
         pieces = [piece for piece in form.pieces if piece.owner == name]
         own |= {scene.q.index(node): (member, part) for station in member.stations
-                for part, node in enumerate(station.motions) if node in scene.q and node.name.startswith(name + ".")}
+                for part, node in enumerate(member.motions(station)) if _is_own(node, member, scene)}
         if pieces:
             conditions = list(_conditions(member, form.pieces, (M, C, K), scene))
             if any(part.endswith(RIGHT) for one in conditions for part in one.parts if type(part) is str):
                 remark = REMARK + SIDES
-            blocks += [Heading(f"{name}:"), equations([*_differential(pieces, member.kind.motion), *conditions])]
+            blocks += [Heading(f"{name}:"), equations([*_differential(pieces, member.kind.letter), *conditions])]
     others = [i for i in range(len(scene.q)) if i not in own]
     if others:
         blocks += [Heading("what they carry:"), equations(_carried(i, form.pieces, (M, C, K), scene) for i in others)]
@@ -77,11 +77,11 @@ def _tension(placed):
 
 def _conditions(member, pieces, matrices, scene):
     """What holds at each station: motions that are held, forces where they are free."""
-    u, starts = member.kind.motion, {piece.start: piece for piece in pieces if piece.owner == member.name}
+    u, starts = member.kind.letter, {piece.start: piece for piece in pieces if piece.owner == member.name}
     left = None
     for station in member.stations:
         right, parts = starts.get(station.place), []
-        for part, node in enumerate(station.motions):
+        for part, node in enumerate(member.motions(station)):
             parts.append(", " if part else "")
             if _is_own(node, member, scene):
                 parts += _balance(scene.q.index(node), part, (left, right), matrices, scene, member, pieces)
@@ -151,9 +151,8 @@ def _orthogonality(problem, found):
     several, told = len({owner for owner, *_ in along}) > 1, []
     for number, (owner, inner, where) in enumerate(along):
         told += [" + ∫" if number else "∫", *inner, *([Words(f" ({owner})")] if several else []), *where]
-    stations = {scene.q.index(node): (part, station.place) for name in found.members
-                for station in scene.members[name].stations for part, node in enumerate(station.motions)
-                if node in scene.q}
+    stations = {scene.q.index(node): (part, station.place) for member in map(scene.members.get, found.members)
+                for station in member.stations for part, node in enumerate(member.motions(station)) if node in scene.q}
     for i in dict.fromkeys([*stations, *found.hung]):
         if (i, i) in M:
             told += [" + ", Factor(M[i, i]), *_product(*stations[i])] if i in stations else [
@@ -182,7 +181,7 @@ def member_energies(problem: "Problem", kind: str) -> list:
     form = problem.symbolic.linearisation if problem.symbolic.linearisable else problem.system.linearisation
 
     def integrand(placed):
-        piece, u = placed.piece, problem.scene.members[placed.owner].kind.motion
+        piece, u = placed.piece, problem.scene.members[placed.owner].kind.letter
         return {"T": [(piece.inertia, f"(∂{u}/∂t)²")], "Phi": [(piece.drag, f"(∂{u}/∂t)²")],
                 "V": [(piece.bending, f"(∂²{u}/∂x²)²"), *((along, f"{x}(∂{u}/∂x)²") for along, x in _tension(placed)),
                       (piece.foundation, f"{u}²")]}[kind]
@@ -216,12 +215,12 @@ def _integrals(pieces, integrand):
 
 
 def _is_own(node, member, scene):
-    return node in scene.q and node.name.startswith(member.name + ".")
+    return node in scene.q and member.has_coordinate(node.name)
 
 
 def _balance(i, part, sides, matrices, scene, member, pieces):
     """Internal force = what acts on the station, other members held there too; the jump of it at an inner one."""
-    u, (left, right) = member.kind.motion, sides
+    u, (left, right) = member.kind.letter, sides
     acting = [(node, RATES[kind][part].format(u=u) if j == i else Name(scene.q[j].name + "'" * (2 - kind)))
               for kind, matrix in enumerate(matrices) for (row, j), node in matrix.items() if row == i]
     acting += [(-node, told) for node, told in _pulls(i, pieces, scene) if told[1].text != f" of {member.name}"]
@@ -262,7 +261,7 @@ def _pulls(i, pieces, scene):
     for placed in pieces:
         signs = SIGNS[2 if placed.piece.bending.is_zero else 4]
         for end, place in enumerate((placed.start, textbook(placed.start + placed.piece.length))):
-            forces = _forces(placed, end, scene.members[placed.owner].kind.motion)
+            forces = _forces(placed, end, scene.members[placed.owner].kind.letter)
             for terms, sign, row in zip(forces, signs, placed.rows[end * len(signs):], strict=False):
                 if i in row:
                     for node, text in terms:

@@ -1,0 +1,85 @@
+"""Beams in the plane that stretch: against finite elements of frames, bars and beams by themselves, their limits."""
+
+import numpy as np
+import pytest
+from support.plane_frames import frequencies, random_frame, scene_of
+from support.scenes import problem
+
+from vibcli.analyses.frequency_response.transfer_function import transfer
+
+STRAIGHT = """
+parameters: {{L: 1.2 m, EI: 300 N*m^2, EA: 30 kN, mu: 1.5 kg/m}}
+beams:
+  b: {{from: [0, 0], to: [0.8*L, 0.6*L], EI: EI, EA: EA, mass_per_length: mu, {ends}}}
+"""
+ALONG = {"free": "free", "clamped": "clamped", "pinned": "clamped", "guided": "clamped"}
+PORTAL = """
+parameters: {{H: 3 m, L: 4 m, EI: 4 MN*m^2, mu: 40 kg/m}}
+bodies:
+  A: {{mass: 0 kg, inertia: 0 kg*m^2, at: [0, H], move: [x, y, p]}}
+  B: {{mass: 0 kg, inertia: 0 kg*m^2, at: [L, H], move: [x2, y2, p2]}}
+beams:
+  left: {{from: [0, 0], to: [0, H], EI: EI, {EA}mass_per_length: mu, left: clamped, right: {{clamped: A}}}}
+  right: {{from: [L, 0], to: [L, H], EI: EI, {EA}mass_per_length: mu, left: clamped, right: {{clamped: B}}}}
+  girder: {{from: [0, H], to: [L, H], EI: EI, {EA}mass_per_length: mu, left: {{clamped: A}}, right: {{clamped: B}}}}
+"""
+
+
+def squares(text, count):
+    return np.array([float(mode.omega) for mode in problem(text).modal.modes.first(count)]) ** 2
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_random_frames_have_the_frequencies_of_finite_elements(seed):
+    frame = random_frame(seed)
+    found, fine = np.sqrt(squares(scene_of(frame), 10)), frequencies(frame, 10)
+    moving = found > 1e-6 * found[-1]
+    assert (fine[~moving] < 1e-4 * fine[-1]).all()
+    ratio = fine[moving] / found[moving]
+    assert (ratio > 1 - 1e-4).all() and (ratio < 1 + 6e-3).all()      # one missed or too many shifts all above it
+    assert ratio[: len(ratio) // 2].max() < 1 + 1e-3
+
+
+@pytest.mark.parametrize("left", ALONG)
+@pytest.mark.parametrize("right", ALONG)
+def test_frequencies_of_one_beam_are_those_of_a_bar_and_those_of_a_beam(left, right):
+    found = squares(STRAIGHT.format(ends=f"left: {left}, right: {right}"), 12)
+    text = """
+parameters: {{L: 1.2 m, mu: 1.5 kg/m}}
+{kind}: {{b: {{length: L, {stiff}, mass_per_length: mu, left: {left}, right: {right}}}}}
+"""
+    beam = squares(text.format(kind="beams", stiff="EI: 300 N*m^2", left=left, right=right), 12)
+    bar = squares(text.format(kind="bars", stiff="EA: 30 kN", left=ALONG[left], right=ALONG[right]), 12)
+    assert found == pytest.approx(np.sort([*beam, *bar])[:12], rel=1e-11, abs=1e-6)
+
+
+def test_stiff_beams_keep_their_length():
+    kept = squares(PORTAL.format(EA=""), 4)
+    differences = [squares(PORTAL.format(EA=f"EA: {EA} N, "), 4) / kept - 1 for EA in ("1e13", "1e14")]
+    assert (abs(differences[0]) < 1e-4).all()
+    assert differences[1] == pytest.approx(differences[0] / 10, rel=1e-3, abs=1e-10)
+
+
+def test_a_frame_that_hardly_bends_is_a_truss():
+    truss = """
+bodies: {{n: {{mass: 2 kg, inertia: 0.1 kg*m^2, at: [0 m, 1 m], {move}}}}}
+{kind}:
+  a: {{from: [-1 m, 0 m], to: [0 m, 1 m], {stiff}, left: {left}, right: {{pinned: n}}}}
+  b: {{from: [1 m, 0 m], to: [0 m, 1 m], {stiff}, left: {left}, right: {{pinned: n}}}}
+"""
+    beams = squares(truss.format(kind="beams", stiff="EI: 1e-7 N*m^2, EA: 5 kN", left="pinned", move="move: [x, y, 0]"),
+                    2)
+    bars = squares(truss.format(kind="bars", stiff="EA: 5 kN", left="pinned", move="move: [x, y, 0]"), 2)
+    assert beams == pytest.approx(bars, rel=1e-9)
+
+
+def test_responses_are_reciprocal():
+    text = PORTAL.format(EA="EA: 300 MN, ") + """
+points: {q: {body: girder, at: 1 m}, r: {body: left, at: 2 m}}
+forces: {f: {at: q, force: [0, P*cos(w*t)]}, g: {at: r, force: [P*cos(w*t), 0]}}
+"""
+    scene = problem(text.replace("parameters: {", "parameters: {P: 1 N, w: 50 rad/s, "))
+    one, other = (transfer(scene.configuration, signal, driver, modal=scene.modal)
+                  for signal, driver in (("r.x", "f"), ("q.y", "g")))
+    omegas = np.linspace(20.0, 2000.0, 7)
+    assert one.at(1j * omegas)[0] == pytest.approx(other.at(1j * omegas)[0], rel=1e-9)
