@@ -160,7 +160,7 @@ class ModalResponse(ResponseOfMembers):
                                "ask for steady(…), or give all the same drag by mass")
         if not (basis.squares > 0).all():
             raise CoupledModes("drag on what nothing holds damps it without end", "hold it, or take the drag out")
-        return most / 2 / np.sqrt(basis.squares)
+        return _not_critical(most / 2 / np.sqrt(basis.squares))
 
     def _given_ratios(self, basis):
         """Those of `damping:`."""
@@ -171,10 +171,7 @@ class ModalResponse(ResponseOfMembers):
         rates = np.array([float(damping.rate(mode)) for mode in modes])
         if (rates[basis.squares <= 0] != 0).any() or (basis.squares < 0).any():
             raise NotByModes("`damping:` damps what nothing holds or what grows", "hold it, or take `damping:` out")
-        found = rates / 2 / np.sqrt(np.where(basis.squares > 0, basis.squares, 1.0))
-        if (np.abs(found - 1) < CRITICAL).any():
-            raise NotByModes("a mode is damped critically", "give it a little more or less damping")
-        return found
+        return _not_critical(rates / 2 / np.sqrt(np.where(basis.squares > 0, basis.squares, 1.0)))
 
     def _start(self, basis):
         """η and η̇ at t = 0."""
@@ -275,6 +272,12 @@ class ModalResponse(ResponseOfMembers):
             raise PhysicsError("signals of loops that close are not found by modes", "ask for coordinates")
         signals = {symbol.name: self._one(part) for symbol, part in parts.items()}
         return ComposedSignal(node, signals, self.values, self.problem.scene.time, None, self.problem.work)
+
+
+def _not_critical(ratios):
+    if (abs(ratios - 1) < CRITICAL).any():
+        raise NotByModes("a mode is damped critically", "give it a little more or less damping")
+    return ratios
 
 
 class NotByModes(NotByWaves):

@@ -1,9 +1,8 @@
 """Many damped modes of members at a time: all λ within a circle, as many as the argument principle counts there.
 
-The first are those of the DampedModes; from there on Newton's steps for the whole matrix, (D + δ D′) x = 0, lead to
-the λ at once from places along the imaginary axis, between which waves turn by a part of π on all pieces together, and
-along rays for what decays faster. As D is
-symmetric its vectors are those of both sides: x is divided by √(xᵀD′x), so that D⁻¹ = Σ x xᵀ/(s − λ).
+The first are those of the DampedModes; to all others Newton's steps for the whole matrix, (D + δ D′) x = 0, lead at
+once from many places. As D is symmetric its vectors are those of both sides: x is divided by √(xᵀD′x), so that
+D⁻¹ = Σ x xᵀ/(s − λ).
 """
 
 from typing import TYPE_CHECKING, NamedTuple
@@ -12,6 +11,7 @@ import numpy as np
 
 from vibcli.analyses.continuous.argument_count import sizes, zeros_within
 from vibcli.analyses.continuous.counting import GUARD, SLACK
+from vibcli.analyses.continuous.damped_estimates import estimates, inner_estimates
 from vibcli.analyses.continuous.dynamic_matrix import BLOWN, SHARES
 from vibcli.base.errors import PhysicsError
 
@@ -21,12 +21,11 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.damped_source import Region
     from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix
 
-STEPS, SETTLED = 12, 1e-7
+STEPS, SETTLED = 14, 1e-11
 UNIT = 2.0**-53
 SURE = 1e-3             # relative bound of a root that is told
 ALIKE, SAME = 1e-9, 1e-12       # relative distance of roots that are looked at together, and of those that are one
 EFFORTS = 1, 2, 4       # times as many estimates, in turn
-RAYS, TURNS = 60, 7     # estimates on each of so many rays from the negative real axis on
 SECTIONS = 0.5, 0.31, 0.72      # of a gap between roots
 FAR, SWALLOWED = 1e8, 1e-6      # times a frequency; of a wave, what no longer comes back
 GAPS = 6                # between roots that are tried in turn for the circle
@@ -69,7 +68,9 @@ def damped_series(matrix: "DynamicMatrix", known: "Known | DampedSeries", count:
     """About `count` of them; known: the first of them."""
     divisions = Divisions(matrix)
     for effort in EFFORTS:
-        found = _approached(divisions, _estimates(matrix, known, count, effort))
+        starts = estimates(matrix, known, count, effort)
+        inner = inner_estimates(matrix.pieces, known.radius, abs(starts).max(initial=0.0))
+        found = np.concatenate([_approached(divisions, starts), _approached(divisions.inner, inner)])
         roots = _distinct(np.concatenate([known.rates, found[abs(found) > known.radius * (1 - ALIKE)]]))
         values, errors, groups = _polished(divisions, roots)
         radius = _circle(matrix, values, min(count, len(values)), known.resting)
@@ -85,8 +86,14 @@ def damped_series(matrix: "DynamicMatrix", known: "Known | DampedSeries", count:
 class Divisions:
     """A matrix, and the same with nodes within its pieces for those s at which these vibrate with their ends held."""
 
-    def __init__(self, matrix: "DynamicMatrix"):
-        self._matrices = [matrix] * bool(matrix.n) + [matrix.divided(share) for share in SHARES]
+    def __init__(self, matrix: "DynamicMatrix", whole: bool = True):
+        self.matrix, self._whole = matrix, whole and matrix.n > 0
+        self._matrices = [matrix] * self._whole + [matrix.divided(share) for share in SHARES]
+
+    @property
+    def inner(self) -> "Divisions":
+        """The same with nodes within pieces for all s."""
+        return Divisions(self.matrix, False)
 
     def parts(self, s: np.ndarray) -> "Iterator[tuple[DynamicMatrix, np.ndarray, np.ndarray, np.ndarray, np.ndarray]]":
         """(matrix, numbers of s, D, D′, units): D and D′ (numbers, n, n) with units in which the diagonal is 1."""
@@ -97,7 +104,7 @@ class Divisions:
                     break
                 one = matrix.at(s[left], steep=True)
                 found.append((matrix, left, one))
-                if len(found) == 1 and len(self._matrices) > len(SHARES):
+                if len(found) == 1 and self._whole:
                     left = left[~(one.excess <= BLOWN)]
             size = np.full((max(len(found), 1), len(s)), np.inf)
             for row, (_, at, one) in zip(size, found, strict=True):
@@ -110,46 +117,6 @@ class Divisions:
                     D, slope = (np.moveaxis(part, -1, 0)[here].astype(complex) * units[:, :, None] * units[:, None, :]
                                 for part in (one.D, one.slope))
                     yield matrix, at[here], D, slope, units
-
-
-def _estimates(matrix, known, count, effort):
-    """Points from which roots beyond a radius are looked for."""
-    phases = np.arange(0.0, count + matrix.n + 4 * len(matrix.pieces), 0.5 / effort)
-    line = _where_waves_turn(matrix.pieces, np.pi * phases)
-    line = line[line > 0.8 * known.radius]
-    if not len(line):
-        return np.zeros(0, complex)
-    tail = known.rates[known.rates.imag > 0][-4:].real
-    decay = float(tail.mean()) if len(tail) else 0.0
-    rows = [decay + 1j * line[::2], 1j * line[1::2], *(-line[0] / 16 * k + 1j * line for k in range(1, effort))]
-    rays = np.geomspace(0.9 * known.radius, line[-1], RAYS * effort)
-    turned = np.exp(1j * np.pi * (1 - np.arange(TURNS) / (2 * TURNS)))
-    return np.concatenate([*rows, np.outer(turned, rays).ravel()])
-
-
-def _where_waves_turn(pieces, phases):
-    """ω at which Σ k l is each of these."""
-    def turned(omega):
-        return sum((one.piece.length * _wave_number(one.piece, omega) for one in pieces), 0 * omega)
-
-    low, high = np.zeros(len(phases)), np.ones(len(phases))
-    while (turned(high) < phases).any():
-        high = high * 4
-    for _ in range(60):
-        middle = (low + high) / 2
-        short = turned(middle) < phases
-        low, high = np.where(short, middle, low), np.where(short, high, middle)
-    return high
-
-
-def _wave_number(piece, omega):
-    """k of waves with B k⁴ + N k² = μ ω² − κ; 0 where none travel."""
-    tension, inertia = piece.tension + piece.gradient * piece.length / 2, piece.inertia * omega**2 - piece.foundation
-    inertia = np.maximum(inertia, 0.0)
-    if piece.order == 2:
-        return np.sqrt(inertia / tension)
-    square = np.sqrt(tension**2 + 4 * piece.bending * inertia) - tension
-    return np.sqrt(np.maximum(square, 0.0) / (2 * piece.bending))
 
 
 def swallowed(matrix: "DynamicMatrix", pace: float) -> bool:
