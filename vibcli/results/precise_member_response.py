@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 from mpmath import mp
 
+from vibcli.analyses.continuous.spread_drives import spread_inputs
 from vibcli.analyses.frequency_response.member_places import seen_at
 from vibcli.analyses.frequency_response.member_system import MemberOutput
 from vibcli.base.errors import PhysicsError
@@ -32,7 +33,7 @@ class PreciseMemberCurve:
         if self.given.carried:
             raise PhysicsError("more digits of a response to a load that turns with what is driven are not found",
                                "leave --digits out")
-        self.elements = opened.numbers.elements
+        self.elements, self.spread = opened.numbers.elements, spread_inputs(configuration, self.given.weights)
         self.driven, self.n = range(opened.n, len(opened.scene.q)), len(opened.scene.q)
         self.pieces, self.rates = list(self.elements.pieces), 0
         place = place_output(configuration, signal)
@@ -48,19 +49,27 @@ class PreciseMemberCurve:
         s = mp.mpc(0, Omega)
         d = [dynamic_stiffness(placed.piece, s) for placed in self.pieces]
         D, free = self._matrix(s, d), [i for i in range(self.n) if i not in self.driven]
+        put = [(number, j, drive.end_loads(placed, s)) for j, drive in self.spread.items()
+               for number, placed in enumerate(self.pieces) if drive.on(placed) is not None]
+        for number, j, loads in put:
+            for row, load in zip(self.pieces[number].rows, loads, strict=True):
+                for i, x in row.items():
+                    D[i, j] -= x * load
         power = (-s * s) ** self.given.turns
         X = [mp.mpc(0)] * self.n
         for j in self.driven:
             X[j] = mp.mpmathify(self.given.weights.get(j, 0)) * power
-        load = mp.matrix([-mp.fsum(D[i, j] * X[j] for j in self.driven) for i in free])
+        side = mp.matrix([-mp.fsum(D[i, j] * X[j] for j in self.driven) for i in free])
         try:
-            found = mp.lu_solve(mp.matrix([[D[i, j] for j in free] for i in free]), load) if free else []
+            found = mp.lu_solve(mp.matrix([[D[i, j] for j in free] for i in free]), side) if free else []
         except ZeroDivisionError:
             raise PhysicsError("the input drives an undamped mode at its natural frequency",
                                "ask at another frequency") from None
         for i, x in zip(free, found, strict=True):
             X[i] = x
-        return [self._seen(X, s, d) * s**self.rates]
+        loaded = mp.fsum(factor * loads[end] * X[j] for factor, piece, end in self.output.ends
+                         for number, j, loads in put if number == piece)
+        return [(self._seen(X, s, d) - loaded) * s**self.rates]
 
     def _seen(self, X, s, d):
         total = mp.fsum(mp.mpmathify(x) * s**power * X[i]

@@ -1,12 +1,9 @@
 """What a motion starts with, in modes: η = Σ φᵀ M q + Σ ∫ μ φ u dx.
 
-Of a shape that springs and pieces at rest take under forces r it is φᵀ r/ω² (Betti). Of a field u = c xᵏ e^{λx} on a
-piece, with w = ∂ᵏ/∂λᵏ [e^{λx}/P(λ)], P = B λ⁴ − N λ² + κ, so that B w⁗ − N w″ + κ w = u, by Green's identity
-
-    ∫ φ u dx = [B (φ w‴ − φ′ w″ + φ″ w′ − φ‴ w) − N (φ w′ − φ′ w)]
+Of a shape that springs and pieces at rest take under forces r it is φᵀ r/ω² (Betti). Of fields u = Σ Re c xᵏ e^{λx} it
+is by Green's identity, as of loads, or by Gauss's rule.
 """
 
-from math import comb, factorial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,6 +12,7 @@ from vibcli.analyses.excitation.load_forms import load_form
 from vibcli.numerics.pieces.arithmetic import arithmetic_of
 from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.integrals import product_integral
+from vibcli.numerics.pieces.loads import bracket
 from vibcli.numerics.pieces.panels import panel_rule
 from vibcli.numerics.pieces.stiffness import stiffness
 
@@ -24,7 +22,6 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.forcing import Forcing
     from vibcli.numerics.pieces.loads import LoadForm
 
-FAR = 50.0          # times what else is in P: κ
 BLOCK = 64          # modes whose integrals are taken at a time
 
 
@@ -51,7 +48,7 @@ def of_load(basis: "ModeBasis", piece: int, form: "LoadForm") -> np.ndarray:
         for one in form.stretches:
             a, b = max(one.start, part.start), min(one.end, part.start + part.piece.length)
             if b > a and one.terms:
-                found[part.modes] += _integrals(part, one.origin, one.terms, a, b)
+                found[part.modes] += _integrals(part, one._replace(start=a, end=b))
     return found
 
 
@@ -77,61 +74,20 @@ def of_shape(basis: "ModeBasis", piece: int, ends: np.ndarray) -> np.ndarray:
     return whole.inertia * found
 
 
-def _integrals(part, origin, waves, a, b):
-    """∫ φ u dx from a to b, (modes,)."""
-    piece, far = part.piece, np.zeros(len(part.modes), bool)
-    if not piece.gradient:
-        rate = max(abs(wave.exponent) + wave.power / (b - a) for wave in waves)
-        rest = piece.bending * rate**4 + abs(piece.tension) * rate**2
-        far = np.abs(part.kappa) > FAR * rest
-    found = np.zeros(len(part.modes), part.ends.dtype)
-    if far.any():
-        found[far] = _by_ends(part, far, origin, waves, b) - _by_ends(part, far, origin, waves, a)
+def _integrals(part, one):
+    """∫ φ f dx over a LoadStretch, (modes,)."""
+    piece, far = part.piece, one.is_far(part.piece, part.kappa)
+    found, length = np.zeros(len(part.modes), part.ends.dtype), one.end - one.start
+    for x, sign in ((one.end, 1.0), (one.start, -1.0)) if far.any() else ():
+        phi = fields(piece, part.kappa[far], part.ends[far], np.clip(x - part.start, 0.0, piece.length))
+        found[far] += sign * bracket(piece, part.kappa[far], phi, one, x)
     near = np.flatnonzero(~far)
     for i in range(0, len(near), BLOCK):
         at = near[i:i + BLOCK]
-        fastest = max(abs(wave.exponent) for wave in waves)
-        cut = piece._replace(length=b - a)
-        y, weights = panel_rule(cut, part.kappa[at], fastest, arithmetic_of(*cut, part.kappa))
-        x = a + (b - a) * y
-        u = np.real(sum(wave.coefficient * (x - origin) ** wave.power * np.exp(wave.exponent * (x - origin))
-                        for wave in waves))
+        cut = piece._replace(length=length)
+        numbers = arithmetic_of(*cut, part.kappa)
+        y, weights = panel_rule(cut, part.kappa[at], one.pace, numbers)
+        x = one.start + length * y
         phi = fields(piece, part.kappa[at], part.ends[at], (x - part.start)[:, None])[..., 0]
-        found[at] = (weights * u * (b - a)) @ phi
+        found[at] = (weights * one.at(x, numbers) * length) @ phi
     return found
-
-
-def _by_ends(part, chosen, origin, waves, x):
-    """The bracket of Green's identity at x."""
-    piece, kappa = part.piece, part.kappa[chosen]
-    phi = fields(piece, kappa, part.ends[chosen], np.clip(x - part.start, 0.0, piece.length))
-    w = sum((factor * _particular(piece, kappa, rate, wave.power, x - origin) for wave in waves
-             for factor, rate in _halves(wave)), np.zeros((4, len(kappa))))
-    w = w if np.iscomplexobj(kappa) else np.real(w)
-    found = -piece.tension * (phi[:, 0] * w[1] - phi[:, 1] * w[0])
-    if piece.order == 4:
-        found += piece.bending * (phi[:, 0] * w[3] - phi[:, 1] * w[2] + phi[:, 2] * w[1] - phi[:, 3] * w[0])
-    return found
-
-
-def _halves(wave):
-    """(c/2, λ) and the conjugate of Re(c xᵏ e^{λx})."""
-    factor, rate = complex(wave.coefficient), complex(wave.exponent)
-    return (factor / 2, rate), (factor.conjugate() / 2, rate.conjugate())
-
-
-def _particular(piece, kappa, rate, k, x):
-    """w, w′, w″, w‴ for xᵏ e^{λx}, (4, modes)."""
-    series = [kappa + piece.bending * rate**4 - piece.tension * rate**2,
-              4 * piece.bending * rate**3 - 2 * piece.tension * rate, 6 * piece.bending * rate**2 - piece.tension,
-              4 * piece.bending * rate, piece.bending]
-    inverse = [1 / series[0]]
-    for i in range(1, k + 1):
-        inverse.append(-sum(series[m] * inverse[i - m] for m in range(1, min(i, 4) + 1)) / series[0])
-    polynomial = [comb(k, i) * factorial(k - i) * inverse[k - i] for i in range(k + 1)]
-    found = []
-    for _ in range(4):
-        found.append(np.exp(rate * x) * sum(c * x**i for i, c in enumerate(polynomial)))
-        steeper = [(i + 1) * polynomial[i + 1] if i < k else 0 * polynomial[0] for i in range(k + 1)]
-        polynomial = [rate * c + d for c, d in zip(polynomial, steeper, strict=True)]
-    return np.array(found)

@@ -17,6 +17,9 @@ if TYPE_CHECKING:
     from vibcli.scene.spread_forces import SpreadForce
 
 
+POINTS = 33     # at which the size of a load is looked at
+
+
 class SpreadDrive(NamedTuple):
     """f(x), a LoadForm over the places of a member, from `start` to `end`."""
 
@@ -43,6 +46,13 @@ class SpreadDrive(NamedTuple):
             return end_loads(piece, kappa, form)
         return end_loads_slope(piece, kappa, form) * (2 * piece.inertia * s + piece.drag)[..., None]
 
+
+    def size(self, placed: "PlacedPiece") -> list[float]:
+        """What ∫ |f| H dx may be on the ends of a piece: sums that cancel round by as much."""
+        length, form = float(placed.piece.length), self.on(placed)
+        x = length * np.linspace(0.0, 1.0, POINTS)
+        most = 0.0 if form is None else sum(float(np.abs(one.size(x)).max()) for one in form.stretches)
+        return [most * length, most * length**2][:placed.piece.order // 2] * 2
 
     def between(self, placed: "PlacedPiece", s: np.ndarray, x: float, along: int) -> Any:
         """What it bends a piece by while its ends are held: u at x, or a derivative of it, (N,)."""
