@@ -63,7 +63,8 @@ class ModalResponse(ResponseOfMembers):
 
         modes = self.problem.modal.modes.first(count)
         basis = ModeBasis(modes, self.configuration.linear_system.pieces)
-        modes = RealModes(basis, self._felt(basis), self._start(basis), self._ratios(basis))
+        inputs, ratios = self._felt(basis), self._ratios(basis)
+        modes = RealModes(basis, inputs, self._start(basis), ratios, self._disturbed(basis, inputs, ratios))
         return ModalMotion(modes, self._transfer, self._forces, self.problem.work)
 
     def _felt(self, basis):
@@ -75,6 +76,22 @@ class ModalResponse(ResponseOfMembers):
         columns = [basis.shapes.T, *(-basis.end_forces(*drive)[:, None] for drive in self._driven_ends),
                    *(of_drive(basis, drive)[:, None] for drive in self._spread)]
         return np.concatenate(columns, axis=1)
+
+    def _disturbed(self, basis, inputs, ratios):
+        """What gives the Disturbances of the modes that are left out."""
+        import numpy as np
+
+        from vibcli.analyses.continuous.disturbances import Disturbances, Start
+        from vibcli.analyses.continuous.start_of_fields import start_of_field
+        from vibcli.analyses.continuous.uncounted_modes import UncountedModes
+
+        M, _, K = self.matrices
+        uncounted = UncountedModes(basis, K, M, self._driven_ends, inputs,
+                                   2 * ratios * np.sqrt(np.abs(basis.squares)))
+        found = [start_of_field(uncounted, [given[rate] for given in self.fields], 0, np.array(part, float), not rate)
+                 for rate, part in enumerate(self.deviations)]
+        start = Start(np.array([one.held for one in found]), np.array([one.spread for one in found]))
+        return lambda segments: Disturbances(uncounted, start, segments)
 
     @cached_property
     def _driven_ends(self):

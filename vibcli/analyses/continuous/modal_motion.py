@@ -19,6 +19,7 @@ from vibcli.base.work import Work
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.complex_modes import ComplexModes
     from vibcli.analyses.continuous.damped_transfer import DampedTransfer
+    from vibcli.analyses.continuous.disturbances import Disturbances
     from vibcli.analyses.continuous.exact_transfer import ExactTransfer
     from vibcli.analyses.continuous.real_modes import RealModes
     from vibcli.analyses.excitation.forcing import Forcing
@@ -56,6 +57,7 @@ class ModalMotion:
         self._rows: dict[Any, tuple[np.ndarray, np.ndarray]] = {}
         self._taylor: dict[Any, np.ndarray] = {}
         self._until, self._stretches = -1.0, []
+        self._disturbances: Disturbances | None = None
 
     def under(self, forcing: "Forcing") -> "ModalMotion":
         """The same motion, whose outputs read further channels of the loads."""
@@ -72,6 +74,7 @@ class ModalMotion:
                 task.step(steps=len(segments) * self.count / 10_000)
                 self._stretches = followed(self.states, self.modes.rigid_inputs, self.modes.rigid_start, segments,
                                            channels)
+            self._disturbances = self.modes.disturbed(segments) if self.modes.disturbed else None
         return self._stretches
 
     def rows_of(self, output: "LinearOutput") -> tuple[np.ndarray, np.ndarray]:
@@ -168,10 +171,14 @@ class ModalMotion:
     def bound(self, output: "LinearOutput", t: float, order: int = 0, modes: int | None = None) -> float:
         """What modes beyond those counted, or beyond the first `modes`, can add at an instant."""
         read, (stretch, _) = Read(self, output, order), next(iter(self._placed(np.array([float(t)]))))
-        sizes = self._amplitudes(read, stretch)
-        rest = remainder(sizes)
-        if modes is not None:
-            return rest + float(sizes[modes:].sum())
+        rest = self._uncounted(read, stretch, t)
+        return rest if modes is None else rest + float(self._amplitudes(read, stretch)[modes:].sum())
+
+    def _uncounted(self, read, stretch, t):
+        """A bound of what is left out; where none is known how amplitudes fall."""
+        if self._disturbances is not None:
+            return self._disturbances.bound(read.output, t, read.order)
+        rest = remainder(self._amplitudes(read, stretch))
         return rest * float(np.exp(self.modes.fading * (t - stretch.start))) if 0 < rest < inf else rest
 
     def is_near(self, output: "LinearOutput", share: float) -> bool:
@@ -180,7 +187,7 @@ class ModalMotion:
         for stretch in self.stretches(0.0)[:8]:
             tau = np.linspace(0, 2 * np.pi / (self.slowest or 1.0), 65)
             most = float(np.abs(self._on(read, stretch, tau, 64)).max())
-            if remainder(self._amplitudes(read, stretch)) > share * most:
+            if self._uncounted(read, stretch, stretch.start) > share * most:
                 return False
         return True
 

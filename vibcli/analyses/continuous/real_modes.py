@@ -7,7 +7,11 @@ import numpy as np
 from vibcli.analyses.continuous.modal_states import states_of
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from vibcli.analyses.continuous.disturbances import Disturbances
     from vibcli.analyses.continuous.mode_basis import ModeBasis
+    from vibcli.analyses.excitation.forcing import Segment
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
 EPSILON = 2.0**-52
@@ -19,14 +23,14 @@ class RealModes:
 
     states: those that a motion is added from; rigid_inputs, rigid_start: b and (η, η̇) of what nothing holds; left_out:
     what no |λ| of a mode that is left out is below where it oscillates, and none where it creeps; fading: none of these
-    dies out more slowly; lost: rounding of the start, in each state; doubt: relative bounds of the λ and of the
-    amplitudes.
+    dies out more slowly; disturbed(segments): the Disturbances of those under a load, None of what has no true bound;
+    lost: rounding of the start, in each state; doubt: relative bounds of the λ and of the amplitudes.
     """
 
     def __init__(self, basis: "ModeBasis", inputs: np.ndarray, start: tuple[np.ndarray, np.ndarray],
-                 ratios: np.ndarray):
+                 ratios: np.ndarray, disturbed: "Callable[[Sequence[Segment]], Disturbances] | None" = None):
         eta, rate = (_without_noise(part) for part in start)
-        squares, self.basis, self.count = basis.squares, basis, len(basis.squares)
+        squares, self.basis, self.count, self.disturbed = basis.squares, basis, len(basis.squares), disturbed
         at, self.rigid = np.flatnonzero(squares), np.flatnonzero(squares == 0)
         states = states_of(squares[at], ratios[at], inputs[at], eta[at], rate[at])
         self.states = states._replace(modes=at[states.modes])
