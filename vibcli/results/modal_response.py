@@ -86,7 +86,7 @@ class ModalResponse(ResponseOfMembers):
         from vibcli.analyses.continuous.uncounted_modes import UncountedModes
 
         M, _, K = self.matrices
-        uncounted = UncountedModes(basis, K, M, self._driven_ends, inputs,
+        uncounted = UncountedModes(basis, K, M, self._driven_ends, self._spread, inputs,
                                    2 * ratios * np.sqrt(np.abs(basis.squares)))
         found = [start_of_field(uncounted, [given[rate] for given in self.fields], 0, np.array(part, float), not rate)
                  for rate, part in enumerate(self.deviations)]

@@ -88,7 +88,6 @@ class Disturbances:
         sums = modes.load_sums(active.tolist()) if len(active) else {}
         for power, among in sums.items():
             self._add(power, among, modes.begins[active] < power, bends[..., active], struck[:, active])
-        self.sizes[:, :, 0] = np.where(self.sizes[:, :, 1:].any(axis=2), inf, 0.0)
         self.sizes[0, 2:4] += start.spread
 
     def _add(self, power, sums, finite, bends, struck):

@@ -13,10 +13,11 @@ import numpy as np
 
 from vibcli.analyses.continuous.disturbances import derivatives
 from vibcli.analyses.continuous.divided_pieces import divided_at
-from vibcli.analyses.continuous.modal_start import of_field
-from vibcli.analyses.continuous.uncounted_modes import POWERS, begins_at
-from vibcli.analyses.continuous.unit_responses import UnitLoads
+from vibcli.analyses.continuous.modal_start import of_load
+from vibcli.analyses.continuous.uncounted_modes import POWERS, begins_at, left_of_squares
+from vibcli.analyses.continuous.unit_responses import UnitLoads, overlaps
 from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
+from vibcli.analyses.excitation.load_forms import load_form
 from vibcli.numerics.pieces.stiffness import stiffness_and_slope
 
 if TYPE_CHECKING:
@@ -25,8 +26,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.uncounted_modes import UncountedModes
     from vibcli.mechanics.factored_system import PlacedPiece
 
-ROUNDING = 1e-12    # of a displacement or a force, and of a norm: what is none
-PANEL = 16          # places to a panel of an integral
+ROUNDING = 1e-12    # of a displacement or a force: what is none
 
 
 class FieldStart(NamedTuple):
@@ -57,7 +57,7 @@ def start_of_field(uncounted: "UncountedModes", given: "Sequence[Forcing | None]
     n, stretches, nodes = len(uncounted.K), [], list(q)
     for number, forcing in enumerate(given):
         stretches += _stretches(uncounted.pieces[number], number, forcing, channel, nodes)
-    held = np.zeros(n + len(uncounted.driven))
+    held = np.zeros(len(uncounted.begins))
     held[:n], size = uncounted.K @ q, np.abs(uncounted.K) @ np.abs(q)
     forces, sizes = np.append(held[:n], np.zeros(len(nodes) - n)), np.append(size, np.zeros(len(nodes) - n))
     ends = {}
@@ -176,17 +176,11 @@ def _spread(uncounted, given, channel):
         if forcing is None:
             continue
         piece = uncounted.pieces[number].piece
-        segments = [Segment(one.start, tuple(_answered(piece, one, channel))) for one in forcing.segments(np.inf)
-                    if one.start < piece.length]
-        loads = Forcing(1, segments)
-        if not any(segment.waves for segment in segments):
-            continue
-        known += of_field(uncounted.basis, number, loads, 0) / piece.inertia
-        edges = [*(one.start for one in segments), piece.length]
-        total += sum(_squared(segment, b - a) for segment, a, b in zip(segments, edges, edges[1:], strict=False)
-                     ) / piece.inertia
-    left = max(total * (1 + ROUNDING) - float(known @ known), ROUNDING * total)
-    return np.sqrt(left) * uncounted.highest ** -np.array(POWERS)
+        segments = [Segment(one.start, tuple(_answered(piece, one, channel))) for one in forcing.segments(np.inf)]
+        form = load_form(Forcing(1, segments), 0, piece.length)
+        known += of_load(uncounted.basis, number, form)
+        total += float(overlaps([form])[0, 0]) / piece.inertia
+    return np.sqrt(left_of_squares(total, known @ known)) * uncounted.highest ** -np.array(POWERS)
 
 
 def _answered(piece, segment, channel):
@@ -207,13 +201,3 @@ def _slope(waves):
 
 def _scaled(waves: "list[Wave]", factor: float) -> "list[Wave]":
     return [wave._replace(coefficient=wave.coefficient * factor) for wave in waves if factor]
-
-
-def _squared(segment, length):
-    """∫ (L u)² dx over a segment."""
-    panels = 1 + int(length * max((abs(wave.exponent) for wave in segment.waves), default=0.0))
-    x, weights = np.polynomial.legendre.leggauss(PANEL)
-    x = (length / panels) * (np.arange(panels)[:, None] + (1 + x) / 2)
-    values = sum((np.real(wave.coefficient * x**wave.power * np.exp(wave.exponent * x))
-                  for wave in segment.waves), 0 * x)
-    return float((values**2 @ weights).sum() * length / panels / 2)

@@ -13,24 +13,27 @@ import numpy as np
 
 from vibcli.analyses.continuous.divided_pieces import divided_at
 from vibcli.analyses.continuous.tail_sums import grid, tail_sum, without_first
-from vibcli.analyses.continuous.unit_responses import UnitLoads, motions_squared
+from vibcli.analyses.continuous.unit_responses import UnitLoads, motions_squared, overlaps
+from vibcli.numerics.pieces.loads import LoadForm
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.exact_transfer import DrivenEnd
     from vibcli.analyses.continuous.mode_basis import ModeBasis
+    from vibcli.analyses.continuous.spread_drives import SpreadDrive
     from vibcli.analyses.excitation.linear_output import FieldPoint, LinearOutput
     from vibcli.mechanics.factored_system import PlacedPiece
 
 POWERS = 0.0, 0.5, 0.75, 1.0, 1.5, 2.0      # of ω², by which sums over b are divided
+ROUNDING = 1e-12    # of a sum of squares
 INSIDE = 1e-12      # of a length: how near to an end is at the end
 
 
 class UncountedModes:
     """Those beyond a ModeBasis. K, M: without the pieces; inputs (modes, channels): b of the first modes, of the
-    coordinates and of `driven` ends behind them; rates: 2ζω of the first modes."""
+    coordinates, of `driven` ends and of loads `spread` along members behind them; rates: 2ζω of the first modes."""
 
     def __init__(self, basis: "ModeBasis", K: np.ndarray, M: np.ndarray, driven: "Sequence[DrivenEnd]",
-                 inputs: np.ndarray, rates: np.ndarray):
+                 spread: "Sequence[SpreadDrive]", inputs: np.ndarray, rates: np.ndarray):
         self.basis, self.K, self.M, self.inputs, self.rates = basis, K, M, inputs, rates
         self.pieces = [one._replace(piece=one.piece._replace(drag=0.0)) for one in basis.placed]
         self.highest = float(np.sqrt(np.abs(basis.squares).max(initial=0.0)))
@@ -38,7 +41,12 @@ class UncountedModes:
         self._reads: dict[Any, list[tuple[int, np.ndarray, float]]] = {}
         self._sizes: dict[Any, float] = {}
         self.begins = np.array([self._begin(i) for i in range(len(K))] + [
-            begins_at(self._order(one), self._order(one) - 1 - one.end % (self._order(one) // 2)) for one in driven])
+            begins_at(self._order(one), self._order(one) - 1 - one.end % (self._order(one) // 2)) for one in driven] + [
+                -1.0 for _ in spread])
+        self.spread = np.zeros((len(spread), len(spread)))
+        for one in self.pieces:
+            forms = [drive.on(one) or LoadForm(()) for drive in spread]
+            self.spread += overlaps(forms) / one.piece.inertia
 
     def _order(self, drive):
         return self.pieces[drive.piece].piece.order
@@ -49,19 +57,34 @@ class UncountedModes:
                     for end, row in enumerate(one.rows) if row.get(coordinate)), default=0.0)
 
     def load_sums(self, channels: "Sequence[int]") -> dict[float, np.ndarray]:
-        """{p: Σ b bᵀ/ω²ᵖ over those left out, (channels, channels)}, of what is finite."""
-        chosen, n = list(channels), len(self.K)
+        """{p: Σ b bᵀ/ω²ᵖ over those left out, (channels, channels)} at POWERS, 0 where it is not finite; it bounds sums
+        of loads at nodes and along members together."""
+        n, m = len(self.K), len(self.K) + len(self.driven)
+        chosen = np.array(channels, int)
         ends: dict[tuple[int, int], np.ndarray] = {}
-        forces = np.zeros((n, len(chosen)))
-        for column, channel in enumerate(chosen):
+        nodes, along = chosen[chosen < m], chosen[chosen >= m]
+        forces = np.zeros((n, len(nodes)))
+        for column, channel in enumerate(nodes.tolist()):
             if channel < n:
                 forces[channel, column] = 1.0
             else:
                 drive = self.driven[channel - n]
-                ends.setdefault((drive.piece, drive.end), np.zeros(len(chosen)))[column] = 1.0
-        R = self.left(self.pieces, UnitLoads(forces, ends), self.inputs[:, chosen])
-        return {p: np.where(np.maximum.outer(*[self.begins[chosen] < p] * 2), self.sums(
-            R, p, float(max(self.begins[chosen][self.begins[chosen] < p], default=0.0))), 0.0) for p in POWERS[1:]}
+                ends.setdefault((drive.piece, drive.end), np.zeros(len(nodes)))[column] = 1.0
+        R = self.left(self.pieces, UnitLoads(forces, ends), self.inputs[:, nodes])
+        both = 2.0 if len(nodes) and len(along) else 1.0
+        return {p: both * self._block(R, p, nodes, along, chosen) for p in POWERS}
+
+    def _block(self, R, power, nodes, along, chosen):
+        found, finite = np.zeros((len(chosen),) * 2), self.begins[nodes] < power
+        at = np.flatnonzero(np.isin(chosen, nodes[finite]))
+        if len(at):
+            left = R[:, finite][:, :, finite]
+            found[np.ix_(at, at)] = self.sums(left, power, float(self.begins[nodes[finite]].max()))
+        at = np.flatnonzero(np.isin(chosen, along))
+        spread, known = along - len(self.begins) + len(self.spread), self.inputs[:, along]
+        left = left_of_squares(self.spread[np.ix_(spread, spread)], known.T @ known)
+        found[np.ix_(at, at)] = left * self.highest ** (-2 * power)
+        return found
 
     def left(self, pieces: "Sequence[PlacedPiece]", loads: UnitLoads, first: np.ndarray) -> np.ndarray:
         """R of loads on these pieces, (σ, columns, columns); first: c of the first modes, (modes, columns)."""
@@ -131,6 +154,13 @@ class UncountedModes:
 def size_of(vectors: np.ndarray, sums: np.ndarray) -> np.ndarray:
     """√(vᵀ S v) of vectors (…, channels)."""
     return np.sqrt(np.maximum(np.einsum("...i,ij,...j->...", vectors, sums, vectors), 0.0))
+
+
+def left_of_squares(total: Any, known: Any) -> Any:
+    """Σ b bᵀ without those that are counted, no less than their rounding."""
+    found = total * (1 + ROUNDING) - known
+    return np.where(np.eye(len(found)), np.maximum(found, ROUNDING * total), found) if np.ndim(found) else max(
+        found, ROUNDING * total)
 
 
 def begins_at(order: int, along: int) -> float:

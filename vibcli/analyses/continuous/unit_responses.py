@@ -9,16 +9,21 @@ so that twice the kinetic energy per rate² of g is a sum over all modes (Parsev
     Σ cₙ²/(ωₙ² + σ²)² = gᵀ ∂D/∂s² g.
 """
 
+from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from vibcli.numerics.pieces.arithmetic import arithmetic_of
 from vibcli.numerics.pieces.stiffness import stiffness_and_slope
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from vibcli.mechanics.factored_system import PlacedPiece
+    from vibcli.numerics.pieces.loads import LoadForm
+
+PANEL = 16          # places to a panel of an integral
 
 
 class UnitLoads(NamedTuple):
@@ -59,3 +64,17 @@ def _solved(D, right):
         return right
     size = 1 / np.sqrt(np.abs(np.diagonal(D, axis1=1, axis2=2)))
     return size[:, :, None] * np.linalg.solve(D * size[:, :, None] * size[:, None, :], size[:, :, None] * right)
+
+
+def overlaps(forms: "Sequence[LoadForm]") -> np.ndarray:
+    """∫ fᵢ fⱼ dx of loads along a piece, (forms, forms)."""
+    found, numbers = np.zeros((len(forms), len(forms))), arithmetic_of(0.0)
+    edges = sorted({float(x) for form in forms for one in form.stretches for x in (one.start, one.end)})
+    places, weights = np.polynomial.legendre.leggauss(PANEL)
+    for low, high in pairwise(edges):
+        here = [[one for one in form.stretches if one.start <= low and high <= one.end] for form in forms]
+        panels = 1 + int((high - low) * max((one.pace for form in here for one in form), default=0.0))
+        x = low + (high - low) / panels * (np.arange(panels)[:, None] + (1 + places) / 2).ravel()
+        values = np.array([sum((one.at(x, numbers) for one in form), 0 * x) for form in here])
+        found += (high - low) / panels / 2 * (values * np.tile(weights, panels)) @ values.T
+    return found
