@@ -86,7 +86,7 @@ class ComplexModes:
         self.rigid_inputs = inputs[:free].real
         self.rigid_start = np.array([place[:free].real, speed[:free].real])
         self.left_out, self.fading = (basis.radius, np.inf), _fading(rates)
-        self.lost = NOISE * most
+        self.lost, self.disturbed = NOISE * most, None
         errors = basis.errors[free:]
         self.doubt = errors + EPSILON * (rates != 0), 8 * EPSILON + 4 * errors * abs(rates) / _nearest(rates)
 
