@@ -24,7 +24,9 @@ HIGHEST = 6         # power of 1/ω that is told apart
 LARGEST = 0.6       # x (2ζ + x) of a load whose series is taken
 SMALL = 1e-18       # of the first term: where the series ends
 ROUNDING = 1e-12    # of a load: what is no bend
-FADING = 0.9        # ratio up to which modes swing as they fade
+FADING = 0.9        # ratio up to which E falls by √((1 + ζ)/(1 − ζ)) e^{−ζωt} at least
+CREEPING = 1.25     # ratio from which on it creeps
+SLOWER = 2.0        # times e^{−rt/2} it falls at least, whatever ζ, r being the slower rate
 
 
 class Start(NamedTuple):
@@ -36,11 +38,12 @@ class Start(NamedTuple):
 
 
 class Damping(NamedTuple):
-    """Of modes that are not counted: 2ζ, no ω smaller than `highest`, and how fast they fade; `creeping`: ζ grows with
-    ω, and 2ζ/ω is at most that instead."""
+    """Of modes that are not counted: 2ζ, no ω smaller than `highest`, E ≤ `grown` e^{−`fading` t} of its start;
+    `creeping`: ζ grows with ω, and 2ζ/ω is at most that instead."""
 
     double: float
     highest: float
+    grown: float
     fading: float
     creeping: float | None = None
 
@@ -65,10 +68,16 @@ def damping_of(squares: np.ndarray, rates: np.ndarray) -> Damping:
     highest, half = float(omega[-1]), len(omega) // 2
     double = rates[half:] / omega[half:]
     last = float(double[-1])
+    slowest = float(rates[half:].min()) / 2
     if last > (1 + 1e-9) * float(double.min()):
-        return Damping(0.0, highest, 0.0, last / highest)
-    fading = float(rates[-1]) / 2 if last < 2 * FADING else 0.0
-    return Damping(float(double.max()), highest, min(fading, float(rates[half:].min()) / 2))
+        creeping, zeta = last / highest, last / 2
+        if zeta > CREEPING:     # E coth θ/2, cosh θ = ζ, of a slower rate ω² over 2ζω at least
+            return Damping(0.0, highest, sqrt((zeta + 1) / (zeta - 1)), 1 / creeping, creeping)
+        return Damping(0.0, highest, SLOWER, min(slowest, 1 / creeping) / 2, creeping)
+    zeta = float(double.max()) / 2
+    if zeta < FADING:
+        return Damping(2 * zeta, highest, sqrt((1 + zeta) / (1 - zeta)), slowest)
+    return Damping(2 * zeta, highest, SLOWER, min(slowest, highest / (2 * zeta)) / 2)
 
 
 class Disturbances:
@@ -112,8 +121,7 @@ class Disturbances:
         count, fading = max(1, int(np.searchsorted(self.times, t, side="right"))), self.damping.fading
         if not fading:
             return self.sizes[:count].sum(axis=0)
-        zeta = self.damping.double / 2
-        left = sqrt((1 + zeta) / (1 - zeta)) * np.exp(-fading * np.maximum(t - self.times[:count], 0.0))
+        left = self.damping.grown * np.exp(-fading * np.maximum(t - self.times[:count], 0.0))
         with np.errstate(invalid="ignore"):
             return np.nan_to_num(np.tensordot(np.minimum(left, 1.0), self.sizes[:count], axes=1), nan=inf, posinf=inf)
 
