@@ -55,7 +55,7 @@ def _with_members(problem, times):
         return problem.response.signal(NameRef(0, len(name), name, 0)).values(times).tolist()
 
     stage = compose.Scenery(problem.scene)
-    told = [name for name in problem.scene.coordinates if not name.partition(".")[2].startswith("oscillator")]
+    told = problem.scene.coordinates
     parts = [values(name) for name in told]
     base = problem.configuration.equilibrium.values
     positions = [{**base, **{name: part[i] for name, part in zip(told, parts, strict=True)}}

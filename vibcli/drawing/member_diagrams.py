@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 HIGH, GAP, HEAD, ORDINATES, DOT = 40.0, 18.0, 7.0, 7.0, 2.0     # points: of the largest value, between panels, …
 SMALL_SIZE, DIGITS, NOTHING = 10.0, 4, 1e-9                     # the last: of the largest value
 LINE, BASELINES = 70, 14.0      # letters in a line, points between lines
-NAMES = {("bar", "force"): "tension", ("string", "force"): "tension", ("beam", "force"): "force",
+NAMES = {("bar", "force"): "tension", ("string", "force"): "tension", ("beam", "force"): "tension",
          ("shaft", "moment"): "torque GIo φ′", ("beam", "shear"): "shear (EI u″)′", ("beam", "moment"): "moment EI u″"}
 ALONG = {True: "positive upwards", False: "positive to the left of the way to the right end"}
 TENSION = "on the side in tension"

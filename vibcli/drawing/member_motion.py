@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.drawing.layout.strips import Strip, resting
 from vibcli.drawing.symbols.member import Bend
+from vibcli.drawing.symbols.member_ends import oscillators
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.compose import Scenery
@@ -12,12 +13,14 @@ if TYPE_CHECKING:
 
 RESTS = 1e-9        # of the most that a member moves
 PLACES = 32         # along a member at which its motion in time is found
+STRETCHED = 1.3     # by which what stretches a spring counts more than what moves
 SEEN, ACROSS = 30.0, 22.0       # points that the largest displacement has in the plane, and beside it
 
 
 class MemberMode(NamedTuple):
     """A mode along a member: its fields times a factor, where it rests, the most that it moves; `stretch`: the most
-    that a beam moves along, None of what keeps its length."""
+    that a beam moves along, None of what keeps its length; `hung`: the most that its oscillators do, or stretch their
+    springs, which need more room."""
 
     strip: Strip
     fields: Any
@@ -25,6 +28,7 @@ class MemberMode(NamedTuple):
     nodes: list
     top: float
     stretch: float | None = None
+    hung: float = 0.0
 
     @property
     def kind(self) -> str:
@@ -56,9 +60,13 @@ def mode_along_members(problem: Any, mode: Any, stage: "Scenery", normalise: str
     if not stage.strips or not hasattr(mode, "motion"):
         return []
     told = problem.modal.told_apart(mode)
+    shape = dict(zip(problem.scene.coordinates, map(complex, problem.modal.shape(mode, normalise)), strict=True))
     fields, factor, found = problem.modal.fields(told), complex(problem.modal.scale(told, normalise)) * turn, []
     for strip in stage.strips:
         found.append(_with_nodes(strip, fields, factor))
+        for x, name in oscillators(strip, stage.sketch):
+            moved, carrier = shape[name] * turn, fields.displacements(strip.name, [x])[0] * factor
+            found[-1] = found[-1]._replace(hung=max(found[-1].hung, abs(moved), STRETCHED * abs(moved - carrier)))
     most = {kind: max(one.top for one in found if one.kind == kind) for kind in {one.kind for one in found}}
     return [one if one.top > RESTS * most[one.kind] else one._replace(nodes=[], top=0.0) for one in found]
 
@@ -89,9 +97,12 @@ class MemberMotion:
                           if strip.member.stretching}
         tops = {kind: max((abs(u) for strip, _, rows in self.curves.values() for row in rows for u in row
                            if _kind(strip) == kind), default=0.0) for kind in ("placed", "slides", "turns")}
+        base = problem.configuration.equilibrium.values
+        for strip in stage.strips:
+            for _, name in oscillators(strip, stage.sketch):
+                tops[_kind(strip)] = max(tops[_kind(strip)], *(abs(one[name] - base[name]) for one in positions))
         seen = tops["placed"] * stage.sketch.scale
         self.factor = max(1.0, SEEN / seen) if seen else 1.0
-        base = problem.configuration.equilibrium.values
         larger = [{name: base[name] + self.factor * (x - base[name]) for name, x in one.items()} for one in positions]
         self.sketches, unit, self.room = laid_out(stage, larger)
         self.unit = ACROSS / (tops["slides"] * self.factor) if tops["slides"] else unit

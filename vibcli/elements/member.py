@@ -119,14 +119,17 @@ class Member(NamedTuple):
         ends."""
         from vibcli.elements.place_signals import place_signal
 
-        member = scene.members[f"{self.name}.along"] if self.stretching and signal.part in ("along", "force") else self
-        return place_signal(scene, member, signal, place, before)
+        return place_signal(scene, self._moving(scene, signal.part), signal, place, before)
 
     def signals_along(self, scene: Any, part: str, at: "Node"):
         """The PlaceSignals of a part on each of its pieces from left to right, all as far from its left end."""
         from vibcli.elements.place_signals import signals_along
 
-        return signals_along(scene, self, part, at)
+        return signals_along(scene, self._moving(scene, part), part, at)
+
+    def _moving(self, scene, part):
+        """The member whose motions tell a part of its signals: of beams as they stretch another."""
+        return scene.members[f"{self.name}.along"] if self.stretching and part in ("along", "force") else self
 
     def at(self, scene: Any, place: "Node") -> Station:
         """The Station at a place, which stands for those that differ from it by rounding alone."""

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from vibcli.base.errors import PhysicsError
-from vibcli.language.member_signals import PARTS
+from vibcli.language.member_signals import PARTS, STRETCHING
 from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.piece import Piece
 from vibcli.numerics.stretches import CurveStretch
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from vibcli.elements.member import Member
     from vibcli.elements.place_signals import PlaceSignal
     from vibcli.mechanics.configuration import Configuration
+    from vibcli.scene.scene import Scene
 
 UNITS = {"force": "N", "shear": "N", "moment": "N·m"}
 
@@ -45,16 +46,17 @@ class InternalForce(NamedTuple):
         return max(float(np.abs(stretch.points()[1]).max()) for stretch in self.stretches)
 
 
-def parts_of(member: "Member") -> list[str]:
-    """The forces and moments within a member of its kind, as signals name them."""
-    return [part for part in UNITS if part in PARTS[member.kind.name + "s"]]
+def forces_within(scene: "Scene") -> "list[tuple[str, Member, str]]":
+    """(name, Member, part) of all forces and moments within members, as signals name them."""
+    return [(name, member, part) for name, member in scene.members.items() if member.turns or not member.lengthwise
+            for part in UNITS if part in PARTS[member.kind.name + "s"] or (member.stretching and part in STRETCHING)]
 
 
 def forces_at_rest(configuration: "Configuration") -> list[InternalForce]:
     """Those of all members in equilibrium."""
     scene = configuration.scene.resting
     return [InternalForce(name, part, _stretches(configuration, scene, member, part))
-            for name, member in scene.members.items() for part in parts_of(member)]
+            for name, member, part in forces_within(scene)]
 
 
 def _stretches(configuration, scene, member, part):

@@ -7,7 +7,7 @@ import numpy as np
 
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signal_names import LEFT_OF
-from vibcli.mechanics.internal_forces import InternalForce, parts_of
+from vibcli.mechanics.internal_forces import InternalForce, forces_within
 from vibcli.numerics.stretches import PARTS, CurveStretch
 from vibcli.symbolic.syntax import NameRef, QuantityRef
 
@@ -15,7 +15,8 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 SAME, COARSE, A_HALF_WAVE = 1e-9, 24, 16      # of the length; parts of a stretch in time; of a half-wave of a mode
-ORDERS = {("beam", "moment"): 2, ("beam", "shear"): 3, ("bar", "force"): 1, ("shaft", "moment"): 1}
+ORDERS = {("beam", "moment"): 2, ("beam", "shear"): 3, ("beam", "force"): 1, ("bar", "force"): 1,
+          ("shaft", "moment"): 1}
 
 
 def forces_of_mode(problem: "Problem", index: int, normalise: str = "first") -> list[InternalForce]:
@@ -24,11 +25,11 @@ def forces_of_mode(problem: "Problem", index: int, normalise: str = "first") -> 
     mode = problem.modal.told_apart(mode)
     fields, factor = problem.modal.fields(mode), complex(problem.modal.scale(mode, normalise))
     found = []
-    for name, member in problem.scene.members.items():
-        for part in parts_of(member):
-            order = ORDERS.get((member.kind.name, part))
-            if order is not None:
-                found.append(InternalForce(name, part, [_moved(one, order, factor) for one in fields.pieces(name)]))
+    for name, member, part in forces_within(problem.scene):
+        order = ORDERS.get((member.kind.name, part))
+        if order is not None:
+            pieces = fields.pieces(f"{name}.along" if member.stretching and part == "force" else name)
+            found.append(InternalForce(name, part, [_moved(one, order, factor) for one in pieces]))
     return found
 
 
@@ -67,19 +68,17 @@ def amplitudes(problem: "Problem") -> tuple[list[InternalForce], list[PhysicsErr
 def _of_signals(problem, value, error):
     """Those whose values signals tell, each at a place."""
     scene, found, refused = problem.scene, [], []
-    for name, member in scene.members.items():
+    for name, member, part in forces_within(scene):
         length, stations = scene.number(member.length), [scene.number(one.place) for one in member.stations]
         stations = [0.0, *sorted(x for x in stations if SAME * length < x < (1 - SAME) * length), length]
-        for part in parts_of(member):
-            signal, seen = f"{name}.{part}", {}
-            try:
-                stretches = [_of_signal(signal, start, end, value, seen)
-                             for start, end in pairwise(stations)]
-                force = InternalForce(name, part, stretches, lambda x, signal=signal: error(f"{signal}({x!r} m)"))
-                force.largest       # noqa: B018 - refused where it is not found
-                found.append(force)
-            except PhysicsError as refusal:
-                refused.append(refusal)
+        signal, seen = f"{name}.{part}", {}
+        try:
+            stretches = [_of_signal(signal, start, end, value, seen) for start, end in pairwise(stations)]
+            force = InternalForce(name, part, stretches, lambda x, signal=signal: error(f"{signal}({x!r} m)"))
+            force.largest       # noqa: B018 - refused where it is not found
+            found.append(force)
+        except PhysicsError as refusal:
+            refused.append(refusal)
     if not found and refused:
         raise refused[0]
     return found, refused

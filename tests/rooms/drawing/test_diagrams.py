@@ -31,7 +31,15 @@ INCLINED = """
     gravity: 9.81 m/s^2
     beams: {boom: {from: [0, 0], to: [3 m, 4 m], EI: EI, left: clamped, attached: [{at: 5 m, mass: 100 kg}]}}
 """
+STRETCHING = """
+    parameters: {H: 3 m, L: 4 m, EI: 4 MN*m^2, EA: 900 MN, mu: 400 kg/m}
+    bodies: {A: {mass: 0 kg, inertia: 0 kg*m^2, at: [0, H], move: [x, y, p]}}
+    beams:
+      post: {from: [0, 0], to: [0, H], EI: EI, EA: EA, mass_per_length: mu, left: clamped, right: {clamped: A}}
+      girder: {from: [0, H], to: [L, H], EI: EI, EA: EA, mass_per_length: mu, left: {clamped: A}, right: clamped}
+"""
 CASES = {
+    "stretching": (STRETCHING, WhichForces(mode=2)),
     "loaded": (LOADED, WhichForces()), "a mode": (LOADED, WhichForces(mode=3)), "inclined": (INCLINED, WhichForces()),
     **{f"{name} {which.mode or 'at rest'}": (ROOT / f"vibcli/examples/{name}.yaml", which)
        for name, which in (("beams", WhichForces()), ("beams", WhichForces(2)), ("shafts", WhichForces(2)),
@@ -110,6 +118,16 @@ def test_moments_stand_on_the_side_in_tension_and_the_front_of_a_wave_is_upright
     places, values = force.stretches[0].points()
     i = int(np.abs(np.diff(values)).argmax())
     assert places[i + 1] - places[i] < 1e-3 and np.abs(np.diff(values))[i] > 0.9 * force.largest
+
+
+def test_forces_and_moments_balance_at_a_corner_without_mass():
+    """What turns the corner passes on: the tension of the post is less the shear of the girder, its shear the tension
+    of the girder, and the moment stands on one side."""
+    at = {(force.member, force.part): force for force in found_forces(*scene_of("stretching"))[0]}
+    post = {part: at["post", part].stretches[-1].values(np.array([3.0]))[0] for part in ("force", "shear", "moment")}
+    girder = {part: at["girder", part].stretches[0].values(np.array([0.0]))[0] for part in post}
+    assert [post["force"], post["shear"], post["moment"]] == pytest.approx(
+        [-girder["shear"], girder["force"], girder["moment"]], rel=1e-9)
 
 
 def test_members_in_the_plane_stand_where_they_are():

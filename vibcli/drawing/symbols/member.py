@@ -37,7 +37,7 @@ def _moved(strip, bend, x, along, u):
         return strip.at(x, u * bend.unit, along * bend.unit)
     if strip.placed:
         return strip.at(x, u * strip.scale, along * bend.unit)
-    return strip.at(x)
+    return strip.at(x) if strip.member.kind.torsional else strip.at(x, 0.0, u * bend.unit)
 
 
 def draw(strip: Strip, bend: Bend) -> list[Any]:
@@ -72,9 +72,10 @@ def _ordinates(strip, bend, xs, rows, axis):
     """u of bars, φ of shafts, drawn across the axis."""
     which = 0 if strip.placed else 1
     n = plane.left(strip.e)
-    tips = [plane.plus(axis[x], n, rows[x][which] * bend.unit) for x in xs]
     if max(abs(rows[x][which]) for x in xs) * bend.unit < 1.0:
         return []
+    axis = axis if strip.placed else {x: strip.at(x) for x in xs}
+    tips = [plane.plus(axis[x], n, rows[x][which] * bend.unit) for x in xs]
     legs = [Polyline((axis[x], tip), "coordinate", 0.5, layer=ELEMENT)
             for x, tip in list(zip(xs, tips, strict=True))[::4]]
     return [*legs, Polyline(tuple(tips), "coordinate", 1.3, layer=ELEMENT)]

@@ -19,7 +19,7 @@ def displacement(scene: "Scene", text: str) -> "Node | None":
         return scene.symbol(text)
     name, part, *_ = signal_name(text)
     if name in scene.members:
-        return _on_member(scene, text)
+        return scene.symbol(text) if part == "oscillator" else _on_member(scene, text)
     if name in (scene.spec.get("member_points") or {}):
         return _of_point(scene, name, part)
     if part in ("x", "y", "angle") and name in scene.bodies and scene.bodies[name].frame is None:
