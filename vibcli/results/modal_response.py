@@ -63,8 +63,10 @@ class ModalResponse(ResponseOfMembers):
 
         modes = self.problem.modal.modes.first(count)
         basis = ModeBasis(modes, self.configuration.linear_system.pieces)
-        inputs, ratios = self._felt(basis), self._ratios(basis)
-        modes = RealModes(basis, inputs, self._start(basis), ratios, self._disturbed(basis, inputs, ratios))
+        inputs, damping, given = self._felt(basis), self._damping(basis), self.problem.modal.member_damping
+        creeping = given is not None and given.creeps
+        disturbed = None if creeping else self._disturbed(basis, inputs, damping)
+        modes = RealModes(basis, inputs, self._start(basis), damping, creeping, disturbed)
         return ModalMotion(modes, self._transfer, self._forces, self.problem.work)
 
     def _felt(self, basis):
@@ -77,7 +79,7 @@ class ModalResponse(ResponseOfMembers):
                    *(of_drive(basis, drive)[:, None] for drive in self._spread)]
         return np.concatenate(columns, axis=1)
 
-    def _disturbed(self, basis, inputs, ratios):
+    def _disturbed(self, basis, inputs, damping):
         """What gives the Disturbances of the modes that are left out."""
         import numpy as np
 
@@ -86,8 +88,7 @@ class ModalResponse(ResponseOfMembers):
         from vibcli.analyses.continuous.uncounted_modes import UncountedModes
 
         M, _, K = self.matrices
-        uncounted = UncountedModes(basis, K, M, self._driven_ends, self._spread, inputs,
-                                   2 * ratios * np.sqrt(np.abs(basis.squares)))
+        uncounted = UncountedModes(basis, K, M, self._driven_ends, self._spread, inputs, damping)
         found = [start_of_field(uncounted, [given[rate] for given in self.fields], 0, np.array(part, float), not rate)
                  for rate, part in enumerate(self.deviations)]
         start = Start(np.array([one.held for one in found]), np.array([one.spread for one in found]))
@@ -130,9 +131,6 @@ class ModalResponse(ResponseOfMembers):
         if self._inputs:
             raise NotByModes("supports are driven beside `damping:` of members",
                              "ask for steady(…), or take `damping:` out")
-        if len(damping.series) > 2:
-            raise NotByModes("a Caughey series of three modes or more lets high modes creep ever more slowly",
-                             "ask for steady(…), or give ratios at one or two modes")
         return DampedTransfer(found, self.problem.modal.modes, damping)
 
     @cached_property
@@ -161,13 +159,12 @@ class ModalResponse(ResponseOfMembers):
         """{i: node of the time}."""
         return self.loads
 
-    def _ratios(self, basis):
-        """The damping ratio of each mode: given, or of drag c/μ that is the same everywhere, which damps each by
-        itself."""
+    def _damping(self, basis):
+        """c of each mode: given, or of drag c/μ that is the same everywhere, which damps each by itself."""
         import numpy as np
 
         if self.problem.modal.member_damping is not None:
-            return self._given_ratios(basis)
+            return self._given_damping(basis)
         rates = {placed.piece.drag / placed.piece.inertia for placed in self._transfer.pieces}
         most = max(rates)
         if not most:
@@ -175,20 +172,16 @@ class ModalResponse(ResponseOfMembers):
         if most - min(rates) > 1e-14 * most or self.matrices[0].any():
             raise CoupledModes("drag that differs from place to place couples the modes of members",
                                "ask for steady(…), or give all the same drag by mass")
-        if not (basis.squares > 0).all():
-            raise CoupledModes("drag on what nothing holds damps it without end", "hold it, or take the drag out")
-        return _not_critical(most / 2 / np.sqrt(basis.squares))
+        return _not_critical(basis, np.full(len(basis.squares), most))
 
-    def _given_ratios(self, basis):
+    def _given_damping(self, basis):
         """Those of `damping:`."""
         import numpy as np
 
         damping = self.problem.modal.member_damping
         modes = self.problem.modal.modes.first(len(basis.squares))
         rates = np.array([float(damping.rate(mode)) for mode in modes])
-        if (rates[basis.squares <= 0] != 0).any() or (basis.squares < 0).any():
-            raise NotByModes("`damping:` damps what nothing holds or what grows", "hold it, or take `damping:` out")
-        return _not_critical(rates / 2 / np.sqrt(np.where(basis.squares > 0, basis.squares, 1.0)))
+        return _not_critical(basis, rates)
 
     def _start(self, basis):
         """η and η̇ at t = 0."""
@@ -291,10 +284,12 @@ class ModalResponse(ResponseOfMembers):
         return ComposedSignal(node, signals, self.values, self.problem.scene.time, None, self.problem.work)
 
 
-def _not_critical(ratios):
-    if (abs(ratios - 1) < CRITICAL).any():
+def _not_critical(basis, damping):
+    """c of modes, two eigenvalues of each being told apart."""
+    omega = abs(basis.squares)**0.5
+    if ((basis.squares > 0) & (abs(damping / 2 - omega) < CRITICAL * omega)).any():
         raise NotByModes("a mode is damped critically", "give it a little more or less damping")
-    return ratios
+    return damping
 
 
 class NotByModes(NotByWaves):

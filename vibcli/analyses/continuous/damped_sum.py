@@ -81,16 +81,18 @@ class DampedSum:
         parts = [self._by_ratio(s[k:k + AT_ONCE]) for k in range(0, max(len(s), 1), AT_ONCE)]
         return np.concatenate(parts, axis=-1)
 
+    def beside_rest(self, s: np.ndarray) -> np.ndarray:
+        """s, a little beside 0 where it is 0."""
+        return np.where(np.abs(s) < SMALL * self.pace, 1j * SMALL * self.pace, s)
+
     def _by_fractions(self, s):
         series, found = [float(a) for a in self.damping.series], 0.0
-        if len(series) > 2:
-            s = np.where(np.abs(s) < SMALL * self.pace, 1j * SMALL * self.pace, s)
-        for z, slope in fractions(series, s):
+        for z, slope in fractions(series, self.beside_rest(s) if len(series) > 2 else s):
             found = found + self.G(np.sqrt(-z)) / slope
         return found
 
     def _by_ratio(self, s):
-        s = np.where(np.abs(s) < SMALL * self.pace, 1j * SMALL * self.pace, s)
+        s = self.beside_rest(s)
         if self.zeta <= HIGHEST:
             found = self._of_one_ratio(s, self.zeta)
         else:

@@ -136,10 +136,20 @@ class ModalMotion:
             if not radius > highest / (4 * INSIDE):
                 raise TooSlow(f"a load turns with {abs(s):.4g} rad/s, as fast as the modes that are counted")
             radius = min(radius, abs(s + slowest if s.real > -slowest else s.imag) / INSIDE)
+            if not radius:
+                return self._among_creeping(read, s, power)
             turn = np.exp(2j * np.pi * (np.arange(POINTS) + 0.5) / POINTS)
             left = self._left(read, s + radius * turn)
             self._taylor[key] = np.array([(left * turn**-m).mean(axis=1) / radius**m for m in range(power + 5)])
         return self._taylor[key][:power + 1]
+
+    def _among_creeping(self, read, s, power):
+        """The same where no circle about s is free of eigenvalues: of a steady load alone."""
+        if s or power or read.rigid.size or not self.states.rates.all():
+            raise PhysicsError("modes creep the more slowly the higher they are: what a load that grows or dies out "
+                               "leaves of them, or a steady one of what nothing holds, is not found",
+                               "let loads turn, or give ratios at one or two modes")
+        return self._left(read, np.zeros(1, complex)).T
 
     def _left(self, read, s):
         """R at points, (channels, points)."""
@@ -148,7 +158,7 @@ class ModalMotion:
             weight, rates, inputs = (part if sign > 0 else part.conj()
                                      for part in (read.states, self.states.rates, self.states.inputs))
             exact = exact - ((weight / (s[:, None] - rates)) @ inputs).T / 2
-        for order in range(2):
+        for order in range(2 if read.rigid.size else 0):
             exact = exact - np.outer(read.rigid[order] @ self.modes.rigid_inputs, s ** (order - 2.0))
         return exact
 

@@ -60,12 +60,14 @@ def zeros(motion: "ModalMotion", output: "LinearOutput", start: float, end: floa
 
 
 def width_of_top(motion: "ModalMotion", output: "LinearOutput", t: float, sense: int) -> float:
-    """δ, within which an extreme lies: a step away, on both sides, the value is less by more than its errors."""
+    """δ, within which an extreme lies: a step away, on both sides, the value is less by more than its errors, or, at an
+    end of the time that is asked, on one side less and on the other more."""
     doubt, value = 4 * float(motion.errors(output, np.array([t]))[0]), float(motion.values(output, np.array([t]))[0])
     away = 1e-12 * t
     while 0 < away < t:
         beside = motion.values(output, np.array([t - away, t + away]))
-        if (sense * (value - beside) > doubt).all():
+        less = sense * (value - beside)
+        if (less > doubt).any() and (np.abs(less) > doubt).all():
             return away
         away *= 2
     return t

@@ -1,4 +1,4 @@
-"""Modes that move each by itself, as a motion in time needs them: η̈ + 2ζω η̇ + ω² η = Φᵀ f."""
+"""Modes that move each by itself, as a motion in time needs them: η̈ + c η̇ + ω² η = Φᵀ f."""
 
 from typing import TYPE_CHECKING
 
@@ -19,7 +19,8 @@ NOISE = 2.0**-51                # of the largest η: what is only rounding
 
 
 class RealModes:
-    """Of a ModeBasis: inputs (modes, channels), η and η̇ at t = 0, ratios: damping of each mode.
+    """Of a ModeBasis: inputs (modes, channels), η and η̇ at t = 0, damping: c of each mode, creeping: do modes creep
+    the more slowly the higher they are?
 
     states: those that a motion is added from; rigid_inputs, rigid_start: b and (η, η̇) of what nothing holds; left_out:
     what no |λ| of a mode that is left out is below where it oscillates, and none where it creeps; fading: none of these
@@ -28,17 +29,19 @@ class RealModes:
     """
 
     def __init__(self, basis: "ModeBasis", inputs: np.ndarray, start: tuple[np.ndarray, np.ndarray],
-                 ratios: np.ndarray, disturbed: "Callable[[Sequence[Segment]], Disturbances] | None" = None):
+                 damping: np.ndarray, creeping: bool = False,
+                 disturbed: "Callable[[Sequence[Segment]], Disturbances] | None" = None):
         eta, rate = (_without_noise(part) for part in start)
         squares, self.basis, self.count, self.disturbed = basis.squares, basis, len(basis.squares), disturbed
-        at, self.rigid = np.flatnonzero(squares), np.flatnonzero(squares == 0)
-        states = states_of(squares[at], ratios[at], inputs[at], eta[at], rate[at])
+        at, self.rigid = np.flatnonzero(squares + damping), np.flatnonzero((squares == 0) & (damping == 0))
+        states = states_of(squares[at], damping[at], inputs[at], eta[at], rate[at])
         self.states = states._replace(modes=at[states.modes])
         self.rigid_inputs, self.rigid_start = inputs[self.rigid], np.array([eta[self.rigid], rate[self.rigid]])
-        self.left_out = _left_out(squares[at], ratios[at])
+        self.left_out = _left_out(squares, damping, creeping)
         slow = float(np.max(states.rates.real[len(at) // 2:len(at)], initial=-np.inf))
         self.fading = min(max(slow, -self.left_out[1]), 0.0)
-        pace = max(np.abs(states.rates).min(initial=np.abs(states.rates).max(initial=0.0)), 1e-300)
+        speed = np.abs(states.rates[states.rates != 0])
+        pace = max(speed.min(initial=speed.max(initial=0.0)), 1e-300)
         lost = NOISE * float(np.abs(eta).max(initial=0.0) + (np.abs(rate) / pace).max(initial=0.0))
         self.lost = np.full(len(states.rates), lost)
         self.doubt = np.full(len(states.rates), basis.error + EPSILON), np.full(len(states.rates), 8 * EPSILON)
@@ -49,10 +52,10 @@ class RealModes:
         return rows[:, self.states.modes], rows[:, self.rigid]
 
 
-def _left_out(squares, ratios):
-    highest = float(np.sqrt(np.abs(squares).max(initial=0.0)))
-    zeta = float(ratios[-1]) if len(ratios) else 0.0
-    return highest, highest / (2 * zeta) if zeta else np.inf
+def _left_out(squares, damping, creeping):
+    highest = float(np.abs(squares).max(initial=0.0))
+    last = float(damping[-1]) if len(damping) else 0.0
+    return highest**0.5, 0.0 if creeping else highest / last if last else np.inf
 
 
 def _without_noise(start):

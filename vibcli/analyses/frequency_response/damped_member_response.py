@@ -126,7 +126,8 @@ class DampedMemberTransfer(FrequencyResponseFunction):
         s = np.array([1j * Omega])
         size = float(np.abs(self._values(s)[0]))
         if not self.damping.ratios:
-            parts = fractions([float(a) for a in self.damping.series], s)
+            series = [float(a) for a in self.damping.series]
+            parts = fractions(series, self._sum.beside_rest(s) if len(series) > 2 else s)
             weights = [1.0 if self.driven and self.damping.whole else 1 / abs(slope[0]) for _, slope in parts]
             places = [np.sqrt(-z[0]) for z, _ in parts]
         else:
