@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.analyses.continuous.shapes import Moved, antinodes, nodes, shape_along, turning_places
+from vibcli.analyses.continuous.shapes import Moved, antinodes, resting_and_turning, shape_along
 from vibcli.base.errors import PhysicsError
 from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.piece import Piece
@@ -31,9 +31,19 @@ class ModeFields:
 
     def __init__(self, mode: "Mode", scene: "Scene", arithmetic: Any, values: Any, number: Callable = float):
         self.mode, self.scene, self.arithmetic, self.values, self.number = mode, scene, arithmetic, values, number
+        self._known: dict = {}
+
+    def _kept(self, what, member):
+        """What is asked several times of a member."""
+        if (what, member) not in self._known:
+            self._known[what, member] = what(member)
+        return self._known[what, member]
 
     def pieces(self, member: str) -> list[Moved]:
         """Those of a member from left to right, as they move."""
+        return self._kept(self._moving, member)
+
+    def _moving(self, member):
         motion, found = self.mode.motion, []
         for placed in motion.system.ordered if motion is not None else ():
             if placed.owner == member:
@@ -103,9 +113,12 @@ class ModeFields:
 
     def largest(self, member: str) -> tuple[Any, Any]:
         """(x, u) where a member moves furthest, the leftmost of equal ones."""
+        return self._kept(self._furthest, member)
+
+    def _furthest(self, member):
         pieces = self._in_floats(member)
         ends = [place for moved in pieces for place in (moved.start, moved.start + moved.piece.length)]
-        places = sorted([*ends, *turning_places(pieces)])
+        places = sorted([*ends, *self._kept(self._marks, member)[1]])
         sizes = np.abs(shape_along(pieces, places)[:, 0])
         if not np.isfinite(sizes).all():
             raise PhysicsError(f"the shape of a mode along '{member}' is not found", "ask for its frequency alone")
@@ -124,13 +137,19 @@ class ModeFields:
 
     def node_places(self, member: str) -> list[Any]:
         """The places from left to right at which a member rests, its ends and supports not counted."""
-        return [self._polished(member, x, 0) for x in nodes(self._in_floats(member))]
+        return [self._polished(member, x, 0) for x in self._kept(self._marks, member)[0]]
 
     def antinode_places(self, member: str) -> list[float]:
         """The places from left to right at which a member moves more than beside them, in floats."""
-        return antinodes(self._in_floats(member))
+        return antinodes(self._in_floats(member), self._kept(self._marks, member)[1])
+
+    def _marks(self, member):
+        return resting_and_turning(self._in_floats(member))
 
     def _in_floats(self, member):
+        return self._kept(self._rounded, member)
+
+    def _rounded(self, member):
         return [Moved(float(moved.start), Piece(*map(float, moved.piece)), float(moved.kappa),
                       moved.ends.astype(complex if any(map(_is_complex, moved.ends)) else float), moved.supported,
                       moved.curves)

@@ -31,7 +31,10 @@ class NaturalModes:
     """A ModeSource: `numbered(first, last)` and `count(Omega)` of the system without its dampers.
 
     precise(dps): the same elements to so many digits, or None; digits: so many are asked for, as numbers of mpmath.
+    ahead: modes beyond those asked for that are found with them, since shapes are told apart from the next one.
     """
+
+    ahead = 1
 
     def __init__(self, elements: "FactoredSystem", precise: Callable | None = None, digits: int | None = None):
         if elements.circulatory:

@@ -21,7 +21,7 @@ def uniform_modes(member: "UniformMember", system: "ContinuousSystem", first: in
     numbers = np.arange(first, last + 1)
     squares, curves = member.squares(numbers), uniform_curves(member, numbers)
     places = _places(member.piece.order, member.wave_numbers(numbers))
-    homes = {place: system.refined({0: system.number(SHARES[place])}) for place in np.unique(places).tolist()}
+    homes = {place: system.refined({0: system.number(SHARES[place])}) for place in set(places.tolist())}
     shapes = _shapes(member.piece.length, system, curves, np.array(SHARES)[places])
     return [NaturalFrequency(number + member.resting, square, ERROR, shape, homes[place], curves.single(at))
             for at, (number, square, shape, place) in enumerate(

@@ -36,7 +36,7 @@ class ModalAnalysis:
         self.configuration, self.free = configuration, free
         self.numeric, self.system, self.spec = configuration.numeric, configuration.system, configuration.spec
         self.work, self.costs = configuration.work, configuration.costs
-        self._results, self._scales = {}, {}
+        self._results, self._scales, self._fields = {}, {}, {}
 
     @cached_property
     def scene(self) -> "Scene":
@@ -154,7 +154,9 @@ class ModalAnalysis:
         from vibcli.symbolic.evaluation import Floats
 
         if isinstance(mode.error, float) and isinstance(mode.omega or mode.growth_rate or 0.0, float):
-            return ModeFields(mode, self.scene.resting, Floats, self.configuration.at_rest)
+            if id(mode) not in self._fields:
+                self._fields[id(mode)] = ModeFields(mode, self.scene.resting, Floats, self.configuration.at_rest)
+            return self._fields[id(mode)]
         from mpmath import mp
 
         return ModeFields(mode, self.scene.resting, *self.configuration.precise_rest(mp.dps), mp.mpf)

@@ -111,7 +111,8 @@ class Modes(Sequence):
     def _until(self, last):
         """Those known, up to the index `last` at least."""
         if last > self._reached:
-            self._known.extend(self._solved(self._source.numbered, self._reached + 1, last))
+            ahead = getattr(self._source, "ahead", 0)
+            self._known.extend(self._solved(self._source.numbered, self._reached + 1, last + ahead))
         return self._known
 
     def _all(self):

@@ -5,7 +5,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vibcli.numerics.pieces.flattening import flattened
-from vibcli.numerics.pieces.graded import graded_count
 from vibcli.numerics.pieces.parity import parity_functions
 from vibcli.numerics.pieces.scaled_functions import even_functions
 from vibcli.numerics.pieces.uniform import fourth_order
@@ -29,7 +28,12 @@ def held_count(piece: "Piece", omega: Any) -> np.ndarray:
             return _second_order(one.length, one.tension, kappa, flat.numbers)
         return _fourth_order(one.length, one.bending, one.tension, kappa, flat.numbers)
 
-    return flat.filled((), uniform, lambda one, kappa: graded_count(one, kappa, flat.numbers)).astype(int)
+    def graded(one, kappa):
+        from vibcli.numerics.pieces.graded import graded_count
+
+        return graded_count(one, kappa, flat.numbers)
+
+    return flat.filled((), uniform, graded).astype(int)
 
 
 def _second_order(length, tension, kappa, numbers):

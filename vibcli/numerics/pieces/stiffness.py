@@ -5,7 +5,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vibcli.numerics.pieces.flattening import flattened
-from vibcli.numerics.pieces.graded import graded_stiffness
 from vibcli.numerics.pieces.uniform import fourth_order, second_order
 
 if TYPE_CHECKING:
@@ -50,6 +49,8 @@ def _found(piece, kappa, steep):
         return fourth_order(one.length, one.bending, one.tension, kappa, flat.numbers, steep)
 
     def graded(one, kappa):
+        from vibcli.numerics.pieces.graded import graded_stiffness
+
         return np.stack(graded_stiffness(one, kappa, flat.numbers)[:1 + steep], axis=1)
 
     found = flat.filled((1 + steep, flat.order, flat.order), uniform, graded)

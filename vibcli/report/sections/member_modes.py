@@ -74,9 +74,9 @@ def _shape(kind, pieces, scale, top):
     """x, u and what follows of it; `top`: where the member moves most."""
     import numpy as np
 
-    from vibcli.analyses.continuous.shapes import antinodes, nodes, shape_along, turning_places
+    from vibcli.analyses.continuous.shapes import antinodes, resting_and_turning, shape_along
 
-    resting, turning = nodes(pieces), turning_places(pieces)
+    resting, turning = resting_and_turning(pieces)
     starts = np.array([moved.start for moved in pieces])
     end, count = pieces[-1].start + pieces[-1].piece.length, max(PLACES, PER_NODE * (len(resting) + 1) + 1)
     places = np.unique([*np.linspace(starts[0], end, count), *starts, *resting, *turning, top])
@@ -91,7 +91,7 @@ def _shape(kind, pieces, scale, top):
         forces[FORCES[kind.name]] = stiffness * values[1]
     forces = {name: value if value is None else value.tolist() for name, value in forces.items()}
     return {"x": places.tolist(), "u": values[0].tolist(), "slope": values[1].tolist(), **forces,
-            "nodes": resting, "antinodes": antinodes(pieces)}
+            "nodes": resting, "antinodes": antinodes(pieces, turning)}
 
 
 MEMBERS = Key("members", "of scenes with members that have inertia: {name: its shape}", of=(
