@@ -47,6 +47,14 @@ def transfer_to(configuration: "Configuration", signal: "SignalName", given: Mem
     return DampedMemberTransfer(found, modal.modes, damping, _of_supports(configuration, given), given.turns)
 
 
+def _of_displacements(output, order):
+    """An output of one rate alone as one of displacements, and the order that makes it that."""
+    present = [rate for rate, row in enumerate(output.rows) if any(row.values())]
+    if len(present) != 1:
+        return output, order
+    return output._replace(rows=(output.rows[present[0]], {}, {})), order + present[0]
+
+
 def _of_supports(configuration, given):
     """Is an input the displacement of supports? Or a load."""
     opened = configuration.with_inputs
@@ -71,6 +79,8 @@ def _still(configuration: "Configuration", signal: "SignalName", given: MemberIn
     else:
         row = linear_row(configuration, signal.text)
         output = MemberOutput((row.q, row.v, row.a))
+        if modal.member_damping is not None:
+            output, order = _of_displacements(output, order)
     system = MemberSystem(dynamic_matrix(elements, pieces, size, spread_inputs(configuration, given.weights)),
                           range(opened.n, n), given, output)
     return MemberTransfer(system, Marks(modal, system.shared()), order)
