@@ -159,6 +159,8 @@ def _on_clamped(name, scene):
     point = (scene.spec.get("points") or {}).get(name)
     if point is not None:
         return "body" in point and _on_clamped(point["body"].text, scene)
+    if name not in scene.bodies:        # a point of a member, where that is held
+        return False
     record = scene.bodies[name].record
     return "clamp" in record or any(_on_clamped(carrier, scene) for carrier in carriers(record, scene.spec))
 
@@ -167,7 +169,7 @@ def _does_no_work(record, scene):
     """Say which point does not move: of a body it is the mass centre, about which the body may turn."""
     name = record["at"].text
     body, point, hint = scene.bodies.get(name), f"'{name}'", "let it move, or take the force out"
-    if body is None and "body" not in scene.spec.get("points")[name]:
+    if body is None and "body" not in (scene.spec.get("points") or {}).get(name, ("body",)):
         hint = "a point of a body is P: {body: name, at: [x, y]} under `points`"
     elif body is not None and scene.turns(body):
         point = f"the mass centre of {point}"

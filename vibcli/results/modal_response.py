@@ -199,24 +199,27 @@ class ModalResponse(ResponseOfMembers):
         """μ ∫ φ u dx over one piece at t = 0."""
         import numpy as np
 
-        from vibcli.analyses.continuous.modal_start import of_field, of_shape
+        from vibcli.analyses.continuous.modal_start import of_field, of_held_shape, of_shape
 
         q, shape = self.deviations[0], self.fields[number][0]
         if shape is not None:
             return of_field(basis, number, shape, 0)
         rows = basis.placed[number].rows
-        return of_shape(basis, number, np.array([sum(x * q[i] for i, x in row.items() if i < len(q)) for row in rows]))
+        found = of_shape(basis, number, np.array([sum(x * q[i] for i, x in row.items() if i < len(q)) for row in rows]))
+        for drive in self.let_go:
+            found = found + of_held_shape(basis, number, drive)
+        if not np.isfinite(found).all():
+            raise NotByModes("a load along what nothing holds lets go", "let a force at a point of it go")
+        return found
 
     def _field(self, piece, given):
         """(u, u̇) over one piece as Forcings; None of a u that is the shape at rest between its ends, and of no u̇."""
         from vibcli.symbolic.derivatives import substitute
 
-        scene, held, u, rate = self.problem.scene, self.configuration.preloaded, None, None
+        scene, u, rate = self.problem.scene, None, None
         place = {scene.time: scene.time + scene.table.number(fraction_of(float(piece.start)))}
         if given is not None and given.displacement is not None:
             u = substitute([given.displacement], place)[0] - self._resting(self.configuration, piece)
-        elif held is not None and held.scene.spread_loads:
-            u = self._resting(held, piece) - self._resting(self.configuration, piece)
         if given is not None and given.rate is not None:
             rate = substitute([given.rate], place)[0]
         return self._over_place(u), self._over_place(rate)

@@ -77,6 +77,17 @@ class ResponseOfMembers(SmallResponse):
         return [force for force in self.problem.scene.spread_forces if not force.weight.is_zero]
 
     @cached_property
+    def let_go(self) -> list:
+        """The SpreadDrives of a load along members that lets go."""
+        from vibcli.analyses.continuous.spread_drives import spread_drive
+        from vibcli.language.sections.initial import let_go
+        from vibcli.symbolic.evaluation import Floats
+
+        held, name = self.configuration.preloaded, let_go(self.problem.spec)
+        forces = [] if held is None else [force for force in held.scene.spread_forces if force.owner == name]
+        return [spread_drive(force, held.at_rest, Floats) for force in forces]
+
+    @cached_property
     def fields(self):
         """What each piece starts with, counted from the equilibrium, as Forcing over its length; None of those that are
         at rest, straight between their ends."""

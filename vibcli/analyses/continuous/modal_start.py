@@ -12,7 +12,7 @@ from vibcli.analyses.excitation.load_forms import load_form
 from vibcli.numerics.pieces.arithmetic import arithmetic_of
 from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.integrals import product_integral
-from vibcli.numerics.pieces.loads import bracket
+from vibcli.numerics.pieces.loads import bracket, end_loads
 from vibcli.numerics.pieces.panels import panel_rule
 from vibcli.numerics.pieces.stiffness import stiffness
 
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.forcing import Forcing
     from vibcli.numerics.pieces.loads import LoadForm
 
+NEAR = 1e-12        # of a length
 BLOCK = 64          # modes whose integrals are taken at a time
 
 
@@ -50,6 +51,25 @@ def of_load(basis: "ModeBasis", piece: int, form: "LoadForm") -> np.ndarray:
             if b > a and one.terms:
                 found[part.modes] += _integrals(part, one._replace(start=a, end=b))
     return found
+
+
+def of_held_shape(basis: "ModeBasis", piece: int, drive: "SpreadDrive") -> np.ndarray:
+    """μ ∫ φ w dx of each mode over a piece, which a load f bends by w at rest while its ends are held:
+    (k − κ) ∫ φ w dx is ∫ φ f dx less the work of what f puts on the ends (Betti). Not finite where κ is k."""
+    placed = basis.placed[piece]
+    whole, half, form = placed.piece, placed.piece.order // 2, drive.on(placed)
+    if form is None:
+        return np.zeros(basis.shapes.shape[1], basis.shapes.dtype)
+    put, found = end_loads(whole, np.float64(whole.foundation), form), of_load(basis, piece, form)
+    gaps = np.ones(len(found), found.dtype)
+    for part in basis.parts[piece]:
+        gaps[part.modes] = whole.foundation - part.kappa
+        if part.start <= NEAR * whole.length:
+            found[part.modes] -= part.ends[:, :half] @ put[:half]
+        if part.start + part.piece.length >= (1 - NEAR) * whole.length:
+            found[part.modes] -= part.ends[:, half:] @ put[half:]
+    with np.errstate(all="ignore"):
+        return whole.inertia * found / gaps
 
 
 def of_shape(basis: "ModeBasis", piece: int, ends: np.ndarray) -> np.ndarray:
