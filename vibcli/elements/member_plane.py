@@ -40,13 +40,13 @@ def placed(member: "Member", places: "Sequence[PlaceAlong]", held: "Sequence[Map
 def _straight(member, places, held, scene):
     """The Stations of a bar: between its ends u is linear in x."""
     first, last = (held[i]["u"] if "u" in held[i] else
-                   scene.coordinates.further(f"{member.name}.u({places[i].text})") for i in (0, -1))
+                   scene.coordinates.further(f"{member.name}.across({places[i].text})") for i in (0, -1))
     found = []
     for place, motions in zip(places, held, strict=True):
         share = place.node / member.length
         u = first if place is places[0] else last if place is places[-1] else first + share * (last - first)
         along = motions["along"] if "along" in motions else scene.coordinates.further(
-            f"{member.name}.along({place.text})")
+            f"{member.name}.u({place.text})")
         found.append(Station(place.node, place.text, u, along=along))
     return found
 

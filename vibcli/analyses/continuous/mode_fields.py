@@ -167,7 +167,8 @@ class ModeFields:
 
     def scale(self, how: str, weights: Sequence[float], named: int) -> Any:
         """What the shape is multiplied by: `first` makes the first of the `named` coordinates that moves 1, where none
-        does the largest displacement of the first member that moves; `largest` the largest of all of these; mass 1.
+        does the largest displacement of the first member that moves, and where they rest too the end of a bar that
+        turns; `largest` the largest of all of these; mass 1.
 
         weights: √M of each coordinate, by which those that move are told from those that rest.
         """
@@ -178,11 +179,17 @@ class ModeFields:
                      None)
         if how == "first" and first is not None:
             return 1 / first
-        tops = [self.largest(member)[1] for member in self.scene.members]
+        tops = [*(self.largest(member)[1] for member in self.scene.members), *self._turning()]
         most = max(map(abs, tops))
         if how == "largest":
             return 1 / max([*shape[:named], *tops], key=abs)
         return 1 / next(top for top in tops if abs(top) > MOVES * most)
+
+    def _turning(self):
+        """How far ends of bars move across, where nothing else holds them."""
+        q = self.scene.q
+        return [self.mode.shape[q.index(station.u)] for member in self.scene.members.values() if member.turns
+                for station in member.stations if station.u in q]
 
     def _weighted(self, weights):
         return [x * weight for x, weight in zip(self.mode.shape, weights, strict=True)] or [0.0]

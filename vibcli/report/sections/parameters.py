@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
 MOVES = {"slide": "displacement", "pin": "rotation", "roll": "rolling", "turn": "rotation"}
 
-OF_MEMBERS = {"u": "displacement", "along": "displacement along", "phi": "turn", "slope": "slope",
-              "oscillator": "oscillator"}
+OF_MEMBERS = {"u": "displacement", "along": "displacement along", "across": "displacement across", "phi": "turn",
+              "slope": "slope", "oscillator": "oscillator"}
 
 
 def given(problem: "Problem", _: "Report") -> Iterator[Section]:
