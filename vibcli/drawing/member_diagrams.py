@@ -16,12 +16,12 @@ from vibcli.drawing.canvas import primitives
 from vibcli.drawing.canvas.primitives import BEHIND, ELEMENT, JOINT, SURFACE, Circle, Polygon, Polyline, extent
 from vibcli.drawing.layout import lettering, plane
 from vibcli.drawing.layout.compose import Scenery
-from vibcli.drawing.layout.diagram_values import told, zeros
+from vibcli.drawing.layout.diagram_values import error_of_zero, told, zeros
 from vibcli.drawing.layout.space import Space
 from vibcli.drawing.layout.strips import Strip, resting
 from vibcli.drawing.symbols import member_ends
 from vibcli.drawing.symbols.member import Bend
-from vibcli.notation.numbers import figure, supported, wrapped
+from vibcli.notation.numbers import supported, wrapped
 from vibcli.plots.prefixes import readable
 
 if TYPE_CHECKING:
@@ -157,4 +157,5 @@ def _labels(panel, strip, force):
         tip = strip.at(x, side)
         outward = plane.plus(tip, plane.left(strip.e), 3.0 if side >= 0 else -3.0)
         found.append((panel.words(value, force.error(x)), [outward, tip], "ink"))
-    return found + [(f"{figure(x, digits=DIGITS)} m", [strip.at(x)], "note") for x in zeros(force)]
+    return found + [(f"{supported(x, error_of_zero(force, x), DIGITS)} m", [strip.at(x)], "note")
+                    for x in zeros(force)]

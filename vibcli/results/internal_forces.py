@@ -42,7 +42,7 @@ def _moved(moved, order, factor):
                    max(PARTS, int(A_HALF_WAVE * waves)))
 
 
-def forces_in_time(problem: "Problem", instant: float) -> tuple[list[InternalForce], list[PhysicsError]]:
+def forces_in_time(problem: "Problem", instant: float) -> tuple[list[InternalForce], list[str]]:
     """(those at an instant of the motion, why others are not found)."""
     at = np.array([instant])
 
@@ -53,7 +53,7 @@ def forces_in_time(problem: "Problem", instant: float) -> tuple[list[InternalFor
                        lambda name: signal(name).error(instant))
 
 
-def amplitudes(problem: "Problem") -> tuple[list[InternalForce], list[PhysicsError]]:
+def amplitudes(problem: "Problem") -> tuple[list[InternalForce], list[str]]:
     """(amplitudes of the steady state, why others are not found)."""
     from vibcli.results import feature_errors, steady_features
 
@@ -78,10 +78,10 @@ def _of_signals(problem, value, error):
             force.largest       # noqa: B018 - refused where it is not found
             found.append(force)
         except PhysicsError as refusal:
-            refused.append(refusal)
+            refused.append((f"{part} of {name}", refusal))
     if not found and refused:
-        raise refused[0]
-    return found, refused
+        raise refused[0][1]
+    return found, [f"the {what} is not found: {refusal.message}" for what, refusal in refused]
 
 
 def _of_signal(signal, start, end, value, seen):

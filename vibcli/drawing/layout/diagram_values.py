@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from vibcli.mechanics.internal_forces import InternalForce
 
 JUMP = 1e-6         # of the largest value: what is less is none
+STEP = 1e-3         # of a stretch, by which its slope is found
 ASIDE = 0.98, 0.02  # of two stretches, places on both sides of the end between them
 
 
@@ -27,6 +28,16 @@ def told(force: "InternalForce") -> list[tuple[float, float]]:
             if abs(rise) > least and (abs(then) <= least or rise * then < 0) and abs(here[1]) > least:
                 found.append(here)
     return sorted(found)
+
+
+def error_of_zero(force: "InternalForce", x: float) -> float:
+    """How far a place may be off at which a force changes its sign, as its values may be off."""
+    stretch = next(one for one in force.stretches if x <= one.end)
+    low, high = max(x - STEP * (stretch.end - stretch.start), stretch.start), min(
+        x + STEP * (stretch.end - stretch.start), stretch.end)
+    first, last = stretch.values(np.array([low, high]))
+    off = force.error(x)
+    return off and off * (high - low) / max(abs(last - first), 1e-300)
 
 
 def zeros(force: "InternalForce") -> list[float]:

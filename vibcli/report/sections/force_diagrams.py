@@ -56,7 +56,7 @@ def found_forces(problem: "Problem", which: WhichForces) -> "tuple[list[Internal
         (forces, refused), told = internal_forces.forces_in_time(problem, which.at), f"at t = {which.at:.6g} s"
     else:
         (forces, refused), told = internal_forces.amplitudes(problem), "amplitudes of the steady state"
-    return forces, [told, *dict.fromkeys(error.message for error in refused)]
+    return forces, [told, *refused]
 
 
 def force_drawing(problem: "Problem", which: WhichForces) -> list[object]:
