@@ -56,6 +56,8 @@ def resting_and_turning(pieces: Sequence[Moved]) -> tuple[list[float], list[floa
     u is largest or least among those around them."""
     places = np.concatenate([_grid(moved) for moved in pieces])
     values = shape_along(pieces, places)[:, :2].real
+    alone = (values[1:-1] == 0) & (values[:-2] != 0) & (values[2:] != 0)
+    values[1:-1] = np.where(alone, values[:-2], values[1:-1])       # a zero that is looked at lies right of that place
     of, turns = np.nonzero((values[:-1] * values[1:] < 0).T)
     supports = [moved.start for moved in pieces if moved.supported]
     held = [not which and any(places[at] < place < places[at + 1] for place in supports)

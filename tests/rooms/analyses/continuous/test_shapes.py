@@ -49,6 +49,17 @@ def test_antinodes_are_the_tops_of_the_absolute_displacement(seed):
             assert found == pytest.approx(tops.tolist(), abs=2 * places[1]), mode.index
 
 
+@pytest.mark.parametrize("order", [2, 4])
+def test_a_node_is_found_wherever_it_falls(order):
+    """What is odd about the middle is exactly zero there, which may be a place that is looked at."""
+    for k in np.linspace(0.1, 3.0, 60):
+        slope = k * np.cos(k / 2)
+        piece, ends = (Piece(1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0), [-1.0, 1.0]) if order == 2 else (
+            BEAM, [-np.sin(k / 2), slope, np.sin(k / 2), slope])
+        moved = Moved(0.0, piece, -k**order, np.array(ends), False)
+        assert resting_and_turning([moved])[0] == pytest.approx([0.5], abs=1e-12)
+
+
 def test_where_a_bar_moves_least_is_no_antinode():
     """On a bed stiffer than the frequency u is a hyperbolic cosine, largest at the ends that springs drive."""
     piece = Moved(0.0, Piece(1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 9.0), 5.0, np.array([1.0, 1.0]), False)
