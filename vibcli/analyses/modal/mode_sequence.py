@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 USUAL = 5           # that oscillate, where nobody says how many
 MOST = 10_000       # at once
 FAR = 50            # beyond those that are known, to be found without the ones between
+FEW = 20            # asked for at once, with which one more is found where shapes are told apart from the next
 
 
 class Selection(NamedTuple):
@@ -111,7 +112,7 @@ class Modes(Sequence):
     def _until(self, last):
         """Those known, up to the index `last` at least."""
         if last > self._reached:
-            ahead = getattr(self._source, "ahead", 0)
+            ahead = getattr(self._source, "ahead", 0) if last <= FEW else 0
             self._known.extend(self._solved(self._source.numbered, self._reached + 1, last + ahead))
         return self._known
 
