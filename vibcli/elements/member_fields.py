@@ -70,6 +70,8 @@ def member_element(kind: MemberKind, about: str, example: str) -> Element:
     """The declaration of a kind of members."""
     force, turn = "N" if kind.torsional else "N/m^2", "N*s" if kind.torsional else "N*s/m^2"
     along = {key: MATERIAL[key] for key in OF_KIND[kind.name]}
+    if kind.bends:
+        along["EA"] = Field(Quantity("N"), "its stiffness along, E times A, by which it stretches, in the plane alone")
     along["foundation"] = Field(Quantity(force), "the stiffness of what it rests on, per length")
     along["drag"] = Field(Quantity(turn), "the coefficient of what damps it, per length")
     exclusive = (("section", kind.geometry), (kind.inertia, "rho"), *(

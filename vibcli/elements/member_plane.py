@@ -31,6 +31,9 @@ def placed(member: "Member", places: "Sequence[PlaceAlong]", held: "Sequence[Map
     if member.kind.name == "bar":
         return member._replace(stations=_straight(member, places, held, scene))
     along, stretches = _along(member, places, held, scene)
+    if member.name in scene.tensions and scene.tensions[member.name].shared and scene.parameters.free:
+        scene.report(member.record.where, f"'{member.name}' and what its ends are held to share the loads: its tension "
+                     "in letters does not work yet", "give every parameter a value, or leave out the loads")
     slack = [places[i] for i in _slack(member, places, scene)]
     return member._replace(stations=[_station(member, place, motions, node, place in slack, scene) for
                                      place, motions, node in zip(places, held, along, strict=True)],
@@ -117,7 +120,7 @@ def _add_taut(member, segment, left, right, i, scene):
     """A piece of a beam or string under the tension that statics finds; its mean displacement across."""
     length = right.place - left.place
     tension = scene.tension(member.name, i) or preload_of(member, scene)
-    gradient = _gradient(member, segment, scene)
+    gradient = tension_gradient(member, segment, scene)
     member.tensions.append((tension, gradient))
     if member.kind.bends:
         add_across(segment, left, right, tension, scene, gradient)
@@ -137,7 +140,7 @@ def _add_taut(member, segment, left, right, i, scene):
     return scene.table.zero
 
 
-def _gradient(member, segment, scene):
+def tension_gradient(member: "Member", segment: "MemberSegment", scene: Any) -> "Node":
     """N′ = −μ g·e, the weight along the line."""
     zero = scene.table.zero
     if scene.contents.gravity is None or segment.inertia.is_zero:
@@ -153,7 +156,7 @@ def _slack(member, places, scene):
     if member.kind.name != "string" or member.name not in scene.tensions:
         return []
     first, last = (scene.tension(member.name, i) for i in (0, -1))
-    last = last + _gradient(member, member.segments[-1], scene) * (places[-1].node - places[-2].node)
+    last = last + tension_gradient(member, member.segments[-1], scene) * (places[-1].node - places[-2].node)
     sizes = [abs(scene.number(node)) for node in (first, last)]
     return [i for i, size in zip((0, -1), sizes, strict=True) if size <= SLACK * max(sizes)]
 

@@ -83,3 +83,18 @@ forces: {f: {at: q, force: [0, P*cos(w*t)]}, g: {at: r, force: [P*cos(w*t), 0]}}
                   for signal, driver in (("r.x", "f"), ("q.y", "g")))
     omegas = np.linspace(20.0, 2000.0, 7)
     assert one.at(1j * omegas)[0] == pytest.approx(other.at(1j * omegas)[0], rel=1e-9)
+
+
+def test_the_tension_of_a_beam_that_stretches_is_that_of_statics():
+    column = """
+parameters: {{L: 10 m, EI: 3e5 N*m^2, mu: 20 kg/m, g: 9.81 m/s^2, M: 50 kg}}
+gravity: g
+beams:
+  post: {{from: [0, 0], to: [0, L], EI: EI, {EA}mass_per_length: mu, left: clamped, attached: [{{at: L/2, mass: M}}]}}
+"""
+    bar = """
+parameters: {L: 10 m, mu: 20 kg/m, M: 50 kg}
+bars: {post: {length: L, EA: 1 MN, mass_per_length: mu, left: clamped, attached: [{at: L/2, mass: M}]}}
+"""
+    parts = [*squares(column.format(EA=""), 8), *squares(bar, 3)]
+    assert squares(column.format(EA="EA: 1 MN, "), 8) == pytest.approx(sorted(parts)[:8], rel=1e-11)

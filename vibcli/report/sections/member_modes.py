@@ -44,7 +44,7 @@ def along_members(problem: "Problem", modes: "Sequence[Mode]", how: str) -> Iter
             place, largest = fields.largest(name)
             rows.append((str(mode.index), *_row(place, largest * scale, fields.node_places(name),
                                                 fields.antinode_places(name))))
-        motion = "φ" if member.kind.torsional else "u"
+        motion = "φ" if member.kind.torsional else member.kind.letter
         head = ("mode", f"largest {motion}", "at x [m]", "nodes at x [m]", "antinodes at x [m]")
         yield from section(f"Modes along {name}{stated}", TableBlock(head, tuple(rows)))
 
@@ -95,13 +95,13 @@ def _shape(kind, pieces, scale, top):
 
 
 MEMBERS = Key("members", "of scenes with members that have inertia: {name: its shape}", of=(
-    Key("NAME", "the shape of a member", of=(
+    Key("NAME", "the shape of a member; of a beam that stretches `NAME.along` besides, what it does along", of=(
         Key("x", "places from the left end on [m], nodes and antinodes among them"),
         Key("u", "displacements there, of shafts turns, normalised as the coordinates are"),
         Key("slope", "u′ there"),
         Key("moment", "EI u″, of shafts GI_o φ′; null of others"),
         Key("shear", "(EI u″)′ of beams; null of others"),
-        Key("force", "EA u′ of bars; null of others"),
+        Key("force", "EA u′ of bars, and of beams along; null of others"),
         Key("nodes", "the places at rest, ends and supports not counted"),
         Key("antinodes", "the places that move more than those around them, ends among them"))),))
 COUNT = Key("count", "of scenes with members that have inertia: how many modes are certain to have at most the "
