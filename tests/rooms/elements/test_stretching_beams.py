@@ -96,5 +96,5 @@ beams:
 parameters: {L: 10 m, mu: 20 kg/m, M: 50 kg}
 bars: {post: {length: L, EA: 1 MN, mass_per_length: mu, left: clamped, attached: [{at: L/2, mass: M}]}}
 """
-    parts = [*squares(column.format(EA=""), 8), *squares(bar, 3)]
+    parts = [*squares(column.format(EA=""), 8), *squares(bar, 8)]
     assert squares(column.format(EA="EA: 1 MN, "), 8) == pytest.approx(sorted(parts)[:8], rel=1e-11)
