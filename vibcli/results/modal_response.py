@@ -76,7 +76,7 @@ class ModalResponse(ResponseOfMembers):
         from vibcli.analyses.continuous.modal_start import of_drive
 
         columns = [basis.shapes.T, *(-basis.end_forces(*drive)[:, None] for drive in self._driven_ends),
-                   *(of_drive(basis, drive)[:, None] for drive in self._spread)]
+                   *(of_drive(basis, drive)[:, None] for drive in self.spread_drives)]
         return np.concatenate(columns, axis=1)
 
     def _disturbed(self, basis, inputs, damping):
@@ -84,13 +84,14 @@ class ModalResponse(ResponseOfMembers):
         import numpy as np
 
         from vibcli.analyses.continuous.disturbances import Disturbances, Start
-        from vibcli.analyses.continuous.start_of_fields import start_of_field
+        from vibcli.analyses.continuous.start_of_fields import let_go, start_of_field
         from vibcli.analyses.continuous.uncounted_modes import UncountedModes
 
         M, _, K = self.matrices
-        uncounted = UncountedModes(basis, K, M, self._driven_ends, self._spread, inputs, damping)
+        uncounted = UncountedModes(basis, K, M, self._driven_ends, self.spread_drives, inputs, damping)
         found = [start_of_field(uncounted, [given[rate] for given in self.fields], 0, np.array(part, float), not rate)
                  for rate, part in enumerate(self.deviations)]
+        found[0] = found[0]._replace(held=let_go(uncounted, found[0].held, len(self.let_go)))
         start = Start(np.array([one.held for one in found]), np.array([one.spread for one in found]))
         return lambda segments: Disturbances(uncounted, start, segments)
 
@@ -116,7 +117,7 @@ class ModalResponse(ResponseOfMembers):
         pieces = [one._replace(piece=one.piece._make(float(x) for x in one.piece)) for one in linear.pieces]
         if not all(one.piece.inertia for one in pieces):
             raise NotByModes("a piece of a member without mass has drag", "give it mass, or take the drag out")
-        return ExactTransfer(np.array([K, C, M]), pieces, self._driven_ends, self._spread)
+        return ExactTransfer(np.array([K, C, M]), pieces, self._driven_ends, self.spread_drives)
 
     @cached_property
     def _transfer(self):
@@ -141,18 +142,11 @@ class ModalResponse(ResponseOfMembers):
 
         n = len(self.matrices[0])
         driven = [*(node for _, node in self.ends_of_pieces if node is not None),
-                  *(force.weight for force in self.spread_forces)]
+                  *(force.weight for force in self.spread_forces),
+                  *(self.problem.scene.table.zero for _ in self.let_go)]
         nodes = self.drive_of_coordinates | dict(enumerate(driven, n))
         return forcing_of(nodes, self.problem.scene.time, self.problem.numeric.floats, n + len(driven), write=plain,
                           work=self.problem.work)
-
-    @cached_property
-    def _spread(self):
-        """The SpreadDrives of loads along members in time."""
-        from vibcli.analyses.continuous.spread_drives import spread_drive
-        from vibcli.symbolic.evaluation import Floats
-
-        return [spread_drive(force, self.configuration.at_rest, Floats) for force in self.spread_forces]
 
     @property
     def drive_of_coordinates(self):

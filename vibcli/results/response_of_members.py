@@ -77,6 +77,15 @@ class ResponseOfMembers(SmallResponse):
         return [force for force in self.problem.scene.spread_forces if not force.weight.is_zero]
 
     @cached_property
+    def spread_drives(self) -> list:
+        """The SpreadDrives of loads along members in time, and behind them of what lets go, none from then on."""
+        from vibcli.analyses.continuous.spread_drives import spread_drive
+        from vibcli.symbolic.evaluation import Floats
+
+        place = self.configuration.at_rest
+        return [*(spread_drive(force, place, Floats) for force in self.spread_forces), *self.let_go]
+
+    @cached_property
     def let_go(self) -> list:
         """The SpreadDrives of a load along members that lets go."""
         from vibcli.analyses.continuous.spread_drives import spread_drive

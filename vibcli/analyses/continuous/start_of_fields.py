@@ -84,6 +84,26 @@ def start_of_field(uncounted: "UncountedModes", given: "Sequence[Forcing | None]
     return FieldStart(held, _pointed(uncounted, stretches, forces, ends) + _spread(uncounted, given, channel))
 
 
+def let_go(uncounted: "UncountedModes", held: np.ndarray, count: int) -> np.ndarray:
+    """`held` of a start at rest under the last `count` loads along members: these themselves hold it, and on nodes no
+    more what they put on the ends of pieces."""
+    if not count:
+        return held
+    found, n = held.copy(), len(uncounted.K)
+    put, size = np.zeros(n), np.zeros(n)
+    found[-count:] = 1.0
+    for drive in uncounted.drives[-count:]:
+        for placed in uncounted.pieces:
+            loads = drive.end_loads(placed, np.zeros(1))
+            for row, load in zip(placed.rows, loads[0] if loads is not None else (), strict=False):
+                for i, x in row.items():
+                    put[i] += x * load
+                    size[i] += abs(x * load)
+    rest = found[:n] - put
+    found[:n] = np.where(np.abs(rest) > ROUNDING * (size + np.abs(held[:n])), rest, 0.0)
+    return found
+
+
 def _stretches(placed, number, forcing, channel, nodes):
     """The _Stretches of a piece; appends to `nodes` what nodes at corners have."""
     if forcing is None:
