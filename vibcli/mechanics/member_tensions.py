@@ -27,7 +27,7 @@ def require_tensions(configuration: "Configuration") -> None:
         if varies and member.kind.bends and _bent(member, configuration):
             raise PhysicsError(f"'{member.name}' is bent by its loads, and its tension varies along it: this does not "
                                "work yet", "let it stand or hang upright, or leave out `gravity`", member.record.where)
-        if member.stretching:
+        if member.stretching and not scene.setting.variant.preloaded:   # what lets go starts a small motion
             _require_stretch(member, configuration)
     tied = {member.name: member for member in placed
             if any(constraint.name == member.name for constraint in scene.constraints)}

@@ -6,6 +6,7 @@ from support.plane_frames import frequencies, random_frame, scene_of
 from support.scenes import problem
 
 from vibcli.analyses.frequency_response.transfer_function import transfer
+from vibcli.symbolic.syntax import NameRef
 
 STRAIGHT = """
 parameters: {{L: 1.2 m, EI: 300 N*m^2, EA: 30 kN, mu: 1.5 kg/m}}
@@ -98,3 +99,22 @@ bars: {post: {length: L, EA: 1 MN, mass_per_length: mu, left: clamped, attached:
 """
     parts = [*squares(column.format(EA=""), 8), *squares(bar, 8)]
     assert squares(column.format(EA="EA: 1 MN, "), 8) == pytest.approx(sorted(parts)[:8], rel=1e-11)
+
+
+def test_motions_of_one_beam_are_those_of_a_bar_and_those_of_a_beam():
+    """Pulled aslant at a place and let go: along it moves by waves alone, across by its own modes."""
+    head = "parameters: {{P: 5 N, c: 0.8, s: 0.6}}\n{kind}: {{w: {{{body}, mass_per_length: 1 kg/m, left: clamped}}}}\n" \
+           "points: {{tip: {{body: w, at: 0.7 m}}}}\nforces: {{f: {{at: tip, force: {force}}}}}\n" \
+           "initial: {{released: f}}\n"
+    both = head.format(kind="beams", body="from: [0 m, 0 m], to: [0.8 m, 0.6 m], EI: 300 N*m^2, EA: 30 kN",
+                       force="[P*(c - s), P*(s + c)]")
+    bar = head.format(kind="bars", body="length: 1 m, EA: 30 kN", force="P").replace(", c: 0.8, s: 0.6", "")
+    beam = head.format(kind="beams", body="length: 1 m, EI: 300 N*m^2", force="P").replace(", c: 0.8, s: 0.6", "")
+    times = np.linspace(0.0, 0.05, 9)
+
+    def motion(text, name):
+        return problem(text).response.signal(NameRef(0, len(name), name, 0)).values(times)
+
+    for name, text, other in (("w.along(0.7 m)", bar, "w.u(0.7 m)"), ("w.u(0.7 m)", beam, "w.u(0.7 m)")):
+        expected = motion(text, other)
+        assert motion(both, name) == pytest.approx(expected, abs=1e-3 * max(abs(expected)))
