@@ -27,6 +27,7 @@ ALIASES = {
     "nonlinear": "law", "dry friction": "friction", "coulomb": "friction", "stop": "gap", "clearance": "gap",
     "slack": "acts", "cable": "acts", "frame": "statics", "beam": "statics", "support": "statics",
     "supports": "statics", "determinate": "statics", "atwood": "statics", "free fall": "statics",
+    "diagram": "pictures", "diagrams": "pictures",
     "draw": "pictures", "animate": "pictures", "animation": "pictures", "figure": "pictures", "plot": "pictures",
     "plots": "pictures", "picture": "pictures", "svg": "pictures", "pdf": "pictures", "png": "pictures",
     "gif": "pictures", "report": "reports", "format": "reports", "csv": "data", "npz": "data", "save": "data",

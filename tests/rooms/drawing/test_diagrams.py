@@ -4,6 +4,7 @@ from functools import cache
 from itertools import combinations
 from math import pi, sin
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -15,7 +16,7 @@ from vibcli.drawing.canvas.primitives import LetterRuns, Polyline
 from vibcli.drawing.layout.compose import Scenery
 from vibcli.drawing.layout.diagram_values import told, zeros
 from vibcli.drawing.layout.lettering import letters
-from vibcli.mechanics.internal_forces import InternalForce
+from vibcli.mechanics.internal_forces import InternalForce, forces_at_rest
 from vibcli.numerics.stretches import CurveStretch
 from vibcli.report.sections.force_diagrams import WhichForces, force_drawing, force_figure, found_forces
 
@@ -160,3 +161,28 @@ def test_what_is_not_there_is_refused_and_the_terminal_shows_the_same():
     assert [panel.y_label for panel in figure.panels] == ["shear (EI u″)′ [N]", "moment EI u″ [N·m]"]
     curve, = figure.panels[0].curves
     assert curve.x[0] == 0.0 and curve.y[0] == pytest.approx(715.0) and max(curve.x) == 2.0
+
+
+def test_a_beam_whose_tension_varies_balances_piece_by_piece():
+    """V(x) − V(0) = w x + N(x) u′(x) − N(0) u′(0) and M′ = V, u′ = θ₀ + ∫M/B, between displacements of the end that
+    are given, N(x) = N₀ + n x being what the weight leaves."""
+    scene = problem("gravity: 9.81 m/s^2\nbeams: {boom: {from: [0, 0], to: [3 m, 4 m], EI: 4e3 N*m^2, "
+                    "mass_per_length: 8 kg/m, left: clamped}}")
+    given = {"boom.u(5.0 m)": 0.02, "boom.slope(5.0 m)": -0.01}
+    names = dict(zip(scene.scene.coordinates, given.values(), strict=True))
+    bent = SimpleNamespace(scene=scene.configuration.scene, at_rest=scene.numeric.at_rest_in(names))
+    shear, moment = forces_at_rest(bent)
+    nodes, weights = np.polynomial.legendre.leggauss(40)
+    B, n, w = 4e3, 8 * 9.81 * 0.8, -8 * 9.81 * 0.6
+    N = lambda x: -n * 5 + n * x                       # noqa: E731 - pressed by what stands above
+
+    def slope(x):
+        places = x / 2 * (nodes + 1)
+        return (x / 2 * weights) @ moment.stretches[0].values(places) / B
+
+    assert slope(5.0) == pytest.approx(-0.01, rel=1e-10)
+    assert sum(2.5 * weight * slope(2.5 * (x + 1)) for x, weight in zip(nodes, weights, strict=True)) == pytest.approx(
+        0.02, rel=1e-10)
+    V = shear.stretches[0].values(np.array([0.0, 1.0, 2.7, 5.0]))
+    for x, value_there in zip((1.0, 2.7, 5.0), V[1:], strict=True):
+        assert value_there - V[0] == pytest.approx(w * x + N(x) * slope(x), rel=1e-9)
