@@ -103,7 +103,8 @@ bars: {post: {length: L, EA: 1 MN, mass_per_length: mu, left: clamped, attached:
 
 def test_motions_of_one_beam_are_those_of_a_bar_and_those_of_a_beam():
     """Pulled aslant at a place and let go: along it moves by waves alone, across by its own modes."""
-    head = "parameters: {{P: 5 N, c: 0.8, s: 0.6}}\n{kind}: {{w: {{{body}, mass_per_length: 1 kg/m, left: clamped}}}}\n" \
+    head = "parameters: {{P: 5 N, c: 0.8, s: 0.6}}\n" \
+           "{kind}: {{w: {{{body}, mass_per_length: 1 kg/m, left: clamped}}}}\n" \
            "points: {{tip: {{body: w, at: 0.7 m}}}}\nforces: {{f: {{at: tip, force: {force}}}}}\n" \
            "initial: {{released: f}}\n"
     both = head.format(kind="beams", body="from: [0 m, 0 m], to: [0.8 m, 0.6 m], EI: 300 N*m^2, EA: 30 kN",
@@ -118,3 +119,21 @@ def test_motions_of_one_beam_are_those_of_a_bar_and_those_of_a_beam():
     for name, text, other in (("w.along(0.7 m)", bar, "w.u(0.7 m)"), ("w.u(0.7 m)", beam, "w.u(0.7 m)")):
         expected = motion(text, other)
         assert motion(both, name) == pytest.approx(expected, abs=1e-3 * max(abs(expected)))
+
+
+def test_a_joint_on_a_beam_is_a_body_without_mass():
+    usual = "EI: 300 N*m^2, EA: 30 kN, mass_per_length: 1 kg/m"
+    bed, hung = "foundation: 900 N/m^2", "attached: [{at: 0.5 m, oscillator: {mass: 0.2 kg, k: 300 N/m}}]"
+    joined = f"""
+beams:
+  girder: {{from: [0, 0], to: [2 m, 1 m], {usual}, {bed}, left: clamped, right: guided, {hung}}}
+  post: {{from: [1 m, 0.5 m], to: [1 m, -1 m], {usual}, left: {{clamped: girder, at: sqrt(1.25 m^2)}}}}
+"""
+    parts = f"""
+bodies: {{n: {{mass: 0 kg, inertia: 0 kg*m^2, at: [1 m, 0.5 m], move: [x, y, p]}}}}
+beams:
+  one: {{from: [0, 0], to: [1 m, 0.5 m], {usual}, {bed}, left: clamped, right: {{clamped: n}}, {hung}}}
+  two: {{from: [1 m, 0.5 m], to: [2 m, 1 m], {usual}, {bed}, left: {{clamped: n}}, right: guided}}
+  post: {{from: [1 m, 0.5 m], to: [1 m, -1 m], {usual}, left: {{clamped: n}}}}
+"""
+    assert squares(joined, 10) == pytest.approx(squares(parts, 10), rel=1e-11)
