@@ -65,8 +65,9 @@ class ModalResponse(ResponseOfMembers):
         basis = ModeBasis(modes, self.configuration.linear_system.pieces)
         inputs, damping, given = self._felt(basis), self._damping(basis), self.problem.modal.member_damping
         creeping = given is not None and given.creeps
-        disturbed = None if creeping else self._disturbed(basis, inputs, damping)
-        modes = RealModes(basis, inputs, self._start(basis), damping, creeping, disturbed)
+        starts, disturbed = self._disturbed(basis, inputs, damping)
+        start = [one.of_modes(basis.squares, plain) for one, plain in zip(starts, self._start(basis), strict=True)]
+        modes = RealModes(basis, inputs, start, damping, creeping, None if creeping else disturbed)
         return ModalMotion(modes, self._transfer, self._forces, self.problem.work)
 
     def _felt(self, basis):
@@ -80,20 +81,20 @@ class ModalResponse(ResponseOfMembers):
         return np.concatenate(columns, axis=1)
 
     def _disturbed(self, basis, inputs, damping):
-        """What gives the Disturbances of the modes that are left out."""
+        """The FieldStarts of displacements and rates, and what gives the Disturbances of the modes that are left
+        out."""
         import numpy as np
 
         from vibcli.analyses.continuous.disturbances import Disturbances, Start
-        from vibcli.analyses.continuous.start_of_fields import let_go, start_of_field
+        from vibcli.analyses.continuous.start_of_fields import start_of_field
         from vibcli.analyses.continuous.uncounted_modes import UncountedModes
 
         M, _, K = self.matrices
         uncounted = UncountedModes(basis, K, M, self._driven_ends, self.spread_drives, inputs, damping)
-        found = [start_of_field(uncounted, [given[rate] for given in self.fields], 0, np.array(part, float), not rate)
-                 for rate, part in enumerate(self.deviations)]
-        found[0] = found[0]._replace(held=let_go(uncounted, found[0].held, len(self.let_go)))
+        found = [start_of_field(uncounted, [given[rate] for given in self.fields], 0, np.array(part, float), not rate,
+                                () if rate else self.let_go) for rate, part in enumerate(self.deviations)]
         start = Start(np.array([one.held for one in found]), np.array([one.spread for one in found]))
-        return lambda segments: Disturbances(uncounted, start, segments)
+        return found, lambda segments: Disturbances(uncounted, start, segments)
 
     @cached_property
     def _driven_ends(self):

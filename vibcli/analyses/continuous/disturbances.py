@@ -8,7 +8,7 @@ so that a bend of the load adds to E at most (|b|/ω²) Σ (uₘ + uₘ₋₁) |
 """
 
 from collections.abc import Sequence
-from math import comb, inf, log, perm, sqrt
+from math import comb, e, inf, log, perm, sqrt
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -26,6 +26,7 @@ SMALL = 1e-18       # of the first term: where the series ends
 ROUNDING = 1e-12    # of a load: what is no bend
 FADING = 0.9        # ratio up to which E falls by √((1 + ζ)/(1 − ζ)) e^{−ζωt} at least
 CREEPING = 1.25     # ratio from which on it creeps
+GAINED = 2          # powers of 1/ω that even damping brings
 SLOWER = 2.0        # times e^{−rt/2} it falls at least, whatever ζ, r being the slower rate
 
 
@@ -39,13 +40,14 @@ class Start(NamedTuple):
 
 class Damping(NamedTuple):
     """Of modes that are not counted: 2ζ, no ω smaller than `highest`, E ≤ `grown` e^{−`fading` t} of its start;
-    `creeping`: ζ grows with ω, and 2ζ/ω is at most that instead."""
+    `creeping`: ζ grows with ω, and 2ζ/ω is at most that instead; `even`: ζ, where all have the same."""
 
     double: float
     highest: float
     grown: float
     fading: float
     creeping: float | None = None
+    even: float = 0.0
 
     def terms(self, count: int) -> np.ndarray:
         """Of |Δf⁽ᵐ⁾| ωᴺᵐ, or where they creep of |Δf⁽ᵐ⁾|, in E ω²/|b|."""
@@ -76,7 +78,8 @@ def damping_of(squares: np.ndarray, rates: np.ndarray) -> Damping:
         return Damping(0.0, highest, SLOWER, min(slowest, 1 / creeping) / 2, creeping)
     zeta = float(double.max()) / 2
     if zeta < FADING:
-        return Damping(2 * zeta, highest, sqrt((1 + zeta) / (1 - zeta)), slowest)
+        even = zeta if 2 * zeta <= (1 + 1e-9) * float(double.min()) else 0.0
+        return Damping(2 * zeta, highest, sqrt((1 + zeta) / (1 - zeta)), slowest, even=even * (1 - 1e-9))
     return Damping(2 * zeta, highest, SLOWER, min(slowest, highest / (2 * zeta)) / 2)
 
 
@@ -113,26 +116,36 @@ class Disturbances:
 
     def bound(self, output: "LinearOutput", t: float, order: int = 0) -> float:
         """Of what modes that are not counted add to the order-th rate of an output at an instant."""
-        sizes = self._until(t)
-        return sum(self._of_rate(output, rate, rate + order, sizes) for rate in range(3))
+        found = inf
+        for gained in (0, GAINED) if self.damping.even else (0,):
+            sizes = self._until(t, gained)
+            found = min(found, sum(self._of_rate(output, rate, rate + order, sizes, gained) for rate in range(3)))
+        return found
 
-    def _until(self, t):
-        """Σ of sizes up to an instant, (powers of 1/ω, POWERS)."""
-        count, fading = max(1, int(np.searchsorted(self.times, t, side="right"))), self.damping.fading
-        if not fading:
+    def _until(self, t, gained):
+        """Σ of sizes up to an instant, (powers of 1/ω, POWERS); of so many powers more where modes are damped evenly,
+        as e^{−ζωτ} ≤ e^{−ζΩτ/2} (2q/(e ζτω))^q."""
+        count, damping = max(1, int(np.searchsorted(self.times, t, side="right"))), self.damping
+        if not damping.fading:
             return self.sizes[:count].sum(axis=0)
-        left = self.damping.grown * np.exp(-fading * np.maximum(t - self.times[:count], 0.0))
+        tau = np.maximum(t - self.times[:count], 0.0)
+        if gained:
+            with np.errstate(divide="ignore"):
+                left = np.exp(-damping.fading * tau / 2) * (2 * gained / (e * damping.even * tau)) ** gained
+        else:
+            left = np.minimum(np.exp(-damping.fading * tau), 1 / damping.grown)
         with np.errstate(invalid="ignore"):
-            return np.nan_to_num(np.tensordot(np.minimum(left, 1.0), self.sizes[:count], axes=1), nan=inf, posinf=inf)
+            each = np.where(self.sizes[:count] == 0, 0.0, damping.grown * left[:, None, None] * self.sizes[:count])
+        return np.nan_to_num(each, nan=inf, posinf=inf).sum(axis=0)
 
-    def _of_rate(self, output, own, rate, sizes):
+    def _of_rate(self, output, own, rate, sizes, gained):
         if not self.modes.reads(output, own):
             return 0.0
         found, more = 0.0, rate - 1 if rate > 1 else 0
         if more and self.damping.creeping is not None:
             return inf
         for h in np.flatnonzero(sizes.any(axis=1)).tolist():
-            found += min(_product(float(size), self.modes.reach(output, h - rate - power, own))
+            found += min(_product(float(size), self.modes.reach(output, h + gained - rate - power, own))
                          for power, size in zip(POWERS, sizes[h], strict=True))
         return found * (1 + self.damping.double) ** more
 

@@ -212,14 +212,14 @@ class ModalMotion:
         times = np.asarray(times, float)
         read, states = Read(self, output, order), self.states
         phase, size = self.modes.doubt
-        lost = EPSILON * abs(output.constant) + float(self.modes.lost @ np.abs(read.states))
-        found = np.full(times.shape, lost)
+        lost, found = self.modes.lost * np.abs(read.states), np.full(times.shape, EPSILON * abs(output.constant))
         for stretch, at in self._placed(times):
             felt = np.abs(read.states * stretch.free)
             late, early = (phase * np.abs(states.rates)) @ felt, size @ felt
             for number in np.flatnonzero(at):
                 found[number] += self.bound(output, times[number], order) + early
                 found[number] += late * (times[number] - stretch.start)
+                found[number] += float(lost @ np.exp(states.rates.real * times[number]))
             driven = sum(abs(complex(part)) for stroke in stretch.strokes for _, g, _, _ in parts(states, stroke)
                          for part in g @ read.states)
             found[at] += 16 * EPSILON * driven

@@ -15,12 +15,11 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
 EPSILON = 2.0**-52
-NOISE = 2.0**-51                # of the largest η: what is only rounding
 
 
 class RealModes:
-    """Of a ModeBasis: inputs (modes, channels), η and η̇ at t = 0, damping: c of each mode, creeping: do modes creep
-    the more slowly the higher they are?
+    """Of a ModeBasis: inputs (modes, channels), η and η̇ at t = 0, each with what rounding loses of it, damping: c of
+    each mode, creeping: do modes creep the more slowly the higher they are?
 
     states: those that a motion is added from; rigid_inputs, rigid_start: b and (η, η̇) of what nothing holds; left_out:
     what no |λ| of a mode that is left out is below where it oscillates, and none where it creeps; fading: none of these
@@ -28,10 +27,10 @@ class RealModes:
     lost: rounding of the start, in each state; doubt: relative bounds of the λ and of the amplitudes.
     """
 
-    def __init__(self, basis: "ModeBasis", inputs: np.ndarray, start: tuple[np.ndarray, np.ndarray],
+    def __init__(self, basis: "ModeBasis", inputs: np.ndarray, start: "Sequence[tuple[np.ndarray, np.ndarray]]",
                  damping: np.ndarray, creeping: bool = False,
                  disturbed: "Callable[[Sequence[Segment]], Disturbances] | None" = None):
-        eta, rate = (_without_noise(part) for part in start)
+        (eta, eta_lost), (rate, rate_lost) = start
         squares, self.basis, self.count, self.disturbed = basis.squares, basis, len(basis.squares), disturbed
         at, self.rigid = np.flatnonzero(squares + damping), np.flatnonzero((squares == 0) & (damping == 0))
         states = states_of(squares[at], damping[at], inputs[at], eta[at], rate[at])
@@ -40,10 +39,8 @@ class RealModes:
         self.left_out = _left_out(squares, damping, creeping)
         slow = float(np.max(states.rates.real[len(at) // 2:len(at)], initial=-np.inf))
         self.fading = min(max(slow, -self.left_out[1]), 0.0)
-        speed = np.abs(states.rates[states.rates != 0])
-        pace = max(speed.min(initial=speed.max(initial=0.0)), 1e-300)
-        lost = NOISE * float(np.abs(eta).max(initial=0.0) + (np.abs(rate) / pace).max(initial=0.0))
-        self.lost = np.full(len(states.rates), lost)
+        pace = np.maximum(np.where(states.rates, np.abs(states.rates), damping[self.states.modes]), 1e-300)
+        self.lost = 2 * (eta_lost[self.states.modes] + rate_lost[self.states.modes] / pace)
         self.doubt = np.full(len(states.rates), basis.error + EPSILON), np.full(len(states.rates), 8 * EPSILON)
 
     def rows(self, output: "LinearOutput") -> tuple[np.ndarray, np.ndarray]:
@@ -57,7 +54,3 @@ def _left_out(squares, damping, creeping):
     last = float(damping[-1]) if len(damping) else 0.0
     return highest**0.5, 0.0 if creeping else highest / last if last else np.inf
 
-
-def _without_noise(start):
-    """What modes start with, 0 where that is only the rounding of others."""
-    return np.where(np.abs(start) > NOISE * np.abs(start).max(initial=0.0), start, 0.0)

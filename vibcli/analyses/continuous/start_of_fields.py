@@ -23,18 +23,31 @@ from vibcli.numerics.pieces.stiffness import stiffness_and_slope
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from vibcli.analyses.continuous.spread_drives import SpreadDrive
     from vibcli.analyses.continuous.uncounted_modes import UncountedModes
     from vibcli.mechanics.factored_system import PlacedPiece
 
 ROUNDING = 1e-12    # of a displacement or a force: what is none
+NOISE = 2.0**-51    # of what a start is added from
 
 
 class FieldStart(NamedTuple):
     """held: loads that would hold the field at rest, (channels,) of UncountedModes; spread: √(Σ b²/ω²ᵖ) of all else
-    at each of POWERS."""
+    at each of POWERS; felt: ω² ⟨φ, u⟩ of the first modes, and what it is rounded from."""
 
     held: np.ndarray
     spread: np.ndarray
+    felt: np.ndarray
+    size: np.ndarray
+
+    def of_modes(self, squares: np.ndarray, plain: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """⟨φ, u⟩ of modes with ω² = squares, and how much is lost by rounding: by this, or by the `plain` integrals
+        where that is less."""
+        lost = np.full(len(plain), NOISE * np.abs(plain).max(initial=0.0))
+        with np.errstate(all="ignore"):
+            own = np.where(squares > 0, NOISE * self.size / squares, np.inf)
+            found = np.where(own < lost, self.felt / squares, plain)
+        return np.where(np.abs(found) > np.minimum(own, lost), found, 0.0), np.minimum(own, lost)
 
 
 class _Stretch(NamedTuple):
@@ -51,9 +64,9 @@ class _Stretch(NamedTuple):
 
 
 def start_of_field(uncounted: "UncountedModes", given: "Sequence[Forcing | None]", channel: int, q: np.ndarray,
-                   resting: bool) -> FieldStart:
+                   resting: bool, let_go: "Sequence[SpreadDrive]" = ()) -> FieldStart:
     """Of fields, a channel of Forcings over pieces, and coordinates q; where none is given a piece is at rest under
-    its ends if it is `resting`, else 0."""
+    its ends and loads that are let go if it is `resting`, else 0."""
     n, stretches, nodes = len(uncounted.K), [], list(q)
     for number, forcing in enumerate(given):
         stretches += _stretches(uncounted.pieces[number], number, forcing, channel, nodes)
@@ -67,6 +80,8 @@ def start_of_field(uncounted: "UncountedModes", given: "Sequence[Forcing | None]
         if one.forces is None:
             d = stiffness_and_slope(one.placed.piece, np.float64(one.placed.piece.foundation))[0]
             F, F_size = (d @ moved, np.abs(d) @ np.abs(moved)) if resting else (0 * moved, 0 * moved)
+            for put in (drive.end_loads(one.placed, 0.0) for drive in let_go if drive.on(one.placed) is not None):
+                F, F_size = F - put, F_size + np.abs(put)
         for row, force, rounded in zip(one.placed.rows, F, F_size, strict=True):
             for i, x in row.items():
                 forces[i] += x * force
@@ -81,27 +96,11 @@ def start_of_field(uncounted: "UncountedModes", given: "Sequence[Forcing | None]
         for k, end in [at for at in ends if stretches[at[0]].number == drive.piece and at[1] == drive.end
                        and _outer(stretches, *at)]:
             held[n + j] = ends.pop((k, end))
-    return FieldStart(held, _pointed(uncounted, stretches, forces, ends) + _spread(uncounted, given, channel))
-
-
-def let_go(uncounted: "UncountedModes", held: np.ndarray, count: int) -> np.ndarray:
-    """`held` of a start at rest under the last `count` loads along members: these themselves hold it, and on nodes no
-    more what they put on the ends of pieces."""
-    if not count:
-        return held
-    found, n = held.copy(), len(uncounted.K)
-    put, size = np.zeros(n), np.zeros(n)
-    found[-count:] = 1.0
-    for drive in uncounted.drives[-count:]:
-        for placed in uncounted.pieces:
-            loads = drive.end_loads(placed, np.zeros(1))
-            for row, load in zip(placed.rows, loads[0] if loads is not None else (), strict=False):
-                for i, x in row.items():
-                    put[i] += x * load
-                    size[i] += abs(x * load)
-    rest = found[:n] - put
-    found[:n] = np.where(np.abs(rest) > ROUNDING * (size + np.abs(held[:n])), rest, 0.0)
-    return found
+    inputs, rounded = uncounted.inputs, np.append(sizes[:n], np.abs(held[n:]))
+    at_corners, pointed = _pointed(uncounted, stretches, forces, ends)
+    along, spread, norm = _spread(uncounted, given, channel, let_go)
+    return FieldStart(held, at_corners + along, inputs @ held + pointed + spread,
+                      np.abs(inputs) @ rounded + np.abs(pointed) + norm)
 
 
 def _stretches(placed, number, forcing, channel, nodes):
@@ -157,11 +156,10 @@ def _outer(stretches, k, end):
 
 
 def _pointed(uncounted, stretches, forces, ends):
-    """√(Σ b²/ω²ᵖ) of forces on nodes at corners and of dislocations, at each of POWERS."""
-    found = np.zeros(len(POWERS))
-    if not forces.any() and not ends:
-        return found
+    """√(Σ b²/ω²ᵖ) of forces on nodes at corners and of dislocations, at each of POWERS, and b of the first modes."""
     n, basis, begins, first = len(uncounted.K), uncounted.basis, 0.0, np.zeros(len(uncounted.basis.squares))
+    if not forces.any() and not ends:
+        return np.zeros(len(POWERS)), first
     loads = UnitLoads(forces[:, None], {at: np.array([gap]) for at, gap in ends.items()})
     for k, one in enumerate(stretches):
         piece = one.placed.piece
@@ -176,7 +174,7 @@ def _pointed(uncounted, stretches, forces, ends):
                 first -= ends[k, end] * _force(basis, one, x, at, end >= half)
                 begins = max(begins, begins_at(piece.order, piece.order - 1 - at))
     R = uncounted.left([one.placed for one in stretches], loads, first[:, None])
-    return np.sqrt([uncounted.sums(R, p, begins)[0, 0] for p in POWERS])
+    return np.sqrt([uncounted.sums(R, p, begins)[0, 0] for p in POWERS]), first
 
 
 def _force(basis, one, x, at, right):
@@ -189,18 +187,19 @@ def _force(basis, one, x, at, right):
     return sign * (force - piece.bending * basis.field(one.number, x, 3) if piece.order == 4 else force)
 
 
-def _spread(uncounted, given, channel):
-    """√(Σ (∫ φ L u dx)²/ω²ᵖ), at each of POWERS."""
+def _spread(uncounted, given, channel, let_go):
+    """√(Σ (∫ φ L u dx)²/ω²ᵖ), at each of POWERS, ∫ φ L u dx of the first modes, and the most that it can be."""
     total, known = 0.0, np.zeros(len(uncounted.basis.squares))
-    for number, forcing in enumerate(given):
-        if forcing is None:
-            continue
-        piece = uncounted.pieces[number].piece
-        segments = [Segment(one.start, tuple(_answered(piece, one, channel))) for one in forcing.segments(np.inf)]
-        form = load_form(Forcing(1, segments), 0, piece.length)
-        known += of_load(uncounted.basis, number, form)
-        total += float(overlaps([form])[0, 0]) / piece.inertia
-    return np.sqrt(left_of_squares(total, known @ known)) * uncounted.highest ** -np.array(POWERS)
+    for number, (placed, forcing) in enumerate(zip(uncounted.pieces, given, strict=True)):
+        piece = placed.piece
+        forms = [form for drive in let_go if (form := drive.on(placed)) is not None]
+        if forcing is not None:
+            segments = [Segment(one.start, tuple(_answered(piece, one, channel))) for one in forcing.segments(np.inf)]
+            forms = [load_form(Forcing(1, segments), 0, piece.length)]
+        known += sum((of_load(uncounted.basis, number, form) for form in forms), 0 * known)
+        total += float(overlaps(forms).sum()) / piece.inertia
+    left = np.sqrt(left_of_squares(total, known @ known)) * uncounted.highest ** -np.array(POWERS)
+    return left, known, np.sqrt(total)
 
 
 def _answered(piece, segment, channel):

@@ -37,7 +37,7 @@ class UncountedModes:
         self.basis, self.K, self.M, self.inputs, self.rates = basis, K, M, inputs, rates
         self.pieces = [one._replace(piece=one.piece._replace(drag=0.0)) for one in basis.placed]
         self.highest = float(np.sqrt(np.abs(basis.squares).max(initial=0.0)))
-        self.driven, self.drives, self.sigma = list(driven), list(spread), grid(self.highest)
+        self.driven, self.sigma = list(driven), grid(self.highest)
         self._reads: dict[Any, list[tuple[int, np.ndarray, float]]] = {}
         self._sizes: dict[Any, float] = {}
         self.begins = np.array([self._begin(i) for i in range(len(K))] + [
