@@ -37,7 +37,8 @@ class Beam:
             return np.sqrt(2) * b**k * np.sin(turned)
         e = np.exp(-b)
         whole = 1 - e * e + 2 * np.sin(b) * e
-        ratio, growing = (1 + 2 * np.cos(b) * e + e * e) / whole, (np.sin(b) - np.cos(b) - e) / whole * np.exp(b * x - b)
+        ratio = (1 + 2 * np.cos(b) * e + e * e) / whole
+        growing = (np.sin(b) - np.cos(b) - e) / whole * np.exp(b * x - b)
         return b**k * (growing + (-1)**k * (1 + ratio) / 2 * np.exp(-b * x) - np.cos(turned) + ratio * np.sin(turned))
 
     def overlap(self, powers: list) -> np.ndarray:
