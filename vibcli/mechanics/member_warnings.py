@@ -14,17 +14,14 @@ SLENDER, SMALL = 10.0, 0.1
 
 def member_warnings(configuration: "Configuration") -> list[str]:
     """Sentences about the members of a scene with numbers."""
-    found = thick_members(configuration)
+    found: list = []
+    for member in configuration.scene.members.values():
+        if member.kind.bends:
+            found += _thick(member, configuration)
     for member in configuration.scene.members.values():
         if not member.kind.torsional:
             found += _turned(member, configuration)
     return found
-
-
-def thick_members(configuration: "Configuration") -> list[str]:
-    """Sentences about those whose frequencies the theory of slender members tells too high."""
-    return [told for member in configuration.scene.members.values() if member.kind.bends
-            for told in _thick(member, configuration)]
 
 
 def _thick(member: "Member", configuration):

@@ -172,6 +172,14 @@ def test_a_thick_beam_is_told_once_whether_an_equilibrium_is_told_or_not():
         assert told(scene, *names).count("'arm' is thick: L/h is 6.67") == 1
 
 
+def test_a_beam_that_sags_far_is_told_once_whether_an_equilibrium_is_told_or_not():
+    """The slope at the free end of a cantilever under its weight is μgL³/(6EI)."""
+    scene = problem("gravity: 10 m/s^2\nbeams: {arm: {from: [0, 0], to: [1 m, 0], EI: 3 N*m^2, "
+                    "mass_per_length: 0.9 kg/m, left: clamped}}")
+    for names in (("frequencies",), ("equilibrium", "frequencies", "modes")):
+        assert told(scene, *names).count("'arm' turns by 0.5 rad in equilibrium") == 1
+
+
 ROD = """
     parameters: {L: , EA: , mu: }
     bars:
