@@ -11,7 +11,7 @@ from vibcli.analyses.frequency_response.member_system import MemberInput, Member
 from vibcli.analyses.modal.modal_analysis import ModalAnalysis
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signals import is_reaction
-from vibcli.mechanics.inputs_outputs.inputs import named_input
+from vibcli.mechanics.inputs_outputs.inputs import drives_supports, named_input
 from vibcli.mechanics.inputs_outputs.outputs import linear_row
 from vibcli.mechanics.inputs_outputs.place_signals import place_output
 
@@ -44,7 +44,7 @@ def transfer_to(configuration: "Configuration", signal: "SignalName", given: Mem
     if any(found.system.output.rows[1:]):
         raise PhysicsError(f"'{signal.text}' needs velocities, whose response is not found with `damping:` of members",
                            "ask for displacements, forces and stresses")
-    return DampedMemberTransfer(found, modal.modes, damping, _of_supports(configuration, given), given.turns)
+    return DampedMemberTransfer(found, modal.modes, damping, drives_supports(configuration, given), given.turns)
 
 
 def _of_displacements(output, order):
@@ -53,13 +53,6 @@ def _of_displacements(output, order):
     if len(present) != 1:
         return output, order
     return output._replace(rows=(output.rows[present[0]], {}, {})), order + present[0]
-
-
-def _of_supports(configuration, given):
-    """Is an input the displacement of supports? Or a load."""
-    opened = configuration.with_inputs
-    driven = [j for j, opening in enumerate(opened.scene.inputs.values(), opened.n) if opening.node is not None]
-    return any(share and j in driven for j, share in given.weights.items())
 
 
 def _still(configuration: "Configuration", signal: "SignalName", given: MemberInput, order: int,

@@ -44,6 +44,13 @@ def named_input(configuration: "Configuration", text: str) -> Input:
     raise PhysicsError(f"nothing named '{text}' drives this scene", "name one of " + ", ".join(names))
 
 
+def drives_supports(configuration: "Configuration", given: Any) -> bool:
+    """Is an input, by its weights, the displacement of supports? Or a load."""
+    opened = configuration.with_inputs
+    driven = [j for j, opening in enumerate(opened.scene.inputs.values(), opened.n) if opening.node is not None]
+    return any(share and j in driven for j, share in given.weights.items())
+
+
 def input_columns(configuration: "Configuration", chosen: Input):
     """b as [{i: number}] of the powers s⁰, s¹, s² of an Input; PhysicsError where it depends on the time."""
     if chosen.carried:
