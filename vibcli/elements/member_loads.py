@@ -9,6 +9,7 @@ SpreadForce.
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.elements.member_pieces import pieces_of
+from vibcli.elements.member_places import ROUNDING
 from vibcli.elements.member_springs import mean_across, mean_along
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.separated_products import products_of
@@ -56,7 +57,10 @@ def add_spread_load(record: "Record", member: "Member", scene: Any) -> None:
     if not low < high:
         scene.report(record.where, f"'{record.name}' acts from {low:.6g} m to {high:.6g} m", "`from` is left of `to`")
         return
-    vibrates = False
+    vibrates = _on_slack(member, low, high, scene)      # between a station and a slack end
+    if vibrates and not q.is_zero:
+        _not_yet(record, scene)
+        return
     for i, (segment, left, right) in enumerate(pieces_of(member, scene)):
         middle = (scene.number(left.place) + scene.number(right.place)) / 2
         if low < middle < high:
@@ -66,6 +70,13 @@ def add_spread_load(record: "Record", member: "Member", scene: Any) -> None:
                       right, member.tension(i, segment, scene), scene)
     if vibrates:
         _vibrating(record, load, scene)
+
+
+def _on_slack(member, low, high, scene):
+    """Does a load reach beyond the stations, to an end that bears no tension?"""
+    first, last = (scene.number(member.stations[end].place) for end in (0, -1))
+    slack = ROUNDING * scene.number(member.length)
+    return low < first - slack or high > last + slack
 
 
 def _vibrating(record, load, scene):

@@ -33,6 +33,8 @@ def spread_input(configuration: "Configuration", name: str, found: "Mapping[int,
             part = term.weight if load.in_time.is_zero or term.offset is None else term.weight - term.offset
             size, unit = amplitudes(opened, [part, moving])
             shares[j] = size / unit / largest
+    if not shares:
+        raise PhysicsError(f"'{name}' does no work", "let the member move where it acts")
     return shares
 
 
