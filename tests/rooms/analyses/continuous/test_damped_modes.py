@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from tests.support.random_members import at_rest, random_members
+from tests.support.scenes import problem
 from vibcli.analyses.continuous.argument_count import zeros_within
 from vibcli.analyses.continuous.damped_source import DampedModes
 from vibcli.analyses.continuous.dynamic_matrix import dynamic_matrix
@@ -179,3 +180,19 @@ def test_drag_below_rounding_is_not_lost():
     beam = Piece(1.3, 2.0, 0.0, 0.0, 0.7, 1e-18, 0.0)
     found = source(FactoredSystem(2, pieces=[member(beam, {}, {}, {0: 1.0}, {1: 1.0})])).numbered(1, 4)
     assert [mode.decay for mode in found] == pytest.approx([1e-18 / 1.4] * 4, rel=1e-6, abs=0.0)
+
+
+def test_gyroscopic_terms_and_a_damper_beside_a_bar():
+    """(EA β cot βL + k + c s + s²)(k + s²) + (mΩs)² = 0, s = iβ√(EA/μ), by mpmath."""
+    damped = problem("""
+    parameters: {m: 2 kg, Om: 2 rad/s, k: 100 N/m}
+    coordinates: {x: m, y: m}
+    bodies: {a: {mass: 1 kg, slide: x}, b: {mass: 1 kg, slide: y}}
+    energies: {T: "m*Om*(x*y' - y*x')/2"}
+    springs: {s: {k: k, between: [a, ground]}, t: {k: k, between: [b, ground]}}
+    dampers: {d: {c: 0.5 N*s/m, between: [a, ground]}}
+    bars: {r: {length: 1 m, EA: 10 N, mass_per_length: 1 kg/m, left: clamped, right: {clamped: a}}}
+""").modal.damped.first(3)
+    assert [mode.eigenvalue for mode in damped] == pytest.approx([
+        -0.0820408410146647 + 7.47298755764236j, -2.93316539434232e-5 + 9.97095433360192j,
+        -0.124744261031225 + 12.9664673858409j], rel=1e-13)
