@@ -27,8 +27,8 @@ def require_tensions(configuration: "Configuration") -> None:
         if varies and member.kind.bends and _bent(member, configuration):
             raise PhysicsError(f"'{member.name}' is bent by its loads, and its tension varies along it: this does not "
                                "work yet", "let it stand or hang upright, or leave out `gravity`", member.record.where)
-        if member.stretching and not scene.setting.variant.preloaded:   # what lets go starts a small motion
-            _require_stretch(member, configuration)
+    if not scene.setting.variant.preloaded:     # what lets go starts a small motion
+        _require_stretch([member for member in placed if member.stretching], configuration)
     tied = {member.name: member for member in placed
             if any(constraint.name == member.name for constraint in scene.constraints)}
     if not tied:
@@ -55,13 +55,14 @@ def _bent(member, configuration):
     return any(evaluate(moved, Floats, configuration.at_rest))
 
 
-def _require_stretch(member, configuration):
+def _require_stretch(members, configuration):
     """PhysicsError where a beam stretches by another tension in equilibrium than the one in its stiffness: as what
     both its ends are held to, or what bends, takes a share of it."""
-    parts = [evaluate(pair, Floats, configuration.at_rest) for pair in member.stretch_forces(configuration.scene)]
-    largest = max(map(abs, (x for pair in parts for x in pair)))
-    found = max(parts, key=lambda pair: abs(pair[0] - pair[1]))
-    if abs(found[0] - found[1]) > SAME * largest:
-        raise PhysicsError(f"'{member.name}' rests under the tension {found[0]:.6g} N, which statics alone does not "
-                           "find: its stiffness under it does not work yet", "leave out the loads that cause it",
-                           member.record.where)
+    parts = [(member, *evaluate(pair, Floats, configuration.at_rest)) for member in members
+             for pair in member.stretch_forces(configuration.scene)]
+    largest = max((abs(tension) for _, *both in parts for tension in both), default=0.0)
+    for member, found, drawn in parts:
+        if abs(found - drawn) > SAME * largest:
+            raise PhysicsError(f"'{member.name}' rests under the tension {found:.6g} N, which is not the one found as "
+                               "drawn: its stiffness under it does not work yet", "leave out the loads that cause it",
+                               member.record.where)

@@ -74,8 +74,7 @@ def _ties(scene, cuts):
     """{name: λ} of the members both of whose ends are held to what parts along them, as drawn: Σ λₖ ∂Gₖ/∂q is the force
     along q, Gₖ = 0 the conditions that they and the constraints make."""
     ends = {name: (member.stations[0].along, member.stations[-1].along) for name, member in scene.members.items()
-            if member.stretches and member.stretches[0] is None and member.stretches[-1] is None
-            and not member.stretching}
+            if member.stretches and _is_between(member)}
     gaps = {name: right - left for name, (left, right) in ends.items() if (right - left).mask}
     if not gaps:
         return {}

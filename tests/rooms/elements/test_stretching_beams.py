@@ -1,5 +1,7 @@
 """Beams in the plane that stretch: against finite elements of frames, bars and beams by themselves, their limits."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from support.plane_frames import frequencies, random_frame, scene_of
@@ -137,3 +139,11 @@ beams:
   post: {{from: [1 m, 0.5 m], to: [1 m, -1 m], {usual}, left: {{clamped: n}}}}
 """
     assert squares(joined, 10) == pytest.approx(squares(parts, 10), rel=1e-11)
+
+
+def test_columns_under_weight_bend_as_those_that_keep_their_length():
+    text = (Path(__file__).parents[2] / "trials/loaded_portal_frame.yaml").read_text()
+    kept = squares(text, 1)
+    differences = [squares(text.replace("EI: EI, ", f"EI: EI, EA: {EA} N, "), 1) / kept - 1 for EA in ("1e12", "1e13")]
+    assert (abs(differences[0]) < 1e-5).all()
+    assert differences[1] == pytest.approx(differences[0] / 10, rel=1e-3, abs=1e-10)
