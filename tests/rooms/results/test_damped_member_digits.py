@@ -1,5 +1,6 @@
 """More digits of responses of members with proportional damping, against closed forms at σ² = (s² + αs)/(1 + βs)."""
 
+import numpy as np
 import pytest
 from mpmath import cos, cosh, mp, mpc, mpf, sin, sinh
 from support.scenes import problem
@@ -41,3 +42,8 @@ def test_closed_forms():
 def test_of_ratios_they_are_refused():
     with pytest.raises(PhysicsError, match="`proportional` alone"):
         curve("{modal: 2 %}", "arm.u(L)", "push")
+
+
+def test_at_no_frequency_nothing_is_found():
+    transfer = problem(SCENE.replace("{DAMPING}", "{modal: 1.2}")).frequency_response("arm.u(L)", "push").transfer
+    assert [len(part) for part in transfer.at(np.zeros(0), True)] == [0, 0, 0]

@@ -78,6 +78,8 @@ class DampedMemberTransfer(FrequencyResponseFunction):
         return found & self.still.at(np.zeros(1, complex))[2][0] if found.any() else found
 
     def _values(self, s):
+        if not len(s):
+            return s
         turned = (-s * s)**self.turns
         if self.driven and self.damping.whole:
             series = [float(a) for a in self.damping.series]
