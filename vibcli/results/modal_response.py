@@ -33,7 +33,7 @@ class ModalResponse(ResponseOfMembers):
     @cached_property
     def alone(self):
         """The ModalMotion of the first modes under the excitation."""
-        count = FIRST
+        count = FEWEST if self.rests else FIRST
         while True:
             try:
                 return self.motion(count)

@@ -105,6 +105,14 @@ class ResponseOfMembers(SmallResponse):
         given = member_fields(self.problem.scene)
         return [self._field(piece, given.get(piece.owner)) for piece in self.placed]
 
+    @property
+    def rests(self) -> bool:
+        """Does nothing move it, neither loads nor what it starts with?"""
+        started = any(part.any() for part in self.deviations) or any(
+            part is not None for given in self.fields for part in given or ())
+        driven = any(node is not None for _, node in self.ends_of_pieces)
+        return not (started or driven or self.let_go or self.spread_forces or self.loads)
+
     def _field(self, piece, given):
         """u and u̇ over one piece; the time of the scene stands for the place along it."""
         from vibcli.analyses.excitation.decompose import forcing_of
