@@ -15,6 +15,7 @@ import numpy as np
 from vibcli.numerics.pieces.arithmetic import arithmetic_of
 from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.panels import panel_rule
+from vibcli.numerics.pieces.reaction_slopes import reaction_slope
 from vibcli.numerics.pieces.stiffness import stiffness
 
 if TYPE_CHECKING:
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
 
 AT_ONCE = 200_000       # fields at a time
 FAR = 50.0              # times what else is in P: κ
-RADIUS, TURNS = 1e-3, 4     # of the circle on which a slope is found, over the stiffness of a wave, and its points
 
 
 class LoadTerm(NamedTuple):
@@ -150,16 +150,8 @@ def _particular(piece, kappa, term, y):
 
 
 def end_loads_slope(piece: "Piece", kappa: Any, form: LoadForm) -> np.ndarray:
-    """∂/∂κ of the same, (…, order), to some ten digits: the mean over a small circle (Cauchy)."""
-    kappa = np.asarray(kappa)
-    size = np.abs(kappa).astype(float)
-    length, bending, force = (abs(float(value)) for value in (piece.length, piece.bending, piece.tension))
-    wave = (12 * bending / length**3 + bending**0.25 * size**0.75 + force / length + np.sqrt(force * size)) / length
-    radius, found = RADIUS * wave, 0.0
-    for turn in np.exp(2j * np.pi * (np.arange(TURNS) + 0.5) / TURNS):
-        found = found + end_loads(piece, kappa + radius * turn, form) / turn
-    slope = found / (TURNS * radius[..., None])
-    return slope if kappa.dtype.kind == "c" else slope.real
+    """∂/∂κ of the same, (…, order), to some ten digits."""
+    return reaction_slope(piece, kappa, lambda kappa: end_loads(piece, kappa, form))
 
 
 def loaded_fields(piece: "Piece", kappa: Any, form: LoadForm, x: Any) -> np.ndarray:
