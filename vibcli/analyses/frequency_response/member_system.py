@@ -45,12 +45,14 @@ class MemberOutput(NamedTuple):
 
 
 class Solved(NamedTuple):
-    """H, dH/ds or None, whether there is a pole, and how far pieces are beyond what rounding leaves: (N,) each."""
+    """H, dH/ds or None, whether there is a pole, how far pieces are beyond what rounding leaves, and whether D is
+    nearly singular: (N,) each."""
 
     values: Any
     slopes: Any
     resonant: Any
     excess: Any
+    singular: Any
 
 
 class MemberSystem:
@@ -84,7 +86,8 @@ class MemberSystem:
     def shared(self) -> "dict[int, float] | None":
         """The row of the place that load and signal share, over the coordinates of the scene; None elsewhere."""
         row, *rates = self.output.rows
-        if self.given.turns or self.output.ends or self.output.within or any(rates) or not row or not max(row) < min(self.driven, default=0):
+        apart = self.output.ends or self.output.within
+        if self.given.turns or apart or any(rates) or not row or not max(row) < min(self.driven, default=0):
             return None
         polynomial, ends = self.matrix.polynomial, [row for placed in self.matrix.pieces for row in placed.rows]
         taken = {j: share for j, share in self.given.weights.items() if share}
@@ -129,7 +132,7 @@ class MemberSystem:
         for k in np.flatnonzero(singular):
             at = scale[:, k]
             values[k], resonant[k] = apart_from_poles(D[:, :, k] * np.outer(at, at), b[:, k] * at, seen[:, k] * at)
-        return Solved(values + np.einsum("ik,ik->k", c[self.driven], g), slopes, resonant, found.excess)
+        return Solved(values + np.einsum("ik,ik->k", c[self.driven], g), slopes, resonant, found.excess, singular)
 
     def driving(self, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """The inputs g and dg/ds, (inputs, N)."""
@@ -166,7 +169,7 @@ class MemberSystem:
 
     def _seen_within(self, c, c_slope, one, s):
         """c and its slope with what is seen within a piece."""
-        from vibcli.analyses.frequency_response.places_near_ends import loaded_within, weights_within
+        from vibcli.analyses.frequency_response.places_within_pieces import loaded_within, weights_within
 
         factor, number, share, order = one
         placed = self.matrix.pieces[number]
@@ -176,10 +179,10 @@ class MemberSystem:
                  for b, row in enumerate(placed.rows) for i, x in row.items()]
         parts += [(j, 1.0, *loaded_within(drive, placed, s, share, order, slopes is not None))
                   for j, drive in self.matrix.spread.items()]
-        for i, x, weight, slope in parts:
+        for i, x, weight, steeper in parts:
             c[i] += factor * x * weight
-            if c_slope is not None and slope is not None:
-                c_slope[i] += factor * x * slope
+            if c_slope is not None and steeper is not None:
+                c_slope[i] += factor * x * steeper
         return c, c_slope
 
 

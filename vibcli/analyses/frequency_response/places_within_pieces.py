@@ -1,7 +1,7 @@
-"""What is seen within a piece near one of its ends, from the fields of its end values.
+"""What is seen within a piece, from the fields of its end values.
 
-A piece divided there would be so stiff that D loses the digits of all else; the fields lose none. Where a piece vibrates
-with its ends held it has no such fields: there the system is divided elsewhere.
+A short part of a piece that is divided beside its end is so stiff that D loses the digits of all else. Where a piece
+vibrates with its ends held it has no such fields: there the system is divided elsewhere.
 """
 
 from typing import TYPE_CHECKING
