@@ -97,7 +97,8 @@ def _polished(system, brackets):
         if (abs(moved) <= last * abs(z)).all():
             break
     within = (z > low) & (z < high) & (abs(moved) <= last * abs(z))
-    return {} if not within.any() else certified(system, z, x, indices, within)
+    near = [i for i, good in zip(indices, within, strict=True) if good]
+    return {} if not near else certified(system, z[within], x[:, within], near, np.ones(len(near), bool))
 
 
 def certified(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, indices: Sequence[int],
@@ -107,6 +108,8 @@ def certified(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, indices:
         entries, sizes, slope = system.dynamic_stiffness(z)
         x = settled(system, z, entries, x)
         inertia = abs(quadratic(system.pattern, slope, x).real)
+        wanted = wanted & (inertia > 0)         # a step that ran into a pole leaves no shape
+        inertia = np.where(inertia > 0, inertia, 1)
         moved = quadratic(system.pattern, entries, x).real / inertia
         z = z + moved
         if (abs(moved) <= 16 * system.unit * abs(z))[wanted].all():
