@@ -97,8 +97,11 @@ def _panels(stage, forces, amplitudes):
             found.append(DiagramPanel(f"amplitude of {title}" if amplitudes else f"{title}, {side}", drawn, largest,
                                *readable(largest, drawn[0][1].unit), amplitudes))
     if not found:
+        strung = all(strip.member.kind.name == "string" for strip in stage.strips)
         raise PhysicsError("nothing acts within the members here: all diagrams are zero",
-                           "ask for those of a mode, as with --mode 1, or of the motion in time, with --at 20ms")
+                           "small motions leave the tension of strings as it is: `vibcli draw FILE --diagrams` draws it"
+                           if strung else "`vibcli draw FILE --diagrams --mode N` draws those of a mode that deforms "
+                           "members, `vibcli draw FILE --diagrams --at 20ms` those of the motion in time")
     return found
 
 
