@@ -28,6 +28,7 @@ ALIKE, SAME = 1e-9, 1e-12       # relative distance of roots that are looked at 
 EFFORTS = 1, 2, 4       # times as many estimates, in turn
 SECTIONS = 0.5, 0.31, 0.72      # of a gap between roots
 FAR, SWALLOWED = 1e8, 1e-6      # times a frequency; of a wave, what no longer comes back
+ENTRIES = 2**19         # of matrices that are held at once
 GAPS = 6                # between roots that are tried in turn for the circle
 
 
@@ -97,16 +98,22 @@ class Divisions:
 
     def parts(self, s: np.ndarray) -> "Iterator[tuple[DynamicMatrix, np.ndarray, np.ndarray, np.ndarray, np.ndarray]]":
         """(matrix, numbers of s, D, D′, units): D and D′ (numbers, n, n) with units in which the diagonal is 1."""
+        block = max(1, ENTRIES // max(one.n for one in self._matrices) ** 2)
+        for first in range(0, len(s), block):
+            for matrix, at, *rest in self._block(s[first:first + block]):
+                yield matrix, at + first, *rest
+
+    def _block(self, s):
         left, found = np.arange(len(s)), []
         with np.errstate(all="ignore"):
-            for matrix in self._matrices if len(s) else ():
+            for matrix in self._matrices:
                 if not len(left):
                     break
                 one = matrix.at(s[left], steep=True)
                 found.append((matrix, left, one))
                 if len(found) == 1 and self._whole:
                     left = left[~(one.excess <= BLOWN)]
-            size = np.full((max(len(found), 1), len(s)), np.inf)
+            size = np.full((len(found), len(s)), np.inf)
             for row, (_, at, one) in zip(size, found, strict=True):
                 row[at] = np.nan_to_num(one.excess, nan=np.inf)
             best = np.argmin(size, axis=0)
