@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 ARCS = 16           # of half the circle, to begin with
 LEAST = 2.0**-30    # the shortest arc: something lies on the circle
-MOST = 20_000       # arcs
+MOST, SINGLE = 20_000, 200_000       # arcs; where D is one number, with a damper that may nearly swallow all waves
 TURN = 1.4          # by which the argument changes at most between the middle of an arc and its ends: below π/2
 UNIT = 2.0**-53
 CLEAR = 2.0 ** -np.array([*range(10), 11, 13])      # relative distances at which poles are looked for
@@ -67,11 +67,11 @@ def _to_real(value):
 def _arguments(matrix, radius):
     """det D/|det D| at the middles of arcs, in order, between which it changes by less than half a turn."""
     ends = np.linspace(0, np.pi, ARCS + 1)
-    low, high = ends[:-1], ends[1:]
+    low, high, most = ends[:-1], ends[1:], MOST if matrix.n > 1 else SINGLE
     angles, values, spent = [np.zeros(0)], [np.zeros(0, complex)], 0
     while len(low):
         spent += len(low)
-        if spent > MOST or (high - low).min() < LEAST:
+        if spent > most or (high - low).min() < LEAST:
             return None
         middle = (low + high) / 2
         phase, change = _phases(matrix, radius * np.exp(1j * middle), 2 * radius * np.sin((high - low) / 4))

@@ -45,7 +45,7 @@ def exact(r, count):
     return sorted(found, key=abs)[:count]
 
 
-@pytest.mark.parametrize("r", [1e-3, 0.3, 0.5, 0.9, 0.99, 1.01, 1.5, 4.0, 100.0])
+@pytest.mark.parametrize("r", [1e-3, 0.3, 0.5, 0.9, 0.99, 0.9999, 1.0001, 1.01, 1.5, 4.0, 100.0])
 def test_a_bar_with_an_end_damper(r):
     found = source(bar(r)).numbered(1, 12)
     near = max(1e-13, 2e-15 / abs(1 - r))       # as r is given
