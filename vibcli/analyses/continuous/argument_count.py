@@ -25,9 +25,10 @@ if TYPE_CHECKING:
 
 ARCS = 16           # of half the circle, to begin with
 LEAST = 2.0**-30    # the shortest arc: something lies on the circle
-MOST, SINGLE = 20_000, 200_000       # arcs; where D is one number, with a damper that may nearly swallow all waves
+MOST, SINGLE = 20_000, 100_000       # arcs; where D is one number, with a damper that may nearly swallow all waves
 TURN = 1.4          # by which the argument changes at most between the middle of an arc and its ends: below π/2
 UNIT = 2.0**-53
+HUGE = 1e100        # D is singular in floats
 CLEAR = 2.0 ** -np.array([*range(10), 11, 13])      # relative distances at which poles are looked for
 
 
@@ -101,8 +102,10 @@ def _phases(matrix, s, step):
         usable &= phase != 0
         values, basis = np.linalg.eigh(room[usable])
         root = basis * np.sqrt(np.maximum(values, 0))[:, None, :]
-        sigma = np.linalg.svd(np.swapaxes(root, 1, 2) @ np.linalg.solve(D[usable], root.astype(complex)),
-                              compute_uv=False)
+        moved = np.swapaxes(root, 1, 2) @ np.linalg.solve(D[usable], root.astype(complex))
+        small = (abs(moved) < HUGE).all(axis=(1, 2))
+        sigma = np.full(moved.shape[:2], np.inf)
+        sigma[small] = np.linalg.svd(moved[small], compute_uv=False)
         change[usable] = np.where(sigma.max(axis=1) < 1, -np.log1p(-sigma).sum(axis=1), np.inf)
     return phase, np.where(np.isfinite(change), change, np.inf)
 

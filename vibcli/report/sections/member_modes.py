@@ -22,7 +22,7 @@ FORCES = {"bar": "force", "shaft": "moment"}      # what u′ times the stiffnes
 def wave_numbers(problem: "Problem", modes: "Sequence[Mode]") -> list[str] | None:
     """β of each mode in 1/m where one tells all members, ω = β √(N/μ) or β² √(B/μ); else None."""
     pieces = [placed.piece for placed in problem.configuration.linear_system.pieces]
-    if not pieces or any(piece.foundation or (piece.bending and piece.tension) or not piece.inertia
+    if not pieces or any(piece.foundation or piece.gradient or (piece.bending and piece.tension) or not piece.inertia
                          for piece in pieces):
         return None
     ratios = [float(piece.inertia / (piece.bending or piece.tension)) for piece in pieces]

@@ -101,7 +101,15 @@ def frequency_equation(problem: "Problem", _: "Report") -> Iterator[Section]:
     several = len(problem.scene.members) > 1
     blocks = [equations([*_solved(problem, one, Words(", ".join(one.members)) if several else None),
                          *_orthogonality(problem, one)]) for one in found]
-    yield from section("Frequency equation" + "s" * (len(found) > 1), *blocks)
+    undamped = " (of the undamped system)" if _damped(problem) else ""
+    yield from section("Frequency equation" + "s" * (len(found) > 1) + undamped, *blocks)
+
+
+def _damped(problem):
+    """Does anything damp, which the equation leaves out?"""
+    symbolic = problem.symbolic
+    return bool(symbolic.discrete_matrices[1] or problem.spec.get("damping") is not None or
+                any(not placed.piece.drag.is_zero for placed in symbolic.linearisation.pieces))
 
 
 def _solved(problem, found, label):

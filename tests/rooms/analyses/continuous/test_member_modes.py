@@ -81,6 +81,17 @@ def test_a_scene_without_coordinates_has_modes():
     assert value(scene, "stable") is True
 
 
+@pytest.mark.parametrize("further", [", right: {c: 3 N*s/m}", ", drag: 3 Pa*s"])
+def test_the_frequency_equation_leaves_dampers_out_and_says_so(further):
+    assert "Frequency equation (of the undamped system)" in told(problem(BAR % further), "frequency_equation")
+    assert "Frequency equation\n" in told(problem(BAR % ""), "frequency_equation")
+
+
+def test_a_tension_that_varies_has_no_wave_number():
+    chain = "{from: [0 m, 0 m], to: [0 m, -2 m], mass_per_length: 1 kg/m, left: clamped}"
+    assert "β" not in told(problem(f"gravity: 9.81 m/s^2\nstrings: {{chain: {chain}}}"), "frequencies")
+
+
 def test_nothing_moves_where_nothing_can():
     with pytest.raises(PhysicsError, match="nothing moves in this scene"):
         value(problem("    bars: {rod: {length: 2 m, EA: 2e6 N, left: clamped, right: clamped}}"), "omega[1]")
