@@ -102,7 +102,7 @@ class DampedModes:
             waves.append(float(held_count(piece._replace(foundation=kappa), 0)[0]))
         found = trial_eigenvalues(matrix, [int((2.5 * one + 14) * effort) for one in waves], radius)
         if found is None:
-            raise PhysicsError("so many damped modes of members are not found", "ask for fewer")
+            raise PhysicsError("so many damped modes of members are not found", "ask for fewer, or lower ones")
         least = RESTING * radius if self._resting else 0.0
         near = sorted({complex(s) for s in found[(abs(found) < 1.2 * radius) & (abs(found) > least)]}, key=abs)
         points: list[complex] = []
