@@ -30,10 +30,19 @@ CANTILEVER = """
 def test_every_member_is_drawn_and_no_word_lies_over_another(path):
     found = problem_of(path)
     stage, drawn = compose.Scenery(found.scene), draw(found)
-    assert {strip.name for strip in stage.strips} == set(found.scene.members)
+    assert {strip.name for strip in stage.strips} == {name.partition(".")[0] for name in found.scene.members}
     boxes = [part.box for part in drawn if isinstance(part, LetterRuns)]
     assert not [(a, b) for i, a in enumerate(boxes) for b in boxes[:i]
                 if min(a[2], b[2]) - max(a[0], b[0]) > 1e-6 and min(a[3], b[3]) - max(a[1], b[1]) > 1e-6]
+
+
+def test_numbers_of_the_file_stand_as_in_print():
+    drawn = draw(problem("""
+        gravity: 9.81 m/s^2
+        beams: {arm: {from: [0, 0], to: [3 m, 0], EI: 900 N*m^2, mass_per_length: 1 kg/m, left: clamped}}
+    """))
+    written = {"".join(run.text for run in part.runs) for part in drawn if isinstance(part, LetterRuns)}
+    assert {"9.81 m/s²", "900 N·m²"} <= written
 
 
 def test_a_clamped_string_bends_as_its_mode_and_rests_at_its_nodes():
