@@ -47,6 +47,8 @@ class ModalResponse(ResponseOfMembers):
     @cached_property
     def most(self) -> int:
         """So many modes are counted at most."""
+        if any(one.piece.gradient for one in self.placed):
+            return FIRST
         return MOST[self.problem.modal.modes.first(1)[0].motion.system is not None and len(self.placed) == 1
                     and not any(part.any() for part in self.matrices)]
 

@@ -32,6 +32,13 @@ def away_from_poles(system: "ContinuousSystem", low: Any, high: Any) -> "Continu
     return system.refined(places) if places else system
 
 
+def divided_at_poles(system: "ContinuousSystem", low: np.ndarray, high: np.ndarray, part: float) -> "ContinuousSystem":
+    """The system with a node at this part of those pieces that have a frequency of their own between one of `low` and
+    `high`."""
+    crossed = (system.held(low) != system.held(high)).any(axis=1)
+    return system.refined({number: system.number(part) for number in np.flatnonzero(crossed).tolist()})
+
+
 def _best_parts(pieces, low, high):
     """The parts of their length where pieces of one kind had better be divided, of those for which it is better."""
     distances, counts = _clearance(pieces, low, high)
