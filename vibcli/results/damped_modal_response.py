@@ -66,7 +66,10 @@ class DampedModalResponse(ModalResponse):
         from vibcli.analyses.continuous.damped_series import within_region
 
         damped = self.problem.modal.damped
-        damped.first(LOW)
+        try:
+            damped.first(LOW)
+        except PhysicsError as error:
+            raise PhysicsError(f"the motion in time of this scene is not found: {error}", "ask for steady(…)") from None
         return [within_region(damped.region)]
 
     def _dragged(self, basis):
