@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.modal_motion import ModalMotion
 
 LOW = 12            # damped modes that are looked for one by one
+LONGEST = 1_000     # steps of a million products
 MANY, MOST, SMALL = 2400, 600, 8        # modes at most of systems of few coordinates, and of others
 
 
@@ -50,7 +51,8 @@ class DampedModalResponse(ModalResponse):
         from vibcli.analyses.continuous.modal_motion import ModalMotion
 
         modal, matrix = self.problem.modal, self._transfer.matrix
-        self._known.append(damped_series(matrix, self._known[-1], count))
+        with self.problem.work.task("the search for damped modes", LONGEST):
+            self._known.append(damped_series(matrix, self._known[-1], count))
         series = self._known[-1]
         rigid = [[float(x) for x in mode.shape] for mode in modal.modes.shown() if mode.rigid]
         basis = DampedBasis(series, matrix, np.array(rigid).reshape(len(rigid), matrix.n), self._transfer.pieces)

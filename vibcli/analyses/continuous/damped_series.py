@@ -14,6 +14,7 @@ from vibcli.analyses.continuous.counting import GUARD, SLACK
 from vibcli.analyses.continuous.damped_estimates import estimates, inner_estimates
 from vibcli.analyses.continuous.dynamic_matrix import BLOWN, SHARES
 from vibcli.base.errors import PhysicsError
+from vibcli.numerics.fixed_point import count_floats
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -109,6 +110,7 @@ class Divisions:
             for matrix in self._matrices:
                 if not len(left):
                     break
+                count_floats(matrix.n, len(left))
                 one = matrix.at(s[left], steep=True)
                 found.append((matrix, left, one))
                 if len(found) == 1 and self._whole:
