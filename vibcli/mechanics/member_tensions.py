@@ -43,7 +43,8 @@ def require_tensions(configuration: "Configuration") -> None:
                      if piece.owner == member.name)
         if varies and member.kind.bends and _bent(member, configuration):
             raise PhysicsError(f"'{member.name}' is bent by its loads, and its tension varies along it: this does not "
-                               "work yet", "let it stand or hang upright, or leave out `gravity`", member.record.where)
+                               "work yet", "let it stand or hang upright with nothing that bends it, or leave out "
+                               "`gravity`", member.record.where)
     for one in open_tensions(configuration):
         if not one.slight:
             raise PhysicsError(f"'{one.member.name}' rests under the tension {one.found:.6g} N, which statics alone "
@@ -104,7 +105,7 @@ def _open(member, found, drawn, configuration):
 
 def _bent(member, configuration):
     """Does a member rest elsewhere than along its line as drawn?"""
-    if not member.stretching or configuration.equilibrium.drawn:
-        return not configuration.equilibrium.drawn
+    if configuration.equilibrium.drawn:
+        return False
     moved = [node for station in member.stations for node in station.motions]
     return any(evaluate(moved, Floats, configuration.at_rest))
