@@ -133,6 +133,8 @@ class Member(NamedTuple):
 
     def at(self, scene: Any, place: "Node") -> Station:
         """The Station at a place, which stands for those that differ from it by rounding alone."""
+        if not self.stations:
+            scene.reports.finish()      # what is wrong with it has been reported
         x = scene.number(place)
         found = min(self.stations, key=lambda station: abs(scene.number(station.place) - x))
         if abs(scene.number(found.place) - x) > ROUNDING * scene.number(self.length):
