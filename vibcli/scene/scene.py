@@ -138,8 +138,9 @@ class Scene:
 
     @property
     def hidden(self) -> list[str]:
-        """Names of the coordinates that the file does not name: motions of members."""
-        return [name for name in self.coordinates if name not in self.spec.coordinates]
+        """Names of the coordinates that the file does not name: motions of members, dependent ones too."""
+        names = (*self.coordinates, *self.dependent)
+        return [name for name in names if name not in self.spec.coordinates]
 
     @property
     def resting(self) -> "Scene":
