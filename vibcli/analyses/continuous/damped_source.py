@@ -163,10 +163,18 @@ def _cleaned(root, matrix):
     if abs(value.imag) <= size:
         value = complex(value.real, 0.0)
     elif abs(value.real) <= size:
-        x = np.where(abs(root.shape) > STILL * abs(root.shape).max(initial=0.0), root.shape, 0.0)
+        largest = max(abs(root.shape).max(initial=0.0), _usual(matrix))
+        x = np.where(abs(root.shape) > STILL * largest, root.shape, 0.0)
         lost = float((x.conj() @ matrix.polynomial[1] @ x).real) + _dragged(matrix, x, value.imag)
         value = complex(-lost / 2, value.imag)
     return root._replace(value=value)
+
+
+def _usual(matrix):
+    """The displacement that all members have where they move alike with unit ∫μu²: a mode all of whose nodes rest has
+    no other size among its coordinates."""
+    inertia = sum(float(placed.piece.inertia * placed.piece.length) for placed in matrix.pieces)
+    return inertia**-0.5 if inertia else 0.0
 
 
 def _dragged(matrix, x, omega):

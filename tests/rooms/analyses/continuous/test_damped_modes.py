@@ -202,3 +202,13 @@ def test_gyroscopic_terms_and_a_damper_beside_a_bar():
     assert [mode.eigenvalue for mode in damped] == pytest.approx([
         -0.0820408410146647 + 7.47298755764236j, -2.93316539434232e-5 + 9.97095433360192j,
         -0.124744261031225 + 12.9664673858409j], rel=1e-13)
+
+
+def test_rounding_in_a_mode_all_of_whose_nodes_rest_is_no_damping():
+    found = problem("""
+        beams: {w: {length: 1 m, EI: 100 N*m^2, mass_per_length: 1 kg/m, left: clamped, attached: [
+          {at: 1 m, k: 40 N/m}, {at: 0.5 m, c: 3 N*s/m}, {at: 0.9 m, torsion: 4 N*m/rad}]}}
+        bars: {b: {length: 1 m, EA: 100 N, mass_per_length: 1 kg/m, left: clamped, right: clamped, attached: [
+          {at: 0.5 m, k: 50 N/m}]}}
+        """).modal.damped
+    assert [mode.zeta == 0 for mode in found.first(3)] == [True, False, True]
