@@ -41,7 +41,8 @@ def named_input(configuration: "Configuration", text: str) -> Input:
         if chosen is not None:
             return chosen
     names = list(dict.fromkeys(opening.name for opening in found.values()))
-    raise PhysicsError(f"nothing named '{text}' drives this scene", "name one of " + ", ".join(names))
+    raise PhysicsError(f"nothing named '{text}' drives this scene", "name one of " + ", ".join(names) if names else
+                       "let a load act that is not zero, as in `force: 1 N`")
 
 
 def drives_supports(configuration: "Configuration", given: Any) -> bool:
