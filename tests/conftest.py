@@ -1,9 +1,13 @@
 """Which tests are sweeps, that `make quick` leaves out: hostile and random scenes, and of the tests with a problem file
-each those of all but one file in a chapter; what takes half a second is marked where it stands."""
+each those of all but one file in a chapter; what takes half a second is marked where it stands. Each process has one
+thread: those of small matrices wait for one another where several processes share the cores."""
 
+import os
 from pathlib import Path
 
 import pytest
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")      # before NumPy is imported; commands that are run inherit it
 
 TESTS = Path(__file__).parent
 PROBLEMS = sorted(TESTS.parent.glob("problems/*/*.yaml"))

@@ -1,6 +1,7 @@
 """Equations and conditions of members as printed, against those that are written by hand from the balance of forces."""
 
 import pytest
+from support.scenes import problem
 
 from vibcli.cli import main
 
@@ -30,9 +31,17 @@ PULLED = f"""
 parameters: {{L: 1 m, N: 5 kN}}
 beams: {{b: {{length: L, {BEAM}, left: clamped, preload: N}}}}
 """
+BAR = """
+points: {tip: {body: rod, at: 2 m}}
+springs: {above: {k: 200 N/m, between: [tip, [2 m, 3 m]]}, beyond: {k: 50 N/m, between: [tip, [5 m, 0]]}}
+bars: {rod: {from: [0, 0], to: [2 m, 0], EA: 500 N, mass_per_length: 2 kg/m, left: pinned,
+             attached: [{at: 0.5 m, k: 30 N/m}]}}
+"""                             # as it turns it is a rod of 4 kg, 4 kg/3 at its end
 
 
 @pytest.mark.parametrize("scene, told", [
+    (BAR, ["at x = 0: u = 0", "at x = 1/2: [500·∂u/∂x] = 30·u", "at x = 2: 500·∂u/∂x = −50·u",
+           "4/3·rod.across(2 m)'' + 200·rod.across(2 m) = 0"]),
     (MAST, ["1000·∂⁴u/∂x⁴ + g·(3·L + 2)·∂²u/∂x² − 3·g·x·∂²u/∂x² − 3·g·∂u/∂x + 3·∂²u/∂t² = 0",
             "at x = L: 1000·∂³u/∂x³ + 2·g·∂u/∂x = 2·∂²u/∂t², 1000·∂²u/∂x² = 0",
             "V = ½·∫(1000·(∂²u/∂x²)² − g·(3·L + 2)·(∂u/∂x)² + 3·g·x·(∂u/∂x)²)·dx"]),
@@ -66,3 +75,13 @@ def test_frequencies_in_letters_stand_below_their_equation(tmp_path, capsys, mor
             main([command, str(path)])
         assert not ended.value.code
         assert capsys.readouterr().out.count(told) == 1
+
+
+@pytest.mark.parametrize("how", ["first", "largest", "mass"])
+def test_the_mode_in_which_a_bar_turns_has_a_shape(how):
+    modal = problem("title: one" + BAR).modal
+    turning, stretching = modal.modes.first(2)
+    assert turning.omega == pytest.approx(150**0.5, rel=1e-14)
+    found = [abs(x) for x in modal.shape(turning, how)]
+    assert found == pytest.approx([0.75**0.5 if how == "mass" else 1, 0, 0], abs=1e-14)
+    assert modal.shape(stretching, how)[0] == 0

@@ -31,9 +31,9 @@ def room_of(module):
     return [*module.split("."), "__init__"][1]
 
 
-def lines_for_types(tree):
+def lines_for_types(nodes):
     """The lines under `if TYPE_CHECKING:`, which never run."""
-    return {line for node in ast.walk(tree) if isinstance(node, ast.If) and _last_name(node.test) == "TYPE_CHECKING"
+    return {line for node in nodes if isinstance(node, ast.If) and _last_name(node.test) == "TYPE_CHECKING"
             for line in range(node.lineno, node.end_lineno + 1)}
 
 
@@ -44,13 +44,14 @@ class House:
         self.package = package
         self.trees = {module_of(path, package): ast.parse(path.read_text(encoding="utf-8"))
                       for path in sorted(package.rglob("*.py"))}
-        self.imports = {module: sorted(self._imports(module, tree)) for module, tree in self.trees.items()}
+        self.nodes = {module: list(ast.walk(tree)) for module, tree in self.trees.items()}
+        self.imports = {module: sorted(self._imports(module)) for module in self.trees}
 
-    def _imports(self, module, tree):
+    def _imports(self, module):
         """{(module imported, line)}, at any depth of the file, those of types alone left out; relative imports are none
         of the project's."""
-        found, for_types = set(), lines_for_types(tree)
-        for node in ast.walk(tree):
+        found, for_types = set(), lines_for_types(self.nodes[module])
+        for node in self.nodes[module]:
             if isinstance(node, ast.Import):
                 names = [alias.name for alias in node.names]
             elif isinstance(node, ast.ImportFrom):
@@ -120,8 +121,8 @@ class House:
 
     def functions(self, *rooms):
         """(module, function) of all functions, of all rooms or those named."""
-        return [(module, node) for module, tree in self.trees.items() if not rooms or room_of(module) in rooms
-                for node in ast.walk(tree) if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef))]
+        return [(module, node) for module, nodes in self.nodes.items() if not rooms or room_of(module) in rooms
+                for node in nodes if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef))]
 
     def taking_problem(self):
         """Functions of mechanics and analyses that take the whole problem."""
@@ -130,17 +131,17 @@ class House:
 
     def subscripts(self):
         """Subscripts of syntax trees by number."""
-        return [f"{module}:{node.lineno}" for module, tree in self.trees.items() for node in ast.walk(tree)
+        return [f"{module}:{node.lineno}" for module, nodes in self.nodes.items() for node in nodes
                 if isinstance(node, ast.Subscript) and isinstance(node.slice, ast.Constant)
                 and isinstance(node.slice.value, int) and _last_name(node.value) in TREES]
 
     def set_from_outside(self):
         """Attributes of other objects that are assigned, but for the nodes of the table that shares them."""
         found = []
-        for module, tree in self.trees.items():
+        for module, nodes in self.nodes.items():
             if module == NODES:
                 continue
-            for node in ast.walk(tree):
+            for node in nodes:
                 if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store) and not (
                         isinstance(node.value, ast.Name) and node.value.id in ("self", "cls")):
                     found.append(f"{module}:{node.lineno}")
@@ -148,7 +149,7 @@ class House:
 
     def with_several_bases(self):
         """Classes that are put together of several."""
-        return [f"{module}.{node.name}" for module, tree in self.trees.items() for node in ast.walk(tree)
+        return [f"{module}.{node.name}" for module, nodes in self.nodes.items() for node in nodes
                 if isinstance(node, ast.ClassDef) and len(node.bases) > 1]
 
     def annotated(self):
@@ -160,8 +161,8 @@ class House:
     def class_names(self):
         """{name of a public class: modules} of those that several modules define."""
         found = defaultdict(list)
-        for module, tree in self.trees.items():
-            for node in ast.walk(tree):
+        for module, nodes in self.nodes.items():
+            for node in nodes:
                 if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
                     found[node.name].append(module)
         return {name: modules for name, modules in found.items() if len(modules) > 1}

@@ -45,6 +45,13 @@ def test_frequencies_in_numbers(two_degrees):
     assert names <= {"numpy", "mpmath"}
 
 
+@pytest.mark.parametrize("stem", ["cantilever", "cantilever_with_tip_mass"])
+def test_frequencies_of_members_need_no_part_of_numpy_that_is_not_there_at_once(stem):
+    code, names = imported("frequencies", PROBLEMS / "8_continuous" / f"{stem}.yaml")
+    assert code == 0
+    assert not {"numpy.ma", "scipy", "sympy", "matplotlib", "mpmath", "vibcli.numerics.pieces.graded"} & names
+
+
 @pytest.mark.parametrize("command", ["solve", "equations", "check"])
 def test_other_questions_in_numbers(two_degrees, command):
     code, names = modules(command, two_degrees)

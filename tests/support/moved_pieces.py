@@ -14,7 +14,7 @@ def moved_pieces(mode, member):
             ends = np.array([_number(sum(x * motion.shape[i] for i, x in row.items())) for row in placed.rows])
             supported = not any(placed.rows[0].values())
             found.append(Moved(float(placed.start), piece, piece.foundation - piece.inertia * float(motion.z), ends,
-                               supported))
+                               supported, motion.curves))
     return sorted(found, key=lambda moved: moved.start)
 
 

@@ -146,6 +146,14 @@ class Model:
 
         return SceneDrawing.of(self._as_read if mode is None else self._problem, mode, both)
 
+    def diagrams(self, mode: int | None = None, at: float | None = None, amplitudes: bool = False) -> "SceneDrawing":
+        """Forces and moments along members, below the scene: in equilibrium, of a mode, of the motion at the instant
+        `at` [s], or amplitudes of the steady state."""
+        from vibcli.api.pictures import SceneDrawing
+        from vibcli.report.sections.force_diagrams import WhichForces
+
+        return SceneDrawing.of_forces(self._problem, WhichForces(mode, at, amplitudes))
+
     def __repr__(self) -> str:
         from vibcli.report.document import title_of
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from vibcli.api.source import settled
 
 if TYPE_CHECKING:
+    from vibcli.report.sections.force_diagrams import WhichForces
     from vibcli.results.problem import Problem
 
 SUFFIXES = (".png", ".svg", ".pdf")
@@ -26,6 +27,13 @@ class SceneDrawing(NamedTuple):
         from vibcli.drawing.symbols.mode_shape import draw as draw_mode
 
         return cls(draw_mode(settled(problem), mode, both))
+
+    @classmethod
+    def of_forces(cls, problem: "Problem", which: "WhichForces") -> "SceneDrawing":
+        """Diagrams of forces and moments within members, below the scene."""
+        from vibcli.report.sections.force_diagrams import force_drawing
+
+        return cls(force_drawing(settled(problem), which))
 
     def data(self, kind: str = "svg") -> bytes:
         """The bytes of a png, svg or pdf."""

@@ -12,6 +12,7 @@ from vibcli.report.wanted import Wanted
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
+PICTURES = {"equilibrium": "force_diagrams", "modes": "mode_pictures"}
 STATICS = ("given", "chosen", "coordinates", "reactions")       # of a scene without freedom
 SLOPES = ("frequencies", "modes", "damping", *OF_MODES)       # what needs a slope of the forces
 FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",),
@@ -41,9 +42,9 @@ def derivation(problem: "Problem") -> Sequence[str]:
 
 
 def illustrated(sections: Sequence[str]) -> list[str]:
-    """The sections, with pictures of the scene and of its modes."""
+    """The sections, with pictures of the scene, of the forces within its members and of its modes."""
     return ["schematic", *(part for name in sections
-                           for part in ((name, "mode_pictures") if name == "modes" else (name,)))]
+                           for part in ((name, PICTURES[name]) if name in PICTURES else (name,)))]
 
 
 def data(problem: "Problem", parts: Sequence[str], normalise: str, digits: int | None, sections: Sequence[str],

@@ -5,6 +5,7 @@ from statistics import median
 from typing import TYPE_CHECKING, Any
 
 from vibcli.bench import scenes
+from vibcli.bench.members import CANTILEVER
 from vibcli.bench.processes import answer, costs, python, vibcli
 from vibcli.bench.rows import Timing
 
@@ -17,12 +18,14 @@ IMPORT = "from time import process_time\nstart = process_time()\nimport vibcli\n
 
 def rows(runs: Any, folder: "Path | str"):
     """The rows of the start-up budgets."""
-    broken, numeric, letters = (_written(folder, name, text) for name, text in (
-        ("broken.yaml", scenes.BROKEN), ("numeric.yaml", scenes.TWO_DEGREES), ("letters.yaml", scenes.TWO_SYMBOLIC)))
+    broken, numeric, letters, member = (_written(folder, name, text) for name, text in (
+        ("broken.yaml", scenes.BROKEN), ("numeric.yaml", scenes.TWO_DEGREES), ("letters.yaml", scenes.TWO_SYMBOLIC),
+        ("member.yaml", CANTILEVER % "")))
     found = costs({
         READ: (python(READ), (0,)), NUMBERS: (python(NUMBERS), (0,)), LETTERS: (python(LETTERS), (0,)),
         "help": (vibcli("--help"), (0,)), "broken": (vibcli("check", broken), (3,)),
-        "frequencies": (vibcli("frequencies", numeric), (0,)), "check": (vibcli("check", numeric), (0,)),
+        "frequencies": (vibcli("frequencies", numeric), (0,)), "member": (vibcli("frequencies", member), (0,)),
+        "check": (vibcli("check", numeric), (0,)),
         "solve": (vibcli("solve", letters), (0,)),
     }, runs)
 
@@ -35,6 +38,7 @@ def rows(runs: Any, folder: "Path | str"):
         row("vibcli check, a file with a slip", "broken", READ, 1.5),
         row("vibcli frequencies, two degrees", "frequencies", NUMBERS, 1.5),
         Timing("  its peak memory", found["frequencies"].memory, "MiB", 1.4, NUMBERS, found[NUMBERS].memory),
+        row("vibcli frequencies, a cantilever", "member", NUMBERS, 1.5),
         row("vibcli check, two degrees", "check", NUMBERS, 1.5),
         row("vibcli solve, two degrees in letters", "solve", LETTERS, 2.5),
     ]

@@ -8,12 +8,19 @@ import click
 from vibcli.cli.common import chosen, load, scene_options
 from vibcli.cli.output import print_scenes
 from vibcli.cli.reports import output_of, report_options
-from vibcli.cli.sampled import asked, cases_to_show, curve_options, refuse_targets, require_curves, show_curves, size
+from vibcli.cli.sampled import (
+    INSTANT,
+    asked,
+    cases_to_show,
+    curve_options,
+    refuse_targets,
+    require_curves,
+    show_curves,
+    size,
+)
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
-
-INSTANT = "a time, as in 2.5 or '40 ms'"
 
 
 @click.command("response")

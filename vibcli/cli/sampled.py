@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 WIDEST = 120
+INSTANT = "a time, as in 2.5 or '40 ms'"
 
 
 def curve_options(function: Callable) -> Callable:

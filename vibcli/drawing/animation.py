@@ -40,6 +40,13 @@ def of_response(problem: Any) -> tuple[list[list[Any]], str, list[str]]:
                          times.tolist())
 
 
+def at_instant(problem: Any, instant: float) -> list[Any]:
+    """The frame of a scene with members at an instant of its motion in time."""
+    import numpy as np
+
+    return _with_members(problem, np.array([instant]))[0][0]
+
+
 def _with_members(problem, times):
     """The same of a scene with members, which are bent as the signals of their places tell."""
     from vibcli.symbolic.syntax import NameRef
@@ -48,7 +55,7 @@ def _with_members(problem, times):
         return problem.response.signal(NameRef(0, len(name), name, 0)).values(times).tolist()
 
     stage = compose.Scenery(problem.scene)
-    told = [name for name in problem.scene.coordinates if not name.partition(".")[2].startswith("oscillator")]
+    told = problem.scene.coordinates
     parts = [values(name) for name in told]
     base = problem.configuration.equilibrium.values
     positions = [{**base, **{name: part[i] for name, part in zip(told, parts, strict=True)}}

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.drawing.layout.strips import Strip, resting
 from vibcli.drawing.symbols.member import Bend
+from vibcli.drawing.symbols.member_ends import oscillators
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.compose import Scenery
@@ -12,17 +13,22 @@ if TYPE_CHECKING:
 
 RESTS = 1e-9        # of the most that a member moves
 PLACES = 32         # along a member at which its motion in time is found
+STRETCHED = 1.3     # by which what stretches a spring counts more than what moves
 SEEN, ACROSS = 30.0, 22.0       # points that the largest displacement has in the plane, and beside it
 
 
 class MemberMode(NamedTuple):
-    """A mode along a member: its fields times a factor, where it rests, the most that it moves."""
+    """A mode along a member: its fields times a factor, where it rests, the most that it moves; `stretch`: the most
+    that a beam moves along, None of what keeps its length; `hung`: the most that its oscillators do, or stretch their
+    springs, which need more room."""
 
     strip: Strip
     fields: Any
     factor: complex
     nodes: list
     top: float
+    stretch: float | None = None
+    hung: float = 0.0
 
     @property
     def kind(self) -> str:
@@ -34,13 +40,19 @@ class MemberMode(NamedTuple):
         strip, still, now = self.strip, resting(self.strip, rest.values), resting(self.strip, moved.values)
         bar = strip.placed and not strip.sideways
 
+        def of(name, places):
+            return (self.fields.displacements(name, places) * (self.factor * factor)).real.tolist()
+
         def at(places):
-            u = (self.fields.displacements(strip.name, places) * (self.factor * factor)).real.tolist()
+            u = of(strip.name, places)
+            if self.stretch is not None:
+                w = of(f"{strip.name}.along", places)
+                return [(along + a, across + b) for (along, across), a, b in zip(still(places), w, u, strict=True)]
             return [(along + part, there) if bar else (here, across + part)
                     for (along, across), (here, there), part in zip(still(places), now(places), u, strict=True)]
 
         scale = strip.scale if strip.placed else turn_unit if strip.member.kind.torsional else unit
-        return Bend(at, scale, self.nodes)
+        return Bend(at, scale, self.nodes, self.stretch is not None and self.stretch == self.top)
 
 
 def mode_along_members(problem: Any, mode: Any, stage: "Scenery", normalise: str, turn: complex) -> list[MemberMode]:
@@ -48,13 +60,29 @@ def mode_along_members(problem: Any, mode: Any, stage: "Scenery", normalise: str
     if not stage.strips or not hasattr(mode, "motion"):
         return []
     told = problem.modal.told_apart(mode)
+    shape = dict(zip(problem.scene.coordinates, map(complex, problem.modal.shape(mode, normalise)), strict=True))
     fields, factor, found = problem.modal.fields(told), complex(problem.modal.scale(told, normalise)) * turn, []
     for strip in stage.strips:
-        top = abs(complex(fields.largest(strip.name)[1]) * factor)
-        nodes = [float(x) for x in fields.node_places(strip.name)] if top else []
-        found.append(MemberMode(strip, fields, factor, nodes, top))
+        found.append(_with_nodes(strip, fields, factor))
+        for x, name in oscillators(strip, stage.sketch):
+            moved, carrier = shape[name] * turn, fields.displacements(strip.name, [x])[0] * factor
+            found[-1] = found[-1]._replace(hung=max(found[-1].hung, abs(moved), STRETCHED * abs(moved - carrier)))
     most = {kind: max(one.top for one in found if one.kind == kind) for kind in {one.kind for one in found}}
     return [one if one.top > RESTS * most[one.kind] else one._replace(nodes=[], top=0.0) for one in found]
+
+
+def _with_nodes(strip, fields, factor):
+    """The MemberMode of a member; a beam that moves both ways rests nowhere."""
+    top = abs(complex(fields.largest(strip.name)[1]) * factor)
+    moving, stretch = strip.name if top else None, None
+    if strip.member.stretching:
+        stretch = abs(complex(fields.largest(f"{strip.name}.along")[1]) * factor)
+        if top <= RESTS * stretch:
+            moving, top = f"{strip.name}.along", stretch
+        elif stretch > RESTS * top:
+            moving, top = None, max(top, stretch * (1 - RESTS))
+    nodes = [float(x) for x in fields.node_places(moving)] if moving and top else []
+    return MemberMode(strip, fields, factor, nodes, top, stretch)
 
 
 class MemberMotion:
@@ -64,12 +92,17 @@ class MemberMotion:
 
     def __init__(self, problem: Any, stage: "Scenery", positions: Any, values: Any, laid_out: Any):
         self.placed = any(strip.placed for strip in stage.strips)
-        self.curves = {strip.name: (strip, *_curve(strip, values)) for strip in stage.strips}
+        self.curves = {strip.name: (strip, *_curve(strip, strip.member.signal_stem, values)) for strip in stage.strips}
+        self.stretches = {strip.name: _curve(strip, f"{strip.name}.along", values)[1] for strip in stage.strips
+                          if strip.member.stretching}
         tops = {kind: max((abs(u) for strip, _, rows in self.curves.values() for row in rows for u in row
                            if _kind(strip) == kind), default=0.0) for kind in ("placed", "slides", "turns")}
+        base = problem.configuration.equilibrium.values
+        for strip in stage.strips:
+            for _, name in oscillators(strip, stage.sketch):
+                tops[_kind(strip)] = max(tops[_kind(strip)], *(abs(one[name] - base[name]) for one in positions))
         seen = tops["placed"] * stage.sketch.scale
         self.factor = max(1.0, SEEN / seen) if seen else 1.0
-        base = problem.configuration.equilibrium.values
         larger = [{name: base[name] + self.factor * (x - base[name]) for name, x in one.items()} for one in positions]
         self.sketches, unit, self.room = laid_out(stage, larger)
         self.unit = ACROSS / (tops["slides"] * self.factor) if tops["slides"] else unit
@@ -81,7 +114,8 @@ class MemberMotion:
         for name, (strip, places, rows) in self.curves.items():
             unit = {"placed": strip.scale, "slides": self.unit, "turns": self.turn_unit}[_kind(strip)]
             still = resting(strip, self.sketches[number].values)
-            found[name] = Bend(_interpolated(strip, places, rows[number], still, self.factor), unit)
+            stretch = self.stretches[name][number] if name in self.stretches else None
+            found[name] = Bend(_interpolated(strip, places, rows[number], stretch, still, self.factor), unit)
         return found
 
 
@@ -89,15 +123,15 @@ def _kind(strip):
     return "placed" if strip.placed else "turns" if strip.member.kind.torsional else "slides"
 
 
-def _curve(strip, values):
-    """(places, u at them at each instant) of a member."""
+def _curve(strip, stem, values):
+    """(places, a signal at them at each instant) of a member."""
     places = [strip.metres * i / PLACES for i in range(PLACES + 1)]
-    columns = [values(f"{strip.name}.{strip.member.kind.motion}({x!r} m)") for x in places]
+    columns = [values(f"{stem}({x!r} m)") for x in places]
     return places, list(zip(*columns, strict=True))
 
 
-def _interpolated(strip, places, row, still, factor):
-    """[(along, u)] between places at which u is known."""
+def _interpolated(strip, places, row, stretch, still, factor):
+    """[(along, u)] between places at which u is known, and of a beam that stretches what it does along."""
     bar = strip.placed and not strip.sideways
 
     def at(xs):
@@ -106,6 +140,8 @@ def _interpolated(strip, places, row, still, factor):
             i = min(max(bisect_right(places, x) - 1, 0), len(places) - 2)
             t = (x - places[i]) / (places[i + 1] - places[i])
             u = factor * (row[i] + t * (row[i + 1] - row[i]))
+            if stretch is not None:
+                along = factor * (stretch[i] + t * (stretch[i + 1] - stretch[i]))
             found.append((u, across) if bar else (along, u))
         return found
 

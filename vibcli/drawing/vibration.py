@@ -91,7 +91,7 @@ class Vibration:
 
     def _scale(self):
         """Set the amplitude and the unit."""
-        tops = {kind: max((field.top for field in self.fields if field.kind == kind), default=0.0)
+        tops = {kind: max((max(field.top, field.hung) for field in self.fields if field.kind == kind), default=0.0)
                 for kind in ("placed", "slides", "turns")}
         trial = SMALL / max([*map(abs, self.shape), *tops.values()])
         moved = self._required(trial, 0.0)

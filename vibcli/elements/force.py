@@ -65,8 +65,9 @@ ELEMENT = Element(
         "moment": Field(Load("N*m"), "the moment, counter-clockwise"),
         "coordinate": Field(NameOf("the name of a coordinate", "coordinates"), "the coordinate of a generalised force"),
         "value": Field(Load(), "the generalised force: its work is value·δq"),
-        "per_length": Field(Load(), "a load along the member `body`, per length: q0*sin(pi*x/L), x its place; it may "
-                                    "vary in time where the member has neither mass nor drag"),
+        "per_length": Field(Load(), "a load along the member `body` in the sense of its u, per length, x its place: "
+                                    "q0*sin(pi*x/L)*cos(Omega*t), a sum of such products in time; frf[…] to it is that "
+                                    "to a load of this form whose largest value is 1 N/m"),
         "from": Field(Quantity("m"), "where it begins (default: the left end)"),
         "to": Field(Quantity("m"), "where it ends (default: the right end)"),
         "unbalance": Field(Quantity("kg*m"), "a rotating unbalance: mass times eccentricity"),
@@ -158,6 +159,8 @@ def _on_clamped(name, scene):
     point = (scene.spec.get("points") or {}).get(name)
     if point is not None:
         return "body" in point and _on_clamped(point["body"].text, scene)
+    if name not in scene.bodies:        # a point of a member, where that is held
+        return False
     record = scene.bodies[name].record
     return "clamp" in record or any(_on_clamped(carrier, scene) for carrier in carriers(record, scene.spec))
 
@@ -166,7 +169,7 @@ def _does_no_work(record, scene):
     """Say which point does not move: of a body it is the mass centre, about which the body may turn."""
     name = record["at"].text
     body, point, hint = scene.bodies.get(name), f"'{name}'", "let it move, or take the force out"
-    if body is None and "body" not in scene.spec.get("points")[name]:
+    if body is None and "body" not in (scene.spec.get("points") or {}).get(name, ("body",)):
         hint = "a point of a body is P: {body: name, at: [x, y]} under `points`"
     elif body is not None and scene.turns(body):
         point = f"the mass centre of {point}"

@@ -3,17 +3,18 @@
 Stations are the ends, the steps of section, and every place with an attachment, a point or a joint. A motion that is
 free is a coordinate, named as its signal: `wing.u(L/2)`, `wing.slope(L)`, `line.phi(0 m)`; what is held to a body or
 another member is a function of theirs; what is clamped is zero. In the plane a bar stretches and stays straight, hinged
-at its ends; beams and strings keep their length, their mass going along.
+at its ends; beams and strings keep their length, their mass going along. A beam with EA stretches: as it does so it
+counts as a member besides, `wing.along`.
 """
 
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.elements.member_attachments import attach
-from vibcli.elements.member_fields import MemberKind, members_of
+from vibcli.elements.member_fields import LENGTHWISE, MemberKind, members_of
 from vibcli.elements.member_holds import held_at
 from vibcli.elements.member_line import DrawnLine, Station, line_of
-from vibcli.elements.member_pieces import add_pieces
+from vibcli.elements.member_pieces import add_pieces, pieces_of, preload_of
 from vibcli.elements.member_places import ROUNDING, places_of
 from vibcli.elements.member_segments import segments_of
 from vibcli.language.named_elements import load
@@ -62,13 +63,37 @@ class Member(NamedTuple):
         return x + dx, y + dy
 
     @property
+    def lengthwise(self) -> bool:
+        """Is it a bar in the plane, or a beam as it stretches?"""
+        return self.line is not None and self.kind.name == "bar"
+
+    @property
     def turns(self) -> bool:
         """Is it a bar in the plane, which turns besides?"""
-        return self.line is not None and self.kind.name == "bar"
+        return self.lengthwise and self.kind is not LENGTHWISE
+
+    @property
+    def stretching(self) -> bool:
+        """Is it a beam that stretches?"""
+        return self.segments[0].axial is not None
+
+    @property
+    def signal_stem(self) -> str:
+        """The signal of its motion, but for the place: `wing.u`, `line.phi`, `wing.along`."""
+        return self.name if self.kind is LENGTHWISE else f"{self.name}.{self.kind.motion}"
+
+    def has_coordinate(self, name: str) -> bool:
+        """Is a coordinate of that name one of its stations?"""
+        return name.startswith(self.name + ("(" if self.kind is LENGTHWISE else "."))
 
     def motions(self, station: Station) -> "list[Node]":
         """What a station does in the sense of u: u or φ, of beams its slope too."""
-        return [station.along] if self.turns else station.motions
+        return [station.along] if self.lengthwise else station.motions
+
+    def along(self, scene: Any) -> "Member":
+        """A beam as it stretches: as a bar, of the name `wing.along`."""
+        return Member(f"{self.name}.along", LENGTHWISE, self.record,
+                      [segment.lengthwise(scene) for segment in self.segments], self.stations, self.line)
 
     def tension(self, number: int, segment: "MemberSegment", scene: Any) -> "tuple[Node, Node]":
         """(N at the left end of a piece, N′): EA and GI_o of bars and shafts, of strings and beams the tension."""
@@ -79,14 +104,37 @@ class Member(NamedTuple):
             return self.tensions[number]
         return scene.lower(self.record["preload"]) if "preload" in self.record else zero, zero
 
-    def signal(self, scene: Any, signal: "SignalName", place: "Node"):
-        """The PlaceSignal of a name: a motion, force or stress at a place; None beyond the ends."""
+    def stretch_forces(self, scene: Any) -> "list[tuple[Node, Node]]":
+        """(tension by which a piece of a beam stretches, tension in its stiffness), means of each."""
+        found = []
+        for number, (segment, left, right) in enumerate(pieces_of(self, scene)):
+            length = right.place - left.place
+            tension, gradient = self.tension(number, segment, scene)
+            stretch = segment.axial * (right.along - left.along) / length
+            found.append((stretch + preload_of(self, scene), tension + gradient * length / 2))
+        return found
+
+    def signal(self, scene: Any, signal: "SignalName", place: "Node", before: bool = False):
+        """The PlaceSignal of a name: a motion, force or stress at a place, on its right or `before` it; None beyond the
+        ends."""
         from vibcli.elements.place_signals import place_signal
 
-        return place_signal(scene, self, signal, place)
+        return place_signal(scene, self._moving(scene, signal.part), signal, place, before)
+
+    def signals_along(self, scene: Any, part: str, at: "Node"):
+        """The PlaceSignals of a part on each of its pieces from left to right, all as far from its left end."""
+        from vibcli.elements.place_signals import signals_along
+
+        return signals_along(scene, self._moving(scene, part), part, at)
+
+    def _moving(self, scene, part):
+        """The member whose motions tell a part of its signals: of beams as they stretch another."""
+        return scene.members[f"{self.name}.along"] if self.stretching and part in ("along", "force") else self
 
     def at(self, scene: Any, place: "Node") -> Station:
         """The Station at a place, which stands for those that differ from it by rounding alone."""
+        if not self.stations:
+            scene.reports.finish()      # what is wrong with it has been reported
         x = scene.number(place)
         found = min(self.stations, key=lambda station: abs(scene.number(station.place) - x))
         if abs(scene.number(found.place) - x) > ROUNDING * scene.number(self.length):
@@ -130,6 +178,8 @@ def _built(name, kind, record, scene):
     add_pieces(member, scene)
     member = member._replace(stations=[station for station in member.stations if station.u is not None])
     scene.members[name] = member
+    if member.stretching:
+        scene.members[f"{name}.along"] = member.along(scene)
     for place in places if member.stations else ():
         for here in (*(end for end in place.ends if not isinstance(end, str)), *place.attached):
             attach(here, member, member.at(scene, place.node), scene)

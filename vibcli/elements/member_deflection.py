@@ -74,12 +74,14 @@ def _particular(scene, signal, tension, foundation, xi):
 
 def _given_along(scene, signal):
     """What the force or stress of a bar in the plane holds besides: its tension as drawn, and what it lengthens as it
-    turns."""
-    if not signal.member.turns or signal.order != 1:
+    turns; of a beam that stretches its tension as drawn."""
+    if not signal.member.lengthwise or signal.order != 1:
         return scene.table.zero
     record, first, last = signal.member.record, signal.member.stations[0], signal.member.stations[-1]
-    apart = signal.member.length + (last.along - first.along)
-    longer = (scene.distance(apart, last.u - first.u) - apart) / signal.member.length
+    longer = scene.table.zero
+    if signal.member.turns:
+        apart = signal.member.length + (last.along - first.along)
+        longer = (scene.distance(apart, last.u - first.u) - apart) / signal.member.length
     preload = scene.lower(record["preload"]) if "preload" in record else scene.table.zero
     return signal.factor * (longer + preload / signal.segment.stiffness)
 

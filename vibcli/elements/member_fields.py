@@ -27,6 +27,11 @@ class MemberKind(NamedTuple):
         return self.stiffness == "EI"
 
     @property
+    def letter(self) -> str:
+        """That of its motion in equations."""
+        return "w" if self.motion == "along" else self.motion
+
+    @property
     def torsional(self) -> bool:
         """Does it turn about its axis?"""
         return self.motion == "phi"
@@ -35,6 +40,7 @@ class MemberKind(NamedTuple):
 BAR = MemberKind("bar", "EA", "E", "A", "mass_per_length", "u")
 SHAFT = MemberKind("shaft", "GIo", "G", "Io", "inertia_per_length", "phi")
 BEAM = MemberKind("beam", "EI", "E", "I", "mass_per_length", "u")
+LENGTHWISE = BAR._replace(motion="along")        # a beam in the plane as it stretches
 STRING = MemberKind("string", None, None, "A", "mass_per_length", "u")
 KINDS = {"bars": BAR, "shafts": SHAFT, "beams": BEAM, "strings": STRING}
 MATERIAL = {
@@ -53,18 +59,19 @@ MATERIAL = {
 }
 OF_KIND = {"bar": ("E", "rho", "section", "A", "EA", "mass_per_length"),
            "shaft": ("G", "rho", "section", "Io", "GIo", "inertia_per_length"),
-           "beam": ("E", "rho", "section", "A", "I", "EI", "mass_per_length"),
+           "beam": ("E", "rho", "section", "A", "I", "EI", "EA", "mass_per_length"),
            "string": ("rho", "section", "A", "mass_per_length")}
 
 
-_INSTEAD = {"beam": {"EA": "beams keep their length: leave it out"},
-            "string": {"EA": "strings keep their length: leave it out", "E": "strings do not bend: leave it out"}}
+_INSTEAD = {"string": {"EA": "strings keep their length: leave it out", "E": "strings do not bend: leave it out"}}
 
 
 def member_element(kind: MemberKind, about: str, example: str) -> Element:
     """The declaration of a kind of members."""
     force, turn = "N" if kind.torsional else "N/m^2", "N*s" if kind.torsional else "N*s/m^2"
     along = {key: MATERIAL[key] for key in OF_KIND[kind.name]}
+    if kind.bends:
+        along["EA"] = Field(Quantity("N"), "its stiffness along, E times A, by which it stretches, in the plane alone")
     along["foundation"] = Field(Quantity(force), "the stiffness of what it rests on, per length")
     along["drag"] = Field(Quantity(turn), "the coefficient of what damps it, per length")
     exclusive = (("section", kind.geometry), (kind.inertia, "rho"), *(
@@ -96,6 +103,11 @@ def _settle(record: Record, reader: Reader) -> None:
     if record.element.name == "bar" and "preload" in record and "from" not in record:
         reader.report(record.place("preload"), "the tension of a bar plays no part in what moves along it",
                       "leave it out, or draw the bar in the plane, `from` a place `to` another")
+    if record.element.name == "beam" and "from" not in record:
+        for part in (record, *record.get("segments", ())):
+            if "EA" in part:
+                reader.report(part.place("EA"), "a beam without a place moves across alone: its 'EA' plays no part",
+                              "leave it out, or draw the beam in the plane, `from` a place `to` another")
     if record.element.name == "string" and "preload" not in record and (
             "from" not in record or all(holds_along(record.get(side, FREE)) for side in ("left", "right"))):
         reader.report(record.where, f"nothing tells the tension of '{record.name}'", "give `preload: T`")

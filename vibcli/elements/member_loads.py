@@ -2,14 +2,17 @@
 
 On a piece without tension that is no string, or a bar or shaft, Σ Fᵢ δsᵢ with Fᵢ = ∫ q Nᵢ dx, Nᵢ linear, of beams
 Hermite's cubics, integrated by parts. An even load acts on the mean deflection, under tension and on foundations too.
-Pieces without inertia and drag deflect at all times as at rest: there the load may vary in time.
+Pieces without inertia and drag deflect at all times as at rest, under what varies in time too; on all others that is a
+SpreadForce.
 """
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.elements.member_pieces import pieces_of
+from vibcli.elements.member_places import ROUNDING
 from vibcli.elements.member_springs import mean_across, mean_along
 from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.separated_products import products_of
 
 if TYPE_CHECKING:
     from vibcli.elements.member import Member
@@ -54,17 +57,44 @@ def add_spread_load(record: "Record", member: "Member", scene: Any) -> None:
     if not low < high:
         scene.report(record.where, f"'{record.name}' acts from {low:.6g} m to {high:.6g} m", "`from` is left of `to`")
         return
+    vibrates = _on_slack(member, low, high, scene)      # between a station and a slack end
+    if vibrates and not q.is_zero:
+        _not_yet(record, scene)
+        return
     for i, (segment, left, right) in enumerate(pieces_of(member, scene)):
         middle = (scene.number(left.place) + scene.number(right.place)) / 2
-        if low < middle < high and not (in_time.is_zero or (segment.inertia.is_zero and segment.drag.is_zero)):
-            scene.report(record["per_length"].where, "a load that varies in time along a member with mass or drag does "
-                         "not work yet", "let forces act at points of the member")
-            return
         if low < middle < high:
-            _on_piece(record, load, member, segment, left, right, member.tension(i, segment, scene), scene)
+            is_light = segment.inertia.is_zero and segment.drag.is_zero
+            vibrates = vibrates or not is_light
+            _on_piece(record, load if is_light else load._replace(in_time=scene.table.zero), member, segment, left,
+                      right, member.tension(i, segment, scene), scene)
+    if vibrates:
+        _vibrating(record, load, scene)
+
+
+def _on_slack(member, low, high, scene):
+    """Does a load reach beyond the stations, to an end that bears no tension?"""
+    first, last = (scene.number(member.stations[end].place) for end in (0, -1))
+    slack = ROUNDING * scene.number(member.length)
+    return low < first - slack or high > last + slack
+
+
+def _vibrating(record, load, scene):
+    """Add the SpreadForces of what varies in time; of a steady load one that rests, beside which an input stands."""
+    found = [(load.q, scene.table.zero)]
+    if not load.in_time.is_zero:
+        found = products_of(load.in_time, load.x, scene.time)
+    if found is None:
+        scene.report(record["per_length"].where, "this load is no sum of products f(x)*g(t) of what varies along a "
+                     "member and what varies in time", "write it as such a sum, as in q0*sin(pi*x/L)*cos(Omega*t)")
+        return
+    for along, moving in found:
+        scene.add_spread_force(load.member, load.start, load.end, along, moving, load.x)
 
 
 def _on_piece(record, load, member, segment, left, right, tension, scene):
+    if load.q.is_zero and load.in_time.is_zero:
+        return None
     length = right.place - left.place
     ends = [*member.motions(left), *member.motions(right)]
     bends, foundation = member.kind.bends, segment.foundation

@@ -1,6 +1,7 @@
 """The pieces of members between their stations: springs at rest, and what has inertia or drag a piece besides."""
 
 from collections.abc import Iterator
+from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
@@ -72,6 +73,14 @@ def add_across(segment: "MemberSegment", left: "Station", right: "Station", tens
     ends, mean = [*left.motions, *right.motions], tension + gradient * length / 2
     springs = springs_across(scene, length, segment.stiffness, mean, segment.foundation, ends)
     _add(segment, left, right, (segment.stiffness, tension, gradient), ends, springs, scene)
+
+
+def add_along(member: "Member", segment: "MemberSegment", left: "Station", right: "Station", scene: Any) -> None:
+    """A piece of a beam that stretches, along it: a bar under its tension as drawn."""
+    segment, zero = segment.lengthwise(scene), scene.table.zero
+    scene.owned(f"{member.name}.along", partial(
+        add_piece, segment, left, right, segment.stiffness, [left.along, right.along], scene,
+        preload_of(member, scene), zero))
 
 
 def _add(segment, left, right, stiff, ends, springs, scene):

@@ -41,11 +41,15 @@ def right_text(record: "Record") -> str:
 
 
 def _drawn_length(record):
-    """The one coordinate by which the ends of a member lie apart as drawn, or a word."""
+    """How far the ends of a member lie apart as drawn: one coordinate, or by Pythagoras."""
     ends = [[part.text.strip() for part in record[key]] for key in ("from", "to")]
     apart = [i for i in (0, 1) if ends[0][i] != ends[1][i]]
     from_zero = len(apart) == 1 and ends[0][apart[0]].partition(" ")[0] == "0"
-    return ends[1][apart[0]].removeprefix("-").strip() if from_zero else "right end"
+    if from_zero:
+        return ends[1][apart[0]].removeprefix("-").strip()
+    parts = [ends[1][i] if ends[0][i].partition(" ")[0] == "0" else f"{ends[1][i]} - ({ends[0][i]})" for i in apart]
+    squares = [f"{part}^2" if part.isidentifier() else f"({part})^2" for part in parts]
+    return f"sqrt({' + '.join(squares)})"
 
 
 def asked_places(name: str, spec: "Spec") -> "Iterator[Any]":
@@ -112,5 +116,6 @@ def motions_of(spec: "Spec") -> "Iterator[tuple[str, bool]]":
 def _named(name: str, kind: MemberKind, text: str) -> "Iterator[tuple[str, bool]]":
     yield f"{name}.{kind.motion}({text})", kind.torsional
     yield f"{name}.oscillator({text})", kind.torsional
+    yield f"{name}.along({text})", False
     if kind.bends:
         yield f"{name}.slope({text})", True

@@ -2,14 +2,14 @@
 
 Bars are hinged at their ends and stay straight: u is linear in x, and a piece l of the length L lengthens by Δa along
 the line and by its share l/L of √((L + ΔA)² + Δu²) − (L + ΔA), as the bar turns, so that tension stiffens it across.
-Beams and strings keep their length as a link does: all of them moves along together, and where both ends are held to
-what parts along the line, that is a condition.
+Strings and beams without EA keep their length as a link does: all of them moves along together, and where both ends are
+held to what parts along the line, that is a condition. A beam with EA stretches: along it is a bar.
 """
 
 from typing import TYPE_CHECKING, Any
 
 from vibcli.elements.member_line import Station
-from vibcli.elements.member_pieces import add_across, add_piece, preload_of
+from vibcli.elements.member_pieces import add_across, add_along, add_piece, preload_of
 from vibcli.elements.member_springs import mean_across, mean_along
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import HALF
@@ -31,6 +31,9 @@ def placed(member: "Member", places: "Sequence[PlaceAlong]", held: "Sequence[Map
     if member.kind.name == "bar":
         return member._replace(stations=_straight(member, places, held, scene))
     along, stretches = _along(member, places, held, scene)
+    if member.name in scene.tensions and scene.tensions[member.name].shared and scene.parameters.free:
+        scene.report(member.record.where, f"'{member.name}' and what its ends are held to share the loads: its tension "
+                     "in letters does not work yet", "give every parameter a value, or leave out the loads")
     slack = [places[i] for i in _slack(member, places, scene)]
     return member._replace(stations=[_station(member, place, motions, node, place in slack, scene) for
                                      place, motions, node in zip(places, held, along, strict=True)],
@@ -40,13 +43,13 @@ def placed(member: "Member", places: "Sequence[PlaceAlong]", held: "Sequence[Map
 def _straight(member, places, held, scene):
     """The Stations of a bar: between its ends u is linear in x."""
     first, last = (held[i]["u"] if "u" in held[i] else
-                   scene.coordinates.further(f"{member.name}.u({places[i].text})") for i in (0, -1))
+                   scene.coordinates.further(f"{member.name}.across({places[i].text})") for i in (0, -1))
     found = []
     for place, motions in zip(places, held, strict=True):
         share = place.node / member.length
         u = first if place is places[0] else last if place is places[-1] else first + share * (last - first)
         along = motions["along"] if "along" in motions else scene.coordinates.further(
-            f"{member.name}.along({place.text})")
+            f"{member.name}.u({place.text})")
         found.append(Station(place.node, place.text, u, along=along))
     return found
 
@@ -62,8 +65,11 @@ def _station(member, place, motions, along, slack, scene):
 
 
 def _along(member, places, held, scene):
-    """(motion along of each station, coordinates by which it may stretch) of what keeps its length."""
+    """(motion along of each station, coordinates by which it may be cut open) of beams and strings."""
     left, right = (held[i].get("along") for i in (0, -1))
+    if member.stretching and not scene.variant.stretched:
+        return [motions["along"] if "along" in motions else scene.coordinates.further(
+            f"{member.name}.along({place.text})") for place, motions in zip(places, held, strict=True)], ()
     base = left if left is not None else right
     if base is None:
         base = scene.coordinates.further(f"{member.name}.along({places[0].text})")
@@ -73,7 +79,7 @@ def _along(member, places, held, scene):
                      for i, motions in enumerate(held)]
         return [motions.get("along", base) if stretch is None else base + stretch
                 for motions, stretch in zip(held, stretches, strict=True)], tuple(stretches)
-    if tied:
+    if tied and not member.stretching:
         scene.add_constraint(member.record, right - left, "link")
     return [base] * len(places), ()
 
@@ -88,11 +94,21 @@ def add_placed_piece(member: "Member", segment: "MemberSegment", left: Station, 
         means = mean_along(scene, length, segment.stiffness, segment.foundation, (left.along, right.along)), (
             left.u + right.u) * HALF
     else:
-        scene.add_inertia(mass, right.along)
-        means = right.along, (_cut if scene.variant.stretched else _add_taut)(member, segment, left, right, i, scene)
+        across = _cut if scene.variant.stretched else _add_taut
+        means = (_add_along(member, segment, left, right, mass, scene),
+                 across(member, segment, left, right, i, scene))
     if not mass.is_zero and scene.contents.gravity is not None:
         (x, y), (dx, dy) = (member.line.drawn((left.place + right.place) * HALF), member.line.displaced(*means))
         scene.add_weight(mass, x + dx, y + dy)
+
+
+def _add_along(member, segment, left, right, mass, scene):
+    """What a piece of a beam or string does along the line; the motion by which its weight acts."""
+    if member.stretching and not scene.variant.stretched:
+        add_along(member, segment, left, right, scene)
+        return (left.along + right.along) * HALF
+    scene.add_inertia(mass, right.along)
+    return right.along
 
 
 def _cut(_member, _segment, left, right, _i, _scene):
@@ -104,7 +120,7 @@ def _add_taut(member, segment, left, right, i, scene):
     """A piece of a beam or string under the tension that statics finds; its mean displacement across."""
     length = right.place - left.place
     tension = scene.tension(member.name, i) or preload_of(member, scene)
-    gradient = _gradient(member, segment, scene)
+    gradient = tension_gradient(member, segment, scene)
     member.tensions.append((tension, gradient))
     if member.kind.bends:
         add_across(segment, left, right, tension, scene, gradient)
@@ -124,7 +140,7 @@ def _add_taut(member, segment, left, right, i, scene):
     return scene.table.zero
 
 
-def _gradient(member, segment, scene):
+def tension_gradient(member: "Member", segment: "MemberSegment", scene: Any) -> "Node":
     """N′ = −μ g·e, the weight along the line."""
     zero = scene.table.zero
     if scene.contents.gravity is None or segment.inertia.is_zero:
@@ -140,7 +156,7 @@ def _slack(member, places, scene):
     if member.kind.name != "string" or member.name not in scene.tensions:
         return []
     first, last = (scene.tension(member.name, i) for i in (0, -1))
-    last = last + _gradient(member, member.segments[-1], scene) * (places[-1].node - places[-2].node)
+    last = last + tension_gradient(member, member.segments[-1], scene) * (places[-1].node - places[-2].node)
     sizes = [abs(scene.number(node)) for node in (first, last)]
     return [i for i, size in zip((0, -1), sizes, strict=True) if size <= SLACK * max(sizes)]
 

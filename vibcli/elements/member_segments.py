@@ -13,7 +13,8 @@ if TYPE_CHECKING:
 
 class MemberSegment(NamedTuple):
     """From `start` to `end` along a member: its stiffness (EA, GI_o or EI; None of strings), inertia, foundation and
-    drag per length, its modulus and cross-section, None where they are not given."""
+    drag per length, its modulus and cross-section, None where they are not given; `axial`: EA of a beam that stretches,
+    None of any other."""
 
     start: Any
     end: Any
@@ -24,12 +25,18 @@ class MemberSegment(NamedTuple):
     drag: Any
     modulus: Any
     section: Any
+    axial: Any = None
 
     @property
     def nodes(self) -> "list[Node]":
         """The lengths and coefficients of its equation."""
-        return [node for node in (self.start, self.end, self.stiffness, self.inertia, self.foundation, self.drag)
-                if node is not None]
+        return [node for node in (self.start, self.end, self.stiffness, self.inertia, self.foundation, self.drag,
+                                  self.axial) if node is not None]
+
+    def lengthwise(self, scene: Any) -> "MemberSegment":
+        """That of a beam as it stretches: along it neither what it rests on nor its drag acts."""
+        zero = scene.table.zero
+        return self._replace(stiffness=self.axial, foundation=zero, drag=zero, modulus=None, section=None, axial=None)
 
 
 def segments_of(record: "Record", kind: MemberKind, line: "DrawnLine | None", scene: Any) -> list[MemberSegment]:
@@ -42,7 +49,8 @@ def segments_of(record: "Record", kind: MemberKind, line: "DrawnLine | None", sc
         own = given.within(part)
         text = part["length"].text if "length" in part else ""
         found.append(MemberSegment(start, end, text, own.stiffness(), own.inertia(),
-                                   own.per_length("foundation"), own.per_length("drag"), own.modulus(), own.section()))
+                                   own.per_length("foundation"), own.per_length("drag"), own.modulus(), own.section(),
+                                   own.axial()))
         start = end
     if "segments" in record and "length" in record:
         length = scene.positive(record["length"], f"the length of '{record.name}'")
@@ -88,6 +96,18 @@ class _Given:
         self._missing(f"'{self.member.name}' has no stiffness",
                       f"give {kind.stiffness}, or {kind.modulus} and {kind.geometry} or a section")
         return self.scene.table.one
+
+    def axial(self) -> "Node | None":
+        """EA of a beam that stretches; None of a member none of whose parts gives it, and of others than beams."""
+        parts = (self.member, *self.member.get("segments", ()))
+        if not self.kind.bends or not any("EA" in part for part in parts):
+            return None
+        found = self._nearest("EA")
+        if found is None:
+            self._missing(f"a segment of '{self.member.name}' has no EA, and others stretch", "give each its EA, or "
+                          "one to the whole beam")
+            return self.scene.table.one
+        return found
 
     def inertia(self) -> "Node":
         """Mass per length, of shafts moment of inertia per length; zero where nothing gives it."""

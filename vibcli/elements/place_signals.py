@@ -3,7 +3,8 @@
     u, φ: 0, slope: 1;  force N u′, moment of a shaft G I_o φ′: 1;  moment of a beam B u″: 2, shear B u‴: 3 derivatives;
     stress: force/A, moment·D/(2 I_o), moment·h/(2 I).
 
-At a station the piece on its right counts, at the right end that on its left. What has no inertia deflects as at rest.
+At a station the piece on its right counts, at the right end and where it is asked for that on its left. What has no
+inertia deflects as at rest.
 """
 
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -59,7 +60,7 @@ class PlaceSignal(NamedTuple):
         line, spread = self.member.line, scene.table.total([load.q for load in self._spread(scene) if load.even])
         if line is None or scene.gravity is None or self.segment.inertia.is_zero:
             return spread
-        return spread + self.segment.inertia * line.seen(*scene.gravity)[0 if self.member.turns else 1]
+        return spread + self.segment.inertia * line.seen(*scene.gravity)[0 if self.member.lengthwise else 1]
 
     def uneven(self, scene: "Scene") -> list:
         """The SpreadLoads along its piece that are not the same all along."""
@@ -86,22 +87,32 @@ class PlaceSignal(NamedTuple):
         return self.segment.inertia.is_zero and self.segment.drag.is_zero
 
 
-def place_signal(scene: "Scene", member: "Member", signal: "SignalName", place: "Node") -> PlaceSignal | None:
-    """The PlaceSignal of a name; None where the place is not on the member."""
+def place_signal(scene: "Scene", member: "Member", signal: "SignalName", place: "Node",
+                 before: bool = False) -> PlaceSignal | None:
+    """The PlaceSignal of a name, `before` a place the one on its left; None where the place is not on the member."""
     x, length = scene.number(place), scene.number(member.length)
     if not -SAME * length <= x <= (1 + SAME) * length:
         return None
     stations = _with_slack_ends(scene, member)
     there = next((station for station in stations if abs(scene.number(station.place) - x) <= SAME * length), None)
     if there is not None:
-        number = min(stations.index(there), len(stations) - 2)
+        number = max(min(stations.index(there) - before, len(stations) - 2), 0)
     else:
         number = sum(scene.number(station.place) < x for station in stations) - 1
+    at = (place if there is None else there.place) - stations[number].place
+    return _on_piece(scene, member, stations, number, signal.part, at)._replace(station=there)
+
+
+def signals_along(scene: "Scene", member: "Member", part: str, at: "Node") -> "list[PlaceSignal]":
+    """The PlaceSignals of a part on each piece of a member from left to right, all as far from its left end."""
+    stations = _with_slack_ends(scene, member)
+    return [_on_piece(scene, member, stations, number, part, at) for number in range(len(stations) - 1)]
+
+
+def _on_piece(scene, member, stations, number, part, at):
     left, right = stations[number:number + 2]
     segment = _segment(scene, member, left, right)
-    order, factor = _part(scene, member, segment, signal)
-    at = (place if there is None else there.place) - left.place
-    return PlaceSignal(member, left, right, number, segment, at, there, order, factor)
+    return PlaceSignal(member, left, right, number, segment, at, None, *_part(scene, member, segment, part))
 
 
 def _with_slack_ends(scene, member):
@@ -118,10 +129,10 @@ def _segment(scene, member, left, right):
     return next(segment for segment in member.segments if middle < scene.number(segment.end))
 
 
-def _part(scene, member, segment, signal):
+def _part(scene, member, segment, part):
     """(order of the derivative, factor)."""
-    kind, part, stiffness = member.kind, signal.part, segment.stiffness
-    if part in ("u", "phi"):
+    kind, stiffness = member.kind, segment.stiffness
+    if part in ("u", "phi", "along"):
         return 0, scene.table.one
     if part == "slope":
         return 1, scene.table.one

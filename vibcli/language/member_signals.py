@@ -13,6 +13,7 @@ PARTS = {"bars": {"u": "m", "force": "N", "stress": "Pa"},
          "shafts": {"phi": "rad", "moment": "N*m", "stress": "Pa"},
          "beams": {"u": "m", "slope": "rad", "moment": "N*m", "shear": "N", "stress": "Pa"},
          "strings": {"u": "m", "slope": "rad", "force": "N"}}
+STRETCHING = {"along": "m", "force": "N"}
 ABOUT = (
     ("rod.u(x), .force, .stress", "of a bar at the place x from its left end, a length: displacement along the bar, "
                                   "tension EA u′, stress E u′"),
@@ -21,6 +22,8 @@ ABOUT = (
      "of a beam: displacement across it, to the left of the way from its left end to its right one (upwards where it "
      "runs to the right), slope u′, bending moment EI u″, shear (EI u″)′, stress E u″ h/2 at the outer fibre. Stress "
      "of beams and shafts needs a `section`"),
+    ("wing.along(x), .force", "of a beam that stretches, in the plane with an `EA`: displacement w along it, tension "
+                              "EA w′ beside its `preload`"),
     ("cord.u(x), .slope, .force", "of a string: displacement across it, slope u′, tension, which small motions do "
                                    "not change"),
     ("rod.u'(x)", "the rate of any of these; `rod.u(L)(1 ms)` is the value in time. At a jump along x the value on its "
@@ -41,7 +44,15 @@ def member_unit(spec: "Spec", signal: "SignalName") -> str | None:
     section = spec.members.get(signal.name)
     if section is None or not signal.place or _no_stress(spec, signal, section):
         return None
-    return PARTS[section].get(signal.part)
+    return parts_of(spec, signal.name).get(signal.part)
+
+
+def parts_of(spec: "Spec", name: str) -> dict[str, str]:
+    """{part: its unit} of the signals of a member."""
+    section = spec.members[name]
+    record = spec.get(section)[name]
+    stretches = section == "beams" and any("EA" in part for part in (record, *record.get("segments", ())))
+    return PARTS[section] | (STRETCHING if stretches else {})
 
 
 def _no_stress(spec, signal, section):
@@ -56,7 +67,7 @@ def _no_stress(spec, signal, section):
 
 def member_signals(spec: "Spec", signal: "SignalName") -> list[str]:
     """All signals of a member, at the place of the one given, else at its left end."""
-    parts = PARTS[spec.members[signal.name]]
+    parts = parts_of(spec, signal.name)
     return [f"{signal.name}.{part}({signal.place or 0})" for part in parts
             if member_unit(spec, signal._replace(part=part, place="0", primes=0))]
 
@@ -66,8 +77,11 @@ def mistake(spec: "Spec", signal: "SignalName") -> Mistake | None:
     section = spec.members.get(signal.name)
     if section is None:
         return None
-    if signal.part not in PARTS[section]:
+    if signal.part not in parts_of(spec, signal.name):
         noun, known = section[:-1], member_signals(spec, signal)
+        if section == "beams" and signal.part in STRETCHING:
+            return Mistake(f"'{signal.name}' keeps its length: it has no '{signal.part}'", "a beam in the plane with "
+                           "`EA` stretches")
         if not signal.part:
             return Mistake(f"'{signal.name}' is a {noun}: it has no value of its own", f"ask for {known[0]}")
         hint = nearest(signal._replace(place=signal.place or "0").still.text, known)

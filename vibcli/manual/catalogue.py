@@ -7,6 +7,7 @@ from vibcli.language.document.document import Mapping, Scalar, Sequence
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Many, MotionField, NameOf, OneOf
 from vibcli.language.named_elements import Lazy, Named, load
+from vibcli.language.reader import article
 from vibcli.reader import sections as questions
 from vibcli.reader.read import SECTIONS
 
@@ -64,7 +65,7 @@ class Catalogue:
             declared = self.elements[word] = Declared(word, element, about, section)
             for key, field in declared.fields.items():
                 item = "an item of " if isinstance(field.kind, Many) else ""
-                self._gather(field.kind, f"{item}the key `{key}` of a {word}", None)
+                self._gather(field.kind, f"{item}the key `{key}` of {article(word)}", None)
         if place not in declared.places:
             declared.places.append(place)
         return declared

@@ -15,7 +15,7 @@ from vibcli.reader.sections.find import FIND
 def expects(kind: Any) -> str:
     """What a key holds, in words."""
     if isinstance(kind, Many) and isinstance(kind.kind, (Element, Lazy)):
-        return f"{kind.wants}, each a {opened(kind.kind)[0]}"
+        return f"{kind.wants}, each {article(opened(kind.kind)[0])}"
     if isinstance(kind, MotionField):
         return kind.wants + ", in coordinates and time"
     if isinstance(kind, Load) and not isinstance(kind, EquationField):
@@ -66,7 +66,7 @@ def _rules(element):
             found.append(f"At most one of {either(group)} may stand.")
     if element.short is not None:
         found.append(f"A bare value stands for `{element.short}`.")
-    further = [word for word in map(_inner, element.fields.values()) if word]
+    further = list(dict.fromkeys(word for word in map(_inner, element.fields.values()) if word))
     if further:
         likewise = f", likewise {either(further[1:], 'and')}" if further[1:] else ""
         found.append(f"More: `vibcli explain {further[0]}`{likewise}.")

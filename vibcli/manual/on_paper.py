@@ -7,6 +7,9 @@ PICTURES = [
     [
         ("vibcli draw FILE", "the scene as a figure, drawn to scale; lumped bodies in a row along their axis"),
         ("vibcli draw FILE --mode 1", "the shape of a mode over the scene at rest; `--both` the other way as well"),
+        ("vibcli draw FILE --diagrams", "forces, shears, moments and torques along members in equilibrium, below the "
+         "scene; `--mode 2` of a mode, `--at '40 ms'` of the motion in time, `--amplitudes` of the steady state; "
+         "`--plot` in the terminal"),
         ("vibcli animate FILE --mode 1", "the mode in motion: .gif, or .html with play, pause and a slider; "
          "`--response` the motion in time, `--until 2` so long"),
         ("vibcli response FILE --plot", "the motion plotted in the terminal; `--of x` says which signals, `--until 2` "
@@ -14,10 +17,15 @@ PICTURES = [
         ("vibcli frf FILE --plot", "amplitude and phase; `--from`, `--up-to` give the range, `--nyquist` the complex "
          "plane"),
         ("--save FILE", "the same plot as .png, .svg or .pdf"),
-        ("--pictures", "the figure and the mode shapes within a report: `vibcli explain reports`"),
+        ("--pictures", "the figure, the mode shapes and the diagrams of members within a report: "
+         "`vibcli explain reports`"),
     ],
     "`draw` and `animate` write .png and .gif under the name of the scene, or the file that `-o` names: .svg, .pdf, "
     ".html. No file is replaced without `--force`. A scene with symbols can be drawn; its modes need numbers.",
+    "In diagrams each member is a base line. Bending moments stand on the side in tension; all else that is positive "
+    "stands to the left of the way from the left end of the member to its right one, upwards where that runs to the "
+    "right. Values stand at ends, at jumps and where the curve is largest; rings mark where it is zero. Signs are "
+    "those of the signals: `vibcli explain signals`.",
 ]
 
 _BESIDE = [f"{suffixes[0]} ({where})" for suffixes, where, _ in FORMATS.values() if where not in (None, WITHIN)]
@@ -30,8 +38,9 @@ REPORTS = [
         *((suffixes[0], about) for suffixes, _, about in FORMATS.values()),
         (".json", "the same as `--json`: `vibcli explain json`"),
     ],
-    f"`--pictures` adds the figure of the scene and the shapes of its modes, within {listed(_WITHIN)}, as files beside "
-    f"{listed(_BESIDE)}. `vibcli solve problem.yaml -o report.html --pictures` writes the whole.",
+    "`--pictures` adds the figure of the scene, the shapes of its modes and the diagrams of its members, within "
+    f"{listed(_WITHIN)}, as files beside {listed(_BESIDE)}. `vibcli solve problem.yaml -o report.html --pictures` "
+    "writes the whole.",
 ]
 
 DATA = [

@@ -25,6 +25,8 @@ PYTHON = [
          "angular frequencies in rad/s, or at frequencies in Hz with `f=array`"),
         ("p.draw()", "the figure; `p.draw(mode=1, both=True)` a mode shape on it. `.save(\"scene.png\")` writes it, "
          "`.data(\"svg\")` gives its bytes"),
+        ("p.diagrams()", "forces and moments along members in equilibrium; `p.diagrams(mode=2)`, `p.diagrams(at=0.04)` "
+         "at an instant in seconds, `p.diagrams(amplitudes=True)`"),
     ],
     "A notebook shows a `Model` as its report with the figure. In a scene with letters without value `p.omega`, "
     "`p.zeta`, `p.modes`, `p.equilibrium` and `.expression` are expressions: str() writes them in the scene language; "

@@ -22,11 +22,15 @@ RESPONSE = [
          "both, files and plots hold the instant twice. Members start with fields, `initial: {rod.u: a*x/L, rod.u': "
          "-v}`. Where the fronts multiply, as on pieces of many lengths, they are given up for "
          "modes; `--patience` follows more."),
-        ("modes", "Beams, and members with foundation, or with drag that is the same by mass everywhere, are followed "
+        ("modes", "Beams, and members with foundation or drag, are followed "
          "by their first exact modes beside what loads do exactly: what is left out are free vibrations of higher "
          "modes, at most 2048 of a uniform beam being counted. Their bound is part of the error of each value: 1e-10 "
          "of the largest displacement of a beam where it is cheap, far more of moments, most of shears, which are "
          "refused where the bound is infinite, as after a blow or a force that lets go."),
+        ("damped modes", "Where dampers, or drag that differs by mass from place to place, couple the modes of "
+         "members, the same sum runs over damped modes, each with its own complex frequency, as many of them as the "
+         "argument principle counts in a circle. A mode that is damped critically is refused, and a damper of "
+         "√(Nμ) beside drag, as no wave comes back from it."),
         ("full", "`motion: full`: the full equations, integrated, for wide swings, laws, dry friction, stops, slack. "
          "Events and the balance of the energies are printed; a motion whose energies do not balance to 1e-8 is "
          "refused. It is found twice, by rules of another order and with another last digit of its start: what the two "

@@ -5,6 +5,7 @@ A topic is a list of parts: a text is a paragraph, a list of pairs a table. REMA
 
 from typing import Any
 
+from vibcli.manual.members import MEMBERS
 from vibcli.manual.on_paper import DATA, PICTURES, REPORTS
 from vibcli.manual.python import PYTHON
 from vibcli.manual.responses import FREQUENCY_RESPONSE, RESPONSE, SIGNALS
@@ -265,6 +266,7 @@ TOPICS: dict[str, Any] = {
     "motions": ("how bodies may move", MOTIONS),
     "statics": ("scenes without freedom, and scenes that nothing holds", STATICS),
     "shapes": ("the shapes of bodies, with their moments of inertia", SHAPES),
+    "members": ("bars, shafts, beams and strings with their mass", MEMBERS),
     "lumped": ("bodies without a place", LUMPED),
     "time": ("driven motion, loads that depend on time, and what becomes of them", TIME),
     "response": ("motions in time", RESPONSE),

@@ -92,10 +92,13 @@ def require_no_dampers(elements: Any) -> None:
     if not any(placed.piece.inertia for placed in elements.pieces):
         raise PhysicsError("members with drag and without inertia are not damped as a whole",
                            "take `damping:` out, or give the members inertia")
-    several = elements.dampers or elements.C or elements.drag or any(placed.piece.drag for placed in elements.pieces)
-    if several or any(elements.G.values()):
+    coupling = {"dampers": elements.dampers or elements.C or elements.drag,
+                "drag": any(placed.piece.drag for placed in elements.pieces), "gyroscopic": any(elements.G.values())}
+    found = " and ".join(name for name, acts in coupling.items() if acts)
+    if found:
         raise PhysicsError("`damping:` of members is found where no dampers, drag or gyroscopic terms act besides",
-                           "take `damping:` out, or take the dampers out and give the modes higher ratios")
+                           "take `damping:` out" + ("" if coupling["gyroscopic"] else
+                                                    f", or take the {found} out and give the modes higher ratios"))
 
 
 def with_damping(elements: Any, more: FactoredSystem):

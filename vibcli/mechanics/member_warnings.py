@@ -1,8 +1,10 @@
-"""What makes the theory of slender members about their drawn line doubtful: thick beams, large turns in equilibrium."""
+"""What makes the theory of slender members about their drawn line doubtful: thick beams, large turns in equilibrium,
+tensions that statics alone does not find."""
 
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from vibcli.mechanics.member_tensions import open_tensions
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
@@ -14,13 +16,21 @@ SLENDER, SMALL = 10.0, 0.1
 
 def member_warnings(configuration: "Configuration") -> list[str]:
     """Sentences about the members of a scene with numbers."""
-    found = []
+    found: list = []
     for member in configuration.scene.members.values():
         if member.kind.bends:
             found += _thick(member, configuration)
+    for member in configuration.scene.members.values():
         if not member.kind.torsional:
             found += _turned(member, configuration)
-    return found
+    return [*found, *map(_left_out, open_tensions(configuration))]
+
+
+def _left_out(one):
+    """That a tension is not in the stiffness of its member."""
+    return (f"statics alone does not find the tension {one.found:.6g} N of '{one.member.name}': its stiffness is that "
+            f"under {one.drawn:.6g} N; the rest, {one.part:.2g} of π²EI/L², is left out")
+
 
 
 def _thick(member: "Member", configuration):

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from vibcli.mechanics.factored_system import FactoredSystem
 from vibcli.mechanics.linearisation import Linearisation, nodes_of
 from vibcli.symbolic.evaluation import Rationals, evaluate, evaluate_rational
+from vibcli.symbolic.running_errors import Rounded, RunningErrors, number_in
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 ALIKE = 2.0**-46
+SPRINGS = 1e-12     # relative: within which springs are taken to be that stand for a tension that varies
 
 
 class Numbers(NamedTuple):
@@ -60,7 +62,13 @@ def _graded(elements, arithmetic):
 
     if isinstance(arithmetic, Rationals):
         raise Rationals.Irrational
-    return elements.with_parts(pieces=[piece._replace(springs=exact_springs(piece)) for piece in elements.pieces])
+    if not isinstance(arithmetic, RunningErrors):
+        return elements.with_parts(pieces=[piece._replace(springs=exact_springs(piece)) for piece in elements.pieces])
+    plain = elements.each(number_in).pieces
+    springs = [[(Rounded(k, SPRINGS * abs(k)), {i: Rounded(x, SPRINGS * abs(x)) for i, x in row.items()})
+                for k, row in exact_springs(piece)] for piece in plain]
+    return elements.with_parts(pieces=[piece._replace(springs=found)
+                                       for piece, found in zip(elements.pieces, springs, strict=True)])
 
 
 def _accumulate(K, size, pair, term):

@@ -26,6 +26,9 @@ def coefficients(symbolic: "SymbolicSystem", signal: str, driven_by: str):
     if chosen.carried or any(isinstance(weight, complex) for weight in chosen.weights.values()):
         raise NotInLetters(f"what turns as '{driven_by}' does has no amplitudes in letters here",
                            "ask for them in numbers")
+    if "per_length" in (symbolic.spec.get("forces") or {}).get(driven_by, ()):
+        raise NotInLetters(f"responses to a load along a member, as to '{driven_by}', are found in numbers",
+                           "give numbers with --set")
     scene, n = opened.scene, opened.n
     M, C, G, K = matrices_in_letters(at_position(opened.form, place))
     columns = {j: [{}, {}, {}] for j in chosen.weights}

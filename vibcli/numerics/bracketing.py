@@ -46,9 +46,9 @@ def _trial(a, b, fa, fb, step):
     return np.where((chord > a) & (chord < b), chord, middle)
 
 
-def maxima_between(function: Callable, low: Any, high: "float | mpmath.mpf"):
+def maxima_between(function: Callable, low: Any, high: "float | mpmath.mpf", sections: int = SECTIONS):
     """Where a function is largest in each of the intervals in which it has one maximum, by golden section."""
-    for _ in range(SECTIONS if len(low) else 0):
+    for _ in range(sections if len(low) else 0):
         left, right = low + GOLDEN * (high - low), high - GOLDEN * (high - low)
         falls = function(left) >= function(right)
         low, high = np.where(falls, low, left), np.where(falls, right, high)

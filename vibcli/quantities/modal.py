@@ -106,8 +106,8 @@ def _along_member(problem, mode, signal):
     if problem.digits is not None:
         arithmetic, values = problem.configuration.precise_rest(problem.digits)
     place, factor = evaluate([found.left.place + found.at, found.factor], arithmetic, values)
-    unit = factor * problem.modal.scale(mode)
-    return fields.at(signal.name, place)[found.order] * unit, [fields.size(signal.name, found.order) * unit]
+    unit, member = factor * problem.modal.scale(mode), found.member.name
+    return fields.at(member, place)[found.order] * unit, [fields.size(member, found.order) * unit]
 
 
 def _node(problem, tree, args):

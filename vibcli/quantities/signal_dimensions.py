@@ -31,8 +31,7 @@ def inputs(spec: "Spec") -> list[str]:
     """The names of what can drive a scene."""
     driven = [name for name, record in (spec.get("points") or {}).items() if "moves" in record]
     bodies = [name for name, record in (spec.get("bodies") or {}).items() if _one_drive(spec, record)]
-    forces = [name for name, record in (spec.get("forces") or {}).items() if "per_length" not in record]
-    return [*forces, *driven, *bodies, *spec.coordinates]
+    return [*(spec.get("forces") or {}), *driven, *bodies, *spec.coordinates]
 
 
 def _one_drive(spec, record):
@@ -49,11 +48,12 @@ def _within_functions(tree):
 
 
 def input_dimension(spec: "Spec", name: str):
-    """The dimension of a unit of an input: of a force, moment, unbalance, displacement or generalised force."""
+    """The dimension of a unit of an input: of a force, moment, unbalance, displacement or generalised force, of a load
+    along a member that of its largest value."""
     record = (spec.get("forces") or {}).get(name)
     if record is not None:
         if "per_length" in record:
-            return None
+            return units.parse_unit("N" if record["body"].text in (spec.get("shafts") or {}) else "N/m").dimension
         if "value" in record:
             return generalised_dimension(spec, record["coordinate"].text)
         unit = next(unit for key, unit in (("force", "N"), ("moment", "N*m"), ("unbalance", "kg*m")) if key in record)

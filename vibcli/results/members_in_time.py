@@ -31,11 +31,17 @@ def members_in_time(problem: "Problem") -> "SmallResponse":
 
 def _by_modes(problem):
     """The ModalResponse, or a response of which steady states alone are found."""
-    from vibcli.results.modal_response import ModalResponse, NotByModes
+    from vibcli.results.modal_response import CoupledModes, ModalResponse, NotByModes
 
-    modes = ModalResponse(problem)
+    modes: ModalResponse = ModalResponse(problem)
     try:
-        modes.alone  # noqa: B018 - is its motion one of modes by themselves?
+        try:
+            modes.alone  # noqa: B018 - is its motion one of modes by themselves?
+        except CoupledModes:
+            from vibcli.results.damped_modal_response import DampedModalResponse
+
+            modes = DampedModalResponse(problem)
+            modes.require()
     except NotByModes as reason:
         from vibcli.results.steady_response import SteadyResponse
 

@@ -33,7 +33,7 @@ class ModalResponse(ResponseOfMembers):
     @cached_property
     def alone(self):
         """The ModalMotion of the first modes under the excitation."""
-        count = FIRST
+        count = FEWEST if self.rests else FIRST
         while True:
             try:
                 return self.motion(count)
@@ -47,6 +47,8 @@ class ModalResponse(ResponseOfMembers):
     @cached_property
     def most(self) -> int:
         """So many modes are counted at most."""
+        if any(one.piece.gradient for one in self.placed):
+            return FIRST
         return MOST[self.problem.modal.modes.first(1)[0].motion.system is not None and len(self.placed) == 1
                     and not any(part.any() for part in self.matrices)]
 
@@ -57,17 +59,44 @@ class ModalResponse(ResponseOfMembers):
         return self._motions[count]
 
     def _found(self, count):
-        import numpy as np
-
         from vibcli.analyses.continuous.modal_motion import ModalMotion
         from vibcli.analyses.continuous.mode_basis import ModeBasis
+        from vibcli.analyses.continuous.real_modes import RealModes
 
         modes = self.problem.modal.modes.first(count)
         basis = ModeBasis(modes, self.configuration.linear_system.pieces)
-        columns = [basis.shapes.T, *(-basis.end_forces(*drive)[:, None] for drive in self._driven_ends)]
-        inputs = np.concatenate(columns, axis=1)
-        return ModalMotion(basis, self._transfer, inputs, self._forces, self._start(basis), self._ratios(basis),
-                           self.problem.work)
+        inputs, damping, given = self._felt(basis), self._damping(basis), self.problem.modal.member_damping
+        creeping = given is not None and given.creeps
+        starts, disturbed = self._disturbed(basis, inputs, damping)
+        start = [one.of_modes(basis.squares, plain) for one, plain in zip(starts, self._start(basis), strict=True)]
+        modes = RealModes(basis, inputs, start, damping, creeping, None if creeping else disturbed)
+        return ModalMotion(modes, self._transfer, self._forces, self.problem.work)
+
+    def _felt(self, basis):
+        """What each mode feels of each channel."""
+        import numpy as np
+
+        from vibcli.analyses.continuous.modal_start import of_drive
+
+        columns = [basis.shapes.T, *(-basis.end_forces(*drive)[:, None] for drive in self._driven_ends),
+                   *(of_drive(basis, drive)[:, None] for drive in self.spread_drives)]
+        return np.concatenate(columns, axis=1)
+
+    def _disturbed(self, basis, inputs, damping):
+        """The FieldStarts of displacements and rates, and what gives the Disturbances of the modes that are left
+        out."""
+        import numpy as np
+
+        from vibcli.analyses.continuous.disturbances import Disturbances, Start
+        from vibcli.analyses.continuous.start_of_fields import start_of_field
+        from vibcli.analyses.continuous.uncounted_modes import UncountedModes
+
+        M, _, K = self.matrices
+        uncounted = UncountedModes(basis, K, M, self._driven_ends, self.spread_drives, inputs, damping)
+        found = [start_of_field(uncounted, [given[rate] for given in self.fields], 0, np.array(part, float), not rate,
+                                () if rate else self.let_go) for rate, part in enumerate(self.deviations)]
+        start = Start(np.array([one.held for one in found]), np.array([one.spread for one in found]))
+        return found, lambda segments: Disturbances(uncounted, start, segments)
 
     @cached_property
     def _driven_ends(self):
@@ -78,20 +107,26 @@ class ModalResponse(ResponseOfMembers):
         return [DrivenEnd(*at) for at, (_, node) in zip(ends, self.ends_of_pieces, strict=True) if node is not None]
 
     @cached_property
-    def _transfer(self):
+    def _exact(self):
+        """The ExactTransfer of all but `damping:`."""
         import numpy as np
 
         from vibcli.analyses.continuous.exact_transfer import ExactTransfer
 
         M, C, K = self.matrices
         linear = self.configuration.linear_system
-        if C.any() or linear.G:
-            raise NotByModes("dampers and gyroscopic terms couple the modes of members",
-                             "ask for steady(…), or damp with `drag:` along members")
+        if linear.G:
+            raise NotByModes("gyroscopic terms couple the modes of members", "ask for steady(…)")
         pieces = [one._replace(piece=one.piece._make(float(x) for x in one.piece)) for one in linear.pieces]
         if not all(one.piece.inertia for one in pieces):
             raise NotByModes("a piece of a member without mass has drag", "give it mass, or take the drag out")
-        found = ExactTransfer(np.array([K, C, M]), pieces, self._driven_ends)
+        return ExactTransfer(np.array([K, C, M]), pieces, self._driven_ends, self.spread_drives)
+
+    @cached_property
+    def _transfer(self):
+        found = self._exact
+        if self.matrices[1].any():
+            raise CoupledModes("dampers couple the modes of members", "ask for steady(…)")
         damping = self.problem.modal.member_damping
         if damping is None:
             return found
@@ -100,19 +135,18 @@ class ModalResponse(ResponseOfMembers):
         if self._inputs:
             raise NotByModes("supports are driven beside `damping:` of members",
                              "ask for steady(…), or take `damping:` out")
-        if len(damping.series) > 2:
-            raise NotByModes("a Caughey series of three modes or more lets high modes creep ever more slowly",
-                             "ask for steady(…), or give ratios at one or two modes")
         return DampedTransfer(found, self.problem.modal.modes, damping)
 
     @cached_property
     def _forces(self):
-        """The Forcing of coordinates and driven ends."""
+        """The Forcing of coordinates, driven ends and loads along members."""
         from vibcli.analyses.excitation.decompose import forcing_of
         from vibcli.notation.plain import plain
 
         n = len(self.matrices[0])
-        driven = [node for _, node in self.ends_of_pieces if node is not None]
+        driven = [*(node for _, node in self.ends_of_pieces if node is not None),
+                  *(force.weight for force in self.spread_forces),
+                  *(self.problem.scene.table.zero for _ in self.let_go)]
         nodes = self.drive_of_coordinates | dict(enumerate(driven, n))
         return forcing_of(nodes, self.problem.scene.time, self.problem.numeric.floats, n + len(driven), write=plain,
                           work=self.problem.work)
@@ -122,64 +156,67 @@ class ModalResponse(ResponseOfMembers):
         """{i: node of the time}."""
         return self.loads
 
-    def _ratios(self, basis):
-        """The damping ratio of each mode: given, or of drag c/μ that is the same everywhere, which damps each by
-        itself."""
+    def _damping(self, basis):
+        """c of each mode: given, or of drag c/μ that is the same everywhere, which damps each by itself."""
         import numpy as np
 
         if self.problem.modal.member_damping is not None:
-            return self._given_ratios(basis)
+            return self._given_damping(basis)
         rates = {placed.piece.drag / placed.piece.inertia for placed in self._transfer.pieces}
         most = max(rates)
         if not most:
             return np.zeros(len(basis.squares))
         if most - min(rates) > 1e-14 * most or self.matrices[0].any():
-            raise NotByModes("drag that differs from place to place couples the modes of members",
-                             "ask for steady(…), or give all the same drag by mass")
-        if not (basis.squares > 0).all():
-            raise NotByModes("drag on what nothing holds is not followed by modes", "hold it, or take the drag out")
-        return most / 2 / np.sqrt(basis.squares)
+            raise CoupledModes("drag that differs from place to place couples the modes of members",
+                               "ask for steady(…), or give all the same drag by mass")
+        return _not_critical(basis, np.full(len(basis.squares), most))
 
-    def _given_ratios(self, basis):
+    def _given_damping(self, basis):
         """Those of `damping:`."""
         import numpy as np
 
         damping = self.problem.modal.member_damping
         modes = self.problem.modal.modes.first(len(basis.squares))
         rates = np.array([float(damping.rate(mode)) for mode in modes])
-        if (rates[basis.squares <= 0] != 0).any() or (basis.squares < 0).any():
-            raise NotByModes("`damping:` damps what nothing holds or what grows", "hold it, or take `damping:` out")
-        found = rates / 2 / np.sqrt(np.where(basis.squares > 0, basis.squares, 1.0))
-        if (np.abs(found - 1) < CRITICAL).any():
-            raise NotByModes("a mode is damped critically", "give it a little more or less damping")
-        return found
+        return _not_critical(basis, rates)
 
     def _start(self, basis):
         """η and η̇ at t = 0."""
-        import numpy as np
-
-        from vibcli.analyses.continuous.modal_start import of_field, of_shape
+        from vibcli.analyses.continuous.modal_start import of_field
 
         q, v = self.deviations
         M = self.matrices[0]
         eta, rate = basis.shapes.T @ (M @ q), basis.shapes.T @ (M @ v)
-        for number, (placed, given) in enumerate(zip(basis.placed, self.fields, strict=True)):
-            ends = np.array([sum(x * q[i] for i, x in row.items() if i < len(q)) for row in placed.rows])
-            shape, speed = given
-            eta = eta + (of_shape(basis, number, ends) if shape is None else of_field(basis, number, shape, 0))
+        for number, (_, speed) in enumerate(self.fields):
+            eta = eta + self._displaced(basis, number)
             rate = rate if speed is None else rate + of_field(basis, number, speed, 0)
         return eta, rate
+
+    def _displaced(self, basis, number):
+        """μ ∫ φ u dx over one piece at t = 0."""
+        import numpy as np
+
+        from vibcli.analyses.continuous.modal_start import of_field, of_held_shape, of_shape
+
+        q, shape = self.deviations[0], self.fields[number][0]
+        if shape is not None:
+            return of_field(basis, number, shape, 0)
+        rows = basis.placed[number].rows
+        found = of_shape(basis, number, np.array([sum(x * q[i] for i, x in row.items() if i < len(q)) for row in rows]))
+        for drive in self.let_go:
+            found = found + of_held_shape(basis, number, drive)
+        if not np.isfinite(found).all():
+            raise NotByModes("a load along what nothing holds lets go", "let a force at a point of it go")
+        return found
 
     def _field(self, piece, given):
         """(u, u̇) over one piece as Forcings; None of a u that is the shape at rest between its ends, and of no u̇."""
         from vibcli.symbolic.derivatives import substitute
 
-        scene, held, u, rate = self.problem.scene, self.configuration.preloaded, None, None
+        scene, u, rate = self.problem.scene, None, None
         place = {scene.time: scene.time + scene.table.number(fraction_of(float(piece.start)))}
         if given is not None and given.displacement is not None:
             u = substitute([given.displacement], place)[0] - self._resting(self.configuration, piece)
-        elif held is not None and held.scene.spread_loads:
-            u = self._resting(held, piece) - self._resting(self.configuration, piece)
         if given is not None and given.rate is not None:
             rate = substitute([given.rate], place)[0]
         return self._over_place(u), self._over_place(rate)
@@ -199,7 +236,7 @@ class ModalResponse(ResponseOfMembers):
         from vibcli.symbolic.evaluation import Floats, evaluate
 
         scene, start, length = configuration.scene.resting, float(piece.start), float(piece.piece.length)
-        signal = f"{piece.owner}.{scene.members[piece.owner].kind.motion}"
+        signal = scene.members[piece.owner].signal_stem
         nodes = [resting(scene, f"{signal}({start + share * length!r} m)") for share in (*SHARES, CHECKED)]
         *values, other = evaluate(nodes, Floats, configuration.at_rest)
         powers = np.linalg.solve(np.vander(SHARES, increasing=True), values)
@@ -218,7 +255,7 @@ class ModalResponse(ResponseOfMembers):
         """The motion by so many modes that the remainder of an output is small, or by the most."""
         from vibcli.analyses.continuous.modal_motion import TooSlow
 
-        count = len(motion.eta)
+        count = motion.count
         while True:
             try:
                 if motion.is_near(output, CLOSE) or 2 * count > self.most:
@@ -247,5 +284,17 @@ class ModalResponse(ResponseOfMembers):
         return ComposedSignal(node, signals, self.values, self.problem.scene.time, None, self.problem.work)
 
 
+def _not_critical(basis, damping):
+    """c of modes, two eigenvalues of each being told apart."""
+    omega = abs(basis.squares)**0.5
+    if ((basis.squares > 0) & (abs(damping / 2 - omega) < CRITICAL * omega)).any():
+        raise NotByModes("a mode is damped critically", "give it a little more or less damping")
+    return damping
+
+
 class NotByModes(NotByWaves):
     """A system whose motion is not followed by modes, with the reason."""
+
+
+class CoupledModes(NotByModes):
+    """A system whose modes do not move each by itself."""

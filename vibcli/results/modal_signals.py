@@ -29,8 +29,9 @@ class ModalSignal(Signal):
         import numpy as np
 
         if np.isinf(self.modal.bound(self.reads, t, order)):
-            raise PhysicsError("the modes of this motion do not fall fast enough: what those left out add to this "
-                               "signal has no bound", "ask for displacements, or let the load begin smoothly")
+            raise PhysicsError("the series of this signal over all modes does not converge absolutely after what jumps "
+                               "here: what the modes left out add to it has no bound",
+                               "ask for displacements, or let the load begin smoothly")
 
     def error(self, t: float) -> float:
         import numpy as np

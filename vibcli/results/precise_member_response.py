@@ -4,15 +4,18 @@ from typing import TYPE_CHECKING, Any
 
 from mpmath import mp
 
+from vibcli.analyses.continuous.spread_drives import spread_inputs
 from vibcli.analyses.frequency_response.member_places import seen_at
 from vibcli.analyses.frequency_response.member_system import MemberOutput
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signal_names import signal_name
-from vibcli.mechanics.inputs_outputs.inputs import named_input
+from vibcli.mechanics.given_damping import given_numbers
+from vibcli.mechanics.inputs_outputs.inputs import drives_supports, named_input
 from vibcli.mechanics.inputs_outputs.outputs import linear_row
 from vibcli.mechanics.inputs_outputs.place_signals import place_output
 from vibcli.mechanics.precise_configuration import PreciseConfiguration
 from vibcli.numerics.pieces.stiffness import dynamic_stiffness
+from vibcli.symbolic.evaluation import multiprecision
 
 if TYPE_CHECKING:
     import mpmath
@@ -25,14 +28,17 @@ class PreciseMemberCurve:
 
     def __init__(self, problem: "Problem", signal: str, driver: str):
         configuration = PreciseConfiguration(problem.configuration)
-        if problem.modal.member_damping is not None:
-            raise PhysicsError("more digits of a response of members with `damping:` are not found",
-                               "leave --digits out, or take `damping:` out")
+        damping = problem.modal.member_damping
+        if damping is not None and not damping.whole:
+            raise PhysicsError("more digits of a response of members are found of damping that is `proportional` alone",
+                               "leave --digits out, or write `proportional: [alpha, beta]`")
+        self.damping = None if damping is None else given_numbers(problem.configuration, multiprecision())
         opened, self.given = configuration.with_inputs, named_input(configuration, driver)
         if self.given.carried:
             raise PhysicsError("more digits of a response to a load that turns with what is driven are not found",
                                "leave --digits out")
-        self.elements = opened.numbers.elements
+        self.elements, self.spread = opened.numbers.elements, spread_inputs(configuration, self.given.weights)
+        self.supports = drives_supports(configuration, self.given)
         self.driven, self.n = range(opened.n, len(opened.scene.q)), len(opened.scene.q)
         self.pieces, self.rates = list(self.elements.pieces), 0
         place = place_output(configuration, signal)
@@ -46,21 +52,42 @@ class PreciseMemberCurve:
     def at(self, Omega: "mpmath.mpf") -> "list[mpmath.mpc]":
         """[H]."""
         s = mp.mpc(0, Omega)
-        d = [dynamic_stiffness(placed.piece, s) for placed in self.pieces]
-        D, free = self._matrix(s, d), [i for i in range(self.n) if i not in self.driven]
+        sigma, factor = self._undamped(s)
+        return [factor * x for x in self._answer(s, sigma)]
+
+    def _undamped(self, s):
+        """(σ, factor): H(s) is the factor times what it is at σ without `damping:`, in displacements."""
+        if self.damping is None:
+            return s, 1
+        alpha, beta = self.damping["proportional"]
+        slope = 1 + beta * s
+        return mp.sqrt(s * (s + alpha) / slope), 1 if self.supports else 1 / slope
+
+    def _answer(self, s, sigma):
+        """H where stiffnesses are those at σ, and rates those of e^{st}."""
+        d = [dynamic_stiffness(placed.piece, sigma) for placed in self.pieces]
+        D, free = self._matrix(sigma, d), [i for i in range(self.n) if i not in self.driven]
+        put = [(number, j, drive.end_loads(placed, sigma)) for j, drive in self.spread.items()
+               for number, placed in enumerate(self.pieces) if drive.on(placed) is not None]
+        for number, j, loads in put:
+            for row, load in zip(self.pieces[number].rows, loads, strict=True):
+                for i, x in row.items():
+                    D[i, j] -= x * load
         power = (-s * s) ** self.given.turns
         X = [mp.mpc(0)] * self.n
         for j in self.driven:
             X[j] = mp.mpmathify(self.given.weights.get(j, 0)) * power
-        load = mp.matrix([-mp.fsum(D[i, j] * X[j] for j in self.driven) for i in free])
+        side = mp.matrix([-mp.fsum(D[i, j] * X[j] for j in self.driven) for i in free])
         try:
-            found = mp.lu_solve(mp.matrix([[D[i, j] for j in free] for i in free]), load) if free else []
+            found = mp.lu_solve(mp.matrix([[D[i, j] for j in free] for i in free]), side) if free else []
         except ZeroDivisionError:
             raise PhysicsError("the input drives an undamped mode at its natural frequency",
                                "ask at another frequency") from None
         for i, x in zip(free, found, strict=True):
             X[i] = x
-        return [self._seen(X, s, d) * s**self.rates]
+        loaded = mp.fsum(factor * loads[end] * X[j] for factor, piece, end in self.output.ends
+                         for number, j, loads in put if number == piece)
+        return [(self._seen(X, s, d) - loaded) * s**self.rates]
 
     def _seen(self, X, s, d):
         total = mp.fsum(mp.mpmathify(x) * s**power * X[i]

@@ -72,6 +72,31 @@ class ResponseOfMembers(SmallResponse):
         return found
 
     @property
+    def spread_forces(self):
+        """The SpreadForces that vary in time."""
+        return [force for force in self.problem.scene.spread_forces if not force.weight.is_zero]
+
+    @cached_property
+    def spread_drives(self) -> list:
+        """The SpreadDrives of loads along members in time, and behind them of what lets go, none from then on."""
+        from vibcli.analyses.continuous.spread_drives import spread_drive
+        from vibcli.symbolic.evaluation import Floats
+
+        place = self.configuration.at_rest
+        return [*(spread_drive(force, place, Floats) for force in self.spread_forces), *self.let_go]
+
+    @cached_property
+    def let_go(self) -> list:
+        """The SpreadDrives of a load along members that lets go."""
+        from vibcli.analyses.continuous.spread_drives import spread_drive
+        from vibcli.language.sections.initial import let_go
+        from vibcli.symbolic.evaluation import Floats
+
+        held, name = self.configuration.preloaded, let_go(self.problem.spec)
+        forces = [] if held is None else [force for force in held.scene.spread_forces if force.owner == name]
+        return [spread_drive(force, held.at_rest, Floats) for force in forces]
+
+    @cached_property
     def fields(self):
         """What each piece starts with, counted from the equilibrium, as Forcing over its length; None of those that are
         at rest, straight between their ends."""
@@ -79,6 +104,14 @@ class ResponseOfMembers(SmallResponse):
 
         given = member_fields(self.problem.scene)
         return [self._field(piece, given.get(piece.owner)) for piece in self.placed]
+
+    @property
+    def rests(self) -> bool:
+        """Does nothing move it, neither loads nor what it starts with?"""
+        started = any(part.any() for part in self.deviations) or any(
+            part is not None for given in self.fields for part in given or ())
+        driven = any(node is not None for _, node in self.ends_of_pieces)
+        return not (started or driven or self.let_go or self.spread_forces or self.loads)
 
     def _field(self, piece, given):
         """u and u̇ over one piece; the time of the scene stands for the place along it."""
@@ -108,7 +141,7 @@ class ResponseOfMembers(SmallResponse):
         from vibcli.symbolic.evaluation import Floats, evaluate
 
         scene, start, length = configuration.scene.resting, float(piece.start), float(piece.piece.length)
-        signal = f"{piece.owner}.{scene.members[piece.owner].kind.motion}"
+        signal = scene.members[piece.owner].signal_stem
         nodes = [resting(scene, f"{signal}({start + share * length!r} m)") for share in (0.0, 0.5, 1.0, CHECKED)]
         left, middle, right, other = evaluate(nodes, Floats, configuration.at_rest)
         bend = 2 * (left + right) - 4 * middle

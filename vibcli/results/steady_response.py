@@ -109,6 +109,8 @@ class SteadyResponse(SmallResponse):
         for number, one in enumerate(opened.scene.inputs.values()):
             if one.node is not None:
                 nodes[number] = one.node
+            elif one.spread is not None:
+                nodes[number] = opened.scene.spread_forces[one.spread].weight
             elif one.load is not None:
                 _, turning, waving, constant = load_at_rest(opened.scene, opened.scene.forces[one.load])
                 if turning.mask:

@@ -32,6 +32,8 @@ class WaveResponse(ResponseOfMembers):
 
         if self.problem.spec.get("damping") is not None:
             raise NotByWaves("damping that is given of modes acts on modes, not on travelling waves")
+        if self.spread_forces:
+            raise NotByWaves("loads along members in time are followed by modes")
         channels = iter(range(len(self.matrices[0]), len(self.matrices[0]) + len(self.ends_of_pieces)))
         numbered = [(row, None if node is None else next(channels), node) for row, node in self.ends_of_pieces]
         pieces = [wave_piece(placed, *(end[:2] for end in numbered[2 * k:2 * k + 2]))

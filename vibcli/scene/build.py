@@ -76,7 +76,9 @@ def _assembled(builder, setting):
     if scene.driven:
         scene = _driven(scene)
     if setting.variant.inputs:
-        scene = scene.with_parts(contents=scene.contents._replace(forces=[*scene.forces, *_inputs(scene, drives)]))
+        scene = scene.with_parts(contents=scene.contents._replace(
+            forces=[*scene.forces, *_inputs(scene, drives)],
+            spread_forces=[*scene.spread_forces, *_spread_inputs(scene, drives)]))
     if scene.laws:
         scene = _with_laws(scene)
     if scene.constraints and not setting.variant.multipliers:
@@ -109,6 +111,12 @@ def _inputs(scene, drives):
     beside = [(term.owner, term.s, k) for k, term in enumerate(scene.forces)]
     along = [(name, scene.symbol(name), None) for name in scene.spec.coordinates]
     return [AppliedLoad(drives.add_input(name, load=k), s, owner=name) for name, s, k in (*beside, *along)]
+
+
+def _spread_inputs(scene, drives):
+    """An input beside each load along members in time."""
+    return [force._replace(weight=drives.add_input(force.owner, spread=k))
+            for k, force in enumerate(scene.spread_forces)]
 
 
 def _with_laws(scene):

@@ -182,6 +182,13 @@ class Builder:
             self.contents.springs.append(PieceSpring(k, s, preload, self.owner))
         self.contents.pieces.append(PieceTerm(self.owner, start, tuple(coefficients), tuple(ends), len(springs)))
 
+    def add_spread_force(self, member: str, start: "Node", end: "Node", along: "Node", weight: "Node",
+                         x: "Node") -> None:
+        """The virtual work δA = weight ∫ along δu dx of a load on a member, `along` a function of the place x."""
+        from vibcli.scene.spread_forces import SpreadForce
+
+        self.contents.spread_forces.append(SpreadForce(self.owner, member, start, end, along, weight, x))
+
     def add_damper(self, c: "Node", s: "Node") -> None:
         """½·c·ṡ² to Φ."""
         self.contents.dampers.append(Damper(c, s, owner=self.owner))

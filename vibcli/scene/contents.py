@@ -7,7 +7,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
-TERMS = ("inertias", "springs", "dampers", "weights", "forces", "laws", "constraints", "pieces")
+TERMS = ("inertias", "springs", "dampers", "weights", "forces", "laws", "constraints", "pieces", "spread_forces")
 
 
 class Constraint(NamedTuple):
@@ -60,6 +60,7 @@ class Contents(NamedTuple):
     laws: list
     constraints: list
     pieces: list
+    spread_forces: list
     energies: dict
     matrices: dict
     static_preloads: list
@@ -82,7 +83,7 @@ class Contents(NamedTuple):
     @property
     def depends_on(self) -> "list[Node]":
         """Those of what moves, stores, damps and loads, with the factors, and of the energies."""
-        kinds = (self.inertias, self.springs, self.dampers, self.weights, self.forces, self.pieces)
+        kinds = (self.inertias, self.springs, self.dampers, self.weights, self.forces, self.pieces, self.spread_forces)
         return [*(node for kind in kinds for term in kind for node in term.nodes), *self.energies.values()]
 
     def over(self, new: Any) -> "Contents":

@@ -22,12 +22,13 @@ GROWTH = 30.0       # far more than what waves differ by, far less than LATE/EAR
 
 
 class Opening(NamedTuple):
-    """An input of a scene with inputs: whose it is, what drives it (None of a load), and of which term of the loads it
-    stands beside (None of a displacement, or along a coordinate)."""
+    """An input of a scene with inputs: whose it is, what drives it (None of a load), and of which term of the loads, or
+    of the spread forces, it stands beside (None of a displacement, or along a coordinate)."""
 
     name: str
     node: Any = None
     load: int = None
+    spread: int = None
 
 
 class Displacements:
@@ -85,10 +86,11 @@ class Displacements:
         self.released.append(self.coordinates.further(name))
         return self.released[-1]
 
-    def add_input(self, name: str, node: "Node | None" = None, load: int | None = None) -> "Node":
+    def add_input(self, name: str, node: "Node | None" = None, load: int | None = None,
+                  spread: int | None = None) -> "Node":
         """An input as a further coordinate: a displacement that is driven by `node`, or a load beside a given one."""
         symbol = self.coordinates.further(f"input {len(self.inputs) + 1}")
-        self.inputs[symbol] = Opening(name, node, load)
+        self.inputs[symbol] = Opening(name, node, load, spread)
         return symbol
 
 

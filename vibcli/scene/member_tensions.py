@@ -2,11 +2,14 @@
 
 A scene whose members are cut open at their stations has for each a coordinate t along the line; as drawn the force
 F = −∂V/∂t + Σ Q ∂s/∂t of all that hangs there on the member balances the tensions left and right of it, Nⱼ₊₁ = Nⱼ − F.
-Where both ends are held, statics leaves N open but for the `preload`.
+Where both ends are held, statics leaves N open but for the `preload`; of a beam that stretches between ends at rest,
+the sum of what its pieces lengthen is zero: Σ N̄ l/EA = 0.
 """
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from vibcli.elements.member_pieces import pieces_of
+from vibcli.elements.member_plane import tension_gradient
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.normal_form import is_zero, textbook
 
@@ -18,19 +21,46 @@ LOOSE = 1e-9
 
 class Tensions(NamedTuple):
     """N of each piece of a member as drawn, whether it is the same wherever the scene rests, and where both its ends
-    are held to what parts along it the multiplier of that condition, else None."""
+    are held to what parts along it the multiplier of that condition, else None; `shared`: is the member one that
+    stretches, both ends held to what moves, under loads, so that others take a share of them?"""
 
     pieces: list
     settled: bool
     tie: Any
+    shared: bool = False
 
 
 def tensions(scene: "Scene") -> dict[str, Tensions]:
     """{name: Tensions} of a scene that is `stretched`."""
     cuts = {t: scene.table.zero for member in scene.members.values() for t in member.stretches if t is not None}
     ties = _ties(scene, cuts)
-    return {name: _found(scene, member, cuts, ties.get(name)) for name, member in scene.members.items()
-            if member.stretches}
+    found = {name: _found(scene, member, cuts, ties.get(name)) for name, member in scene.members.items()
+             if member.stretches}
+    between = [name for name in found if scene.members[name].stretching and _is_between(scene.members[name])]
+    loaded = any("preload" in scene.members[name].record for name in between) or any(
+        not force.is_zero for q in scene.q for force in scene.at_drawn(_force(scene, q)))
+    if not (between and loaded):
+        return found
+    return found | {name: _stretched(scene, scene.members[name], found[name]) for name in between}
+
+
+def _is_between(member):
+    """Are both its ends held along it?"""
+    return member.stretches[0] is None and member.stretches[-1] is None
+
+
+def _stretched(scene, member, found):
+    """The Tensions of a beam that stretches between two ends that are held."""
+    first, last = member.stations[0].along, member.stations[-1].along
+    if first.mask or last.mask:
+        return found._replace(shared=True)
+    longer = softness = scene.table.zero
+    start = scene.lower(member.record["preload"]) if "preload" in member.record else scene.table.zero
+    for (segment, left, right), tension in zip(pieces_of(member, scene), found.pieces, strict=True):
+        length = right.place - left.place
+        mean = tension - start + tension_gradient(member, segment, scene) * length / 2
+        longer, softness = longer + mean * length / segment.axial, softness + length / segment.axial
+    return found._replace(pieces=[textbook(tension - longer / softness) for tension in found.pieces])
 
 
 def _found(scene, member, cuts, tie):
@@ -44,7 +74,7 @@ def _ties(scene, cuts):
     """{name: λ} of the members both of whose ends are held to what parts along them, as drawn: Σ λₖ ∂Gₖ/∂q is the force
     along q, Gₖ = 0 the conditions that they and the constraints make."""
     ends = {name: (member.stations[0].along, member.stations[-1].along) for name, member in scene.members.items()
-            if member.stretches and member.stretches[0] is None and member.stretches[-1] is None}
+            if member.stretches and _is_between(member)}
     gaps = {name: right - left for name, (left, right) in ends.items() if (right - left).mask}
     if not gaps:
         return {}

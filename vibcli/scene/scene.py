@@ -94,8 +94,8 @@ class Scene:
         self.terms_with, self.unrooted = expressions.terms_with, expressions.unrooted
         self.distance, self.height_of = expressions.distance, expressions.height_of
         (self.gravity, self.bodies, self.points, self.members, self.spread_loads, self.inertias, self.springs,
-         self.dampers, self.weights, self.forces, self.laws, self.constraints, self.pieces, self.energies,
-         self.matrices, self.static_preloads, self.shaken) = contents
+         self.dampers, self.weights, self.forces, self.laws, self.constraints, self.pieces, self.spread_forces,
+         self.energies, self.matrices, self.static_preloads, self.shaken) = contents
         places = Places(self.spec, expressions, self.bodies, self.points, self.members)
         self.frame, self.place, self.place_of, self.rim = places.frame, places.place, places.place_of, places.rim
         self.extent, self.unit_of = places.extent, places.unit_of
@@ -138,8 +138,9 @@ class Scene:
 
     @property
     def hidden(self) -> list[str]:
-        """Names of the coordinates that the file does not name: motions of members."""
-        return [name for name in self.coordinates if name not in self.spec.coordinates]
+        """Names of the coordinates that the file does not name: motions of members, dependent ones too."""
+        names = (*self.coordinates, *self.dependent)
+        return [name for name in names if name not in self.spec.coordinates]
 
     @property
     def resting(self) -> "Scene":

@@ -7,10 +7,10 @@ import pytest
 from support.scenes import problem, problem_of
 
 from vibcli.drawing import animation
-from vibcli.drawing.canvas.primitives import Circle, Hatch, LetterRuns, Polygon, Polyline
+from vibcli.drawing.canvas.primitives import BODY, Circle, Hatch, LetterRuns, Polygon, Polyline
 from vibcli.drawing.drawing import draw
-from vibcli.drawing.layout import compose
-from vibcli.drawing.symbols import member, mode_shape
+from vibcli.drawing.layout import compose, plane
+from vibcli.drawing.symbols import member, member_ends, mode_shape
 from vibcli.drawing.vibration import Vibration
 
 ROOT = Path(__file__).parents[3]
@@ -30,10 +30,19 @@ CANTILEVER = """
 def test_every_member_is_drawn_and_no_word_lies_over_another(path):
     found = problem_of(path)
     stage, drawn = compose.Scenery(found.scene), draw(found)
-    assert {strip.name for strip in stage.strips} == set(found.scene.members)
+    assert {strip.name for strip in stage.strips} == {name.partition(".")[0] for name in found.scene.members}
     boxes = [part.box for part in drawn if isinstance(part, LetterRuns)]
     assert not [(a, b) for i, a in enumerate(boxes) for b in boxes[:i]
                 if min(a[2], b[2]) - max(a[0], b[0]) > 1e-6 and min(a[3], b[3]) - max(a[1], b[1]) > 1e-6]
+
+
+def test_numbers_of_the_file_stand_as_in_print():
+    drawn = draw(problem("""
+        gravity: 9.81 m/s^2
+        beams: {arm: {from: [0, 0], to: [3 m, 0], EI: 900 N*m^2, mass_per_length: 1 kg/m, left: clamped}}
+    """))
+    written = {"".join(run.text for run in part.runs) for part in drawn if isinstance(part, LetterRuns)}
+    assert {"9.81 m/s²", "900 N·m²"} <= written
 
 
 def test_a_clamped_string_bends_as_its_mode_and_rests_at_its_nodes():
@@ -92,3 +101,60 @@ def test_motions_in_time_bend_members_that_have_no_coordinates():
     heights = [y - first[0][1] for _, y in first]
     assert max(heights) > 10.0 and heights[len(heights) // 4] == pytest.approx(max(heights), rel=0.05)
     assert curve(frames[7]) != first
+
+
+HUNG = """
+    parameters: {k: 2 kN/m, m: 1 kg}
+    %s
+"""
+ATTACHED = "attached: [{at: 1 m, oscillator: {mass: m, k: k}}, {at: 2 m, k: 50*k}]"
+CARRIERS = {
+    "beam": "beams: {arm: {length: 2 m, EI: 900 N*m^2, mass_per_length: 1 kg/m, left: clamped, " + ATTACHED + "}}",
+    "placed beam": "beams: {arm: {from: [0, 0], to: [0, 2 m], EI: 900 N*m^2, mass_per_length: 1 kg/m, left: clamped, "
+                   + ATTACHED + "}}",
+    "bar": "bars: {arm: {length: 2 m, EA: 900 N, mass_per_length: 1 kg/m, left: clamped, " + ATTACHED + "}}",
+    "string": "strings: {arm: {length: 2 m, preload: 90 N, mass_per_length: 1 kg/m, left: pinned, " + ATTACHED + "}}",
+}
+
+
+@pytest.mark.parametrize("name", CARRIERS)
+def test_oscillators_move_as_the_mode_tells_and_the_ground_stays(name):
+    found = problem(HUNG % CARRIERS[name])
+    for index in (1, 2, 3):
+        stage = compose.Scenery(found.scene)
+        vibration = Vibration(found, index, stage)
+        (strip,), (still,), (moved,) = stage.strips, vibration.bends(None).values(), vibration.bends(0.0).values()
+        drawn = [member_ends.draw(strip, bend, sketch)[0] for bend, sketch in (
+            (still, vibration.rest), (moved, vibration.at(0.0)))]
+        before, after = (next(part for part in parts if isinstance(part, Polygon) and part.layer == BODY and
+                              abs(part.points[0][0] - part.points[2][0]) + abs(part.points[0][1] - part.points[2][1])
+                              == pytest.approx(48.0)).points[0] for parts in drawn)
+        shape = vibration.shape[found.scene.coordinates.index("arm.oscillator(1 m)")].real
+        way = plane.left(strip.e) if strip.sideways else strip.e
+        assert plane.minus(after, before) == pytest.approx(
+            plane.times(way, shape * vibration.amplitude * moved.unit), abs=1e-6)
+        grounds = [[part.points for part in parts if isinstance(part, Hatch)] for parts in drawn]
+        assert grounds[0] and [end for one in grounds[0] for end in one] == [
+            pytest.approx(end, abs=1e-9) for one in grounds[1] for end in one]
+
+
+DRIVEN = """
+    parameters: {k: 2 kN/m, m: 1 kg, F: 9 N, W: 8 rad/s}
+    points: {mid: {body: arm, at: 0.5 m}}
+    forces: {F: {at: mid, force: F*sin(W*t)}}
+    bodies: {block: {mass: m, slide: y}}
+    springs: {s: {k: k, between: [mid, block]}}
+    find: [{response: {until: 0.5 s}}]
+    %s
+"""
+
+
+def test_oscillators_move_in_time_and_lumped_bodies_are_tied_to_points():
+    found = problem(DRIVEN % CARRIERS["beam"])
+    frames, _, _ = animation.of_response(found)
+    blocks = [[part.points for part in frame if isinstance(part, Polygon) and part.layer == BODY and
+               plane.distance(part.points[0], part.points[2]) == pytest.approx(35.777, abs=1e-3)] for frame in frames]
+    heights = [points[0][1] for points, in blocks]
+    assert max(heights) - min(heights) > 3.0
+    ties = [[part.points for part in frame if isinstance(part, Polyline) and part.dashed] for frame in frames]
+    assert all(len(one) == 1 for one in ties) and ties[5] != ties[20]

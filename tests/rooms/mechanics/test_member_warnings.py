@@ -1,9 +1,13 @@
 """Thick beams and large turns in equilibrium are told, in numbers by hand: w = PL³/3EI, w′ = PL²/2EI."""
 
+from pathlib import Path
+
 import pytest
-from support.scenes import problem
+from support.scenes import problem, problem_of
 
 from vibcli.mechanics.member_warnings import member_warnings
+
+TRIALS = Path(__file__).parents[2] / "trials"
 
 
 def told(beam, parameters=""):
@@ -23,3 +27,13 @@ def test_a_turn_of_more_than_a_tenth_is_told(slope, large):
     EI = 2 * 9.81 * 1.5**2 / (2 * slope)
     found = told(f"from: [0, 0], to: [1.5 m, 0], EI: {EI} N*m^2, left: clamped, attached: [{{at: 1.5 m, mass: M}}]")
     assert [sentence.split(" turns by ")[1][:4] for sentence in found] == ["0.11"] * large
+
+
+def test_a_tension_that_statics_does_not_find_is_told_with_its_part_of_the_buckling_load():
+    """The columns carry half the load more than as drawn: 1500 N of π²·2 MN·m²/(3 m)² = 2.193 MN."""
+    told = member_warnings(problem_of(TRIALS / "loaded_frames.yaml").configuration)
+    assert [line.partition(": ")[0] for line in told] == [
+        "statics alone does not find the tension -5424 N of 'left'",
+        "statics alone does not find the tension -5424 N of 'right'",
+        "statics alone does not find the tension -545.528 N of 'girder'"]
+    assert "under -3924 N; the rest, 0.00068 of π²EI/L²" in told[0]

@@ -2,6 +2,7 @@
 where it rolls, meshes and carries ropes. How a body is put together changes none of the two."""
 
 import random
+import re
 from copy import deepcopy
 from pathlib import Path
 
@@ -41,6 +42,8 @@ def in_one_part(body):
     """The body as one of a single part."""
     if "parts" in body or not {"mass", "density"} & set(body) or not {"at", "from"} & set(body):
         return None
+    if re.match(r"0( |$)", str(body.get("mass", ""))):
+        return None         # the mass centre of parts needs a mass
     kept = {key: value for key, value in body.items() if key not in OF_A_SHAPE}
     return {**kept, "parts": [{key: body[key] for key in OF_A_SHAPE if key in body}]}
 

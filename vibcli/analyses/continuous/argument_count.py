@@ -25,10 +25,11 @@ if TYPE_CHECKING:
 
 ARCS = 16           # of half the circle, to begin with
 LEAST = 2.0**-30    # the shortest arc: something lies on the circle
-MOST = 20_000       # arcs
+MOST, SINGLE = 20_000, 100_000       # arcs; where D is one number, with a damper that may nearly swallow all waves
 TURN = 1.4          # by which the argument changes at most between the middle of an arc and its ends: below π/2
 UNIT = 2.0**-53
-CLEAR = 2.0 ** -np.arange(10.0)     # relative distances at which poles are looked for
+HUGE = 1e100        # D is singular in floats
+CLEAR = 2.0 ** -np.array([*range(10), 11, 13])      # relative distances at which poles are looked for
 
 
 def zeros_within(matrix: "DynamicMatrix", radius: float) -> int | None:
@@ -67,11 +68,11 @@ def _to_real(value):
 def _arguments(matrix, radius):
     """det D/|det D| at the middles of arcs, in order, between which it changes by less than half a turn."""
     ends = np.linspace(0, np.pi, ARCS + 1)
-    low, high = ends[:-1], ends[1:]
+    low, high, most = ends[:-1], ends[1:], MOST if matrix.n > 1 else SINGLE
     angles, values, spent = [np.zeros(0)], [np.zeros(0, complex)], 0
     while len(low):
         spent += len(low)
-        if spent > MOST or (high - low).min() < LEAST:
+        if spent > most or (high - low).min() < LEAST:
             return None
         middle = (low + high) / 2
         phase, change = _phases(matrix, radius * np.exp(1j * middle), 2 * radius * np.sin((high - low) / 4))
@@ -101,8 +102,10 @@ def _phases(matrix, s, step):
         usable &= phase != 0
         values, basis = np.linalg.eigh(room[usable])
         root = basis * np.sqrt(np.maximum(values, 0))[:, None, :]
-        sigma = np.linalg.svd(np.swapaxes(root, 1, 2) @ np.linalg.solve(D[usable], root.astype(complex)),
-                              compute_uv=False)
+        moved = np.swapaxes(root, 1, 2) @ np.linalg.solve(D[usable], root.astype(complex))
+        small = (abs(moved) < HUGE).all(axis=(1, 2))
+        sigma = np.full(moved.shape[:2], np.inf)
+        sigma[small] = np.linalg.svd(moved[small], compute_uv=False)
         change[usable] = np.where(sigma.max(axis=1) < 1, -np.log1p(-sigma).sum(axis=1), np.inf)
     return phase, np.where(np.isfinite(change), change, np.inf)
 

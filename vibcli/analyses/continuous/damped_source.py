@@ -102,7 +102,7 @@ class DampedModes:
             waves.append(float(held_count(piece._replace(foundation=kappa), 0)[0]))
         found = trial_eigenvalues(matrix, [int((2.5 * one + 14) * effort) for one in waves], radius)
         if found is None:
-            raise PhysicsError("so many damped modes of members are not found", "ask for fewer")
+            raise PhysicsError("so many damped modes of members are not found", "ask for fewer, or lower ones")
         least = RESTING * radius if self._resting else 0.0
         near = sorted({complex(s) for s in found[(abs(found) < 1.2 * radius) & (abs(found) > least)]}, key=abs)
         points: list[complex] = []
@@ -163,10 +163,18 @@ def _cleaned(root, matrix):
     if abs(value.imag) <= size:
         value = complex(value.real, 0.0)
     elif abs(value.real) <= size:
-        x = np.where(abs(root.shape) > STILL * abs(root.shape).max(initial=0.0), root.shape, 0.0)
+        largest = max(abs(root.shape).max(initial=0.0), _usual(matrix))
+        x = np.where(abs(root.shape) > STILL * largest, root.shape, 0.0)
         lost = float((x.conj() @ matrix.polynomial[1] @ x).real) + _dragged(matrix, x, value.imag)
         value = complex(-lost / 2, value.imag)
     return root._replace(value=value)
+
+
+def _usual(matrix):
+    """The displacement that all members have where they move alike with unit ∫μu²: a mode all of whose nodes rest has
+    no other size among its coordinates."""
+    inertia = sum(float(placed.piece.inertia * placed.piece.length) for placed in matrix.pieces)
+    return inertia**-0.5 if inertia else 0.0
 
 
 def _dragged(matrix, x, omega):

@@ -10,8 +10,10 @@ B = −s² e^{−2iθ}, P = √A and Q = √B of positive imaginary part,
     H = (e^{iθ} G(P) − e^{−iθ} G(Q))/(2i sin θ) + (P G(P) − Q G(Q))/(2 s sin θ)
         + 2 ζ s (2/π) ∫ η² G(η)/((A − η²)(B − η²)) dη.
 
-The integral is the trapezoidal rule over u = ln η, with what its poles beside the real axis add to it. Modes with
-ratios of their own change by R times what their fractions do.
+The integral is the trapezoidal rule over u = ln η, with what its poles beside the real axis add to it. Where ζ is so
+large that P and Q come near each other or the real axis, H is the mean of what it is about ζ (Cauchy): for Re s ≥ 0 it
+has no pole there; with its first part E, even in s, H(s) = 2 E(s) − H(−s) gives the rest. Modes with ratios of their
+own change by R times what their fractions do.
 """
 
 from collections.abc import Callable
@@ -29,12 +31,13 @@ if TYPE_CHECKING:
     from vibcli.analyses.modal.undamped import Mode
 
 STEP, REACH = 0.1, 45.0     # of u, and how far from the middle it goes
-HIGHEST = 0.9       # ratio that holds for all modes that follow
+HIGHEST, ALIKE = 0.8, 0.05      # ratio up to which P and Q are well apart; distance from 1 below which they are not
 AT_ONCE = 256       # values of s beside all of η
 SMALL = 1e-14       # of a natural frequency: an s at rest
+UNIT, ROUGH = 2.0**-52, 4096.0     # roundings of means about ζ
 POLISHED = 3        # steps of Newton's method
 LOW, TERMS = 0.1, 8     # of that circle, where the series of so many terms is
-CIRCLE, SHARE, CLOSE = 24, 0.25, 1e-6       # points about a pole, radius over the distance of the next, relative gap
+CIRCLE, SHARE, CLOSE = 24, 0.25, 1e-6       # points about a pole or ζ, radius over the next pole's distance, closest
 
 
 class OwnRatio(NamedTuple):
@@ -59,13 +62,16 @@ class DampedSum:
                 raise PhysicsError("responses of members that are unstable are not found with modal damping",
                                    "write `proportional: [alpha, beta]`, or take `damping:` out")
             self.own = _own(damping, modes)
-            if self.zeta > HIGHEST:
-                raise PhysicsError(f"responses of members are found with modal damping up to ζ = {HIGHEST:g}",
-                                   "give a smaller last ratio, or write `proportional: [alpha, beta]`")
             u = np.log(self.pace) + np.arange(-REACH, REACH, STEP)
             self._u, self._eta = u, np.exp(u)
             self._spread = self._squared()
             self._residues = [self._residue(one) for one in self.own]
+
+    @property
+    def rounding(self) -> float:
+        """How many roundings of H the sum with ratios brings, by and by."""
+        last = ROUGH if self.zeta > HIGHEST else np.exp(-2 * np.pi * np.arccos(self.zeta) / STEP) / UNIT
+        return 1 + 64 * len(self.damping.ratios) + last
 
     def at(self, s: np.ndarray) -> np.ndarray:
         """(…, N)."""
@@ -75,19 +81,45 @@ class DampedSum:
         parts = [self._by_ratio(s[k:k + AT_ONCE]) for k in range(0, max(len(s), 1), AT_ONCE)]
         return np.concatenate(parts, axis=-1)
 
+    def beside_rest(self, s: np.ndarray) -> np.ndarray:
+        """s, a little beside 0 where it is 0."""
+        return np.where(np.abs(s) < SMALL * self.pace, 1j * SMALL * self.pace, s)
+
     def _by_fractions(self, s):
         series, found = [float(a) for a in self.damping.series], 0.0
-        if len(series) > 2:
-            s = np.where(np.abs(s) < SMALL * self.pace, 1j * SMALL * self.pace, s)
-        for z, slope in fractions(series, s):
+        for z, slope in fractions(series, self.beside_rest(s) if len(series) > 2 else s):
             found = found + self.G(np.sqrt(-z)) / slope
         return found
 
     def _by_ratio(self, s):
-        s = np.where(np.abs(s) < SMALL * self.pace, 1j * SMALL * self.pace, s)
-        zeta, sine = self.zeta, np.sqrt(1 - self.zeta**2)
-        turn = zeta + 1j * sine
-        P, Q = _upper(-1j * s * turn), _upper(1j * s / turn)
+        s = self.beside_rest(s)
+        if self.zeta <= HIGHEST:
+            found = self._of_one_ratio(s, self.zeta)
+        else:
+            left = s.real < 0
+            found = self._mean(self._of_one_ratio, np.where(left, -s, s), SHARE * self.zeta)
+            if left.any():
+                apart = abs(1 - self.zeta) > ALIKE
+                even = self._even(s, self.zeta) if apart else self._mean(self._even, s, 2 * ALIKE)
+                found = np.where(left, 2 * even - found, found)
+        for one, residue in zip(self.own, self._residues, strict=True):
+            change = _fraction(one.omega, one.zeta, s) - _fraction(one.omega, self.zeta, s)
+            found = found + residue[..., None] * change
+        return found
+
+    def _mean(self, of, s, radius):
+        """Of what stands about ζ."""
+        about = self.zeta + radius * np.exp(2j * np.pi * (np.arange(CIRCLE) + 0.5) / CIRCLE)
+        return sum(of(s, zeta) for zeta in about) / CIRCLE
+
+    def _even(self, s, zeta):
+        """E at one ζ of all modes."""
+        sine, turn, P, Q = _places(s, zeta)
+        return (turn * self.G(P) - self.G(Q) / turn) / (2j * sine)
+
+    def _of_one_ratio(self, s, zeta):
+        """H at one ζ, of any kind, of all modes."""
+        sine, turn, P, Q = _places(s, zeta)
         G_P, G_Q = self.G(P), self.G(Q)
         found = (turn * G_P - G_Q / turn) / (2j * sine) + (P * G_P - Q * G_Q) / (2 * s * sine)
         A, B, eta = P * P, Q * Q, self._eta[:, None]
@@ -95,11 +127,7 @@ class DampedSum:
         integral = self._spread @ weight
         for root, value, gap in ((P, G_P, B - A), (Q, G_Q, A - B)) if zeta else ():
             integral = integral - self._beside(root, -value * _right(root) / (np.pi * gap))
-        found = found + 2 * zeta * s * integral
-        for one, residue in zip(self.own, self._residues, strict=True):
-            change = _fraction(one.omega, one.zeta, s) - _fraction(one.omega, zeta, s)
-            found = found + residue[..., None] * change
-        return found
+        return found + 2 * zeta * s * integral
 
     def _squared(self):
         """η² G(η); where η is far below all frequencies its series in η², from a circle about 0 (Cauchy)."""
@@ -171,6 +199,13 @@ def _own(damping, modes):
                                "ratios are not found", "give both, and all that follow, the same ratio")
         found.append(OwnRatio(float(mode.omega), float(damping.ratio(mode.index)), gap))
     return found
+
+
+def _places(s, zeta):
+    """√(1 − ζ²), e^{iθ}, P, Q."""
+    sine = np.sqrt(1 - zeta**2 + 0j)
+    turn = zeta + 1j * sine
+    return sine, turn, _upper(-1j * s * turn), _upper(1j * s / turn)
 
 
 def _fraction(omega, zeta, s):

@@ -24,7 +24,7 @@ class DampedTransfer:
 
     def at(self, output: "LinearOutput", s: np.ndarray) -> np.ndarray:
         """(channels, number of s): the output, its constant and channels left out, for a unit e^{st} on each."""
-        found = np.zeros((self.still.n, len(s)), complex)
+        found = np.zeros((self.still.channels, len(s)), complex)
         for power in range(POWERS):
             part = _of_power(output, power)
             if any(part[1:]):

@@ -2,8 +2,9 @@
 
     D(s) = K + s (C + G) + s² M + Σ Sᵀ d(s) S        D′ = dD/ds
 
-d has poles where a piece vibrates with its ends held, and D is too large near these to hold what else is in it. The
-motion is not: there pieces are divided by a node that is free to move.
+A load f(x) along members that is an input has the column −Σ Sᵀ ∫ f H dx, H the fields of the end values. d has poles
+where a piece vibrates with its ends held, and D is too large near these to hold what else is in it. The motion is not:
+there pieces are divided by a node that is free to move.
 """
 
 from collections import defaultdict
@@ -13,11 +14,12 @@ import numpy as np
 
 from vibcli.analyses.continuous.divided_pieces import divided_at
 from vibcli.numerics.pieces.piece import Piece
-from vibcli.numerics.pieces.stiffness import stiffness_and_slope
+from vibcli.numerics.pieces.stiffness import stiffness, stiffness_and_slope
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
+    from vibcli.analyses.continuous.spread_drives import SpreadDrive
     from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
 
 SHARES = 0.382, 0.5, 0.29       # of a piece at which it is divided, in the order in which they are tried
@@ -35,11 +37,13 @@ class PieceStack:
         self.ends, self.numbers = [one.rows for one in placed], list(numbers)
         self.piece = Piece(*(np.array([[float(getattr(one.piece, name))] for one in placed]) for name in Piece._fields))
 
-    def stiffness(self, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """(d, dd/ds), each (m, m, pieces, N); real where s is imaginary and nothing drags."""
+    def stiffness(self, s: np.ndarray, steep: bool) -> tuple[np.ndarray, np.ndarray | None]:
+        """(d, dd/ds if it is `steep`), each (m, m, pieces, N); real where s is imaginary and nothing drags."""
         piece = self.piece
         damped = piece.drag.any() or s.real.any()
         kappa = piece.reaction(s) if damped else piece.undamped_reaction(s.imag)
+        if not steep:
+            return np.moveaxis(stiffness(piece, kappa), (-2, -1), (0, 1)), None
         d, slope = (np.moveaxis(part, (-2, -1), (0, 1)) for part in stiffness_and_slope(piece, kappa))
         return d, slope * (2 * piece.inertia * s + piece.drag)
 
@@ -47,16 +51,19 @@ class PieceStack:
         """How many times larger d is than a wave of its length would make it, the most of all pieces: (N,)."""
         piece = self.piece
         kappa, force = np.abs(piece.reaction(s)), np.abs(piece.tension)
-        natural = (12 * piece.bending / piece.length**3 + piece.bending**0.25 * kappa**0.75 + force / piece.length
-                   + np.sqrt(force * kappa))
+        waves = piece.bending**0.25 * np.sqrt(kappa * np.sqrt(kappa))       # κ^¾
+        natural = 12 * piece.bending / piece.length**3 + waves + force / piece.length + np.sqrt(force * kappa)
         return (np.abs(d[0, 0]) / natural).max(axis=0)
 
 
 class DynamicMatrix:
-    """polynomial: K, C + G, M, (3, n, n), without what pieces are at rest; pieces: PlacedPieces."""
+    """polynomial: K, C + G, M, (3, n, n), without what pieces are at rest; pieces: PlacedPieces; spread: {coordinate of
+    an input: SpreadDrive}."""
 
-    def __init__(self, polynomial: np.ndarray, pieces: "Sequence[PlacedPiece]"):
+    def __init__(self, polynomial: np.ndarray, pieces: "Sequence[PlacedPiece]",
+                 spread: "Mapping[int, SpreadDrive] | None" = None):
         self.polynomial, self.pieces, self.n = polynomial, list(pieces), polynomial.shape[-1]
+        self.spread = spread or {}
         alike = defaultdict(list)
         for number, placed in enumerate(self.pieces):
             piece = placed.piece
@@ -75,17 +82,17 @@ class DynamicMatrix:
             parts = divided_at(placed, share * placed.piece.length, n)
             pieces += parts
             n += placed.piece.order // 2
-        return DynamicMatrix(_padded(self.polynomial, n), pieces)
+        return DynamicMatrix(_padded(self.polynomial, n), pieces, self.spread)
 
     def without_damping(self) -> "DynamicMatrix":
         """The same without dampers and drag, gyroscopic terms kept."""
         K, C, M = self.polynomial
         pieces = [placed._replace(piece=placed.piece._replace(drag=0.0)) for placed in self.pieces]
-        return DynamicMatrix(np.array([K, (C - C.T) / 2, M]), pieces)
+        return DynamicMatrix(np.array([K, (C - C.T) / 2, M]), pieces, self.spread)
 
     def mixed(self, other: "DynamicMatrix", share: float) -> "DynamicMatrix":
         """The same and a share of what the other has besides in K, C and M."""
-        return DynamicMatrix(self.polynomial + share * (other.polynomial - self.polynomial), self.pieces)
+        return DynamicMatrix(self.polynomial + share * (other.polynomial - self.polynomial), self.pieces, self.spread)
 
     def at(self, s: np.ndarray, steep: bool = False) -> "EvaluatedMatrix":
         """D, and D′ if it is `steep`, at each s: (N,)."""
@@ -93,7 +100,7 @@ class DynamicMatrix:
         K, C, M = (np.abs(np.diagonal(part))[:, None] for part in self.polynomial)
         size, excess, ends = K + np.abs(s) * (C + np.abs(s) * M), np.zeros(len(s)), []
         for stack in self.stacks:
-            d, steeper = stack.stiffness(s)
+            d, steeper = stack.stiffness(s, steep)
             D = D.astype(np.result_type(D, d), copy=False)
             excess = np.maximum(excess, stack.excess(d, s))
             ends.append((d, steeper))
@@ -102,9 +109,27 @@ class DynamicMatrix:
                     for i, x in row.items():
                         size[i] += float(x) ** 2 * np.abs(d[a, a, p])
                 _added(D, rows, d[:, :, p])
-                if slope is not None:
+                if steeper is not None:
                     _added(slope, rows, steeper[:, :, p])
-        return EvaluatedMatrix(self, D, slope, size, excess, ends)
+        return EvaluatedMatrix(self, D, slope, size, excess, ends, self._put(D, slope, s))
+
+    def _put(self, D, slope, s):
+        """Adds the columns of loads along members: {number of a piece: [(coordinate of an input, what it puts on the
+        ends (N, m), its slope)]}."""
+        found = defaultdict(list)
+        for j, drive in self.spread.items():
+            for number, placed in enumerate(self.pieces):
+                put = drive.end_loads(placed, s)
+                if put is None:
+                    continue
+                steeper = drive.end_loads(placed, s, True) if slope is not None else None
+                found[number].append((j, put, steeper))
+                for a, row in enumerate(placed.rows):
+                    for i, x in row.items():
+                        D[i, j] -= float(x) * put[:, a]
+                        if slope is not None:
+                            slope[i, j] -= float(x) * steeper[:, a]
+        return found
 
     def _polynomial(self, s, steep):
         """K + s C + s² M and its slope, real where it may be: (n, n, N)."""
@@ -130,28 +155,31 @@ def _added(D, rows, d):
 
 class EvaluatedMatrix:
     """D and D′ (n, n, N); size: of the parts that the diagonal was added from, (n, N); excess: that of the pieces;
-    ends: (d, dd/ds) of each stack."""
+    ends: (d, dd/ds) of each stack; put: {number of a piece: [(coordinate of an input, what its load puts on the ends
+    (N, m), the slope of that)]}."""
 
-    __slots__ = ("D", "ends", "excess", "matrix", "size", "slope")
+    __slots__ = ("D", "ends", "excess", "matrix", "put", "size", "slope")
 
     def __init__(self, matrix: DynamicMatrix, D: np.ndarray, slope: np.ndarray | None, size: np.ndarray,
-                 excess: np.ndarray, ends: "list[tuple[np.ndarray, np.ndarray]]"):
+                 excess: np.ndarray, ends: "list[tuple[np.ndarray, np.ndarray | None]]", put: "Mapping[int, list]"):
         self.matrix, self.D, self.slope, self.size, self.excess, self.ends = matrix, D, slope, size, excess, ends
+        self.put = put
 
-    def of_piece(self, number: int) -> tuple[np.ndarray, np.ndarray]:
-        """(d, dd/ds) of one piece, (m, m, N)."""
+    def of_piece(self, number: int) -> "tuple[np.ndarray, np.ndarray | None]":
+        """(d, dd/ds or None) of one piece, (m, m, N)."""
         for stack, (d, slope) in zip(self.matrix.stacks, self.ends, strict=True):
             if number in stack.numbers:
                 at = stack.numbers.index(number)
-                return d[:, :, at], slope[:, :, at]
+                return d[:, :, at], None if slope is None else slope[:, :, at]
         raise IndexError(number)
 
 
-def dynamic_matrix(elements: "FactoredSystem", pieces: "Sequence[PlacedPiece] | None" = None,
-                   n: int | None = None) -> DynamicMatrix:
-    """The DynamicMatrix of a FactoredSystem; pieces, n: divided ones, and how many coordinates they need."""
+def dynamic_matrix(elements: "FactoredSystem", pieces: "Sequence[PlacedPiece] | None" = None, n: int | None = None,
+                   spread: "Mapping[int, SpreadDrive] | None" = None) -> DynamicMatrix:
+    """The DynamicMatrix of a FactoredSystem; pieces, n: divided ones, and how many coordinates they need; spread: as
+    there."""
     polynomial = _padded(_polynomial(elements, elements.n), elements.n if n is None else n)
-    return DynamicMatrix(polynomial, elements.pieces if pieces is None else pieces)
+    return DynamicMatrix(polynomial, elements.pieces if pieces is None else pieces, spread)
 
 
 def _padded(polynomial, n):

@@ -10,9 +10,10 @@ import numpy as np
 
 from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix
 from vibcli.numerics.pieces.fields import fields
-from vibcli.numerics.pieces.stiffness import stiffness_and_slope
+from vibcli.numerics.pieces.stiffness import stiffness
 
 if TYPE_CHECKING:
+    from vibcli.analyses.continuous.spread_drives import SpreadDrive
     from vibcli.analyses.excitation.linear_output import LinearOutput
     from vibcli.mechanics.factored_system import PlacedPiece
 
@@ -26,11 +27,17 @@ class DrivenEnd(NamedTuple):
 
 class ExactTransfer:
     """H(s) of a system: polynomial: K, C, M (3, n, n) without pieces; pieces: PlacedPieces in floats; driven:
-    DrivenEnds, the channels behind those of the n coordinates."""
+    DrivenEnds, spread: SpreadDrives, the channels behind those of the n coordinates."""
 
-    def __init__(self, polynomial: np.ndarray, pieces: "Sequence[PlacedPiece]", driven: Sequence[DrivenEnd]):
+    def __init__(self, polynomial: np.ndarray, pieces: "Sequence[PlacedPiece]", driven: Sequence[DrivenEnd],
+                 spread: "Sequence[SpreadDrive]" = ()):
         self.matrix, self.pieces, self.driven = DynamicMatrix(polynomial, pieces), list(pieces), list(driven)
-        self.n = polynomial.shape[-1]
+        self.n, self.spread = polynomial.shape[-1], list(spread)
+
+    @property
+    def channels(self) -> int:
+        """How many there are."""
+        return self.n + len(self.driven) + len(self.spread)
 
     def at(self, output: "LinearOutput", s: np.ndarray) -> np.ndarray:
         """(channels, number of s): the output, its constant and channels left out, for a unit e^{st} on each."""
@@ -47,21 +54,29 @@ class ExactTransfer:
                 if drive.piece == place.piece:
                     ends[channel, :, drive.end] += 1.0
             values = fields(one.piece, one.piece.reaction(s), ends, place.x)[..., place.along]
+            for channel, spread in enumerate(self.spread, self.n + len(self.driven)):
+                values[channel] += spread.between(one, s, place.x, place.along)
             found += factor * s**place.rates * values
         return found
 
     def _moved(self, s):
         """(n, channels, number of s): the coordinates."""
-        forces = np.zeros((len(s), self.n, self.n + len(self.driven)), complex)
+        forces = np.zeros((len(s), self.n, self.channels), complex)
         forces[:, range(self.n), range(self.n)] = 1.0
         for channel, drive in enumerate(self.driven, self.n):
             one = self.pieces[drive.piece]
-            column = stiffness_and_slope(one.piece, one.piece.reaction(s))[0][..., drive.end]
+            column = stiffness(one.piece, one.piece.reaction(s))[..., drive.end]
             for a, row in enumerate(one.rows):
                 for i, v in row.items():
                     forces[:, i, channel] -= v * column[:, a]
+        for channel, spread in enumerate(self.spread, self.n + len(self.driven)):
+            for one in self.pieces:
+                put = spread.end_loads(one, s)
+                for a, row in enumerate(one.rows if put is not None else ()):
+                    for i, v in row.items():
+                        forces[:, i, channel] += v * put[:, a]
         if not self.n:
-            return np.zeros((0, len(self.driven), len(s)), complex)
+            return np.zeros((0, self.channels, len(s)), complex)
         D = np.moveaxis(self.matrix.at(s).D, -1, 0)
         return np.moveaxis(np.linalg.solve(D, forces), 0, -1)
 

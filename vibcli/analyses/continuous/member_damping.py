@@ -34,6 +34,11 @@ class MemberDamping(NamedTuple):
         """Does it damp nothing?"""
         return not any(self.ratios or self.series)
 
+    @property
+    def creeps(self) -> bool:
+        """Do the modes creep the more slowly the higher they are?"""
+        return len(self.series) > 2
+
     def ratio(self, number: int) -> Any:
         """ζ that is given to the mode of a number."""
         return self.ratios[min(number, len(self.ratios)) - 1]

@@ -11,21 +11,22 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.analyses.continuous.modal_states import FreeStretch, followed, moved, next_to, parts, states_of
+from vibcli.analyses.continuous.modal_states import FreeStretch, followed, moved, next_to, parts
 from vibcli.analyses.continuous.remainder import remainder
 from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Work
 
 if TYPE_CHECKING:
+    from vibcli.analyses.continuous.complex_modes import ComplexModes
     from vibcli.analyses.continuous.damped_transfer import DampedTransfer
+    from vibcli.analyses.continuous.disturbances import Disturbances
     from vibcli.analyses.continuous.exact_transfer import ExactTransfer
-    from vibcli.analyses.continuous.mode_basis import ModeBasis
+    from vibcli.analyses.continuous.real_modes import RealModes
     from vibcli.analyses.excitation.forcing import Forcing
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
 EPSILON = 2.0**-52
 POINTS, INSIDE = 24, 8.0        # of the circle, and how far inside the poles that are left it lies
-NOISE = 2.0**-51                # of the largest η: what is only rounding
 AT_ONCE = 2_000_000             # exponentials at a time
 
 
@@ -33,47 +34,34 @@ class Read:
     """What an output reads of a ModalMotion, in a rate: rows over states and over (η, η̇) of what nothing holds."""
 
     def __init__(self, motion: "ModalMotion", output: "LinearOutput", order: int):
-        states, rows = motion.states, motion.rows_of(output)
-        powers = [states.rates ** (m + order) for m in range(3)]
+        states, (rows, rigid) = motion.states, motion.rows_of(output)
         self.output, self.order = output, order
-        self.states = sum((rows[m, motion.moving][states.modes] * powers[m] for m in range(3)), 0 * states.rates)
-        self.rigid = np.zeros((2, len(motion.rigid)))
+        self.states = sum((rows[m] * states.rates ** (m + order) for m in range(3)), 0 * states.rates)
+        self.rigid = np.zeros((2, rigid.shape[1]))
         for m in range(3):
             if m + order < 2:
-                self.rigid[m + order] += rows[m, motion.rigid]
+                self.rigid[m + order] += rigid[m]
 
 
 class ModalMotion:
-    """Of the modes of a ModeBasis, under a Forcing whose channels are those of an ExactTransfer, from η and η̇ at t = 0;
-    ratios: damping of each mode, which the transfer knows; reads: the Forcing whose channels outputs read."""
+    """Of RealModes or ComplexModes under a Forcing whose channels are those of an ExactTransfer, which knows their
+    damping; reads: the Forcing whose channels outputs read."""
 
-    def __init__(self, basis: "ModeBasis", transfer: "ExactTransfer | DampedTransfer", inputs: np.ndarray,
-                 forcing: "Forcing", start: tuple[np.ndarray, np.ndarray], ratios: np.ndarray, work: Work | None = None,
-                 reads: "Forcing | None" = None):
-        self.basis, self.transfer, self.forcing, self.work = basis, transfer, forcing, work or Work()
-        self.inputs, (self.eta, self.rate), self.ratios = inputs, [_without_noise(part) for part in start], ratios
+    def __init__(self, modes: "RealModes | ComplexModes", transfer: "ExactTransfer | DampedTransfer",
+                 forcing: "Forcing", work: Work | None = None, reads: "Forcing | None" = None):
+        self.modes, self.transfer, self.forcing, self.work = modes, transfer, forcing, work or Work()
         self.reads = forcing if reads is None else reads
-        eta, rate = self.eta, self.rate
-        squares = basis.squares
-        self.moving, self.rigid = np.flatnonzero(squares), np.flatnonzero(squares == 0)
-        at = self.moving
-        self.states = states_of(squares[at], ratios[at], inputs[at], eta[at], rate[at])
+        self.states, self.count = modes.states, modes.count
         self.fastest = float(np.abs(self.states.rates).max(initial=0.0))
-        self._left_out = _left_out(squares[at], ratios[at])
-        self._rows: dict[Any, np.ndarray] = {}
+        self.slowest = float(np.abs(self.states.rates).min(initial=self.fastest, where=self.states.rates != 0))
+        self._rows: dict[Any, tuple[np.ndarray, np.ndarray]] = {}
         self._taylor: dict[Any, np.ndarray] = {}
         self._until, self._stretches = -1.0, []
-
-    def fastest_of(self, count: int) -> float:
-        """|λ| of the fastest of the first modes, or of a load that is faster."""
-        chosen = np.abs(self.states.rates[self.states.modes < count])
-        loads = [abs(stroke.exponent) for stretch in self.stretches(0.0)[:8] for stroke in stretch.strokes]
-        return float(max([*chosen, *loads], default=1.0)) or 1.0
+        self._disturbances: Disturbances | None = None
 
     def under(self, forcing: "Forcing") -> "ModalMotion":
         """The same motion, whose outputs read further channels of the loads."""
-        return ModalMotion(self.basis, self.transfer, self.inputs, self.forcing, (self.eta, self.rate), self.ratios,
-                           self.work, forcing)
+        return ModalMotion(self.modes, self.transfer, self.forcing, self.work, forcing)
 
     def stretches(self, until: float) -> list[FreeStretch]:
         """Up to an instant."""
@@ -81,18 +69,19 @@ class ModalMotion:
             self._until = inf if self.forcing.listed else max(until, 2 * self._until)
             segments = self.forcing.segments(self._until if self._until == inf else np.nextafter(self._until, inf),
                                              self.work)
-            channels = self.inputs.shape[1]
+            channels = self.states.inputs.shape[1]
             with self.work.task("the motion from one jump or bend of its loads to the next", 20_000) as task:
-                task.step(steps=len(segments) * len(self.eta) / 10_000)
-                self._stretches = followed(self.states, self.inputs[self.rigid],
-                                           np.array([self.eta[self.rigid], self.rate[self.rigid]]), segments, channels)
+                task.step(steps=len(segments) * self.count / 10_000)
+                self._stretches = followed(self.states, self.modes.rigid_inputs, self.modes.rigid_start, segments,
+                                           channels)
+            self._disturbances = self.modes.disturbed(segments) if self.modes.disturbed else None
         return self._stretches
 
-    def rows_of(self, output: "LinearOutput") -> np.ndarray:
-        """(3, N): what an output reads of each η, η̇ and η̈."""
+    def rows_of(self, output: "LinearOutput") -> tuple[np.ndarray, np.ndarray]:
+        """What an output reads of each state, its rate and acceleration, (3, states), and of what nothing holds."""
         key = _key(output)
         if key not in self._rows:
-            self._rows[key] = self.basis.rows(output)
+            self._rows[key] = self.modes.rows(output)
         return self._rows[key]
 
     def values(self, output: "LinearOutput", times: Any, order: int = 0, modes: int | None = None) -> np.ndarray:
@@ -114,14 +103,14 @@ class ModalMotion:
         """Without constants and channels, on one stretch."""
         states = self.states
         weights = read.states * stretch.free
-        chosen = np.flatnonzero((weights != 0) & (states.modes < (len(self.eta) if modes is None else modes)))
+        chosen = np.flatnonzero((weights != 0) & (states.modes < (self.count if modes is None else modes)))
         found = np.zeros(len(tau))
         step = max(1, AT_ONCE // max(1, len(chosen)))
         for i in range(0, len(tau), step):
             found[i:i + step] = np.real(np.exp(np.outer(tau[i:i + step], states.rates[chosen])) @ weights[chosen])
         for order in range(2):
             if read.rigid[order].any():
-                found += moved(self.inputs[self.rigid], stretch, tau, order) @ read.rigid[order]
+                found += moved(self.modes.rigid_inputs, stretch, tau, order) @ read.rigid[order]
         return found + self._driven(read, stretch, tau)
 
     def _driven(self, read, stretch, tau):
@@ -142,15 +131,25 @@ class ModalMotion:
         """(power + 1, channels): the coefficients of Taylor's series of R about s."""
         key = (_key(read.output), read.order, s)
         if key not in self._taylor or len(self._taylor[key]) <= power:
-            highest, slowest = self._left_out
+            highest, slowest = self.modes.left_out
             radius = (highest - abs(s)) / INSIDE
             if not radius > highest / (4 * INSIDE):
                 raise TooSlow(f"a load turns with {abs(s):.4g} rad/s, as fast as the modes that are counted")
             radius = min(radius, abs(s + slowest if s.real > -slowest else s.imag) / INSIDE)
+            if not radius:
+                return self._among_creeping(read, s, power)
             turn = np.exp(2j * np.pi * (np.arange(POINTS) + 0.5) / POINTS)
             left = self._left(read, s + radius * turn)
             self._taylor[key] = np.array([(left * turn**-m).mean(axis=1) / radius**m for m in range(power + 5)])
         return self._taylor[key][:power + 1]
+
+    def _among_creeping(self, read, s, power):
+        """The same where no circle about s is free of eigenvalues: of a steady load alone."""
+        if s or power or read.rigid.size or not self.states.rates.all():
+            raise PhysicsError("modes creep the more slowly the higher they are: what a load that grows or dies out "
+                               "leaves of them, or a steady one of what nothing holds, is not found",
+                               "let loads turn, or give ratios at one or two modes")
+        return self._left(read, np.zeros(1, complex)).T
 
     def _left(self, read, s):
         """R at points, (channels, points)."""
@@ -159,8 +158,8 @@ class ModalMotion:
             weight, rates, inputs = (part if sign > 0 else part.conj()
                                      for part in (read.states, self.states.rates, self.states.inputs))
             exact = exact - ((weight / (s[:, None] - rates)) @ inputs).T / 2
-        for order in range(2):
-            exact = exact - np.outer(read.rigid[order] @ self.inputs[self.rigid], s ** (order - 2.0))
+        for order in range(2 if read.rigid.size else 0):
+            exact = exact - np.outer(read.rigid[order] @ self.modes.rigid_inputs, s ** (order - 2.0))
         return exact
 
     def _direct(self, output, t, order):
@@ -182,43 +181,45 @@ class ModalMotion:
     def bound(self, output: "LinearOutput", t: float, order: int = 0, modes: int | None = None) -> float:
         """What modes beyond those counted, or beyond the first `modes`, can add at an instant."""
         read, (stretch, _) = Read(self, output, order), next(iter(self._placed(np.array([float(t)]))))
-        sizes = self._amplitudes(read, stretch)
-        rest = remainder(sizes)
-        if modes is not None:
-            return rest + float(sizes[modes:].sum())
-        slow = float(np.max(self.states.rates.real[len(self.moving) // 2:len(self.moving)], initial=-inf))
-        slow = max(slow, -self._left_out[1])
-        return rest * float(np.exp(min(slow, 0.0) * (t - stretch.start))) if 0 < rest < inf else rest
+        rest = self._uncounted(read, stretch, t)
+        return rest if modes is None else rest + float(self._amplitudes(read, stretch)[modes:].sum())
+
+    def _uncounted(self, read, stretch, t):
+        """A bound of what is left out; where none is known how amplitudes fall."""
+        if self._disturbances is not None:
+            return self._disturbances.bound(read.output, t, read.order)
+        rest = remainder(self._amplitudes(read, stretch))
+        return rest * float(np.exp(self.modes.fading * (t - stretch.start))) if 0 < rest < inf else rest
 
     def is_near(self, output: "LinearOutput", share: float) -> bool:
         """Is the remainder below a share of how large the output becomes on the first stretches?"""
         read = Read(self, output, 0)
         for stretch in self.stretches(0.0)[:8]:
-            tau = np.linspace(0, 2 * np.pi / float(np.abs(self.states.rates).min(initial=self.fastest) or 1.0), 65)
+            tau = np.linspace(0, 2 * np.pi / (self.slowest or 1.0), 65)
             most = float(np.abs(self._on(read, stretch, tau, 64)).max())
-            if remainder(self._amplitudes(read, stretch)) > share * most:
+            if self._uncounted(read, stretch, stretch.start) > share * most:
                 return False
         return True
 
     def _amplitudes(self, read, stretch):
         """That of each mode on a stretch, in order of frequency."""
-        sizes = np.zeros(len(self.eta))
-        np.add.at(sizes, self.moving[self.states.modes], np.abs(read.states * stretch.free))
+        sizes = np.zeros(self.count)
+        np.add.at(sizes, self.states.modes, np.abs(read.states * stretch.free))
         return sizes
 
     def errors(self, output: "LinearOutput", times: Any, order: int = 0) -> np.ndarray:
         """Bounds of the errors of the same values: the remainder, and rounding."""
         times = np.asarray(times, float)
         read, states = Read(self, output, order), self.states
-        lost = NOISE * (np.abs(self.eta).max(initial=0.0) + (np.abs(self.rate) / max(np.abs(states.rates).min(
-            initial=self.fastest), 1e-300)).max(initial=0.0))
-        found = np.full(times.shape, EPSILON * abs(output.constant) + lost * float(np.abs(read.states).sum()))
+        phase, size = self.modes.doubt
+        lost, found = self.modes.lost * np.abs(read.states), np.full(times.shape, EPSILON * abs(output.constant))
         for stretch, at in self._placed(times):
             felt = np.abs(read.states * stretch.free)
-            phase = (self.basis.error + EPSILON) * (np.abs(states.rates) @ felt)
+            late, early = (phase * np.abs(states.rates)) @ felt, size @ felt
             for number in np.flatnonzero(at):
-                found[number] += self.bound(output, times[number], order) + 8 * EPSILON * felt.sum()
-                found[number] += phase * (times[number] - stretch.start)
+                found[number] += self.bound(output, times[number], order) + early
+                found[number] += late * (times[number] - stretch.start)
+                found[number] += float(lost @ np.exp(states.rates.real * times[number]))
             driven = sum(abs(complex(part)) for stroke in stretch.strokes for _, g, _, _ in parts(states, stroke)
                          for part in g @ read.states)
             found[at] += 16 * EPSILON * driven
@@ -227,18 +228,6 @@ class ModalMotion:
 
 class TooSlow(PhysicsError):
     """More modes are needed."""
-
-
-def _left_out(squares, ratios):
-    """What no |λ| of a mode that is left out is below where it oscillates, and none where it creeps."""
-    highest = float(np.sqrt(np.abs(squares).max(initial=0.0)))
-    zeta = float(ratios[-1]) if len(ratios) else 0.0
-    return highest, highest / (2 * zeta) if zeta else np.inf
-
-
-def _without_noise(start):
-    """What modes start with, 0 where that is only the rounding of others."""
-    return np.where(np.abs(start) > NOISE * np.abs(start).max(initial=0.0), start, 0.0)
 
 
 def _rate(wave, tau, order):

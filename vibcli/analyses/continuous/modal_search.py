@@ -6,12 +6,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from vibcli.analyses.continuous.modal_grid import divided
+
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.modal_motion import ModalMotion
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
 LEVELS = 12, 48, 192, 768       # modes
-TURN = 0.4                      # of the fastest of them, from place to place
 MOST = 2_000                    # steps of 100,000 values
 BENT = 0.5                      # of the largest second difference beside it: how far a value rises between places
 NARROW = 40                     # sections of the last search
@@ -59,12 +60,14 @@ def zeros(motion: "ModalMotion", output: "LinearOutput", start: float, end: floa
 
 
 def width_of_top(motion: "ModalMotion", output: "LinearOutput", t: float, sense: int) -> float:
-    """δ, within which an extreme lies: a step away, on both sides, the value is less by more than its errors."""
+    """δ, within which an extreme lies: a step away, on both sides, the value is less by more than its errors, or, at an
+    end of the time that is asked, on one side less and on the other more."""
     doubt, value = 4 * float(motion.errors(output, np.array([t]))[0]), float(motion.values(output, np.array([t]))[0])
     away = 1e-12 * t
     while 0 < away < t:
         beside = motion.values(output, np.array([t - away, t + away]))
-        if (sense * (value - beside) > doubt).all():
+        less = sense * (value - beside)
+        if (less > doubt).any() and (np.abs(less) > doubt).all():
             return away
         away *= 2
     return t
@@ -81,37 +84,33 @@ def width_of_zero(motion: "ModalMotion", output: "LinearOutput", t: float) -> fl
     return t
 
 
-def _divided(cells, step):
-    """Cells (count, 2) in parts no wider than a step."""
-    found = []
-    for low, high in cells:
-        edges = np.linspace(low, high, max(1, int(np.ceil((high - low) / step))) + 1)
-        found.append(np.stack([edges[:-1], edges[1:]], axis=1))
-    return np.concatenate(found)
-
-
 def _searched(motion, output, start, end, chosen):
     """The cells left when all modes are counted, `chosen` saying which of those of a level are."""
-    cells, step, total = np.array([[start, end]]), end - start, len(motion.eta)
+    cells, total = np.array([[start, end]]), motion.count
     with motion.work.task("the search along a motion by modes", MOST) as task:
         for count in [*(level for level in LEVELS if level < total), total]:
-            step = min(step, TURN / motion.fastest_of(count))
-            cells = _divided(cells, step)
+            cells = divided(cells, motion, output, count)
             task.step(steps=len(cells) * count / 1e5)
             values = motion.values(output, cells, modes=count)
-            cells = cells[chosen(cells, values, motion.bound(output, end, modes=count))]
+            rest = max(motion.bound(output, t, modes=count) for t in _beginnings(motion, end))
+            cells = cells[chosen(cells, values, rest)]
             if not len(cells):
                 break
     return cells
+
+
+def _beginnings(motion, end):
+    """Instants at which stretches begin."""
+    return [stretch.start for stretch in motion.stretches(end) if stretch.start <= end]
 
 
 def _bends(cells, values):
     """How far the second differences beside each cell lie from zero; those at a gap count with the widest."""
     if len(cells) < 3:
         return np.full(len(cells), np.ptp(values))
-    slopes = values[:, 1] - values[:, 0]
-    inner = np.abs(np.diff(slopes))
-    return np.maximum(np.append(inner, inner[-1]), np.append(inner[0], inner))
+    width = cells[:, 1] - cells[:, 0]
+    inner = np.abs(np.diff((values[:, 1] - values[:, 0]) / width))
+    return width * np.maximum(np.append(inner, inner[-1]), np.append(inner[0], inner))
 
 
 def _top(motion, output, low, high, sense):

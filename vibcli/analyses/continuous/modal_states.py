@@ -1,6 +1,6 @@
 """Modes that move by themselves, many at a time, from one bend of the loads to the next.
 
-An oscillating mode η̈ + 2ζω η̇ + ω² η = b f is η = Re c, ċ = λ c + w f; two real λ are two such states. Under a wave
+An oscillating mode η̈ + c η̇ + ω² η = b f is η = Re c, ċ = λ c + w f; two real λ are two such states. Under a wave
 f = Re(F τᵏ e^{sτ}) with a(s) = w F/2
 
     c = C e^{λτ} + Σ gᵢ τⁱ e^{sτ} + the same of s̄ and F̄,      (s − λ) gᵢ = a [i = k] − (i + 1) gᵢ₊₁
@@ -48,19 +48,20 @@ class FreeStretch(NamedTuple):
     rigid: np.ndarray
 
 
-def states_of(squares: np.ndarray, ratios: np.ndarray, inputs: np.ndarray, eta: np.ndarray,
+def states_of(squares: np.ndarray, damping: np.ndarray, inputs: np.ndarray, eta: np.ndarray,
               rate: np.ndarray) -> States:
-    """Those of modes with ω² = squares ≠ 0 and damping ratios, b = inputs, which start with η and η̇."""
-    size = np.sqrt(np.abs(squares)) + 0j
-    inner = np.where(squares > 0, ratios**2 - 1, 1.0) + 0j
-    middle, half = np.where(squares > 0, -ratios, 0.0) * size, size * np.sqrt(inner)
-    turning = (squares > 0) & (ratios < 1)
+    """Those of modes η̈ + c η̇ + ω² η = b f, not both c and ω² being 0, with ω² = squares, c = damping, b = inputs,
+    which start with η and η̇."""
+    half, square = damping / 2, squares - damping**2 / 4
+    turning, root = square > 0, np.sqrt(np.abs(square))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        first = np.where(turning, -half + 1j * root, squares / (-half - root))
+    second = np.where(turning, first.conj(), -half - root)
     found = []
-    for sign, chosen in ((1, np.ones(len(squares), bool)), (-1, ~turning)):
+    for own, other, chosen in ((first, second, np.full(len(squares), True)), (second, first, ~turning)):
         at = np.flatnonzero(chosen)
-        own, other = (middle + sign * half)[at], (middle - sign * half)[at]
-        share = np.where(turning[at], 2.0, 1.0) / (own - other)
-        found.append((own, share[:, None] * inputs[at], at, share * (rate[at] - other * eta[at])))
+        share = np.where(turning, 2.0, 1.0)[at] / (own - other)[at]
+        found.append((own[at], share[:, None] * inputs[at], at, share * (rate - other * eta)[at]))
     return States(*(np.concatenate(part) for part in zip(*found, strict=True)))
 
 

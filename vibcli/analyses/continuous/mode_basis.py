@@ -13,7 +13,7 @@ import numpy as np
 
 from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.piece import Piece
-from vibcli.numerics.pieces.stiffness import stiffness_and_slope
+from vibcli.numerics.pieces.stiffness import stiffness
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
@@ -40,7 +40,7 @@ class ModesOnPart(NamedTuple):
 
     def forces(self) -> np.ndarray:
         """Those that its ends need, (modes, order)."""
-        return np.einsum("kab,kb->ka", stiffness_and_slope(self.piece, self.kappa)[0], self.ends)
+        return np.einsum("kab,kb->ka", stiffness(self.piece, self.kappa), self.ends)
 
 
 class ModeBasis:
@@ -48,7 +48,7 @@ class ModeBasis:
     ModesOnParts of piece p; error: the largest relative bound of an ω."""
 
     def __init__(self, modes: "Sequence[Mode]", placed: "Sequence[PlacedPiece]"):
-        self.placed = [_in_floats(one) for one in placed]
+        self.placed = in_floats(placed)
         self.squares = np.array([float(mode.motion.z) for mode in modes])
         self.shapes = np.array([[float(x) for x in mode.shape] for mode in modes]).T.reshape(-1, len(modes))
         self.error = max((float(mode.error) for mode in modes), default=0.0)
@@ -62,16 +62,14 @@ class ModeBasis:
     def _divide(self, numbers, motions):
         """Adds the ModesOnParts of modes whose pieces are divided in the same way."""
         shapes = np.array([[float(x) for x in motion.shape] for motion in motions])
-        for one in map(_in_floats, motions[0].system.ordered):
-            home = next(p for p, whole in enumerate(self.placed) if whole.owner == one.owner
-                        and -SAME * whole.piece.length <= one.start - whole.start < (1 - SAME) * whole.piece.length)
-            ends = np.stack([shapes @ _row(row, shapes.shape[1]) for row in one.rows], axis=-1)
+        for one in in_floats(motions[0].system.ordered):
             kappa = one.piece.foundation - one.piece.inertia * self.squares[numbers]
-            self.parts[home].append(ModesOnPart(numbers, one.start - self.placed[home].start, one.piece, kappa, ends))
+            home, part = on_part(self.placed, one, numbers, kappa, shapes)
+            self.parts[home].append(part)
 
     def field(self, piece: int, x: "float | np.ndarray", along: int = 0) -> np.ndarray:
         """The along-th derivative by x of all modes at x of a piece, (…, N)."""
-        found = np.zeros((*np.shape(x), len(self.squares)))
+        found = np.zeros((*np.shape(x), self.shapes.shape[1]), self.shapes.dtype)
         for part in self.parts[piece]:
             inside = (np.asarray(x) >= part.start - SAME * part.piece.length) & (
                 np.asarray(x) <= part.start + part.piece.length * (1 + SAME))
@@ -82,7 +80,7 @@ class ModeBasis:
 
     def rows(self, output: "LinearOutput") -> np.ndarray:
         """(3, N): what an output reads of each η, η̇ and η̈."""
-        found = np.zeros((3, len(self.squares)))
+        found = np.zeros((3, self.shapes.shape[1]), self.shapes.dtype)
         for row, part in zip(found, (output.q, output.v, output.a), strict=True):
             for i, x in part.items():
                 row += x * self.shapes[i]
@@ -92,7 +90,7 @@ class ModeBasis:
 
     def end_forces(self, piece: int, end: int) -> np.ndarray:
         """(N,): the force that an end value of a piece needs in each mode."""
-        found, length = np.zeros(len(self.squares)), self.placed[piece].piece.length
+        found, length = np.zeros(self.shapes.shape[1], self.shapes.dtype), self.placed[piece].piece.length
         half = self.placed[piece].piece.order // 2
         for part in self.parts[piece]:
             last = part.start + part.piece.length >= (1 - SAME) * length
@@ -101,10 +99,19 @@ class ModeBasis:
         return found
 
 
-def _in_floats(placed):
-    piece = placed.piece._make(float(x) for x in placed.piece)
-    rows = tuple({i: float(x) for i, x in row.items()} for row in placed.rows)
-    return placed._replace(start=float(placed.start), piece=piece, rows=rows)
+def in_floats(placed: "Sequence[PlacedPiece]") -> "list[PlacedPiece]":
+    """The same in floats."""
+    return [one._replace(start=float(one.start), piece=one.piece._make(float(x) for x in one.piece),
+                         rows=tuple({i: float(x) for i, x in row.items()} for row in one.rows)) for one in placed]
+
+
+def on_part(placed: "Sequence[PlacedPiece]", one: "PlacedPiece", numbers: np.ndarray, kappa: np.ndarray,
+            shapes: np.ndarray) -> tuple[int, ModesOnPart]:
+    """What modes do on a piece, a part of one of those placed, and the number of that; shapes (modes, coordinates)."""
+    home = next(p for p, whole in enumerate(placed) if whole.owner == one.owner
+                and -SAME * whole.piece.length <= one.start - whole.start < (1 - SAME) * whole.piece.length)
+    ends = np.stack([shapes @ _row(row, shapes.shape[1]) for row in one.rows], axis=-1)
+    return home, ModesOnPart(numbers, one.start - placed[home].start, one.piece, kappa, ends)
 
 
 def _row(row, n):

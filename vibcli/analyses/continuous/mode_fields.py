@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.analyses.continuous.shapes import Moved, antinodes, nodes, shape_along
+from vibcli.analyses.continuous.shapes import Moved, antinodes, resting_and_turning, shape_along
 from vibcli.base.errors import PhysicsError
 from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.piece import Piece
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 SAME = 1e-9         # of a length or displacement: nearer ones are one
 SHARES = np.append(np.arange(1, 62) * 0.6180339887498949 % 1, [0.0, 1.0])
+ALLOWED, PLACE = 1e-11, 1e-15       # what a shape is off in any case, as a part; a place and what is reckoned of it
 STEPS = 8           # of Newton's method, from a place that is known in floats
 
 
@@ -30,16 +31,27 @@ class ModeFields:
 
     def __init__(self, mode: "Mode", scene: "Scene", arithmetic: Any, values: Any, number: Callable = float):
         self.mode, self.scene, self.arithmetic, self.values, self.number = mode, scene, arithmetic, values, number
+        self._known: dict = {}
+
+    def _kept(self, what, member):
+        """What is asked several times of a member."""
+        if (what, member) not in self._known:
+            self._known[what, member] = what(member)
+        return self._known[what, member]
 
     def pieces(self, member: str) -> list[Moved]:
         """Those of a member from left to right, as they move."""
+        return self._kept(self._moving, member)
+
+    def _moving(self, member):
         motion, found = self.mode.motion, []
         for placed in motion.system.ordered if motion is not None else ():
             if placed.owner == member:
                 piece = Piece(*map(self.number, placed.piece))
                 kappa = piece.foundation - piece.inertia * self.number(motion.z)
                 ends = [self._times(row, motion.shape) for row in placed.rows]
-                found.append(self._moved(placed.start, piece, kappa, ends, not any(placed.rows[0].values())))
+                moved = self._moved(placed.start, piece, kappa, ends, not any(placed.rows[0].values()))
+                found.append(moved._replace(curves=motion.curves))
         found += self._light(member)
         return sorted(found, key=lambda moved: moved.start)
 
@@ -86,8 +98,11 @@ class ModeFields:
 
     def _on(self, moved, x):
         piece = moved.piece
-        place = min(max(self.number(x) - moved.start, 0 * piece.length), piece.length)
-        found = list(fields(piece, moved.kappa, moved.ends, place))
+        if moved.curves is not None:
+            found = moved.curves.along(x).tolist()
+        else:
+            place = min(max(self.number(x) - moved.start, 0 * piece.length), piece.length)
+            found = list(fields(piece, moved.kappa, moved.ends, place))
         if piece.order == 2:        # (N u′)′ = κ u
             found.append((moved.kappa * found[0] - piece.gradient * found[1]) / piece.tension)
         return found
@@ -98,9 +113,12 @@ class ModeFields:
 
     def largest(self, member: str) -> tuple[Any, Any]:
         """(x, u) where a member moves furthest, the leftmost of equal ones."""
+        return self._kept(self._furthest, member)
+
+    def _furthest(self, member):
         pieces = self._in_floats(member)
         ends = [place for moved in pieces for place in (moved.start, moved.start + moved.piece.length)]
-        places = sorted([*ends, *antinodes(pieces)])
+        places = sorted([*ends, *self._kept(self._marks, member)[1]])
         sizes = np.abs(shape_along(pieces, places)[:, 0])
         if not np.isfinite(sizes).all():
             raise PhysicsError(f"the shape of a mode along '{member}' is not found", "ask for its frequency alone")
@@ -110,17 +128,31 @@ class ModeFields:
 
     def size(self, member: str, order: int) -> float:
         """How large a derivative of u by x is on a member, or would be if it moved as far as any: what its rounding is
-        measured by."""
+        measured by. So many waves that what their length is off shows count as a larger one."""
+        pieces = self._in_floats(member)
         most = max(_most(moved, 0) for name in self.scene.members for moved in self._in_floats(name))
-        return max(max(_most(moved, order), most * _wave_number(moved)**order) for moved in self._in_floats(member))
+        largest = max(max(_most(moved, order), most * _wave_number(moved)**order) for moved in pieces)
+        phase = sum(_wave_number(moved) * moved.piece.length for moved in pieces)
+        return largest * max(1.0, phase * (float(self.mode.error) + PLACE) / ALLOWED)
 
     def node_places(self, member: str) -> list[Any]:
         """The places from left to right at which a member rests, its ends and supports not counted."""
-        return [self._polished(member, x, 0) for x in nodes(self._in_floats(member))]
+        return [self._polished(member, x, 0) for x in self._kept(self._marks, member)[0]]
+
+    def antinode_places(self, member: str) -> list[float]:
+        """The places from left to right at which a member moves more than beside them, in floats."""
+        return antinodes(self._in_floats(member), self._kept(self._marks, member)[1])
+
+    def _marks(self, member):
+        return resting_and_turning(self._in_floats(member))
 
     def _in_floats(self, member):
+        return self._kept(self._rounded, member)
+
+    def _rounded(self, member):
         return [Moved(float(moved.start), Piece(*map(float, moved.piece)), float(moved.kappa),
-                      moved.ends.astype(complex if any(map(_is_complex, moved.ends)) else float), moved.supported)
+                      moved.ends.astype(complex if any(map(_is_complex, moved.ends)) else float), moved.supported,
+                      moved.curves)
                 for moved in self.pieces(member)]
 
     def _polished(self, member, x, order):
@@ -135,7 +167,8 @@ class ModeFields:
 
     def scale(self, how: str, weights: Sequence[float], named: int) -> Any:
         """What the shape is multiplied by: `first` makes the first of the `named` coordinates that moves 1, where none
-        does the largest displacement of the first member that moves; `largest` the largest of all of these; mass 1.
+        does the largest displacement of the first member that moves, and where they rest too the end of a bar that
+        turns; `largest` the largest of all of these; mass 1.
 
         weights: √M of each coordinate, by which those that move are told from those that rest.
         """
@@ -146,11 +179,17 @@ class ModeFields:
                      None)
         if how == "first" and first is not None:
             return 1 / first
-        tops = [self.largest(member)[1] for member in self.scene.members]
+        tops = [*(self.largest(member)[1] for member in self.scene.members), *self._turning()]
         most = max(map(abs, tops))
         if how == "largest":
             return 1 / max([*shape[:named], *tops], key=abs)
         return 1 / next(top for top in tops if abs(top) > MOVES * most)
+
+    def _turning(self):
+        """How far ends of bars move across, where nothing else holds them."""
+        q = self.scene.q
+        return [self.mode.shape[q.index(station.u)] for member in self.scene.members.values() if member.turns
+                for station in member.stations if station.u in q]
 
     def _weighted(self, weights):
         return [x * weight for x, weight in zip(self.mode.shape, weights, strict=True)] or [0.0]

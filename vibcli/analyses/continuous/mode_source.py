@@ -1,5 +1,6 @@
 """The natural modes of a scene with continuous members, as they are asked for: without end, none missed."""
 
+import math
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
@@ -30,7 +31,10 @@ class NaturalModes:
     """A ModeSource: `numbered(first, last)` and `count(Omega)` of the system without its dampers.
 
     precise(dps): the same elements to so many digits, or None; digits: so many are asked for, as numbers of mpmath.
+    ahead: modes beyond those asked for that are found with them, since shapes are told apart from the next one.
     """
+
+    ahead = 1
 
     def __init__(self, elements: "FactoredSystem", precise: Callable | None = None, digits: int | None = None):
         if elements.circulatory:
@@ -149,7 +153,7 @@ class NaturalModes:
 
             with working(self.digits + DEEPER[0]):
                 return mp.sqrt(abs(root.z))
-        return abs(float(root.z)) ** 0.5
+        return math.sqrt(abs(float(root.z)))
 
     def _held_and_turning(self):
         """The Ground beside gyroscopic terms, which leave the count what it is only where a positive stiffness holds

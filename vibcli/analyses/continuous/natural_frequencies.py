@@ -18,30 +18,34 @@ from vibcli.analyses.continuous.brackets import Bracket, KnownCounts, parted, re
 from vibcli.analyses.continuous.counting import GUARD, SLACK, count, rounding, scales
 from vibcli.analyses.continuous.local_modes import local_modes
 from vibcli.analyses.continuous.rayleigh_steps import rayleigh_step, settled, start
+from vibcli.analyses.continuous.refinement import PARTS, divided_at_poles
 from vibcli.numerics.sparse_elimination import quadratic
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.system import ContinuousSystem
+    from vibcli.analyses.continuous.uniform_curves import UniformCurves
 
-STEPS = 12
+STEPS, PASSES = 12, 4
 WIDEST = 1e-9       # a bound that is not worth a proof
 SURE = 1e-12        # a relative bound that is good enough
 NOTHING = 256       # roundings of the largest, below which a part of a shape is zero
 DOUBTED = 0.5       # the bound of what counts do not prove
 WIDTHS = 1.3, 1.04, 1.001       # of z: from where on a Rayleigh quotient is tried
 NEAR_POLE = 0.02    # of the spacing of high frequencies, where a pole lies between
+MANY = 4            # brackets by a pole that are worth being served together
 TIGHT = 1 + 1e-6    # where there are several
 
 
 class NaturalFrequency(NamedTuple):
     """A natural frequency: z = ω² (negative: growth rate √−z), the relative bound of √|z|, the shape, xᵀD′x = 1, over
-    the coordinates of `system`, which begin with those of the scene."""
+    the coordinates of `system`, which begin with those of the scene; curves: it along a uniform member."""
 
     index: int      # type: ignore[assignment]
     z: Any
     error: float
     shape: np.ndarray
     system: "ContinuousSystem"
+    curves: "UniformCurves | None" = None
 
 
 def natural_frequencies(counts: KnownCounts, first: int, last: int) -> dict[int, NaturalFrequency]:
@@ -50,15 +54,17 @@ def natural_frequencies(counts: KnownCounts, first: int, last: int) -> dict[int,
     indices, found = list(range(first, last + 1)), {}
     brackets: dict[int, Bracket] = {}
     for width in WIDTHS:
-        left = [i for i in indices if i not in found or found[i].error >= SURE]
+        left = [i for i in indices if not _sure(found, i)]
         brackets = parted(counts, left, lambda bracket, width=width: _ready(bracket, width))
         regular = {i: bracket for i, bracket in brackets.items() if bracket.single and not bracket.pole}
         found = better(found, _polished(counts.system, regular))
         if len(found) == len(indices) and all(root.error < SURE for root in found.values()):
             return found
+    found = better(found, _beside_poles(counts.system, {
+        i: bracket for i, bracket in brackets.items() if bracket.single and not _sure(found, i)}))
     rest: dict[Bracket, list[int]] = {}
     for i in indices:
-        if i in brackets and (i not in found or found[i].error >= SURE):
+        if i in brackets and not _sure(found, i):
             rest.setdefault(brackets[i], []).append(i)
     for bracket, members in rest.items():
         found = better(found, _local(counts, bracket, members))
@@ -68,6 +74,10 @@ def natural_frequencies(counts: KnownCounts, first: int, last: int) -> dict[int,
 def better(one: dict[int, NaturalFrequency], other: dict[int, NaturalFrequency]) -> dict[int, NaturalFrequency]:
     """The roots of two searches, of one index that with the narrower bound."""
     return one | {i: root for i, root in other.items() if i not in one or root.error < one[i].error}
+
+
+def _sure(found, index):
+    return index in found and found[index].error < SURE
 
 
 def _ready(bracket, width):
@@ -95,24 +105,50 @@ def _polished(system, brackets):
         if (abs(moved) <= last * abs(z)).all():
             break
     within = (z > low) & (z < high) & (abs(moved) <= last * abs(z))
-    return {} if not within.any() else certified(system, z, x, indices, within)
+    near = [i for i, good in zip(indices, within, strict=True) if good]
+    return {} if not near else certified(system, z[within], x[:, within], near, np.ones(len(near), bool))
+
+
+def _beside_poles(system, brackets):
+    """The roots of brackets with one frequency and a pole in or near them, all at a time: a node within the pieces
+    parts them."""
+    found: dict[int, NaturalFrequency] = {}
+    if len(brackets) < MANY or not system.n:
+        return found
+    for part in PARTS:
+        low, high = (system.numbers(getattr(one, end) for one in brackets.values()) for end in ("low", "high"))
+        nodes = divided_at_poles(system, low, high, part)
+        near = (high - low) / 2
+        clear = (nodes.held(low - near) == nodes.held(high + near)).all(axis=0)
+        apart = {i: brackets[i] for i, free in zip(list(brackets), clear, strict=True) if free}
+        found = better(found, _polished(nodes, apart))
+        brackets = {i: one for i, one in brackets.items() if not _sure(found, i)}
+        if len(brackets) < MANY:
+            break
+    return found
 
 
 def certified(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, indices: Sequence[int],
               wanted: np.ndarray) -> dict[int, NaturalFrequency]:
     """Roots with the bound that counts on both sides of each prove; without those they do not."""
-    for _ in range(2):      # the shape and the inertia are those at the last z
+    chosen = np.flatnonzero(wanted)
+    z, x, numbers = z[chosen], x[:, chosen], np.array(indices)[chosen]
+    for _ in range(PASSES):     # the shape and the inertia are those at the last z
         entries, sizes, slope = system.dynamic_stiffness(z)
         x = settled(system, z, entries, x)
         inertia = abs(quadratic(system.pattern, slope, x).real)
-        z = z + quadratic(system.pattern, entries, x).real / inertia
+        wanted = wanted & (inertia > 0)         # a step that ran into a pole leaves no shape
+        inertia = np.where(inertia > 0, inertia, 1)
+        moved = quadratic(system.pattern, entries, x).real / inertia
+        z = z + moved
+        if (abs(moved) <= 16 * system.unit * abs(z)).all():
+            break
     scale = scales(system, z, sizes, slope)
     room = (abs(x) ** 2 * rounding(system, sizes, scale)).sum(axis=0)
     felt = abs(x) * scale
     x = np.where(felt > NOTHING * system.unit * felt.max(axis=0, initial=0), x, 0 * x)
     error = np.maximum(system.fine, SLACK * room / (inertia * abs(z)))
-    numbers, proved = np.array(indices), np.zeros(len(indices), bool)
-    left = np.flatnonzero(wanted & (z != 0))
+    proved, left = np.zeros(len(numbers), bool), np.flatnonzero(z != 0)
     while len(left := left[error[left] < WIDEST]):
         away = 2 * error[left] * abs(z[left])
         under, over = (count(system, side) for side in (z[left] - away, z[left] + away))
@@ -121,9 +157,8 @@ def certified(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, indices:
         left = left[~good]
         error[left] *= 2
     bounds = np.where(proved, error + GUARD * system.unit / 3, DOUBTED).astype(float)
-    return {indices[at]: NaturalFrequency(indices[at], z[at], float(bounds[at]),
-                                          x[:, at] / np.sqrt(inertia[at]), system)
-            for at in np.flatnonzero(wanted).tolist()}
+    return {number: NaturalFrequency(number, z[at], float(bounds[at]), x[:, at] / np.sqrt(inertia[at]), system)
+            for at, number in enumerate(numbers.tolist())}
 
 
 def _local(counts, bracket, members):

@@ -32,7 +32,7 @@ class PieceGroup:
                 source = at * count + self._same[place]
                 for i, x in placed.rows[a].items():
                     for j, y in placed.rows[b].items():
-                        if a == b and i > j:
+                        if (a == b and i > j) or not (x and y):
                             continue
                         entry = pattern.places[min(i, j), max(i, j)]
                         share[entry][source] += x * y * (2 if a != b and i == j else 1)

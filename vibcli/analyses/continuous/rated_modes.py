@@ -3,7 +3,6 @@
 from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.modal.damped_modes import DampedMode
-from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.member_damping import MemberDamping
@@ -16,7 +15,7 @@ UNIT = 2.0**-53
 
 class RatedModes:
     """What `Modes` asks for the damped modes of a MemberDamping; natural: the modes without it; digits: those that it
-    has, as numbers of mpmath. They have the numbers of these, two eigenvalues of an over-damped mode its own."""
+    has, as numbers of mpmath. They have the numbers of these, two eigenvalues of one mode its own."""
 
     def __init__(self, natural: "Modes", damping: "MemberDamping", digits: int | None = None):
         self._natural, self._damping = natural, damping
@@ -34,11 +33,7 @@ class RatedModes:
         """One eigenvalue, with Im λ > 0, or two real ones."""
         c, omega, shape = self._damping.rate(mode), mode.omega, mode.shape + 0j
         if not omega:
-            if c or mode.growth_rate is not None:
-                raise PhysicsError("damped modes of members are not listed where what nothing holds, or what grows, is "
-                                   "damped as a whole", "hold it, or take `damping:` out; frequency responses are "
-                                   "found of what moves freely")
-            return [DampedMode(mode.index, 0 * c, 0 * c, None, shape, 0.0, "rigid motion: λ = 0")]
+            return self._not_held(mode, c, shape)
         zeta, square = c / (2 * omega), omega**2
         inner = (1 - zeta) * (1 + zeta)
         error = self._error(float(mode.error), abs(float(inner))) * self._damping.spread(mode)
@@ -48,10 +43,24 @@ class RatedModes:
         return [DampedMode(mode.index, _complex(value, 0 * c), omega, zeta, shape, error, None, c / 2)
                 for value in (square / fast, fast)]
 
+    def _not_held(self, mode, c, shape):
+        """λ = 0 and −c of a rigid motion; λ² + c λ = g² of what grows."""
+        g, error = mode.growth_rate, self._error(float(mode.error), 1.0) * self._damping.spread(mode)
+        if g is None:
+            rigid = DampedMode(mode.index, 0 * c, 0 * c, None, shape, 0.0, "rigid motion: λ = 0")
+            return [rigid, *([_alone(mode, -c, shape, error)] if c else [])]
+        fast = c / 2 + (c**2 / 4 + g**2)**0.5
+        return [_alone(mode, g**2 / fast, shape, error), _alone(mode, -fast, shape, error)]
+
     def _error(self, known, inner):
         """Of |δλ|/|λ|: that of ω, and what rounding of ζ makes of √|1 − ζ²|."""
         rounded = ROUNDINGS * self._unit + 2 * known
         return rounded / max(min(1.0, inner), rounded)**0.5
+
+
+def _alone(mode, value, shape, error):
+    """A real eigenvalue that is not one of two of an over-damped mode."""
+    return DampedMode(mode.index, _complex(value, 0 * value), abs(value), None, shape, error)
 
 
 def _complex(re: Any, im: Any) -> Any:

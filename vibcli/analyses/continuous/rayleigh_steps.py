@@ -9,7 +9,8 @@ from vibcli.numerics.sparse_elimination import product, quadratic
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.system import ContinuousSystem
 
-TAKEN_OUT = 2       # times; each leaves a millionth of what is not of a shape
+TAKEN_OUT, AT_MOST = 2, 8       # times; each leaves of another shape a millionth over the relative distance of its z
+NOTHING_LEFT = 64   # roundings
 
 
 def start(system: "ContinuousSystem", count_: int) -> np.ndarray:
@@ -37,8 +38,16 @@ def nearer(system: "ContinuousSystem", z: np.ndarray, loads: np.ndarray) -> np.n
 def settled(system: "ContinuousSystem", z: np.ndarray, entries: np.ndarray, x: np.ndarray) -> np.ndarray:
     """Shapes near those of D(z) x = 0 with what is not of them taken out: x ← x − D⁻¹ D(z) x, D⁻¹ taken beside z."""
     factors = _factors(system, z)
-    for _ in range(TAKEN_OUT):
-        x = x - factors.solved(product(system.pattern, entries, x))
+    before = 0
+    for times in range(AT_MOST):
+        other = factors.solved(product(system.pattern, entries, x))
+        size = abs(other).max(axis=0, initial=0)
+        left = ~(size <= NOTHING_LEFT * system.unit * abs(x).max(axis=0, initial=0))
+        if times >= TAKEN_OUT:      # shapes whose z are closer than a millionth are not told apart here
+            left &= size < before / 2
+        if not left.any():
+            break
+        x, before = np.where(left, x - other, x), size
     return x
 
 

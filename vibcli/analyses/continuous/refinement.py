@@ -14,8 +14,9 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.system import ContinuousSystem
 
 PARTS = 0.5, 0.4375, 0.390625, 0.359375, 0.328125, 0.296875, 0.265625, 0.234375
-NEAR = 2.0 ** -np.array([1, 2, 3, 4, 6, 9, 13, 18, 23])     # relative distances in z at which poles are looked for
-CLEAR = 3           # place in NEAR: a piece without a pole as near as that stays whole
+NEAR = 2.0 ** -np.array([1, 2, 3, 4, 5, 6, 7, 8, 9, 11, 13, 18, 23])    # relative distances of poles looked for in z
+CLEAR = 1 / 16      # a piece without a pole as near as that stays whole,
+AMONG = 1 / 4       # and one whose poles are closer together, where the n-th is about 2/n from the next
 
 
 def away_from_poles(system: "ContinuousSystem", low: Any, high: Any) -> "ContinuousSystem":
@@ -31,29 +32,39 @@ def away_from_poles(system: "ContinuousSystem", low: Any, high: Any) -> "Continu
     return system.refined(places) if places else system
 
 
+def divided_at_poles(system: "ContinuousSystem", low: np.ndarray, high: np.ndarray, part: float) -> "ContinuousSystem":
+    """The system with a node at this part of those pieces that have a frequency of their own between one of `low` and
+    `high`."""
+    crossed = (system.held(low) != system.held(high)).any(axis=1)
+    return system.refined({number: system.number(part) for number in np.flatnonzero(crossed).tolist()})
+
+
 def _best_parts(pieces, low, high):
     """The parts of their length where pieces of one kind had better be divided, of those for which it is better."""
-    whole = dict(zip(pieces, _clearance(pieces, low, high).tolist(), strict=True))
-    near = [piece for piece in pieces if whole[piece] >= CLEAR]
+    distances, counts = _clearance(pieces, low, high)
+    whole = dict(zip(pieces, distances.tolist(), strict=True))
+    clear = dict(zip(pieces, np.minimum(CLEAR, AMONG / (counts + 1)).tolist(), strict=True))
+    near = [piece for piece in pieces if whole[piece] < clear[piece]]
     if not near:
         return {}
     best: dict[Any, tuple[int, float]] = {}
     for part in PARTS:
-        distances = _clearance([half for piece in near for half in divided(piece, part)], low, high)
-        for piece, worst in zip(near, distances.reshape(-1, 2).max(axis=1).tolist(), strict=True):
-            best[piece] = min(best.get(piece, (whole[piece], 0.0)), (worst, part))
-        near = [piece for piece in near if best[piece][0] >= CLEAR]
+        distances, _ = _clearance([half for piece in near for half in divided(piece, part)], low, high)
+        for piece, worst in zip(near, distances.reshape(-1, 2).min(axis=1).tolist(), strict=True):
+            best[piece] = max(best.get(piece, (whole[piece], 0.0)), (worst, -part))
+        near = [piece for piece in near if best[piece][0] < clear[piece]]
         if not near:
             break
-    return {piece: part for piece, (_, part) in best.items() if part}
+    return {piece: -part for piece, (_, part) in best.items() if part}
 
 
 def _clearance(pieces, low, high):
-    """For each piece the place in NEAR of the widest surrounding of low … high that is without a pole of it."""
+    """For each piece the relative distance of the widest surrounding of low … high that is without a pole of it, one of
+    NEAR or 0; and the number of its poles below."""
     z = np.concatenate([low - abs(low) * NEAR, high + abs(high) * NEAR])
     held = held_by(pieces, z)
     same = held[:, :len(NEAR)] == held[:, len(NEAR):]
-    return np.where(same.any(axis=1), same.argmax(axis=1), len(NEAR))
+    return np.where(same.any(axis=1), NEAR[same.argmax(axis=1)], 0.0), held[:, len(NEAR) - 1]
 
 
 def divided(piece: Any, part: Any) -> tuple[Any, Any]:

@@ -9,27 +9,32 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from vibcli.numerics.pieces.fields import fields
+from vibcli.numerics.pieces.piece import Piece
 
 if TYPE_CHECKING:
-    from vibcli.numerics.pieces.piece import Piece
+    from vibcli.analyses.continuous.uniform_curves import UniformCurves
 
 CLOSE = 1e-6        # part of a piece by which one stays away from its ends
 FINE = 8            # places for each half-wave
 STEPS, SETTLED = 60, 4e-16
+BESIDE, MOVES, ROUNDING = 1e-3, 1e-9, 1e-12     # of the way to the next turning place; of |u|, of the largest one
 
 
 class Moved(NamedTuple):
     """A piece of a member from the place `start` on, in motion: κ = k − μ ω², its end values, and whether the member
-    cannot be displaced where it begins."""
+    cannot be displaced where it begins; curves: the closed form along the whole member, where there is one."""
 
     start: float
     piece: "Piece"
     kappa: float
     ends: np.ndarray
     supported: bool
+    curves: "UniformCurves | None" = None
 
     def along(self, x: Any) -> np.ndarray:
         """(u, u′) of bars, shafts and strings, (u, u′, u″, u‴) of beams at places x of the member, (…, order)."""
+        if self.curves is not None:
+            return self.curves.along(x)
         return fields(self.piece, self.kappa, self.ends, np.clip(np.asarray(x) - self.start, 0.0, self.piece.length))
 
 
@@ -37,43 +42,51 @@ def shape_along(pieces: Sequence[Moved], x: Any) -> np.ndarray:
     """(u, u′) or (u, u′, u″, u‴) at places x of a member, (…, order): at a jump that on the right, at the right end
     that on its left."""
     places = np.asarray(x, float)
+    if len(pieces) == 1 or pieces[0].curves is not None:
+        return pieces[0].along(places)
     which = _piece_at(pieces, places)
-    found = np.zeros((*places.shape, pieces[0].piece.order), pieces[0].ends.dtype)
-    for number in np.unique(which):
-        chosen = which == number
-        found[chosen] = pieces[number].along(places[chosen])
-    return found
+    start, kappa, ends = (np.array(values)[which] for values in zip(
+        *((moved.start, moved.kappa, moved.ends) for moved in pieces), strict=True))
+    piece = Piece(*(np.array(values)[which] for values in zip(*(moved.piece for moved in pieces), strict=True)))
+    return fields(piece, kappa, ends, np.clip(places - start, 0.0, piece.length))
 
 
-def nodes(pieces: Sequence[Moved]) -> list[float]:
-    """The places at which a member rests, its ends and supports not counted."""
-    return crossings(pieces, 0, [moved.start for moved in pieces if moved.supported])
-
-
-def antinodes(pieces: Sequence[Moved]) -> list[float]:
-    """The places at which a member moves more than beside them, its ends not counted."""
-    return crossings(pieces, 1, [])
-
-
-def crossings(pieces: Sequence[Moved], derivative: int, left_out: Sequence[float]) -> list[float]:
-    """The places within a member where u or u′ changes its sign, but for those left out."""
+def resting_and_turning(pieces: Sequence[Moved]) -> tuple[list[float], list[float]]:
+    """The nodes, places at which a member rests, its ends and supports not counted, and the places within it at which
+    u is largest or least among those around them."""
     places = np.concatenate([_grid(moved) for moved in pieces])
-    values = shape_along(pieces, places)[:, derivative].real
-    large = values[np.abs(values).argmax()] if len(values) else 0.0
-    if not large:
-        return []
-    turns = np.flatnonzero(values[:-1] * values[1:] < 0)
-    low, high, below = places[turns], places[turns + 1], values[turns]
-    kept = [not any(a < place < b for place in left_out) for a, b in zip(low, high, strict=True)]
-    low, high, below = low[kept], high[kept], below[kept]
-    return _narrowed(pieces, derivative, low, high, below).tolist()
+    values = shape_along(pieces, places)[:, :2].real
+    alone = (values[1:-1] == 0) & (values[:-2] != 0) & (values[2:] != 0)
+    values[1:-1] = np.where(alone, values[:-2], values[1:-1])       # a zero that is looked at lies right of that place
+    of, turns = np.nonzero((values[:-1] * values[1:] < 0).T)
+    supports = [moved.start for moved in pieces if moved.supported]
+    held = [not which and any(places[at] < place < places[at + 1] for place in supports)
+            for which, at in zip(of, turns, strict=True)]
+    of, turns = of[np.logical_not(held)], turns[np.logical_not(held)]
+    found = _narrowed(pieces, of, places[turns], places[turns + 1], values[turns, of])
+    return found[of == 0].tolist(), found[of == 1].tolist()
 
 
-def _narrowed(pieces, derivative, low, high, below):
-    """The zeros of u or u′ between places, by Newton steps that stay between them; below: the values at `low`."""
-    place = (low + high) / 2
+def antinodes(pieces: Sequence[Moved], turning: Sequence[float]) -> list[float]:
+    """The places at which a member moves more than beside them: |u| is largest there, at ends that are not held too;
+    turning: its turning places."""
+    places = np.array([pieces[0].start, *turning, pieces[-1].start + pieces[-1].piece.length])
+    aside = BESIDE * np.diff(places)
+    looked_at = np.array([places, places - np.append(0.0, aside), places + np.append(aside, 0.0)])
+    size, left, right = np.abs(shape_along(pieces, looked_at)[..., 0].real)
+    moves = size > MOVES * size.max()
+    above = [(size > (1 + ROUNDING) * beside) | (places == end) for beside, end in (
+        (left, places[0]), (right, places[-1]))]
+    return places[moves & above[0] & above[1]].tolist()
+
+
+def _narrowed(pieces, of, low, high, below):
+    """The zeros of u, of = 0, and of u′, 1, between places, by Newton steps that stay between them; below: the values
+    at `low`."""
+    place, number = (low + high) / 2, np.arange(len(of))
     for _ in range(STEPS if len(place) else 0):
-        value, slope = _with_slope(pieces, derivative, place)
+        values = _with_slopes(pieces, place)
+        value, slope = values[number, of], values[number, of + 1]
         same = value * below > 0
         low, high = np.where(same, place, low), np.where(same, high, place)
         with np.errstate(all="ignore"):
@@ -84,13 +97,13 @@ def _narrowed(pieces, derivative, low, high, below):
     return place
 
 
-def _with_slope(pieces, derivative, places):
-    """u or u′ and its slope; u″ = κ u / N of bars, shafts and strings."""
+def _with_slopes(pieces, places):
+    """(u, u′, u″, …); u″ = κ u / N of bars, shafts and strings."""
     found = shape_along(pieces, places).real
-    if derivative + 1 < found.shape[1]:
-        return found[:, derivative], found[:, derivative + 1]
+    if found.shape[1] > 2:
+        return found
     ratios = np.array([moved.kappa / moved.piece.tension for moved in pieces])
-    return found[:, derivative], found[:, 0] * ratios[_piece_at(pieces, places)]
+    return np.column_stack([found, found[:, 0] * ratios[_piece_at(pieces, places)]])
 
 
 def _piece_at(pieces, places):

@@ -35,16 +35,19 @@ class UniformMember(NamedTuple):
 
     def wave_numbers(self, n: np.ndarray) -> np.ndarray:
         """βL of the modes 1, 2 … that bend or stretch."""
-        n = np.asarray(n, float)
-        if self.piece.order == 2:
-            return np.pi * (n if self.ends[0] == self.ends[1] else n - 0.5)
-        kinds = set(self.ends)
-        if kinds <= SINES:
-            return np.pi * (n if len(kinds) == 1 else n - 0.5)
+        turns, rest = self.phases(n)
+        return np.pi * turns + rest
+
+    def phases(self, n: np.ndarray) -> tuple[np.ndarray, Any]:
+        """The same in two parts: n + c, exact, and e."""
+        n, kinds = np.asarray(n, float), set(self.ends)
+        if self.piece.order == 2 or kinds <= SINES:
+            return (n if len(kinds) == 1 else n - 0.5), 0.0 * n
         if kinds & SINES:
             shift, sign = (0.25, -1) if PINNED in kinds else (-0.25, 1)
-            return _tangent(np.pi * (n + shift), sign)
-        return _product(n, 1 if len(kinds) == 1 else -1)
+            return n + shift, _tangent(np.pi * (n + shift), sign)
+        sign = 1 if len(kinds) == 1 else -1
+        return n + 0.5 * sign, _product(n, sign)
 
     def squares(self, n: np.ndarray) -> np.ndarray:
         """ω² of those modes."""
@@ -82,17 +85,17 @@ def uniform_member(elements: Any) -> UniformMember | None:
 
 
 def _tangent(start, sign):
-    """Roots of tan x = −sign·tanh x near x₀ = (n ∓ ¼)π: e = sign·arctan exp(−2x)."""
+    """e of the roots of tan x = −sign·tanh x near x₀ = (n ∓ ¼)π: e = sign·arctan exp(−2x)."""
     e = np.zeros_like(start)
     for _ in range(NEWTON):
         fading = np.exp(-2 * (start + e))
         value, slope = e - sign * np.arctan(fading), 1 + 2 * sign * fading / (1 + fading * fading)
         e -= value / slope
-    return start + e
+    return e
 
 
 def _product(n, sign):
-    """Roots of cos x cosh x = sign near x₀ = (n + ½ sign)π: sin e = −(−1)ⁿ sech x."""
+    """e of the roots of cos x cosh x = sign near x₀ = (n + ½ sign)π: sin e = −(−1)ⁿ sech x."""
     start, turn = np.pi * (n + 0.5 * sign), np.where(n % 2, -1.0, 1.0)
     e = np.zeros_like(start)
     for _ in range(NEWTON):
@@ -101,4 +104,4 @@ def _product(n, sign):
         sech = 2 * fading / (1 + fading * fading)
         value, slope = np.sin(e) + turn * sech, np.cos(e) - turn * sech * np.tanh(x)
         e -= value / slope
-    return start + e
+    return e

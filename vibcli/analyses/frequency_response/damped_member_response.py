@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.analyses.continuous.damped_sum import STEP, DampedSum, fractions
+from vibcli.analyses.continuous.damped_sum import HIGHEST, SHARE, DampedSum, fractions
 from vibcli.analyses.frequency_response.frequency_response_function import FrequencyResponseFunction
 from vibcli.analyses.frequency_response.member_errors import of_value_at
 from vibcli.analyses.frequency_response.member_poles_and_zeros import distinct, followed
@@ -78,6 +78,8 @@ class DampedMemberTransfer(FrequencyResponseFunction):
         return found & self.still.at(np.zeros(1, complex))[2][0] if found.any() else found
 
     def _values(self, s):
+        if not len(s):
+            return s
         turned = (-s * s)**self.turns
         if self.driven and self.damping.whole:
             series = [float(a) for a in self.damping.series]
@@ -126,17 +128,22 @@ class DampedMemberTransfer(FrequencyResponseFunction):
         s = np.array([1j * Omega])
         size = float(np.abs(self._values(s)[0]))
         if not self.damping.ratios:
-            parts = fractions([float(a) for a in self.damping.series], s)
+            series = [float(a) for a in self.damping.series]
+            parts = fractions(series, self._sum.beside_rest(s) if len(series) > 2 else s)
             weights = [1.0 if self.driven and self.damping.whole else 1 / abs(slope[0]) for _, slope in parts]
             places = [np.sqrt(-z[0]) for z, _ in parts]
         else:
-            zeta = float(self.damping.ratios[-1])
-            sine = math.sqrt(1 - zeta**2)
-            places, weights = [Omega * complex(zeta, sine), complex(Omega)], [2 / sine, 2 * zeta]
-            angle = math.asin(sine)
-            size *= 1 + 64 * len(self.damping.ratios) + math.exp(-2 * math.pi * angle / STEP) / UNIT
+            places, weights = self._places(Omega)
+            size *= self._sum.rounding
         found = sum(weight * of_value_at(self.still, place) for place, weight in zip(places, weights, strict=True))
         return (found + 8 * UNIT * size) * abs(Omega)**(self.order + 2 * self.turns)
+
+    def _places(self, Omega):
+        """Where the sum without damping is taken, and what by."""
+        if self._sum.zeta > HIGHEST:
+            return [Omega * self._sum.zeta**k for k in (-1, 0, 1)], [1 / SHARE] * 3
+        sine = math.sqrt(1 - self._sum.zeta**2)
+        return [Omega * complex(self._sum.zeta, sine), complex(Omega)], [2 / sine, 2 * self._sum.zeta]
 
     def error_of_pole(self, Omega: float) -> float:
         return self.still.error_of_pole(Omega)

@@ -70,4 +70,12 @@ def _magnitudes(found: "EvaluatedMatrix", s: np.ndarray) -> tuple[np.ndarray, np
                 for i, x in row.items():
                     S[a, i] = abs(float(x))
             added, moved = added + S.T @ of_d @ S, moved + S.T @ (of_d + 2 * of_slope) @ S
+    for number, loads in found.put.items():
+        for j, put, steeper in loads:
+            whole = matrix.spread[j].size(matrix.pieces[number])
+            for a, row in enumerate(matrix.pieces[number].rows):
+                for i, x in row.items():
+                    size, change = abs(float(x)) * np.abs([put[0, a], large * steeper[0, a]])
+                    added[i, j] += size + abs(float(x)) * whole[a]
+                    moved[i, j] += size + 2 * change
     return added, moved

@@ -1,4 +1,5 @@
-"""What is seen at a place within a piece, as rows of the motions of nodes: the piece is divided there.
+"""What is seen at a place within a piece: in floats by the fields of its end values, which lose no digits beside an
+end; else as rows of the motions of nodes, the piece being divided there.
 
 With Q, M the forces and moments on the ends of a piece, positive along u and as turns, the right end of the left piece
 and the left end of the right one show
@@ -24,6 +25,8 @@ def seen_at(place: "PlaceOutput", pieces: "Sequence[PlacedPiece]", n: int,
     """(pieces divided at a place, how many coordinates they have with the new node, the MemberOutput); pieces: all of
     a scene of n coordinates; number: makes a number of its arithmetic."""
     pieces, k, share = list(pieces), place.piece, number(place.share)
+    if number is float and 0 < share < 1:
+        return pieces, n, MemberOutput(({}, {}, {}), (), ((float(place.factor), k, share, place.order),))
     if 0 < share < 1:
         half = pieces[k].piece.order // 2
         pieces[k:k + 1] = divided_at(pieces[k], share * pieces[k].piece.length, n)

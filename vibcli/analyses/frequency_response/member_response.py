@@ -12,10 +12,13 @@ from vibcli.analyses.frequency_response.frequency_response_function import Frequ
 from vibcli.analyses.frequency_response.member_errors import of_value
 from vibcli.analyses.frequency_response.member_marks import error_of
 from vibcli.analyses.frequency_response.member_poles_and_zeros import taking_part
+from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
     from vibcli.analyses.frequency_response.member_marks import Marks
     from vibcli.analyses.frequency_response.member_system import MemberSystem
+
+BESIDE, AT_POLE = 1e-3, 1e-8        # relative distances from a frequency: where poles are looked for, where it is one
 
 
 class MemberTransfer(FrequencyResponseFunction):
@@ -51,8 +54,17 @@ class MemberTransfer(FrequencyResponseFunction):
         """In blocks of frequencies; near what a held piece vibrates at by divided pieces."""
         size = max(1, int(BLOCK / max(self.system.matrix.n, 4) ** 2))
         blocks = [self._block(s[k:k + size], steep) for k in range(0, max(len(s), 1), size)]
-        values, slopes, resonant, _ = zip(*blocks, strict=True)
+        values, slopes, resonant, _, singular = zip(*blocks, strict=True)
+        self._require_digits(s[np.concatenate(singular)])
         return np.concatenate(values), np.concatenate(slopes) if steep else None, np.concatenate(resonant)
+
+    def _require_digits(self, s):
+        """PhysicsError where D is nearly singular away from all natural frequencies."""
+        for Omega in np.abs(s[s.real == 0].imag):
+            near = self.marks.natural((1 - BESIDE) * Omega, (1 + BESIDE) * Omega)
+            if not any(abs(float(mode.omega) - Omega) <= AT_POLE * Omega for mode in near):
+                raise PhysicsError("responses lose their digits: places on a member are too near each other beside its "
+                                   "length", "move them further apart, or put what they hold at one place")
 
     def _block(self, s, steep):
         found = self.system.solved(s, steep)

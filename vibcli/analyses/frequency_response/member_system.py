@@ -29,24 +29,30 @@ class MemberInput(NamedTuple):
 
 class MemberOutput(NamedTuple):
     """rows: {coordinate: coefficient} of s⁰, s¹, s²; ends: (factor, piece, end value) of the forces on ends of pieces
-    that it holds besides."""
+    that it holds besides; within: (factor, piece, part of its length, order) of derivatives of u there."""
 
     rows: tuple
     ends: tuple = ()
+    within: tuple = ()
 
-    def divided(self, order: Any) -> "MemberOutput":
-        """The same where each piece has become two; order(piece): its order."""
-        return self._replace(ends=tuple((factor, 2 * piece + (end >= order(piece) // 2), end)
-                                        for factor, piece, end in self.ends))
+    def divided(self, share: float, order: Any) -> "MemberOutput":
+        """The same where each piece has become two at a part of its length; order(piece): its order."""
+        ends = tuple((factor, 2 * piece + (end >= order(piece) // 2), end) for factor, piece, end in self.ends)
+        within = tuple((factor, 2 * piece, at / share, along) if at < share else
+                       (factor, 2 * piece + 1, (at - share) / (1 - share), along)
+                       for factor, piece, at, along in self.within)
+        return self._replace(ends=ends, within=within)
 
 
 class Solved(NamedTuple):
-    """H, dH/ds or None, whether there is a pole, and how far pieces are beyond what rounding leaves: (N,) each."""
+    """H, dH/ds or None, whether there is a pole, how far pieces are beyond what rounding leaves, and whether D is
+    nearly singular: (N,) each."""
 
     values: Any
     slopes: Any
     resonant: Any
     excess: Any
+    singular: Any
 
 
 class MemberSystem:
@@ -65,7 +71,7 @@ class MemberSystem:
     def divided(self, share: float) -> "MemberSystem":
         """The same with further nodes in all pieces, kept."""
         if share not in self._divided:
-            output = self.output.divided(lambda piece: self.matrix.pieces[piece].piece.order)
+            output = self.output.divided(share, lambda piece: self.matrix.pieces[piece].piece.order)
             self._divided[share] = MemberSystem(self.matrix.divided(share), self.driven, self.given, output)
         return self._divided[share]
 
@@ -80,7 +86,8 @@ class MemberSystem:
     def shared(self) -> "dict[int, float] | None":
         """The row of the place that load and signal share, over the coordinates of the scene; None elsewhere."""
         row, *rates = self.output.rows
-        if self.given.turns or self.output.ends or any(rates) or not row or not max(row) < min(self.driven, default=0):
+        apart = self.output.ends or self.output.within
+        if self.given.turns or apart or any(rates) or not row or not max(row) < min(self.driven, default=0):
             return None
         polynomial, ends = self.matrix.polynomial, [row for placed in self.matrix.pieces for row in placed.rows]
         taken = {j: share for j, share in self.given.weights.items() if share}
@@ -110,7 +117,7 @@ class MemberSystem:
         """At each s: (N,)."""
         found = self.matrix.at(s, steep)
         (g, g_slope), (c, c_slope) = self.driving(s), self.seen(found, s, steep)
-        D, ahead = found.D[np.ix_(self.free, self.free)], found.D[np.ix_(self.free, self.driven)]
+        D, ahead = _among(found.D, self.free, self.free), _among(found.D, self.free, self.driven)
         b, seen, scale = -np.einsum("ijk,jk->ik", ahead, g), c[self.free], scales(found.size[self.free])
         loads = [b, seen] if steep and self.pattern is not None else [b]
         x, singular = motions(D, scale, loads, self.pattern)
@@ -125,7 +132,7 @@ class MemberSystem:
         for k in np.flatnonzero(singular):
             at = scale[:, k]
             values[k], resonant[k] = apart_from_poles(D[:, :, k] * np.outer(at, at), b[:, k] * at, seen[:, k] * at)
-        return Solved(values + np.einsum("ik,ik->k", c[self.driven], g), slopes, resonant, found.excess)
+        return Solved(values + np.einsum("ik,ik->k", c[self.driven], g), slopes, resonant, found.excess, singular)
 
     def driving(self, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """The inputs g and dg/ds, (inputs, N)."""
@@ -141,7 +148,7 @@ class MemberSystem:
             for i, x in row.items():
                 parts[power, i] = x
         parts = parts if parts.imag.any() else parts.real
-        if not self.output.ends and not parts[1:].any():
+        if not self.output.ends and not self.output.within and not parts[1:].any():
             c = np.repeat(parts[0][:, None], len(s), axis=1)
             return c, np.zeros_like(c) if steep else None
         c, c_slope = polynomial(parts, s).T.copy(), slope(parts, s).T.copy() if steep else None
@@ -150,6 +157,41 @@ class MemberSystem:
             for b, row in enumerate(self.matrix.pieces[number].rows):
                 for i, x in row.items():
                     c[i] += factor * float(x) * d[end, b]
-                    if c_slope is not None:
+                    if c_slope is not None and steeper is not None:
                         c_slope[i] += factor * float(x) * steeper[end, b]
+            for j, put, steeper in found.put.get(number, ()):
+                c[j] -= factor * put[:, end]
+                if c_slope is not None:
+                    c_slope[j] -= factor * steeper[:, end]
+        for one in self.output.within:
+            c, c_slope = self._seen_within(c, c_slope, one, s)
         return c, c_slope
+
+    def _seen_within(self, c, c_slope, one, s):
+        """c and its slope with what is seen within a piece."""
+        from vibcli.analyses.frequency_response.places_within_pieces import loaded_within, weights_within
+
+        factor, number, share, order = one
+        placed = self.matrix.pieces[number]
+        weights, slopes = weights_within(placed, s, share, order, c_slope is not None)
+        c = c.astype(np.result_type(c, weights), copy=False)
+        parts = [(i, float(x), weights[b], None if slopes is None else slopes[b])
+                 for b, row in enumerate(placed.rows) for i, x in row.items()]
+        parts += [(j, 1.0, *loaded_within(drive, placed, s, share, order, slopes is not None))
+                  for j, drive in self.matrix.spread.items()]
+        for i, x, weight, steeper in parts:
+            c[i] += factor * x * weight
+            if c_slope is not None and steeper is not None:
+                c_slope[i] += factor * x * steeper
+        return c, c_slope
+
+
+def _among(D, rows, columns):
+    """D over some rows and columns, ascending: no copy where they follow one another."""
+    return D[_run(rows)][:, _run(columns)]
+
+
+def _run(numbers):
+    """As a slice where it can be one."""
+    first, last = (numbers[0], numbers[-1] + 1) if len(numbers) else (0, 0)
+    return slice(first, last) if last - first == len(numbers) else numbers

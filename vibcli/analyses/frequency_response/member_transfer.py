@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING
 
 from vibcli.analyses.continuous.dynamic_matrix import dynamic_matrix
+from vibcli.analyses.continuous.spread_drives import spread_inputs
 from vibcli.analyses.frequency_response.member_marks import Marks
 from vibcli.analyses.frequency_response.member_places import seen_at
 from vibcli.analyses.frequency_response.member_response import MemberTransfer
@@ -10,7 +11,7 @@ from vibcli.analyses.frequency_response.member_system import MemberInput, Member
 from vibcli.analyses.modal.modal_analysis import ModalAnalysis
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signals import is_reaction
-from vibcli.mechanics.inputs_outputs.inputs import named_input
+from vibcli.mechanics.inputs_outputs.inputs import drives_supports, named_input
 from vibcli.mechanics.inputs_outputs.outputs import linear_row
 from vibcli.mechanics.inputs_outputs.place_signals import place_output
 
@@ -43,14 +44,15 @@ def transfer_to(configuration: "Configuration", signal: "SignalName", given: Mem
     if any(found.system.output.rows[1:]):
         raise PhysicsError(f"'{signal.text}' needs velocities, whose response is not found with `damping:` of members",
                            "ask for displacements, forces and stresses")
-    return DampedMemberTransfer(found, modal.modes, damping, _of_supports(configuration, given), given.turns)
+    return DampedMemberTransfer(found, modal.modes, damping, drives_supports(configuration, given), given.turns)
 
 
-def _of_supports(configuration, given):
-    """Is an input the displacement of supports? Or a load."""
-    opened = configuration.with_inputs
-    driven = [j for j, opening in enumerate(opened.scene.inputs.values(), opened.n) if opening.node is not None]
-    return any(share and j in driven for j, share in given.weights.items())
+def _of_displacements(output, order):
+    """An output of one rate alone as one of displacements, and the order that makes it that."""
+    present = [rate for rate, row in enumerate(output.rows) if any(row.values())]
+    if len(present) != 1:
+        return output, order
+    return output._replace(rows=(output.rows[present[0]], {}, {})), order + present[0]
 
 
 def _still(configuration: "Configuration", signal: "SignalName", given: MemberInput, order: int,
@@ -70,5 +72,8 @@ def _still(configuration: "Configuration", signal: "SignalName", given: MemberIn
     else:
         row = linear_row(configuration, signal.text)
         output = MemberOutput((row.q, row.v, row.a))
-    system = MemberSystem(dynamic_matrix(elements, pieces, size), range(opened.n, n), given, output)
+        if modal.member_damping is not None:
+            output, order = _of_displacements(output, order)
+    system = MemberSystem(dynamic_matrix(elements, pieces, size, spread_inputs(configuration, given.weights)),
+                          range(opened.n, n), given, output)
     return MemberTransfer(system, Marks(modal, system.shared()), order)

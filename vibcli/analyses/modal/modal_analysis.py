@@ -24,7 +24,8 @@ if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
 
 MOST = 10_000       # steps of a million products
-CLOSE, COINCIDING = 1e-2, 1e-13     # relative gaps of frequencies: where shapes in floats lose digits; of equal ones
+CLOSE = 1e-2        # relative gap of frequencies, below which a shape in floats may lose digits:
+MIXED = 1e-11       # this part of its neighbour, the bound of its frequency over the gap, is not seen
 MORE = 20           # digits that tell them apart
 
 
@@ -36,7 +37,7 @@ class ModalAnalysis:
         self.configuration, self.free = configuration, free
         self.numeric, self.system, self.spec = configuration.numeric, configuration.system, configuration.spec
         self.work, self.costs = configuration.work, configuration.costs
-        self._results, self._scales = {}, {}
+        self._results, self._scales, self._fields = {}, {}, {}
 
     @cached_property
     def scene(self) -> "Scene":
@@ -129,15 +130,15 @@ class ModalAnalysis:
 
     def told_apart(self, mode: Any) -> "Mode":
         """A Mode of members in more digits where another frequency is so close that its shape in floats is a mix of
-        both; where they coincide to rounding any mix is one."""
+        both; those that floats do not tell apart have been found in more."""
         motion = getattr(mode, "motion", None)
         if motion is None or motion.system.digits is not None or not mode.omega:
             return mode
         beside = self.modes.numbered(max(mode.index - 1, 1), mode.index + 1)
         gaps = [abs(float(other.omega or 0.0) / mode.omega - 1) for other in beside if other.index != mode.index]
-        if not any(COINCIDING < gap < CLOSE for gap in gaps):
+        if not any(gap < min(CLOSE, float(mode.error) / MIXED) for gap in gaps):
             return mode
-        return self.modes_to(MORE).numbered(mode.index, mode.index)[0]
+        return self.modes_to(MORE).alone(mode.index)
 
     def scale(self, mode: Any, how: str = "first") -> "float | mpmath.mpf":
         """What the shape of a Mode of a scene with members, of unit modal mass, is multiplied by."""
@@ -154,7 +155,9 @@ class ModalAnalysis:
         from vibcli.symbolic.evaluation import Floats
 
         if isinstance(mode.error, float) and isinstance(mode.omega or mode.growth_rate or 0.0, float):
-            return ModeFields(mode, self.scene.resting, Floats, self.configuration.at_rest)
+            if id(mode) not in self._fields:
+                self._fields[id(mode)] = ModeFields(mode, self.scene.resting, Floats, self.configuration.at_rest)
+            return self._fields[id(mode)]
         from mpmath import mp
 
         return ModeFields(mode, self.scene.resting, *self.configuration.precise_rest(mp.dps), mp.mpf)

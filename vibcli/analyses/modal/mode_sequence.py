@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 USUAL = 5           # that oscillate, where nobody says how many
 MOST = 10_000       # at once
 FAR = 50            # beyond those that are known, to be found without the ones between
+FEW = 20            # asked for at once, with which one more is found where shapes are told apart from the next
 
 
 class Selection(NamedTuple):
@@ -69,11 +70,15 @@ class Modes(Sequence):
             if last - first >= MOST:
                 raise _too_many(last - first + 1)
             if first > self._reached + FAR:
-                if (first, last) not in self._apart:
-                    self._apart[first, last] = list(self._solved(self._source.numbered, first, last))
-                return self._apart[first, last]
+                return self._jumped(first, last)
             self._until(last)
         return [mode for mode in self._known if first <= mode.index <= last]
+
+    def alone(self, index: int) -> Any:
+        """The one of an index, found without those before it where they are not known."""
+        if self.finite or index <= self._reached:
+            return self.numbered(index, index)[0]
+        return self._jumped(index, index)[0]
 
     def up_to(self, Omega: float) -> list[Any]:
         """All with ω ≤ Omega, those that grow and the rigid ones among them."""
@@ -108,10 +113,17 @@ class Modes(Sequence):
         """The index up to which all are known."""
         return self._known[-1].index if self._known else 0
 
+    def _jumped(self, first, last):
+        """Those of the indices from `first` to `last`, without those before."""
+        if (first, last) not in self._apart:
+            self._apart[first, last] = list(self._solved(self._source.numbered, first, last))
+        return self._apart[first, last]
+
     def _until(self, last):
         """Those known, up to the index `last` at least."""
         if last > self._reached:
-            self._known.extend(self._solved(self._source.numbered, self._reached + 1, last))
+            ahead = getattr(self._source, "ahead", 0) if last <= FEW else 0
+            self._known.extend(self._solved(self._source.numbered, self._reached + 1, last + ahead))
         return self._known
 
     def _all(self):

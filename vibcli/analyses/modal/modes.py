@@ -69,7 +69,7 @@ def _of_members(elements, natural, digits):
         return None
     if digits is not None:
         raise PhysicsError("damped modes of members with distributed inertia are found in floats alone",
-                           "leave --digits out, or take the dampers out")
+                           "leave --digits out, or take out what damps")
     from vibcli.analyses.continuous.damped_source import DampedModes
     from vibcli.analyses.continuous.matched_damper import dies_after
 

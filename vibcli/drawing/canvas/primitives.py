@@ -15,7 +15,7 @@ COLOURS = {
     "ink": "#1b1b1b", "body": "#dce4ec", "inner": "#c9d5e1", "fixed": "#e4e4e0", "paper": "#ffffff",
     "ground": "#4d4d4d", "spring": "#1b1b1b", "damper": "#1b1b1b", "oil": "#e8e8e8", "rope": "#7b4a1e",
     "belt": "#7b4a1e", "coordinate": "#1d5fa6", "load": "#b3261e", "driven": "#2c7a4b", "measure": "#6a6a6a",
-    "ghost": "#b9b9b9", "note": "#5a5a5a",
+    "ghost": "#b9b9b9", "note": "#5a5a5a", "diagram": "#0072b2", "positive": "#dcebf7", "negative": "#fbe6d0",
 }
 
 
@@ -124,3 +124,14 @@ def ghost(primitives: Iterator) -> list[Any]:
             filled = {"fill": None} if isinstance(part, (Polygon, Circle)) else {}
             found.append(part._replace(role="ghost", layer=SURFACE, **filled))
     return found
+
+
+def shifted(part: Any, by: tuple[float, float]) -> Any:
+    """A primitive elsewhere."""
+    if isinstance(part, LetterRuns):
+        left, bottom, right, top = part.box
+        return part._replace(place=plane.plus(part.place, by),
+                             box=(left + by[0], bottom + by[1], right + by[0], top + by[1]))
+    if isinstance(part, Circle):
+        return part._replace(centre=plane.plus(part.centre, by))
+    return part._replace(points=tuple(plane.plus(point, by) for point in part.points))

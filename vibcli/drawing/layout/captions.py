@@ -1,5 +1,6 @@
 """What is written beside an element: the quantity that the file gives it, else its name."""
 
+import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 SHORT = 14
+RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 
 def quantity(record: "Record", keys: Sequence[str], sketch: "Sketch") -> "tuple[Run, ...]":
@@ -32,9 +34,14 @@ def expression(field: "Expression", sketch: "Sketch", longest: int = SHORT) -> "
         return lettering.named(field.tree.name + "'" * field.tree.primes)
     node = raw(field, sketch.scene)
     if node.op == "number" or not any(letter.isalpha() for letter in text):
-        return lettering.words(text) if len(text) <= longest else None
+        return lettering.words(_as_printed(text)) if len(text) <= longest else None
     runs = lettering.written(node)
     return runs if len(lettering.letters(runs)) <= longest else None
+
+
+def _as_printed(text):
+    """A number with its unit, raised digits and dots of products as in print: m/s^2 is m/s²."""
+    return re.sub(r"\^(-?\d+)", lambda power: power[1].translate(RAISED), text).replace("*", "·")
 
 
 def raw(field: "Expression", scene: "Scene") -> "Node":

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
-from vibcli.drawing.canvas.primitives import BODY, Circle, Polyline, extent
+from vibcli.drawing.canvas.primitives import BODY, SURFACE, Circle, Polyline, extent
 from vibcli.drawing.layout import lumped, plane, rows
 from vibcli.drawing.layout.scale import scale_of
 from vibcli.drawing.layout.sketch import Sketch
@@ -80,13 +80,37 @@ def figure(stage: Scenery, sketch: Any, unit: Any = 1.0,
     for strip in stage.strips:
         found += along(strip, sketch, unit, (bends or {}).get(strip.name))
     found += member_ends.branches(stage.strips, sketch)
-    return found, where
+    return found + _tied(stage, sketch, unit, bends or {}), where
+
+
+def _tied(stage, sketch, unit, bends):
+    """Dashed lines for what joins lumped bodies to points on members without a place."""
+    points = sketch.spec.get("member_points") or {}
+    strips = {strip.name: strip for strip in stage.strips if not strip.placed}
+    places = {name: (place, layout.y - place.height) for layout in stage.rows for name, place in layout.places.items()}
+    found = []
+    for record in sketch.spec.connections:
+        names = [getattr(end, "text", None) for end in record.get("between", ())]
+        ends = [name for name in names if name in points and points[name]["body"].text in strips]
+        bodies = [name for name in names if name in places]
+        if len(ends) == len(bodies) == 1:
+            strip, (place, foot) = strips[points[ends[0]]["body"].text], places[bodies[0]]
+            x = sketch.number(points[ends[0]]["at"])
+            on_strip = member.place(strip, bends.get(strip.name) or _still(strip, sketch, unit), x)
+            moved = 0.0 if place.turns else sketch.lumped[bodies[0]] * unit
+            found.append(Polyline(((place.middle[0] + moved, foot), on_strip), "measure", 0.8, True, SURFACE))
+    return found
+
+
+def _still(strip, sketch, unit):
+    """A member as its stations are."""
+    return member.Bend(resting(strip, sketch.values), strip.scale if strip.placed else unit)
 
 
 def along(strip: Any, sketch: Any, unit: Any = 1.0, bend: Any = None) -> list[Any]:
     """A member with its ends and what is attached; without a Bend as its stations are."""
     if bend is None:
-        bend = member.Bend(resting(strip, sketch.values), strip.scale if strip.placed else unit)
+        bend = _still(strip, sketch, unit)
     return member.bed(strip) + member.draw(strip, bend) + member_ends.draw(strip, bend, sketch)[0]
 
 

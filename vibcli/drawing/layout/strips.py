@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
 
 LONGEST, LEAST, ROW, MARGIN = 250.0, 110.0, 96.0, 50.0     # points: lengths of members without a place, their distance
+SAME = 1e-9                                                 # of a length: nearer places are one
 STEPS = 60                                                  # places along a member at which its curve is drawn
 THICK, THINNEST = 3.6, 0.45                                 # half the thickness, the thinnest segment in its parts
 POWERS = {"bar": 0.5, "shaft": 0.25, "beam": 0.25}          # of the stiffness that the thickness shows
@@ -53,6 +54,8 @@ def strips(sketch: "Sketch", left: float, top: float) -> list[Strip]:
     found, free = [], []
     scene = sketch.scene
     for name, member in scene.members.items():
+        if member is not None and member.lengthwise and not member.turns:
+            continue        # a beam as it stretches, which is drawn as it bends too
         if member is not None and member.line is not None:
             line = member.line
             x, y, ex, ey = (scene.number(part) for part in (*line.start, line.ex, line.ey))
@@ -112,4 +115,5 @@ def _between(places, rows, x, bends):
 
 def grid(strip: Strip, more: Sequence[float] = ()) -> list[float]:
     """Places along a member, its stations among them."""
-    return sorted({*(strip.metres * i / STEPS for i in range(STEPS + 1)), *strip.places, *more})
+    places = sorted({*(strip.metres * i / STEPS for i in range(STEPS + 1)), *strip.places, *more})
+    return [x for i, x in enumerate(places) if not i or x - places[i - 1] > SAME * strip.metres]

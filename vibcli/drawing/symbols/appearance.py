@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from vibcli.drawing.layout.ties import Ties
     from vibcli.elements.body import Body
 
-RIM = 8.0
+RIM, CORNER = 8.0, 4.5
 
 
 def looks(sketch: "Sketch", ties: "Ties") -> dict[str, Look]:
@@ -94,7 +94,8 @@ def _wheel(centre, radii, toothed):
 
 
 def _loose(body, centre, sketch, ties):
-    """A body that moves freely: a bar through the places that it carries, else a ball."""
+    """A body that moves freely: a bar through the places that it carries, else a ball, small where it is a corner
+    of a frame, which has no mass."""
     carried = [place for place in ties.carried.get(body.name, ()) if plane.distance(place, centre) > 1e-6]
     turns = body.inertia is not None and {"inertia", "gyration"} & set(body.record)
     if len(carried) > 1 or (carried and turns):
@@ -105,5 +106,6 @@ def _loose(body, centre, sketch, ties):
             bar = plane.box(plane.middle(ends[0], ends[-1]), plane.distance(ends[0], ends[-1]) + 22, 13,
                             plane.heading(e))
             return Look([Polygon(tuple(bar)), *centre_mark(centre)], "bar", bar)
-    body = ball(centre, 14.0 if turns else BALL + 2.5)
-    return Look([body], "ball", body.points)
+    corner = all(node is None or node.is_zero for node in (body.mass, body.inertia))
+    found = ball(centre, CORNER if corner else 14.0 if turns else BALL + 2.5)
+    return Look([found], "ball", found.points)

@@ -23,7 +23,9 @@ LENGTH, INSTANTS = 32.0, (0.0, 0.37, 1.13, 2.71)
 def draw(record: "Record", sketch: "Sketch", looks: "Mapping[str, Look]",
          space: "Space") -> tuple[list[Any], tuple[Run, ...], list[tuple[float, float]]] | None:
     """(primitives, runs, places for them) of a load on what has a place; None of any other."""
-    if "moment" in record and record["body"].text in sketch.frames:
+    if "moment" in record:
+        if "body" not in record or record["body"].text not in sketch.frames:
+            return None             # that at a point of a member is drawn with it
         return _moment(record, sketch, looks, space)
     if "at" in record and (at := sketch.attachment(record["at"])) is not None:
         return _unbalance(record, at, sketch) if "unbalance" in record else _force(record, at, sketch, looks, space)

@@ -18,11 +18,12 @@ NODE = 2.4
 
 class Bend(NamedTuple):
     """How a member is displaced: `at(places)` gives [(along, u)], `unit` points for one of u; `nodes` where it
-    rests."""
+    rests; `lengthwise`: it has ordinates of what it does along its line."""
 
     at: Callable
     unit: float
     nodes: Sequence[float] = ()
+    lengthwise: bool = False
 
 
 def place(strip: Strip, bend: Bend, x: float) -> tuple[float, float]:
@@ -36,11 +37,11 @@ def _moved(strip, bend, x, along, u):
         return strip.at(x, u * bend.unit, along * bend.unit)
     if strip.placed:
         return strip.at(x, u * strip.scale, along * bend.unit)
-    return strip.at(x)
+    return strip.at(x) if strip.member.kind.torsional else strip.at(x, 0.0, u * bend.unit)
 
 
 def draw(strip: Strip, bend: Bend) -> list[Any]:
-    """The member itself; shafts and bars that move have ordinates."""
+    """The member itself; shafts, bars and beams that move along alone have ordinates."""
     found: list[Any] = []
     xs = grid(strip, bend.nodes)
     rows = dict(zip(xs, bend.at(xs), strict=True))
@@ -50,7 +51,7 @@ def draw(strip: Strip, bend: Bend) -> list[Any]:
     else:
         found += [_body([axis[x] for x in xs if low - 1e-12 <= x <= high + 1e-12], half)
                   for low, high, half in strip.segments]
-    if not strip.sideways:
+    if not strip.sideways or bend.lengthwise:
         found += _ordinates(strip, bend, xs, rows, axis)
     found += [Circle(axis[x], NODE, "paper", "coordinate", 1.0, layer=ELEMENT) for x in bend.nodes]
     return found
@@ -71,9 +72,10 @@ def _ordinates(strip, bend, xs, rows, axis):
     """u of bars, φ of shafts, drawn across the axis."""
     which = 0 if strip.placed else 1
     n = plane.left(strip.e)
-    tips = [plane.plus(axis[x], n, rows[x][which] * bend.unit) for x in xs]
     if max(abs(rows[x][which]) for x in xs) * bend.unit < 1.0:
         return []
+    axis = axis if strip.placed else {x: strip.at(x) for x in xs}
+    tips = [plane.plus(axis[x], n, rows[x][which] * bend.unit) for x in xs]
     legs = [Polyline((axis[x], tip), "coordinate", 0.5, layer=ELEMENT)
             for x, tip in list(zip(xs, tips, strict=True))[::4]]
     return [*legs, Polyline(tuple(tips), "coordinate", 1.3, layer=ELEMENT)]

@@ -1,7 +1,7 @@
 """What holds members and what is attached to them: walls, supports, springs, dampers, masses, discs, oscillators."""
 
 from collections.abc import Iterator, Sequence
-from math import pi
+from math import pi, sin
 from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import BODY, JOINT, SURFACE, Circle, Polygon, Polyline
@@ -23,20 +23,37 @@ def draw(strip: Strip, bend: Bend, sketch: "Sketch") -> tuple[list[Any], list[tu
     found, named = [], []
     for side, x, sense in (("left", 0.0, -1.0), ("right", strip.metres, 1.0)):
         _end(strip.member.record.get(side, "free"), strip, bend, x, sense, sketch, found, named)
+    hung = iter(oscillators(strip, sketch))
     for record in strip.member.record.get("attached", ()):
         x = sketch.number(record["at"])
         if "support" in record:
             found += _support(record["support"], strip, place(strip, bend, x), x)
         _attached(record, strip, bend, x, 1.0 if x > 0.999 * strip.metres else -1.0 if x < 1e-3 * strip.metres else 0.0,
                   found, named)
+        if "oscillator" in record:
+            _oscillator(record["oscillator"], strip, bend, x, sketch.values[next(hung)[1]], found, named)
     return found, named
+
+
+def supports(strip: Strip, bend: Bend, sketch: "Sketch") -> list[Any]:
+    """What holds a member to the ground alone: walls and bearings at its ends, and along it."""
+    found: list[Any] = []
+    for side, x, sense in (("left", 0.0, -1.0), ("right", strip.metres, 1.0)):
+        end = strip.member.record.get(side, "free")
+        if isinstance(end, str) and end != "free":
+            found += _held(end, strip, place(strip, bend, x), plane.times(strip.e, sense), strip.at(x))
+    for record in strip.member.record.get("attached", ()):
+        if "support" in record:
+            x = sketch.number(record["at"])
+            found += _support(record["support"], strip, place(strip, bend, x), x)
+    return found
 
 
 def _end(end, strip, bend, x, sense, sketch, found, named):
     here, outward = place(strip, bend, x), plane.times(strip.e, sense)
     if isinstance(end, str):
         if end != "free":
-            found += _held(end, strip, here, outward)
+            found += _held(end, strip, here, outward, strip.at(x))
         return
     word = next((word for word in HELD if word in end), None)
     if word is None:
@@ -63,12 +80,13 @@ def branches(strips: "Sequence[Strip]", sketch: "Sketch") -> list[Polyline]:
     return found
 
 
-def _held(word, strip, here, outward):
-    """A wall, a bearing on the ground, or rollers on a wall."""
+def _held(word, strip, here, outward, drawn):
+    """A wall, a bearing on the ground, or rollers on a wall that stays where it is drawn."""
     if word == "guided":
         side = plane.left(outward)
         rollers = [Circle(plane.plus(plane.plus(here, outward, 3.0), side, t), 3.0, "paper") for t in (-6.0, 6.0)]
-        return [*rollers, *support.wall(plane.plus(here, outward, 6.0), outward, 14.0)]
+        return [*rollers, *support.wall(plane.plus(drawn, outward, 6.0), outward,
+                                        14.0 + plane.distance(here, drawn))]
     if word == "pinned" and strip.member.kind.bends:
         return support.bearing(here, _down(strip, outward))
     if word == "pinned" and strip.placed:
@@ -97,7 +115,7 @@ def _support(word, strip, here, x):
 
 def _attached(record, strip, bend, x, sense, found, named):
     here, n = place(strip, bend, x), plane.left(strip.e)
-    across = strip.sideways
+    across, moved = strip.sideways, plane.minus(here, strip.at(x))      # the ground stays where it is drawn
     outward = plane.times(strip.e, sense or 1.0)
     for key in ("mass", "inertia"):
         if key in record and not (key == "inertia" and "mass" in record):
@@ -111,7 +129,7 @@ def _attached(record, strip, bend, x, sense, found, named):
         if strip.member.kind.torsional:
             start = plane.plus(here, n, -strip.half(x) - 3.0)
             way = plane.times(n, -1.0)
-        end = plane.plus(start, way, REACH)
+        end = plane.minus(plane.plus(start, way, REACH), moved)
         symbol = spring if key == "k" else damper
         found += [*symbol.between({}, start, end, REACH), *support.wall(end, way, 9.0)]
         named.append((record, key, [plane.plus(plane.middle(start, end), strip.e if across else n, 10.0)]))
@@ -121,22 +139,38 @@ def _attached(record, strip, bend, x, sense, found, named):
         parts, (middle, normal) = spring.about({}, Turn(here, plane.heading(outward) + pi, 0.0, None, 0))
         found += parts
         named.append((record, "torsion", [plane.plus(middle, normal, 6.0)]))
-    if "oscillator" in record:
-        _oscillator(record["oscillator"], strip, here, x, found, named)
 
 
-def _oscillator(record, strip, here, x, found, named):
-    n, e = plane.times(plane.left(strip.e), -1.0), strip.e
-    top = plane.plus(here, n, strip.half(x))
+def oscillators(strip: Strip, sketch: "Sketch") -> list[tuple[float, str]]:
+    """[(place, coordinate)] of the oscillators on a member."""
+    found = []
+    for record in strip.member.record.get("attached", ()):
+        if "oscillator" in record:
+            x = sketch.number(record["at"])
+            station = min(strip.member.stations, key=lambda one: abs(sketch.scene.number(one.place) - x))
+            found.append((x, f"{strip.name}.oscillator({station.text})"))
+    return found
+
+
+def _oscillator(record, strip, bend, x, moved, found, named):
+    """A block that hangs on springs and dampers, displaced beside the line or along a bar; on a shaft a mark on it
+    tells how far it has turned."""
+    here, n, e = place(strip, bend, x), plane.times(plane.left(strip.e), -1.0), strip.e
+    top, deep = plane.plus(here, n, strip.half(x)), strip.half(x) + REACH
+    across, along = plane.dot(plane.minus(strip.at(x), here), n), plane.dot(plane.minus(here, strip.at(x)), e)
+    foot = (strip.at(x, moved * bend.unit - deep, along) if strip.sideways else
+            strip.at(x, across - deep, 0.0 if strip.member.kind.torsional else moved * bend.unit))
     keys = [key for key in ("k", "torsion", "c") if key in record]
     for i, key in enumerate(keys):
         aside = (i - 0.5 * (len(keys) - 1)) * 15.0
-        start, end = plane.plus(top, e, aside), plane.plus(plane.plus(top, e, aside), n, REACH)
+        start, end = plane.plus(top, e, aside), plane.plus(foot, e, aside)
         symbol = damper if key == "c" else spring
         found += symbol.between({}, start, end, REACH)
         named.append((record, key, [plane.plus(plane.middle(start, end), e, 10.0 if aside >= 0 else -10.0)]))
-    middle = plane.plus(top, n, REACH + 8.0)
+    middle = plane.plus(foot, n, 8.0)
     found.append(Polygon(tuple(plane.box(middle, 32.0, 16.0, plane.heading(e))), layer=BODY))
+    if strip.member.kind.torsional:
+        found += _mark(middle, e, 16.0, 8.0, moved * bend.unit)
     named.append((record, "mass" if "mass" in record else "inertia", [middle]))
 
 
@@ -144,12 +178,20 @@ def _mass(strip, bend, x, sense, key):
     """A ball on what moves across, a block at or about a bar, a disc from the side on a shaft."""
     here, angle = place(strip, bend, x), plane.heading(strip.e)
     if strip.member.kind.torsional:
-        middle = plane.plus(here, strip.e, 4.0 * sense)
-        return [Polygon(tuple(plane.box(middle, 8.0, 2 * DISC, angle)), layer=JOINT)]
+        middle, ((_, turned),) = plane.plus(here, strip.e, 4.0 * sense), bend.at([x])
+        return [Polygon(tuple(plane.box(middle, 8.0, 2 * DISC, angle)), layer=JOINT),
+                *_mark(middle, strip.e, 4.0, DISC, turned * bend.unit)]
     if strip.member.kind.name == "bar":
         middle = plane.plus(here, strip.e, SIDE * sense)
         return [Polygon(tuple(plane.box(middle, 2 * SIDE, 24.0, angle)), layer=JOINT)]
     return [Circle(here, BALL, "ink" if key == "mass" else "inner", layer=JOINT)]
+
+
+def _mark(middle, e, half, radius, turned):
+    """A line along what turns about the direction e and is seen from the side, `turned` points of its rim."""
+    level = plane.plus(middle, plane.left(e), radius * sin(turned / radius))
+    ends = tuple(plane.plus(level, e, side) for side in (-half, half))
+    return [Polyline(ends, layer=JOINT)] if abs(turned) > 1e-6 else []
 
 
 def names(named: list[tuple[Any, Any, list[Any]]], sketch: "Sketch") -> Iterator[tuple[Any, list[Any]]]:

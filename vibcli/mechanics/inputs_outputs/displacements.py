@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 from vibcli.base.errors import PhysicsError
 from vibcli.language.document.document import Scalar
 from vibcli.language.reader import Expression, Reference
-from vibcli.language.signal_names import SignalName, signal_name
+from vibcli.language.signal_names import LEFT_OF, SignalName, signal_name
 from vibcli.symbolic.parser import parse
 
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ def displacement(scene: "Scene", text: str) -> "Node | None":
         return scene.symbol(text)
     name, part, *_ = signal_name(text)
     if name in scene.members:
-        return _on_member(scene, text)
+        return scene.symbol(text) if part == "oscillator" else _on_member(scene, text)
     if name in (scene.spec.get("member_points") or {}):
         return _of_point(scene, name, part)
     if part in ("x", "y", "angle") and name in scene.bodies and scene.bodies[name].frame is None:
@@ -48,8 +48,9 @@ def signal_of_place(scene: "Scene", signal: SignalName):
     member = scene.members[signal.name]
     if not signal.place:
         raise PhysicsError(f"'{signal.text}' needs a place on '{member.name}'", "places count from its left end")
-    place = scene.lower(Expression(Scalar(signal.place, None), parse(signal.place)))
-    found = member.signal(scene, signal, place)
+    text = signal.place.removesuffix(LEFT_OF)
+    place = scene.lower(Expression(Scalar(text, None), parse(text)))
+    found = member.signal(scene, signal, place, before=signal.place.endswith(LEFT_OF))
     if found is None:
         x, length = scene.number(place), scene.number(member.length)
         raise PhysicsError(f"'{signal.place}' is {x:.6g} m along '{member.name}', which is {length:.6g} m long",

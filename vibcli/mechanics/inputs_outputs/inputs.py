@@ -1,8 +1,9 @@
 """Inputs of the small oscillations: what a load, a driven displacement or a coordinate of this name does to them.
 
 A unit of an input e^{st} drives M q̈ + C q̇ + K q by b(s) e^{st}, b(s) = b₀ + b₁ s + b₂ s²: a force of 1 N along the line
-in which it is written, a moment of 1 N·m, an unbalance of 1 kg·m turning at s = iΩ (in the plane from the direction +x,
-its reference is cos Ωt), a driven displacement of 1 m or 1 rad, a generalised force 1 along a coordinate.
+in which it is written, a load along a member in its form whose largest value is 1 N/m, a moment of 1 N·m, an unbalance
+of 1 kg·m turning at s = iΩ (in the plane from the direction +x, its reference is cos Ωt), a driven displacement of 1 m
+or 1 rad, a generalised force 1 along a coordinate.
 """
 
 from collections.abc import Mapping
@@ -10,9 +11,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signal_names import signal_name
-from vibcli.symbolic.derivatives import substitute
+from vibcli.mechanics.inputs_outputs.amplitudes import amplitudes
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
@@ -41,7 +41,15 @@ def named_input(configuration: "Configuration", text: str) -> Input:
         if chosen is not None:
             return chosen
     names = list(dict.fromkeys(opening.name for opening in found.values()))
-    raise PhysicsError(f"nothing named '{text}' drives this scene", "name one of " + ", ".join(names))
+    raise PhysicsError(f"nothing named '{text}' drives this scene", "name one of " + ", ".join(names) if names else
+                       "let a load act that is not zero, as in `force: 1 N`")
+
+
+def drives_supports(configuration: "Configuration", given: Any) -> bool:
+    """Is an input, by its weights, the displacement of supports? Or a load."""
+    opened = configuration.with_inputs
+    driven = [j for j, opening in enumerate(opened.scene.inputs.values(), opened.n) if opening.node is not None]
+    return any(share and j in driven for j, share in given.weights.items())
 
 
 def input_columns(configuration: "Configuration", chosen: Input):
@@ -84,6 +92,10 @@ def _loads(configuration, text, found):
     name, axis, *_ = signal_name(text)
     record = (configuration.spec.get("forces") or {}).get(name)
     terms = {i: opening.load for i, opening in found.items() if opening.load is not None and opening.name == name}
+    if record is not None and "per_length" in record:
+        from vibcli.mechanics.inputs_outputs.spread_inputs import spread_input
+
+        return None if axis else Input(spread_input(configuration, name, found))
     if record is None or axis not in ("", "x", "y") or not terms:
         return None
     if axis:
@@ -96,13 +108,13 @@ def _loads(configuration, text, found):
         if "carrier" in record:
             return _carried(configuration, record, name, terms)
         raise PhysicsError(f"'{name}' changes its direction: it has no line", f"name {name}.x or {name}.y")
-    return Input(dict(zip(terms, _unit(_amplitudes(configuration.with_inputs, nodes), name), strict=True)))
+    return Input(dict(zip(terms, _unit(amplitudes(configuration.with_inputs, nodes), name), strict=True)))
 
 
 def _carried(configuration, record, name, terms):
     """The direction of a load, as it is written in the axes of the body that carries it."""
     scene, sample = configuration.with_inputs.scene, configuration.with_inputs.sample
-    written = _amplitudes(configuration.with_inputs, [scene.lower(part) for part in record["force"]])
+    written = amplitudes(configuration.with_inputs, [scene.lower(part) for part in record["force"]])
     line = [scene.table.number(fraction_of(x)) for x in _unit(written, name)]
     nodes = dict(zip(terms, scene.frame(record["carrier"]).turned(*line), strict=True))
     start = evaluate(list(nodes.values()), Floats, {**sample, scene.time.name: 0.0})
@@ -115,17 +127,6 @@ def _keeps_line(nodes, scene, sample):
         return True
     moving = [evaluate(nodes, Floats, {**sample, scene.time.name: t}) for t in INSTANTS]
     return not any(abs(x * v - y * u) > SAME * (abs(x * v) + abs(y * u)) for x, y in moving for u, v in moving)
-
-
-def _amplitudes(opened, nodes):
-    """The nodes with each function of the time as 1, or as near to it as they are defined: not so 1/(1 − cos Ωt)."""
-    scene, sample, arithmetic = opened.scene, opened.sample, opened.arithmetic
-    calls = [part for part in reachable(nodes) if part.op == "call" and part.mask & scene.time.mask]
-    waves = {part: scene.table.parameter(f"wave {i}", positive=False) for i, part in enumerate((*calls, scene.time))}
-    nodes = substitute(nodes, waves)
-    found = (evaluate(nodes, arithmetic, sample | {wave.name: size for wave in waves.values()})
-             for size in (1.0, 0.9, 0.7))
-    return next((values for values in found if all(map(arithmetic.isfinite, values))), [0.0] * len(nodes))
 
 
 def _unit(vector, name):
@@ -151,7 +152,7 @@ def _driven(configuration, text, found):
     values = configuration.with_inputs.sample
     if exact or not _keeps_line(nodes, scene, values):
         raise PhysicsError(f"'{text}' is driven in several ways", f"name {text}.x or {text}.y of a point")
-    return Input(dict(zip(parts, _unit(_amplitudes(configuration.with_inputs, nodes), text), strict=True)))
+    return Input(dict(zip(parts, _unit(amplitudes(configuration.with_inputs, nodes), text), strict=True)))
 
 
 def _along_coordinate(configuration, text, found):

@@ -65,6 +65,9 @@ def products(configuration: "Configuration", text: str) -> list[tuple[float, lis
     if scene.terms_of(name, "laws"):
         raise PhysicsError(f"'{text}' of a nonlinear law is found along the full motion alone", "write motion: full")
     if is_load(configuration.spec, text):
+        if any(force.owner == name for force in scene.spread_forces):
+            raise PhysicsError(f"'{text}' of a load along a member that vibrates is not found",
+                               "ask for motions of places on it")
         terms = scene.terms_of(name, "forces")
         forces, places = opened.rows([term.weight for term in terms]), opened.rows([term.s for term in terms])
         return [(1.0, [force, rate(place, scene)]) for force, place in zip(forces, places, strict=True)]

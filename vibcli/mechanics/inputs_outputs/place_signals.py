@@ -37,8 +37,8 @@ def place_output(configuration: "Configuration", text: str) -> PlaceOutput | Non
     if found.motion is not None or found.is_light or found.factor.is_zero:
         return None
     start, slack = scene.number(found.left.place), SAME * scene.number(found.member.length)
-    piece = next(i for i, term in enumerate(scene.pieces) if term.owner == signal.name
+    piece = next(i for i, term in enumerate(scene.pieces) if term.owner == found.member.name
                  and abs(scene.number(term.start) - start) <= slack)
     nodes = [found.left.place + found.at, found.at / (found.right.place - found.left.place), found.factor]
     place, share, factor = evaluate(nodes, opened.arithmetic, opened.values)
-    return PlaceOutput(signal.name, place, piece, share, found.order, factor, signal.primes)
+    return PlaceOutput(found.member.name, place, piece, share, found.order, factor, signal.primes)

@@ -5,7 +5,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vibcli.numerics.pieces.flattening import flattened
-from vibcli.numerics.pieces.graded import graded_fields
 from vibcli.numerics.pieces.uniform_fields import fourth_order_fields, second_order_fields
 
 if TYPE_CHECKING:
@@ -31,6 +30,8 @@ def fields(piece: "Piece", kappa: Any, ends: Any, x: Any) -> np.ndarray:
                                    flat.numbers)
 
     def graded(one, kappa, x, *ends):
+        from vibcli.numerics.pieces.graded import graded_fields
+
         return graded_fields(one, kappa, np.stack(ends, axis=-1), x, flat.numbers)
 
     return flat.filled((flat.order,), uniform, graded)

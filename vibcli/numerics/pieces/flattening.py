@@ -10,6 +10,9 @@ from vibcli.numerics.pieces.piece import Piece
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
+BESIDE_KAPPA = Piece._fields.index("inertia")       # the coefficients that κ does not hold
+
+
 class Flat(NamedTuple):
     """piece: its coefficients as flat arrays; values: κ and what else was asked, flat; shape that all broadcast to."""
 
@@ -20,11 +23,12 @@ class Flat(NamedTuple):
     numbers: Arithmetic
 
     def graded(self) -> "Iterator[tuple[Piece, np.ndarray]]":
-        """(piece in numbers, which elements are of it) of those whose tension varies."""
+        """(piece in numbers, which elements are of it) of those whose tension varies; what κ holds may differ."""
         left = np.flatnonzero(self.piece.gradient)
         while len(left):
             one = _piece(values[left[0]] for values in self.piece)
-            same = np.logical_and.reduce([values[left] == value for values, value in zip(self.piece, one, strict=True)])
+            same = np.logical_and.reduce([values[left] == value for values, value in zip(
+                self.piece[:BESIDE_KAPPA], one[:BESIDE_KAPPA], strict=True)])
             yield one, left[same]
             left = left[~same]
 

@@ -5,7 +5,15 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from vibcli.numerics.pieces.graded_parts import coefficients, is_slack, part_stiffness, parts_of, slack_series, sums
+from vibcli.numerics.pieces.graded_parts import (
+    coefficients,
+    depth_of,
+    is_slack,
+    part_stiffness,
+    parts_of,
+    slack_series,
+    sums,
+)
 from vibcli.numerics.pieces.parity import separate_roots
 from vibcli.numerics.pieces.scattering import divided, joined, scattered, stiffness_again
 
@@ -34,6 +42,33 @@ def graded_stiffness(piece: "Piece", kappa: np.ndarray, numbers: "Arithmetic") -
     if piece.order == 2 and piece.gradient < 0:
         d, slope = graded_stiffness(mirrored(piece), kappa, numbers)
         return d[..., ::-1, ::-1], slope[..., ::-1, ::-1]
+    real = numbers.is_real(kappa)
+    parted = np.array([real and depth_of(piece, x, numbers) + depth_of(mirrored(piece), x, numbers) < piece.length
+                       for x in kappa], bool)
+    found = [np.zeros((len(kappa), piece.order, piece.order), kappa.dtype) for _ in range(2)]
+    for i in np.flatnonzero(parted):
+        for values, one in zip(found, _of_parted_ends(piece, kappa[i:i + 1], numbers), strict=True):
+            values[i] = one
+    if not parted.all():
+        for values, others in zip(found, _of_joined_ends(piece, kappa[~parted], numbers), strict=True):
+            values[~parted] = others
+    return found[0], found[1]
+
+
+def _of_parted_ends(piece, kappa, numbers):
+    """(d, ∂d/∂κ), (m, m), at one κ at which no end feels the other: each that of the layer next to it."""
+    half = piece.order // 2
+    found = np.zeros((2, piece.order, piece.order), kappa.dtype)
+    signs = numbers.array([1, -1][:half])       # slopes turn round in the mirror
+    for own, seen, turned in ((slice(0, half), piece, signs * signs), (slice(half, None), mirrored(piece), signs)):
+        layer = seen._replace(length=depth_of(seen, kappa[0], numbers))
+        for values, one in zip(found, graded_stiffness(layer, kappa, numbers), strict=True):
+            values[own, own] = one[0, :half, :half] * turned[:, None] * turned
+    return found
+
+
+def _of_joined_ends(piece, kappa, numbers):
+    """(d, ∂d/∂κ) of the whole, from all its parts."""
     found = []
     for some in _portions(piece, kappa):
         tree = _tree(piece, some, numbers)

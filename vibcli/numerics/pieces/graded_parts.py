@@ -9,6 +9,7 @@ In η = (x − middle)/h, h half a part's length, u = Σ c_k ηᵏ follows from 
 is bounded there, c_{k+1} = (κ x/n) c_k/(k+1)²; that end then bears no force whatever its value is.
 """
 
+from math import inf, log
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
 
 MEASURE = 4.0       # |ν| + |γ| + 2 √|χ| at most: nothing cancels in the series, and no part vibrates between held ends
 WIDEN = 0.5         # a part of a string is at most so long as this times its distance to where N would vanish
+BEYOND = 5.0        # nepers past rounding
 NIL = 2.0**-50      # of the largest tension: an end with less has none
 
 
@@ -44,6 +46,21 @@ def parts_of(piece: "Piece", most: float) -> list:
         rest = length - cuts[-1]
         cuts.append(length if rest < 1.2 * step else cuts[-1] + step)
     return cuts
+
+
+def depth_of(piece: "Piece", kappa: Any, numbers: "Arithmetic") -> float:
+    """How far from x = 0 what moves there is felt at a real κ, to rounding, going there and back; infinite where that
+    is not plain. With κ > 0 all decays: like √(κ/N) per length where nothing bends, else by ½ (κ/B)^¼ at least, as long
+    as N² ≤ B κ."""
+    kappa, tension, gradient = float(kappa), float(piece.tension), float(piece.gradient)
+    nepers = BEYOND - log(numbers.eps) / 2
+    if kappa <= 0:
+        return inf
+    if piece.order == 2:
+        return nepers * (max(tension, 0.0) / kappa) ** 0.5 + gradient * nepers**2 / (4 * kappa)
+    if max(abs(tension), abs(tension + gradient * float(piece.length))) ** 2 > float(piece.bending) * kappa:
+        return inf
+    return 2 * nepers * (float(piece.bending) / kappa) ** 0.25
 
 
 def is_slack(piece: "Piece") -> bool:

@@ -5,7 +5,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vibcli.numerics.pieces.flattening import flattened
-from vibcli.numerics.pieces.graded import graded_count
 from vibcli.numerics.pieces.parity import parity_functions
 from vibcli.numerics.pieces.scaled_functions import even_functions
 from vibcli.numerics.pieces.uniform import fourth_order
@@ -29,7 +28,12 @@ def held_count(piece: "Piece", omega: Any) -> np.ndarray:
             return _second_order(one.length, one.tension, kappa, flat.numbers)
         return _fourth_order(one.length, one.bending, one.tension, kappa, flat.numbers)
 
-    return flat.filled((), uniform, lambda one, kappa: graded_count(one, kappa, flat.numbers)).astype(int)
+    def graded(one, kappa):
+        from vibcli.numerics.pieces.graded import graded_count
+
+        return graded_count(one, kappa, flat.numbers)
+
+    return flat.filled((), uniform, graded).astype(int)
 
 
 def _second_order(length, tension, kappa, numbers):
@@ -49,7 +53,7 @@ def _fourth_order(length, bending, tension, kappa, numbers):
     count = np.zeros(chi.shape, int)
     waves = chi < 0
     if waves.any():
-        f = parity_functions(nu[waves], chi[waves], numbers)
+        f = parity_functions(nu[waves], chi[waves], numbers, False)
         turns = _turns(_wave(nu[waves], chi[waves], numbers), numbers)
         count[waves] = _nearest(turns - 1 / 4, f.d, numbers) + _nearest(turns - 3 / 4, f.sigma, numbers)
     buckled = ~waves & (-nu > 2 * numbers.real(numbers.sqrt(np.where(waves, 0 * chi, chi))))
@@ -70,7 +74,7 @@ def _halved(length, bending, tension, kappa, numbers):
     between clamps does not buckle for −N l² < 4π² B."""
     if not (-tension * length * length > 36 * bending).any():
         return np.zeros(length.shape, int)
-    d = fourth_order(length / 2, bending, tension, kappa, numbers)[:, 0]
+    d = fourth_order(length / 2, bending, tension, kappa, numbers, False)[:, 0]
     middle = (d[..., 0, 0] < 0).astype(int) + (d[..., 1, 1] < 0)
     return 2 * _halved(length / 2, bending, tension, kappa, numbers) + middle
 

@@ -22,8 +22,12 @@ if TYPE_CHECKING:
     from vibcli.numerics.pieces.arithmetic import Arithmetic
 
 
+VALUES = 7      # of a Parity, before its slopes
+
+
 class Parity(NamedTuple):
-    """Arrays: the four functions and their derivatives by χ times e^{−R}; what couples the ends times e^{−2R}.
+    """Arrays: the four functions and their derivatives by χ, where asked for, times e^{−R}; what couples the ends times
+    e^{−2R}.
 
     uu = c d − χ s σ, ut = χ σ² − d², tt = c σ − d s, without the cancellation of these. R = Re √P₁ + Re √P₂.
     """
@@ -32,28 +36,28 @@ class Parity(NamedTuple):
     s: np.ndarray
     d: np.ndarray
     sigma: np.ndarray
-    c_slope: np.ndarray
-    s_slope: np.ndarray
-    d_slope: np.ndarray
-    sigma_slope: np.ndarray
     uu: np.ndarray
     ut: np.ndarray
     tt: np.ndarray
+    slopes: tuple[np.ndarray, ...] = ()
 
 
-def parity_functions(nu: np.ndarray, chi: np.ndarray, numbers: "Arithmetic") -> Parity:
-    """Of arrays of equal shape (flat)."""
+def parity_functions(nu: np.ndarray, chi: np.ndarray, numbers: "Arithmetic", steep: bool) -> Parity:
+    """Of arrays of equal shape (flat); steep: with the slopes of c, s, d and σ."""
     real = numbers.is_real(nu) and numbers.is_real(chi)
     root = numbers.sqrt(chi)
     small = np.abs(nu) + 2 * np.abs(root) <= ALIKE
     apart = np.abs(nu * nu - 4 * chi) >= 16 * np.abs(chi)
+    if real and numbers.number is None:
+        apart |= chi < 0        # one is positive, the other negative: no complex numbers
     found = None
     for chosen, form in ((small, _series), (~small & apart, _by_roots), (~small & ~apart, _by_sums)):
         if chosen.any():
-            part = form(nu[chosen], chi[chosen], numbers)
-            part = [numbers.real(values) for values in part] if real else list(part)
+            found_here, slopes = form(nu[chosen], chi[chosen], numbers, steep)
+            part = [*found_here, *slopes]
+            part = [numbers.real(values) for values in part] if real else part
             found = part if chosen.all() else _put(found, part, chosen)
-    return Parity(*found)
+    return Parity(*found[:VALUES], tuple(found[VALUES:]))
 
 
 def separate_roots(nu: np.ndarray, chi: np.ndarray, numbers: "Arithmetic") -> tuple[np.ndarray, np.ndarray]:
@@ -74,16 +78,15 @@ def _put(found, part, chosen):
     return found
 
 
-def _series(nu, chi, numbers):
-    """X_k = (Aᵏ + Bᵏ)/2 and Y_k = (Aᵏ − Bᵏ)/(A − B) by their recurrence, and the derivatives of Y_k by χ."""
+def _series(nu, chi, numbers, steep):
+    """X_k = (Aᵏ + Bᵏ)/2 and Y_k = (Aᵏ − Bᵏ)/(A − B) by their recurrence."""
     total, product = 2 * nu, nu * nu - 4 * chi
     zero = nu * chi * 0
-    x, y, dy = [zero + 1, zero + nu], [zero, zero + 1], [zero, zero]
+    x, y = [zero + 1, zero + nu], [zero, zero + 1]
     for k in range(1, terms(ALIKE, numbers)):
         x.append(total * x[k] - product * x[k - 1])
         y.append(total * y[k] - product * y[k - 1])
-        dy.append(total * dy[k] - product * dy[k - 1] + 4 * y[k - 1])
-    c = s = d = sigma = s_slope = d_slope = sigma_slope = zero
+    c = s = d = sigma = zero
     weights = [numbers.array(1)]
     for k in range(1, 2 * len(x)):
         weights.append(weights[-1] / k)
@@ -91,38 +94,52 @@ def _series(nu, chi, numbers):
         even, odd = weights[2 * k], weights[2 * k + 1]
         c, s = c + even * x[k], s + 2 * even * y[k]
         d, sigma = d + odd * x[k], sigma + 2 * odd * y[k]
+    slopes = (sigma / 2, *_series_slopes(total, product, y, weights)) if steep else ()
+    return (c, s, d, sigma, c * d - chi * s * sigma, chi * sigma * sigma - d * d, c * sigma - d * s), slopes
+
+
+def _series_slopes(total, product, y, weights):
+    """Of s, d and σ by χ, from the derivatives of Y_k by their recurrence."""
+    zero = product * 0
+    dy = [zero, zero]
+    for k in range(1, len(y) - 1):
+        dy.append(total * dy[k] - product * dy[k - 1] + 4 * y[k - 1])
+    s_slope = d_slope = sigma_slope = zero
+    for k in range(len(y) - 1, -1, -1):
+        even, odd = weights[2 * k], weights[2 * k + 1]
         s_slope, sigma_slope = s_slope + 2 * even * dy[k], sigma_slope + 2 * odd * dy[k]
         if k:
             d_slope = d_slope + 2 * k * odd * y[k - 1]
-    return Parity(c, s, d, sigma, sigma / 2, s_slope, d_slope, sigma_slope,
-                  c * d - chi * s * sigma, chi * sigma * sigma - d * d, c * sigma - d * s)
+    return s_slope, d_slope, sigma_slope
 
 
-def _by_roots(nu, chi, numbers):
+def _by_roots(nu, chi, numbers, steep):
     """From C, S and S′ at P₁ and P₂, which are not near each other."""
     one, other = separate_roots(nu, chi, numbers)
     f, g, gap = even_functions(one, numbers), even_functions(other, numbers), one - other
     c, s, f_g, g_f = f.c * g.c, f.s * g.s, f.s * g.c, f.c * g.s
     d, sigma = (one * f_g - other * g_f) / gap, (g_f - f_g) / gap
     fading, other_fading = numbers.exp(-2 * g.r), numbers.exp(-2 * f.r)
-    return Parity(
-        c, s, d, sigma, sigma / 2, (f.s * g.slope - f.slope * g.s) / gap,
-        (nu * s / 2 - c - (f_g + g_f) / 2 + 2 * d) / gap**2,
-        (g.c * f.slope + f.c * g.slope - s + 2 * sigma) / gap**2,
-        (one * f.s * f.c * fading - other * g.s * g.c * other_fading) / gap,
-        -(one * f.s * f.s * fading - other * g.s * g.s * other_fading) / gap,
-        -(f.s * f.c * fading - g.s * g.c * other_fading) / gap)
+    slopes = (sigma / 2, (f.s * g.slope - f.slope * g.s) / gap,
+              (nu * s / 2 - c - (f_g + g_f) / 2 + 2 * d) / gap**2,
+              (g.c * f.slope + f.c * g.slope - s + 2 * sigma) / gap**2) if steep else ()
+    return (c, s, d, sigma, (one * f.s * f.c * fading - other * g.s * g.c * other_fading) / gap,
+            -(one * f.s * f.s * fading - other * g.s * g.s * other_fading) / gap,
+            -(f.s * f.c * fading - g.s * g.c * other_fading) / gap), slopes
 
 
-def _by_sums(nu, chi, numbers):
+def _by_sums(nu, chi, numbers, steep):
     """From C, S and S′ at A and B, which are not near each other."""
     root = numbers.sqrt(chi)
     f, g = even_functions(nu + 2 * root, numbers), even_functions(nu - 2 * root, numbers)
     least = np.where(f.r < g.r, f.r, g.r)
     f_scale, g_scale = numbers.exp(least - g.r), numbers.exp(least - f.r)
-    f_c, f_s, f_slope = f.c * f_scale, f.s * f_scale, f.slope * f_scale
-    g_c, g_s, g_slope = g.c * g_scale, g.s * g_scale, g.slope * g_scale
+    f_c, f_s, g_c, g_s = f.c * f_scale, f.s * f_scale, g.c * g_scale, g.s * g_scale
     s, d, sigma = (f_c - g_c) / (2 * root), (f_s + g_s) / 2, (f_s - g_s) / (2 * root)
-    return Parity((f_c + g_c) / 2, s, d, sigma, sigma / 2, (d - s) / (2 * chi), (f_slope - g_slope) / (2 * root),
-                  (f_slope + g_slope - sigma) / (2 * chi), (f_c * g_s + g_c * f_s) / 2, -f_s * g_s,
-                  (g_c * f_s - f_c * g_s) / (2 * root))
+    slopes = ()
+    if steep:
+        f_slope, g_slope = f.slope * f_scale, g.slope * g_scale
+        slopes = (sigma / 2, (d - s) / (2 * chi), (f_slope - g_slope) / (2 * root),
+                  (f_slope + g_slope - sigma) / (2 * chi))
+    return ((f_c + g_c) / 2, s, d, sigma, (f_c * g_s + g_c * f_s) / 2, -f_s * g_s,
+            (g_c * f_s - f_c * g_s) / (2 * root)), slopes

@@ -62,10 +62,25 @@ def _series(z, numbers):
 
 
 def _exponentials(z, numbers):
+    if numbers.number is None and numbers.is_real(z):
+        return _of_reals(z)
     p = numbers.sqrt(z)
     r = numbers.real(p)
     forward, backward = numbers.exp(p - r), numbers.exp(-p - r)
     c, s = (forward + backward) / 2, (forward - backward) / (2 * p)
     if numbers.is_real(z):
         c, s = numbers.real(c), numbers.real(s)
+    return Even(c, s, (c - s) / (2 * z), r)
+
+
+def _of_reals(z):
+    """Cosines and sines where z < 0; doubles."""
+    p, waves = np.sqrt(np.abs(z)), z < 0
+    if waves.all():
+        c, s, r = np.cos(p), np.sin(p) / p, 0 * p
+    else:
+        fading = np.exp(-2 * p)
+        c, s, r = (1 + fading) / 2, (1 - fading) / (2 * p), p
+        if waves.any():
+            c, s, r = np.where(waves, np.cos(p), c), np.where(waves, np.sin(p) / p, s), np.where(waves, 0.0, r)
     return Even(c, s, (c - s) / (2 * z), r)

@@ -5,7 +5,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vibcli.numerics.pieces.flattening import flattened
-from vibcli.numerics.pieces.graded import graded_stiffness
 from vibcli.numerics.pieces.uniform import fourth_order, second_order
 
 if TYPE_CHECKING:
@@ -18,7 +17,12 @@ def dynamic_stiffness(piece: "Piece", s: Any) -> np.ndarray:
     s and what the piece holds are numbers or arrays that broadcast to (…). Real for real s; of doubles, or of mpmath's
     numbers (an array of objects) where one is. d(0) is the static stiffness.
     """
-    return stiffness_and_slope(piece, piece.reaction(s))[0]
+    return stiffness(piece, piece.reaction(s))
+
+
+def stiffness(piece: "Piece", kappa: Any) -> np.ndarray:
+    """d of stiffness_and_slope."""
+    return _found(piece, kappa, False)[0]
 
 
 def stiffness_and_slope(piece: "Piece", kappa: Any) -> tuple[np.ndarray, np.ndarray]:
@@ -30,18 +34,25 @@ def stiffness_and_slope(piece: "Piece", kappa: Any) -> tuple[np.ndarray, np.ndar
     distance of κ to it. An end without tension of what does not bend bears no force and its rows are 0: no coordinate
     belongs there.
     """
+    return _found(piece, kappa, True)
+
+
+def _found(piece, kappa, steep):
+    """(d,) or (d, ∂d/∂κ)."""
     waves = np.asarray(kappa)
     plain = waves.dtype.kind == "c" and not waves.imag.any()        # real but for its type: half as dear
     flat = flattened(piece, waves.real if plain else kappa)
 
     def uniform(one, kappa):
         if flat.order == 2:
-            return second_order(one.length, one.tension, kappa, flat.numbers)
-        return fourth_order(one.length, one.bending, one.tension, kappa, flat.numbers)
+            return second_order(one.length, one.tension, kappa, flat.numbers, steep)
+        return fourth_order(one.length, one.bending, one.tension, kappa, flat.numbers, steep)
 
     def graded(one, kappa):
-        return np.stack(graded_stiffness(one, kappa, flat.numbers), axis=1)
+        from vibcli.numerics.pieces.graded import graded_stiffness
 
-    found = flat.filled((2, flat.order, flat.order), uniform, graded)
+        return np.stack(graded_stiffness(one, kappa, flat.numbers)[:1 + steep], axis=1)
+
+    found = flat.filled((1 + steep, flat.order, flat.order), uniform, graded)
     found = found.astype(complex) if plain else found
-    return found[..., 0, :, :], found[..., 1, :, :]
+    return tuple(found[..., which, :, :] for which in range(1 + steep))

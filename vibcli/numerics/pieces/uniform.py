@@ -11,9 +11,9 @@ if TYPE_CHECKING:
     from vibcli.numerics.pieces.arithmetic import Arithmetic
 
 
-def second_order(length: np.ndarray, tension: np.ndarray, kappa: np.ndarray,
-                 numbers: "Arithmetic") -> np.ndarray:
-    """d and ∂d/∂κ of −N u″ + κ u = 0, (…, 2, 2, 2), over flat arrays of equal shape.
+def second_order(length: np.ndarray, tension: np.ndarray, kappa: np.ndarray, numbers: "Arithmetic",
+                 steep: bool) -> np.ndarray:
+    """d and, if it is `steep`, ∂d/∂κ of −N u″ + κ u = 0, (…, 1 or 2, 2, 2), over flat arrays of equal shape.
 
     With z = κ a²/N, a = l/2: evenly N/a z S/C, oddly N/a C/S.
     """
@@ -22,38 +22,43 @@ def second_order(length: np.ndarray, tension: np.ndarray, kappa: np.ndarray,
     f = even_functions(z, numbers)
     scale, ratio, fading = tension / half, f.s / f.c, numbers.exp(-2 * f.r)
     even, odd, coupling = scale * z * ratio, scale / ratio, -scale * fading / (f.s * f.c)
+    own, coupling = (even + odd) / 2, coupling / 2
+    if not steep:
+        return _squares([[own, coupling], [coupling, own]])
     even_slope = half * (ratio + fading / f.c**2) / 2
     near = np.abs(z) <= 1
     safe = np.where(near, 1, z)
     odd_slope = half * np.where(near, (1 / 2 - f.c * f.slope / f.s**2), (1 / ratio - fading / f.s**2) / (2 * safe))
-    own, own_slope = (even + odd) / 2, (even_slope + odd_slope) / 2
-    coupling, coupling_slope = coupling / 2, (even_slope - odd_slope) / 2
+    own_slope, coupling_slope = (even_slope + odd_slope) / 2, (even_slope - odd_slope) / 2
     return _squares([[own, coupling], [coupling, own]],
                     [[own_slope, coupling_slope], [coupling_slope, own_slope]])
 
 
 def fourth_order(length: np.ndarray, bending: np.ndarray, tension: np.ndarray, kappa: np.ndarray,
-                 numbers: "Arithmetic") -> np.ndarray:
-    """d and ∂d/∂κ of B u⁗ − N u″ + κ u = 0, (…, 2, 4, 4), over flat arrays of equal shape.
+                 numbers: "Arithmetic", steep: bool) -> np.ndarray:
+    """d and, if it is `steep`, ∂d/∂κ of B u⁗ − N u″ + κ u = 0, (…, 1 or 2, 4, 4), over flat arrays of equal shape.
 
     Right ends moving with (u, a θ), evenly (the left end: u, −θ) and oddly (−u, θ), are answered in B/a³ by
 
         even [[χ s, −χ σ], [−χ σ, c]] / d,      odd [[c, −d], [−d, s]] / σ.
     """
     half = length / 2
-    chi = kappa * half**4 / bending
-    f = parity_functions(tension * half * half / bending, chi, numbers)
+    square, scale = half * half, bending / half**3
+    chi = kappa * (square * square) / bending
+    f = parity_functions(tension * square / bending, chi, numbers, steep)
     sigma = 3 * f.sigma                                     # 1 without tension and reaction, where 1/3 is rounded
     even, odd = (chi * f.s / f.d, -chi * f.sigma / f.d, f.c / f.d), (3 * f.c / sigma, -3 * f.d / sigma, 3 * f.s / sigma)
     coupling = (-3 * f.uu / (f.d * sigma), -3 * f.ut / (f.d * sigma), 3 * f.tt / (f.d * sigma))
-    lean, turn = f.d_slope / f.d, f.sigma_slope / f.sigma
+    found = _four(even, odd, coupling, half, scale)
+    if not steep:
+        return _squares(found)
+    c_slope, s_slope, d_slope, sigma_slope = f.slopes
+    lean, turn = d_slope / f.d, sigma_slope / f.sigma
     even_slope = (((f.d + f.s) / 2 - chi * f.s * lean) / f.d,
-                  (chi * f.sigma * lean - f.sigma - chi * f.sigma_slope) / f.d, (f.c_slope - f.c * lean) / f.d)
-    odd_slope = ((f.c_slope - f.c * turn) / f.sigma, (f.d * turn - f.d_slope) / f.sigma,
-                 (f.s_slope - f.s * turn) / f.sigma)
+                  (chi * f.sigma * lean - f.sigma - chi * sigma_slope) / f.d, (c_slope - f.c * lean) / f.d)
+    odd_slope = ((c_slope - f.c * turn) / f.sigma, (f.d * turn - d_slope) / f.sigma, (s_slope - f.s * turn) / f.sigma)
     coupling_slope = [e - o for e, o in zip(even_slope, odd_slope, strict=True)]
-    return _squares(_four(even, odd, coupling, half, bending / half**3),
-                    _four(even_slope, odd_slope, coupling_slope, half, half))
+    return _squares(found, _four(even_slope, odd_slope, coupling_slope, half, half))
 
 
 def _four(even, odd, coupling, half, scale):
@@ -68,9 +73,9 @@ def _four(even, odd, coupling, half, scale):
 def _squares(*matrices):
     """(…, number of matrices, m, m) of m rows of m arrays each."""
     m, kind = len(matrices[0]), np.result_type(*(values for rows in matrices for row in rows for values in row))
-    found = np.empty((*matrices[0][0][0].shape, len(matrices), m, m), kind)
+    found = np.empty((len(matrices), m, m, *matrices[0][0][0].shape), kind)     # each entry in one run
     for which, rows in enumerate(matrices):
         for i, row in enumerate(rows):
             for j, values in enumerate(row):
-                found[..., which, i, j] = values
-    return found
+                found[which, i, j] = values
+    return np.moveaxis(found, (0, 1, 2), (-3, -2, -1))

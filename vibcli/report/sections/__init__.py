@@ -22,5 +22,6 @@ SECTIONS = {
     "estimates": ("estimates", "estimates of Rayleigh and Dunkerley"),
     "ritz": ("ritz", "bounds of frequencies by assumed shapes"),
     "schematic": ("illustrations", "the figure of the scene"),
+    "force_diagrams": ("force_diagrams", "diagrams of the forces and moments within members at rest"),
     "mode_pictures": ("illustrations", "figures of the mode shapes"),
 }

@@ -4,19 +4,20 @@ from collections.abc import Iterator
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from vibcli.base.errors import PhysicsError
 from vibcli.report.blocks import Picture, Section, section
 
 if TYPE_CHECKING:
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
 
-SHOWN = 6       # mode shapes
+SHOWN, DIAGRAMS = 6, 3       # mode shapes; of them with forces and moments
 
 
 def schematic(problem: "Problem", _: "Report") -> Iterator[Section]:
     from vibcli.drawing.drawing import draw
 
-    yield from section("The scene", _picture("scene", "The scene as drawn", draw(problem)))
+    yield from section("The scene", drawing("scene", "The scene as drawn", draw(problem)))
 
 
 def mode_pictures(problem: "Problem", report: "Report") -> Iterator[Section]:
@@ -28,9 +29,28 @@ def mode_pictures(problem: "Problem", report: "Report") -> Iterator[Section]:
     from vibcli.report.sections.shown_modes import shown
 
     moving = [mode for mode in shown(problem, report.wanted) if not mode.rigid][:SHOWN]
-    yield from section("Mode shapes on the scene at rest", *(
-        _picture(f"mode-{mode.index}", caption(mode), draw(problem, mode.index, normalise=report.normalise))._replace(
-            animated=partial(_moving, problem, mode.index, report.normalise)) for mode in moving))
+    pictures: list[Picture] = []
+    for mode in moving:
+        drawn = draw(problem, mode.index, normalise=report.normalise)
+        pictures.append(drawing(f"mode-{mode.index}", caption(mode), drawn)._replace(
+            animated=partial(_moving, problem, mode.index, report.normalise)))
+        if len(pictures) < 2 * DIAGRAMS:
+            pictures += _forces_of(problem, mode, report.normalise)
+    yield from section("Mode shapes on the scene at rest", *pictures)
+
+
+def _forces_of(problem, mode, normalise):
+    """A Picture of the forces and moments within members in a mode; none without them."""
+    if not problem.scene.members:
+        return []
+    from vibcli.drawing.member_diagrams import draw
+    from vibcli.results.internal_forces import forces_of_mode
+
+    try:
+        drawn = draw(problem.scene, forces_of_mode(problem, mode.index, normalise), ())
+    except PhysicsError:
+        return []
+    return [drawing(f"mode-{mode.index}-forces", f"forces and moments within members in mode {mode.index}", drawn)]
 
 
 def _moving(problem, index, normalise):
@@ -47,7 +67,8 @@ def plot(name: str, caption: str, figure: Any):
     return Picture(name, caption, partial(picture, figure))
 
 
-def _picture(name, caption, primitives):
+def drawing(name: str, caption: str, primitives: Any) -> Picture:
+    """A Picture of what is drawn."""
     from vibcli.drawing.canvas.matplotlib_canvas import picture
 
     return Picture(name, caption, partial(picture, primitives))

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.modal.undamped import Mode
     from vibcli.results.problem import Problem
 
-CLOSE, LISTED = 1e-9, 8     # lengths that are equal; nodes in a line of the table
+CLOSE, LISTED = 1e-9, 6     # lengths that are equal; nodes, and antinodes, in a line of the table
 NOTHING = 1e-15             # of the largest displacement
 PLACES, PER_NODE = 101, 16  # along a member in the JSON
 FORCES = {"bar": "force", "shaft": "moment"}      # what u′ times the stiffness is
@@ -22,7 +22,7 @@ FORCES = {"bar": "force", "shaft": "moment"}      # what u′ times the stiffnes
 def wave_numbers(problem: "Problem", modes: "Sequence[Mode]") -> list[str] | None:
     """β of each mode in 1/m where one tells all members, ω = β √(N/μ) or β² √(B/μ); else None."""
     pieces = [placed.piece for placed in problem.configuration.linear_system.pieces]
-    if not pieces or any(piece.foundation or (piece.bending and piece.tension) or not piece.inertia
+    if not pieces or any(piece.foundation or piece.gradient or (piece.bending and piece.tension) or not piece.inertia
                          for piece in pieces):
         return None
     ratios = [float(piece.inertia / (piece.bending or piece.tension)) for piece in pieces]
@@ -35,26 +35,31 @@ def wave_numbers(problem: "Problem", modes: "Sequence[Mode]") -> list[str] | Non
 
 
 def along_members(problem: "Problem", modes: "Sequence[Mode]", how: str) -> Iterator[Section]:
-    """Of each member a table: the largest displacement in each mode, and where it rests."""
+    """Of each member a table: the largest displacement in each mode, where it rests and where it moves most."""
     stated = "" if problem.scene.coordinates else f" ({words(how, problem.scene.members)})"
     for name, member in problem.scene.members.items():
         rows = []
         for mode in modes:
             fields, scale = problem.modal.fields(mode), problem.modal.scale(mode, how)
             place, largest = fields.largest(name)
-            rows.append((str(mode.index), *_row(place, largest * scale, fields.node_places(name))))
-        motion = "φ" if member.kind.torsional else "u"
-        head = ("mode", f"largest {motion}", "at x [m]", "nodes at x [m]")
+            rows.append((str(mode.index), *_row(place, largest * scale, fields.node_places(name),
+                                                fields.antinode_places(name))))
+        motion = "φ" if member.kind.torsional else member.kind.letter
+        head = ("mode", f"largest {motion}", "at x [m]", "nodes at x [m]", "antinodes at x [m]")
         yield from section(f"Modes along {name}{stated}", TableBlock(head, tuple(rows)))
 
 
-def _row(place, largest, nodes):
+def _row(place, largest, nodes, antinodes):
     if not largest:
-        return "0", "–", "rests"
-    told = ", ".join(figure(x) for x in nodes[:LISTED]) + (
-        f", … ({len(nodes)} in all)" if len(nodes) > LISTED else "")
+        return "0", "–", "rests", "–"
     size = f"{abs(largest):.6g}" if getattr(largest, "imag", 0) else figure(float(largest.real))
-    return size, figure(place), told or "none"
+    return size, figure(place), _listed(nodes), _listed(antinodes)
+
+
+def _listed(places):
+    told = ", ".join(figure(x) for x in places[:LISTED]) + (
+        f", … ({len(places)} in all)" if len(places) > LISTED else "")
+    return told or "none"
 
 
 def member_shapes(problem: "Problem", index: int, how: str) -> dict[str, dict[str, Any]]:
@@ -69,9 +74,9 @@ def _shape(kind, pieces, scale, top):
     """x, u and what follows of it; `top`: where the member moves most."""
     import numpy as np
 
-    from vibcli.analyses.continuous.shapes import antinodes, nodes, shape_along
+    from vibcli.analyses.continuous.shapes import antinodes, resting_and_turning, shape_along
 
-    resting, turning = nodes(pieces), antinodes(pieces)
+    resting, turning = resting_and_turning(pieces)
     starts = np.array([moved.start for moved in pieces])
     end, count = pieces[-1].start + pieces[-1].piece.length, max(PLACES, PER_NODE * (len(resting) + 1) + 1)
     places = np.unique([*np.linspace(starts[0], end, count), *starts, *resting, *turning, top])
@@ -86,18 +91,18 @@ def _shape(kind, pieces, scale, top):
         forces[FORCES[kind.name]] = stiffness * values[1]
     forces = {name: value if value is None else value.tolist() for name, value in forces.items()}
     return {"x": places.tolist(), "u": values[0].tolist(), "slope": values[1].tolist(), **forces,
-            "nodes": resting, "antinodes": turning}
+            "nodes": resting, "antinodes": antinodes(pieces, turning)}
 
 
 MEMBERS = Key("members", "of scenes with members that have inertia: {name: its shape}", of=(
-    Key("NAME", "the shape of a member", of=(
+    Key("NAME", "the shape of a member; of a beam that stretches `NAME.along` besides, what it does along", of=(
         Key("x", "places from the left end on [m], nodes and antinodes among them"),
         Key("u", "displacements there, of shafts turns, normalised as the coordinates are"),
         Key("slope", "u′ there"),
         Key("moment", "EI u″, of shafts GI_o φ′; null of others"),
         Key("shear", "(EI u″)′ of beams; null of others"),
-        Key("force", "EA u′ of bars; null of others"),
+        Key("force", "EA u′ of bars, and of beams along; null of others"),
         Key("nodes", "the places at rest, ends and supports not counted"),
-        Key("antinodes", "the places within it that move most beside those around them"))),))
+        Key("antinodes", "the places that move more than those around them, ends among them"))),))
 COUNT = Key("count", "of scenes with members that have inertia: how many modes are certain to have at most the "
             "frequency of the last one, by a count just above it; null where that does not tell")

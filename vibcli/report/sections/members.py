@@ -36,12 +36,12 @@ def member_equations(problem: "Problem") -> Iterator[Section]:
     for name, member in scene.members.items():
         pieces = [piece for piece in form.pieces if piece.owner == name]
         own |= {scene.q.index(node): (member, part) for station in member.stations
-                for part, node in enumerate(station.motions) if node in scene.q and node.name.startswith(name + ".")}
+                for part, node in enumerate(member.motions(station)) if _is_own(node, member, scene)}
         if pieces:
             conditions = list(_conditions(member, form.pieces, (M, C, K), scene))
             if any(part.endswith(RIGHT) for one in conditions for part in one.parts if type(part) is str):
                 remark = REMARK + SIDES
-            blocks += [Heading(f"{name}:"), equations([*_differential(pieces, member.kind.motion), *conditions])]
+            blocks += [Heading(f"{name}:"), equations([*_differential(pieces, member.kind.letter), *conditions])]
     others = [i for i in range(len(scene.q)) if i not in own]
     if others:
         blocks += [Heading("what they carry:"), equations(_carried(i, form.pieces, (M, C, K), scene) for i in others)]
@@ -77,11 +77,11 @@ def _tension(placed):
 
 def _conditions(member, pieces, matrices, scene):
     """What holds at each station: motions that are held, forces where they are free."""
-    u, starts = member.kind.motion, {piece.start: piece for piece in pieces if piece.owner == member.name}
+    u, starts = member.kind.letter, {piece.start: piece for piece in pieces if piece.owner == member.name}
     left = None
     for station in member.stations:
         right, parts = starts.get(station.place), []
-        for part, node in enumerate(station.motions):
+        for part, node in enumerate(member.motions(station)):
             parts.append(", " if part else "")
             if _is_own(node, member, scene):
                 parts += _balance(scene.q.index(node), part, (left, right), matrices, scene, member, pieces)
@@ -101,7 +101,15 @@ def frequency_equation(problem: "Problem", _: "Report") -> Iterator[Section]:
     several = len(problem.scene.members) > 1
     blocks = [equations([*_solved(problem, one, Words(", ".join(one.members)) if several else None),
                          *_orthogonality(problem, one)]) for one in found]
-    yield from section("Frequency equation" + "s" * (len(found) > 1), *blocks)
+    undamped = " (of the undamped system)" if _damped(problem) else ""
+    yield from section("Frequency equation" + "s" * (len(found) > 1) + undamped, *blocks)
+
+
+def _damped(problem):
+    """Does anything damp, which the equation leaves out?"""
+    symbolic = problem.symbolic
+    return bool(symbolic.discrete_matrices[1] or problem.spec.get("damping") is not None or
+                any(not placed.piece.drag.is_zero for placed in symbolic.linearisation.pieces))
 
 
 def _solved(problem, found, label):
@@ -147,11 +155,12 @@ def _roots(problem, found):
 def _orthogonality(problem, found):
     """∫ μ X_i X_j dx + M X_i(L) X_j(L) = 0 of two modes."""
     scene, M = problem.scene, problem.symbolic.discrete_matrices[0]
-    along = list(dict.fromkeys(tuple(_terms([(placed.piece.inertia, "X_i·X_j·dx")])) for placed in found.pieces))
-    told = [part for text in along for part in (" + ∫" if text is not along[0] else "∫", *text)]
-    stations = {scene.q.index(node): (part, station.place) for name in found.members
-                for station in scene.members[name].stations for part, node in enumerate(station.motions)
-                if node in scene.q}
+    along = _integrals(found.pieces, lambda placed: [(placed.piece.inertia, "X_i·X_j·dx")])
+    several, told = len({owner for owner, *_ in along}) > 1, []
+    for number, (owner, inner, where) in enumerate(along):
+        told += [" + ∫" if number else "∫", *inner, *([Words(f" ({owner})")] if several else []), *where]
+    stations = {scene.q.index(node): (part, station.place) for member in map(scene.members.get, found.members)
+                for station in member.stations for part, node in enumerate(member.motions(station)) if node in scene.q}
     for i in dict.fromkeys([*stations, *found.hung]):
         if (i, i) in M:
             told += [" + ", Factor(M[i, i]), *_product(*stations[i])] if i in stations else [
@@ -177,36 +186,49 @@ def _frequency(found):
 
 def member_energies(problem: "Problem", kind: str) -> list:
     """What members add to T and V, as integrals along each: parts of a formula, each after a plus."""
-    told: dict = {}
     form = problem.symbolic.linearisation if problem.symbolic.linearisable else problem.system.linearisation
-    for placed in form.pieces:
-        piece, u = placed.piece, problem.scene.members[placed.owner].kind.motion
-        terms = {"T": [(piece.inertia, f"(∂{u}/∂t)²")], "Phi": [(piece.drag, f"(∂{u}/∂t)²")],
-                 "V": [(piece.bending, f"(∂²{u}/∂x²)²"), *((along, f"{x}(∂{u}/∂x)²") for along, x in _tension(placed)),
-                       (piece.foundation, f"{u}²")]}
-        inner, end = tuple(_terms(terms[kind])), textbook(placed.start + piece.length)
+
+    def integrand(placed):
+        piece, u = placed.piece, problem.scene.members[placed.owner].kind.letter
+        return {"T": [(piece.inertia, f"(∂{u}/∂t)²")], "Phi": [(piece.drag, f"(∂{u}/∂t)²")],
+                "V": [(piece.bending, f"(∂²{u}/∂x²)²"), *((along, f"{x}(∂{u}/∂x)²") for along, x in _tension(placed)),
+                      (piece.foundation, f"{u}²")]}[kind]
+
+    found = _integrals(form.pieces, integrand)
+    several = len({owner for owner, *_ in found}) > 1
+    parts: list = []
+    for owner, inner, where in found:
+        long = len(inner) > 3
+        parts += [" + ½·∫(" if long else " + ½·∫", *inner, ")·d" if long else "·d", "x",
+                  *([Words(f" ({owner})")] if several else []), *where]
+    return parts
+
+
+def _integrals(pieces, integrand):
+    """[(member, parts of the integrand, parts that tell from where to where)]: one for all stretches on which it is the
+    same; `integrand(piece)`: terms (coefficient, text)."""
+    told: dict = {}
+    for placed in pieces:
+        inner, end = tuple(_terms(integrand(placed))), textbook(placed.start + placed.piece.length)
         if inner:
             spans = told.setdefault((placed.owner, inner), [])
             start = spans.pop()[0] if spans and spans[-1][1] == textbook(placed.start) else placed.start
             spans.append((start, end))
-    several = len({owner for owner, _ in told}) > 1
-    parts: list = []
+    found = []
     for (owner, inner), spans in told.items():
-        long = len(inner) > 3
-        where = [part for start, end in spans for part in (Words(", "), start, " < x < ", end)][1:]
         stepped = sum(one == owner for one, _ in told) > 1
-        parts += [" + ½·∫(" if long else " + ½·∫", *inner, ")·d" if long else "·d", "x",
-                  *([Words(f" ({owner})")] if several else []), *([Words(" ("), *where, Words(")")] if stepped else [])]
-    return parts
+        where = [part for start, end in spans for part in (Words(", "), start, " < x < ", end)][1:]
+        found.append((owner, inner, [Words(" ("), *where, Words(")")] if stepped else []))
+    return found
 
 
 def _is_own(node, member, scene):
-    return node in scene.q and node.name.startswith(member.name + ".")
+    return node in scene.q and member.has_coordinate(node.name)
 
 
 def _balance(i, part, sides, matrices, scene, member, pieces):
     """Internal force = what acts on the station, other members held there too; the jump of it at an inner one."""
-    u, (left, right) = member.kind.motion, sides
+    u, (left, right) = member.kind.letter, sides
     acting = [(node, RATES[kind][part].format(u=u) if j == i else Name(scene.q[j].name + "'" * (2 - kind)))
               for kind, matrix in enumerate(matrices) for (row, j), node in matrix.items() if row == i]
     acting += [(-node, told) for node, told in _pulls(i, pieces, scene) if told[1].text != f" of {member.name}"]
@@ -247,7 +269,7 @@ def _pulls(i, pieces, scene):
     for placed in pieces:
         signs = SIGNS[2 if placed.piece.bending.is_zero else 4]
         for end, place in enumerate((placed.start, textbook(placed.start + placed.piece.length))):
-            forces = _forces(placed, end, scene.members[placed.owner].kind.motion)
+            forces = _forces(placed, end, scene.members[placed.owner].kind.letter)
             for terms, sign, row in zip(forces, signs, placed.rows[end * len(signs):], strict=False):
                 if i in row:
                     for node, text in terms:

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
 MOVES = {"slide": "displacement", "pin": "rotation", "roll": "rolling", "turn": "rotation"}
 
-OF_MEMBERS = {"u": "displacement", "along": "displacement along", "phi": "turn", "slope": "slope",
-              "oscillator": "oscillator"}
+OF_MEMBERS = {"u": "displacement", "along": "displacement along", "across": "displacement across", "phi": "turn",
+              "slope": "slope", "oscillator": "oscillator"}
 
 
 def given(problem: "Problem", _: "Report") -> Iterator[Section]:
@@ -67,7 +67,7 @@ def _on_member(name):
     """A coordinate that a member brings, in words."""
     signal, bracket, place = name.partition("(")
     member, _, part = signal.partition(".")
-    return f"{OF_MEMBERS[part]} of {member} at {place.rstrip(')')}" if bracket else ""
+    return f"{OF_MEMBERS[part]} of {member} at {place.removesuffix(')')}" if bracket else ""
 
 
 def _no_freedom(problem):

@@ -33,11 +33,22 @@ def frequencies(problem: "Problem", report: "Report") -> Iterator[Section]:
     same = repeated(found)
     rows = [mode_row(mode, modal.zero_modes.get(mode.index), mode.index in same) for mode in found]
     head = ("mode", "ω [rad/s]", "f [Hz]", "T [s]", "relative error ≤", "")
+    doubts = [] if report.tells("Equilibrium") else list(map(paragraph, _doubts(problem)))
     if not modal.modes.finite:
-        yield from _of_members(problem, found, head, rows)
+        yield from _of_members(problem, found, head, rows, doubts)
         return
     damped = "of the undamped system" if modal.damped else "undamped"
-    yield from section(f"Natural frequencies ({damped})", TableBlock(head, tuple(rows)), _form(problem))
+    yield from section(f"Natural frequencies ({damped})", TableBlock(head, tuple(rows)), _form(problem),
+                       *doubts)
+
+
+def _doubts(problem):
+    """What makes the theory of members doubtful, where no equilibrium is told that says it."""
+    if not problem.scene.members:
+        return []
+    from vibcli.mechanics.member_warnings import member_warnings
+
+    return member_warnings(problem.configuration)
 
 
 def _counted(modes, found):
@@ -54,7 +65,7 @@ def _counted(modes, found):
     return paragraph(f"J = {count} just above ω{lowered(last.index)}{close}: none is missing")
 
 
-def _of_members(problem, found, head, rows):
+def _of_members(problem, found, head, rows, doubts):
     """The table of those without end, with wave numbers and the count that proves it complete."""
     from vibcli.report.sections.member_modes import wave_numbers
 
@@ -65,7 +76,7 @@ def _of_members(problem, found, head, rows):
     elements = problem.configuration.linear_system
     damped = elements.dampers or elements.C or any(placed.piece.drag for placed in elements.pieces)
     yield from section(f"Natural frequencies ({'of the undamped system' if damped else 'undamped'})",
-                       TableBlock(head, tuple(rows)), _counted(problem.modal.modes, found))
+                       TableBlock(head, tuple(rows)), _counted(problem.modal.modes, found), *doubts)
 
 
 def _form(problem):

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from tests.support.random_members import at_rest, random_members
+from tests.support.scenes import problem
 from vibcli.analyses.continuous.argument_count import zeros_within
 from vibcli.analyses.continuous.damped_source import DampedModes
 from vibcli.analyses.continuous.dynamic_matrix import dynamic_matrix
@@ -44,7 +45,7 @@ def exact(r, count):
     return sorted(found, key=abs)[:count]
 
 
-@pytest.mark.parametrize("r", [1e-3, 0.3, 0.5, 0.9, 0.99, 1.01, 1.5, 4.0, 100.0])
+@pytest.mark.parametrize("r", [1e-3, 0.3, 0.5, 0.9, 0.99, 0.9999, 1.0001, 1.01, 1.5, 4.0, 100.0])
 def test_a_bar_with_an_end_damper(r):
     found = source(bar(r)).numbered(1, 12)
     near = max(1e-13, 2e-15 / abs(1 - r))       # as r is given
@@ -70,6 +71,12 @@ def test_a_matched_damper_lets_nothing_come_back():
 def test_what_hardly_comes_back_ends_in_a_refusal():
     with pytest.raises(PhysicsError):
         source(bar(1.0 + 1e-12)).numbered(1, 3)
+
+
+def test_a_matrix_that_is_singular_in_floats_leaves_the_count_open():
+    scene = problem("bars: {rod: {length: 1 m, EA: 1 N, mass_per_length: 1 kg/m, right: {c: 1 N*s/m}}}")
+    matrix = dynamic_matrix(scene.configuration.linear_system)
+    assert zeros_within(matrix, 3.0) == 1 and zeros_within(matrix, 600.0) is None
 
 
 def test_a_free_bar_rests_once():
@@ -179,3 +186,29 @@ def test_drag_below_rounding_is_not_lost():
     beam = Piece(1.3, 2.0, 0.0, 0.0, 0.7, 1e-18, 0.0)
     found = source(FactoredSystem(2, pieces=[member(beam, {}, {}, {0: 1.0}, {1: 1.0})])).numbered(1, 4)
     assert [mode.decay for mode in found] == pytest.approx([1e-18 / 1.4] * 4, rel=1e-6, abs=0.0)
+
+
+def test_gyroscopic_terms_and_a_damper_beside_a_bar():
+    """(EA β cot βL + k + c s + s²)(k + s²) + (mΩs)² = 0, s = iβ√(EA/μ), by mpmath."""
+    damped = problem("""
+    parameters: {m: 2 kg, Om: 2 rad/s, k: 100 N/m}
+    coordinates: {x: m, y: m}
+    bodies: {a: {mass: 1 kg, slide: x}, b: {mass: 1 kg, slide: y}}
+    energies: {T: "m*Om*(x*y' - y*x')/2"}
+    springs: {s: {k: k, between: [a, ground]}, t: {k: k, between: [b, ground]}}
+    dampers: {d: {c: 0.5 N*s/m, between: [a, ground]}}
+    bars: {r: {length: 1 m, EA: 10 N, mass_per_length: 1 kg/m, left: clamped, right: {clamped: a}}}
+""").modal.damped.first(3)
+    assert [mode.eigenvalue for mode in damped] == pytest.approx([
+        -0.0820408410146647 + 7.47298755764236j, -2.93316539434232e-5 + 9.97095433360192j,
+        -0.124744261031225 + 12.9664673858409j], rel=1e-13)
+
+
+def test_rounding_in_a_mode_all_of_whose_nodes_rest_is_no_damping():
+    found = problem("""
+        beams: {w: {length: 1 m, EI: 100 N*m^2, mass_per_length: 1 kg/m, left: clamped, attached: [
+          {at: 1 m, k: 40 N/m}, {at: 0.5 m, c: 3 N*s/m}, {at: 0.9 m, torsion: 4 N*m/rad}]}}
+        bars: {b: {length: 1 m, EA: 100 N, mass_per_length: 1 kg/m, left: clamped, right: clamped, attached: [
+          {at: 0.5 m, k: 50 N/m}]}}
+        """).modal.damped
+    assert [mode.zeta == 0 for mode in found.first(3)] == [True, False, True]

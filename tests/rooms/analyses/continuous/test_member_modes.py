@@ -81,6 +81,17 @@ def test_a_scene_without_coordinates_has_modes():
     assert value(scene, "stable") is True
 
 
+@pytest.mark.parametrize("further", [", right: {c: 3 N*s/m}", ", drag: 3 Pa*s"])
+def test_the_frequency_equation_leaves_dampers_out_and_says_so(further):
+    assert "Frequency equation (of the undamped system)" in told(problem(BAR % further), "frequency_equation")
+    assert "Frequency equation\n" in told(problem(BAR % ""), "frequency_equation")
+
+
+def test_a_tension_that_varies_has_no_wave_number():
+    chain = "{from: [0 m, 0 m], to: [0 m, -2 m], mass_per_length: 1 kg/m, left: clamped}"
+    assert "β" not in told(problem(f"gravity: 9.81 m/s^2\nstrings: {{chain: {chain}}}"), "frequencies")
+
+
 def test_nothing_moves_where_nothing_can():
     with pytest.raises(PhysicsError, match="nothing moves in this scene"):
         value(problem("    bars: {rod: {length: 2 m, EA: 2e6 N, left: clamped, right: clamped}}"), "omega[1]")
@@ -163,3 +174,37 @@ def test_what_no_spring_touches_is_free_beside_what_moves_along_a_bar():
 """).modal.modes
     assert [modes[i].omega for i in range(4)] == [0.0] * 4 < [modes[4].omega]
     assert modes[4].omega == pytest.approx(sqrt(30 / 4), rel=1e-13)
+
+
+def test_a_thick_beam_is_told_once_whether_an_equilibrium_is_told_or_not():
+    scene = problem("beams: {arm: {length: 1 m, E: 11 GPa, rho: 600 kg/m^3, section: {rectangle: [0.3 m, 0.15 m]}, "
+                    "left: clamped}}")
+    for names in (("frequencies",), ("equilibrium", "frequencies", "modes")):
+        assert told(scene, *names).count("'arm' is thick: L/h is 6.67") == 1
+
+
+def test_a_beam_that_sags_far_is_told_once_whether_an_equilibrium_is_told_or_not():
+    """The slope at the free end of a cantilever under its weight is μgL³/(6EI)."""
+    scene = problem("gravity: 10 m/s^2\nbeams: {arm: {from: [0, 0], to: [1 m, 0], EI: 3 N*m^2, "
+                    "mass_per_length: 0.9 kg/m, left: clamped}}")
+    for names in (("frequencies",), ("equilibrium", "frequencies", "modes")):
+        assert told(scene, *names).count("'arm' turns by 0.5 rad in equilibrium") == 1
+
+
+ROD = """
+    parameters: {L: , EA: , mu: }
+    bars:
+      rod: {left: clamped, %s}
+      %s
+"""
+
+
+@pytest.mark.parametrize(("rod", "more", "written"), [
+    ("segments: [{length: L, EA: EA, mass_per_length: mu}, {length: 2*L, EA: EA, mass_per_length: 3*mu}]", "",
+     "∫μ·X_i·X_j·dx (0 < x < L) + ∫3·μ·X_i·X_j·dx (L < x < 3·L) = 0"),
+    ("length: L, EA: EA, mass_per_length: mu",
+     "more: {left: {clamped: rod, at: L}, length: L, EA: 2*EA, mass_per_length: mu}",
+     "∫μ·X_i·X_j·dx (rod) + ∫μ·X_i·X_j·dx (more) = 0")])
+def test_orthogonality_tells_on_which_stretch_and_member_each_integral_is(rod, more, written):
+    """By parts on every stretch: the forces between them cancel, whatever stretches belong together."""
+    assert written in told(problem(ROD % (rod, more)), "frequency_equation")

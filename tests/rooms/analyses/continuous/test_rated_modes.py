@@ -38,3 +38,17 @@ def test_a_series_goes_through_its_modes():
 def test_more_digits():
     modal = of("{modal: 2 %}").modal
     assert abs(modal.damped_to(30).first(1)[0].eigenvalue.real + modal.modes_to(30).first(1)[0].omega / 50) < 1e-28
+
+
+def test_what_nothing_holds_has_two_eigenvalues():
+    modal = problem(SCENE.replace(", left: clamped", "").replace("{DAMPING}", "{proportional: [4 s^-1, 1e-3 s]}")).modal
+    assert [mode.eigenvalue for mode in modal.damped.first(2)] == [0, -4, 0, -4]
+
+
+def test_what_grows_has_two_eigenvalues():
+    modal = problem(SCENE.replace("left: clamped", "left: pinned, right: pinned, preload: -pi^2*EI/L^2*1.5")
+                    .replace("{DAMPING}", "{proportional: [4 s^-1, 1e-3 s]}")).modal
+    g = modal.modes.first(1)[0].growth_rate
+    half = (4 - 1e-3 * g**2) / 2
+    root = cmath.sqrt(half**2 + g**2)
+    assert [mode.eigenvalue for mode in modal.damped.first(1)] == pytest.approx([root - half, -root - half], rel=1e-12)

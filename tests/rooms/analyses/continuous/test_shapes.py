@@ -7,7 +7,7 @@ import pytest
 from tests.support.moved_pieces import moved_pieces
 from tests.support.random_members import at_rest, random_members
 from vibcli.analyses.continuous.mode_source import NaturalModes
-from vibcli.analyses.continuous.shapes import antinodes, nodes, shape_along
+from vibcli.analyses.continuous.shapes import Moved, antinodes, resting_and_turning, shape_along
 from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
 from vibcli.numerics.pieces.piece import Piece
 
@@ -21,7 +21,7 @@ def modes_of(n, *rows, piece=BEAM):
 
 def test_nodes_and_antinodes_of_a_cantilever():
     modes = modes_of(2, ({}, {}, {0: 1.0}, {1: 1.0}))
-    found = [nodes(moved_pieces(mode, "member")) for mode in modes]
+    found = [resting_and_turning(moved_pieces(mode, "member"))[0] for mode in modes]
     assert [len(places) for places in found] == [0, 1, 2, 3]
     with mpmath.workdps(40):
         b = mpmath.findroot(lambda x: 1 + mpmath.cos(x) * mpmath.cosh(x), 4.69)
@@ -29,13 +29,48 @@ def test_nodes_and_antinodes_of_a_cantilever():
         shape = lambda x: mpmath.cosh(b*x) - mpmath.cos(b*x) - ratio * (mpmath.sinh(b*x) - mpmath.sin(b*x))  # noqa: E731
         node, top = mpmath.findroot(shape, 0.78), mpmath.findroot(lambda x: mpmath.diff(shape, x), 0.47)
     assert found[1] == pytest.approx([float(node)], rel=4e-15)
-    assert antinodes(moved_pieces(modes[1], "member")) == pytest.approx([float(top)], rel=4e-15)
+    moved = moved_pieces(modes[1], "member")
+    assert antinodes(moved, resting_and_turning(moved)[1]) == pytest.approx([float(top), 1.0], rel=4e-15)
+
+
+@pytest.mark.parametrize("seed", range(0, 40, 3))
+def test_antinodes_are_the_tops_of_the_absolute_displacement(seed):
+    system = random_members(seed)
+    starts = np.cumsum([0.0, *(placed.piece.length for placed in system.pieces)])
+    placed = [piece._replace(start=start) for piece, start in zip(system.pieces, starts, strict=False)]
+    for mode in NaturalModes(system.with_parts(pieces=placed)).numbered(1, 5):
+        pieces = moved_pieces(mode, "member")
+        places = np.linspace(0.0, starts[-1], 20001)
+        size = np.abs(shape_along(pieces, places)[:, 0])
+        if np.ptp(size) > 1e-3 * size.max():
+            higher = np.concatenate([[True], size[1:] > size[:-1]]), np.concatenate([size[:-1] >= size[1:], [True]])
+            tops = places[higher[0] & higher[1] & (size > 1e-6 * size.max())]
+            found = antinodes(pieces, resting_and_turning(pieces)[1])
+            assert found == pytest.approx(tops.tolist(), abs=2 * places[1]), mode.index
+
+
+@pytest.mark.parametrize("order", [2, 4])
+def test_a_node_is_found_wherever_it_falls(order):
+    """What is odd about the middle is exactly zero there, which may be a place that is looked at."""
+    for k in np.linspace(0.1, 3.0, 60):
+        slope = k * np.cos(k / 2)
+        piece, ends = (Piece(1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0), [-1.0, 1.0]) if order == 2 else (
+            BEAM, [-np.sin(k / 2), slope, np.sin(k / 2), slope])
+        moved = Moved(0.0, piece, -k**order, np.array(ends), False)
+        assert resting_and_turning([moved])[0] == pytest.approx([0.5], abs=1e-12)
+
+
+def test_where_a_bar_moves_least_is_no_antinode():
+    """On a bed stiffer than the frequency u is a hyperbolic cosine, largest at the ends that springs drive."""
+    piece = Moved(0.0, Piece(1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 9.0), 5.0, np.array([1.0, 1.0]), False)
+    assert resting_and_turning([piece])[1] == pytest.approx([0.5])
+    assert antinodes([piece], resting_and_turning([piece])[1]) == [0.0, 1.0]
 
 
 def test_supports_are_no_nodes_and_modes_at_rest_at_joints_have_a_shape():
     modes = modes_of(3, ({}, {0: 1.0}, {}, {1: 1.0}), ({}, {1: 1.0}, {}, {2: 1.0}))
-    assert [nodes(moved_pieces(mode, "member")) for mode in modes[:2]] == [[], []]
-    assert nodes(moved_pieces(modes[2], "member")) == pytest.approx([0.5, 1.5], abs=1e-12)
+    assert [resting_and_turning(moved_pieces(mode, "member"))[0] for mode in modes[:2]] == [[], []]
+    assert resting_and_turning(moved_pieces(modes[2], "member"))[0] == pytest.approx([0.5, 1.5], abs=1e-12)
     bar = modes_of(0, ({}, {}), piece=Piece(1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0))
     assert np.abs(shape_along(moved_pieces(bar[0], "member"), [0.0, 0.25, 1.0])[:, 0]) == pytest.approx(
         [0, 1, 0], abs=1e-14)

@@ -1,18 +1,23 @@
 """Closed forms of uniform members: against mpmath, and against the count that serves all others."""
 
+import itertools
 import math
 
 import mpmath
 import numpy as np
 import pytest
+from support.scenes import problem
 
 from tests.support.moved_pieces import moved_pieces
 from tests.support.random_members import at_rest
+from vibcli.analyses.continuous.mode_fields import ModeFields
 from vibcli.analyses.continuous.mode_source import NaturalModes
 from vibcli.analyses.continuous.shapes import shape_along
 from vibcli.analyses.continuous.uniform_members import GUIDED, PINNED, UniformMember
 from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
 from vibcli.numerics.pieces.piece import Piece
+from vibcli.quantities.modal import SHAPE
+from vibcli.symbolic.evaluation import Floats
 
 CLAMPED, FREE = (False, False), (True, True)
 BEAM = Piece(1.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0)
@@ -60,15 +65,76 @@ def test_closed_forms_are_what_counting_finds(order):
                         assert np.abs(one.shape) == pytest.approx(np.abs(other.shape), rel=1e-9)
 
 
-def test_shapes_of_high_modes():
-    modes = source(BEAM, (CLAMPED, FREE)).numbered(1, 1000)
-    assert [abs(mode.shape[0]) for mode in modes] == pytest.approx([2] * 1000, rel=1e-13)
-    x = np.array([0.1, 0.37, 0.5, 0.93])
-    mode = modes[299]
-    with mpmath.workdps(900):
-        b = mpmath.findroot(EQUATIONS[CLAMPED, FREE], math.sqrt(mode.omega))
-        ratio = (mpmath.cosh(b) + mpmath.cos(b)) / (mpmath.sinh(b) + mpmath.sin(b))
-        exact = [float(mpmath.cosh(b * y) - mpmath.cos(b * y) - ratio * (mpmath.sinh(b * y) - mpmath.sin(b * y)))
-                 for y in map(mpmath.mpf, x.tolist())]
-    found = shape_along(moved_pieces(mode, "member"), x)[:, 0]
-    assert np.abs(found) == pytest.approx(np.abs(exact), abs=4e-13)
+def exact_shape(ends, phase, shares):
+    """(u, u′, u″, u‴) by the share of the length at such shares of it, in mpmath: what the ends leave of four waves."""
+    at, far = waves(phase, mpmath.mpf(0)), waves(phase, mpmath.mpf(1))
+    rows = [row for place, moves in ((at, ends[0]), (far, ends[1])) for row in (
+        place[3 if moves[0] else 0], place[2 if moves[1] else 1])]
+    # The second wave is not left out in any shape but that of rollers alone, which is all of the first.
+    known = 0 if ends[0] in (GUIDED, FREE) else 1
+    others = [k for k in range(4) if k != known]
+    matrix = mpmath.matrix([[row[k] for k in others] for row in rows])
+    found = mpmath.lu_solve(matrix, mpmath.matrix([-row[known] for row in rows]))       # least squares
+    parts = dict(zip(others, found, strict=True)) | {known: mpmath.mpf(1)}
+    return [[sum(parts[k] * row[k] for k in range(4)) for row in waves(phase, share)] for share in shares]
+
+
+def waves(phase, share):
+    """cos, sin, cosh and sinh of βx and their derivatives, four rows."""
+    angle = phase * share
+    c, s, C, S = mpmath.cos(angle), mpmath.sin(angle), mpmath.cosh(angle), mpmath.sinh(angle)
+    rows = (c, s, C, S), (-s, c, S, C), (-c, -s, C, S), (s, -c, S, C)
+    return [[phase**k * value for value in row] for k, row in enumerate(rows)]
+
+
+@pytest.mark.parametrize("number", [1, 2, 300])
+def test_shapes_at_any_place_to_the_last_digits(number):
+    x = np.random.default_rng(number).uniform(0, 1.3, 4)
+    piece = Piece(1.3, 1.7, 0.0, 0.0, 1.2, 0.0, 0.0)
+    for ends in itertools.product((CLAMPED, PINNED, GUIDED, FREE), repeat=2):
+        modes = source(piece, ends)
+        rough = float(modes.uniform.wave_numbers(np.array([number]))[0])
+        found = shape_along(moved_pieces(modes.numbered(*2 * (modes.uniform.resting + number,))[0], "member"), x)
+        with mpmath.workdps(int(60 + 0.9 * rough)):
+            phase = mpmath.findroot(condition(ends), rough)
+            shares = [mpmath.mpf(place) / mpmath.mpf(1.3) for place in x.tolist()]
+            exact = np.array(exact_shape(ends, phase, shares), object)
+            top = np.abs(exact[:, 0]).argmax()
+            exact = exact * (found[top, 0] / exact[top, 0]) / mpmath.mpf(1.3) ** np.arange(4)
+        assert (np.abs(found - exact) <= 1e-15 * np.abs(exact).max(axis=0)).all(), ends
+
+
+def condition(ends):
+    """The frequency equation of a beam with these ends."""
+    kinds = set(ends)
+    if kinds <= {PINNED, GUIDED}:
+        return mpmath.sin if len(kinds) == 1 else mpmath.cos
+    if PINNED in kinds or GUIDED in kinds:
+        return EQUATIONS[(CLAMPED, PINNED) if PINNED in kinds else (GUIDED, FREE)]
+    return EQUATIONS[(FREE, FREE) if len(kinds) == 1 else (CLAMPED, FREE)]
+
+
+def test_shapes_of_general_members_are_as_near_as_their_frequencies():
+    """What ω is off turns a wave by as much of its phase: a part βL eps of the largest value, and no more."""
+    piece = Piece(0.65, 1.7, 0.0, 0.0, 1.2, 0.0, 0.0)
+    rows = [({}, {}, {0: 1.0}, {1: 1.0}), ({0: 1.0}, {1: 1.0}, {2: 1.0}, {3: 1.0})]
+    halves = [PlacedPiece("member", i * 0.65, piece, row, at_rest(piece, row)) for i, row in enumerate(rows)]
+    x = np.linspace(0, 1.3, 41)
+    for number in (1, 4, 30, 300):
+        whole = source(piece._replace(length=1.3), (CLAMPED, FREE)).numbered(number, number)
+        parts = NaturalModes(FactoredSystem(4, pieces=halves)).numbered(number, number)
+        exact, found = (shape_along(moved_pieces(mode[0], "member"), x)[:, 0] for mode in (whole, parts))
+        phase, top = (number - 0.5) * np.pi, np.abs(exact).argmax()
+        off = np.abs(found * np.sign(found[top] * exact[top]) - exact).max()
+        assert off <= (8e-15 + 4 * phase * 2.0**-52) * np.abs(exact).max()
+
+
+@pytest.mark.parametrize("more", ["", "points: {mid: {body: a, at: 0.5 m}}\n"])
+def test_values_of_high_modes_are_off_by_no_more_than_told(more):
+    """At a place that is no double itself, in a mode whose waves are many."""
+    scene = problem("beams: {a: {length: 1.2 m, EI: 4 kN*m^2, mass_per_length: 3 kg/m, left: pinned, right: pinned}}\n"
+                    + more)
+    mode = NaturalModes(scene.configuration.linear_system).numbered(200_000, 200_000)[0]
+    fields = ModeFields(mode, scene.scene.resting, Floats, scene.configuration.at_rest)
+    exact = 0.75**0.5 * (2 / (3 * 1.2)) ** 0.5
+    assert abs(abs(fields.at("a", 0.4)[0]) - exact) <= SHAPE * fields.size("a", 0)

@@ -95,3 +95,16 @@ def test_many_digits_and_many_pieces():
     found, _ = stiffness_and_slope(together, -2.0)
     for one, piece in zip(found, pieces, strict=True):
         assert np.allclose(one, stiffness_and_slope(piece, -2.0)[0], rtol=1e-12)
+
+
+@pytest.mark.parametrize(("tension", "gradient"), [(4.9, 3.9), (12.7, -3.9), (0.0, 3.9)])
+def test_ends_that_do_not_feel_each_other(tension, gradient):
+    """u ~ e^(∓∫√(κ/N) dx) (κ N)^(−1/4) (Wentzel, Kramers, Brillouin): N u′/u = √(κ N) ∓ n/4 + O(1/√κ)."""
+    length, kappa = 2.0, np.array([1e8, 1e18])
+    d, slope = stiffness_and_slope(Piece(length, 0.0, tension, gradient, 0.4, 0.0, 0.0), kappa)
+    for end, sign in ((0, 1), (1, -1)):
+        here = tension + gradient * length * end
+        if here:
+            assert d[:, end, end] == pytest.approx(np.sqrt(kappa * here) + sign * gradient / 4, rel=1e-8)
+            assert slope[:, end, end] == pytest.approx(np.sqrt(here / kappa) / 2, rel=1e-7)
+    assert (abs(d[:, 0, 1]) <= 1e-15 * d[:, 1, 1]).all()

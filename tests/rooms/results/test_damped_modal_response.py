@@ -1,0 +1,122 @@
+"""Motions in time of members with dampers by damped modes: against waves, modes by themselves, Laplace's integral."""
+
+from math import factorial
+
+import numpy as np
+import pytest
+from support.scenes import problem
+
+from vibcli.base.errors import PhysicsError
+from vibcli.language.signals_of_places import with_places
+from vibcli.results import damped_modal_response
+from vibcli.results.damped_modal_response import DampedModalResponse
+from vibcli.results.modal_response import ModalResponse
+from vibcli.results.wave_response import WaveResponse
+from vibcli.symbolic.parser import parse
+
+TIMES = np.array([0.03, 0.37, 1.93, 4.1])
+BEAM = "parameters: {L: 1 m, EI: 1 N*m^2, mu: 1 kg/m}\nbeams:\n  arm: {length: L, EI: EI, mass_per_length: mu, %s}\n"
+TIP = BEAM % "left: clamped, right: {c: 0.7 N*s/m}" + "points: {tip: {body: arm, at: L}}\n"
+
+
+def signal(response, scene, text):
+    return response(scene).signal(with_places(parse(text), scene.spec.members))
+
+
+def compared(text, name, other, near):
+    scene = problem(text)
+    expected, found = signal(other, scene, name).values(TIMES), signal(DampedModalResponse, scene, name)
+    off, size = np.abs(found.values(TIMES) - expected), np.abs(expected).max()
+    assert off.max() <= near * size
+    assert (off <= [found.error(t) + 1e-13 * size for t in TIMES]).all()
+
+
+BARS = {"damped at its end": """\
+    parameters: {L: 1 m, E: 1 Pa, A: 1 m^2, rho: 1 kg/m^3}
+    bars: {rod: {length: L, E: E, A: A, rho: rho, left: clamped, right: {c: 0.5 N*s/m}}}
+    points: {mid: {body: rod, at: 0.4*L}}
+    forces: {push: {at: mid, force: 1 N*(t/(1 s))^2*exp(-t/(0.5 s))}}
+    initial: {rod.u': 0.2 m/s*x/L}
+    """, "free": """\
+    parameters: {L: 1 m, E: 1 Pa, A: 1 m^2, rho: 1 kg/m^3}
+    bars: {rod: {length: L, E: E, A: A, rho: rho, attached: [{at: 0, mass: 0.5 kg}, {at: L, c: 2.5 N*s/m}]}}
+    points: {mid: {body: rod, at: 0.4*L}}
+    forces: {push: {at: mid, force: 1 N*sin(3 rad/s*t)}}
+    initial: {rod.u': 0.2 m/s*x/L}
+    """}
+
+
+@pytest.mark.parametrize("kind", BARS)
+def test_damped_modes_agree_with_waves(kind, monkeypatch):
+    monkeypatch.setattr(damped_modal_response, "MANY", 300)
+    compared(BARS[kind], "rod.u(0.2*L)", WaveResponse, 3e-5)
+
+
+def test_a_string_on_a_shaken_hand_agrees_with_waves(monkeypatch):
+    monkeypatch.setattr(damped_modal_response, "MANY", 300)
+    compared("""\
+        parameters: {L: 3 m, N: 90 N, mu: 0.1 kg/m}
+        bodies: {hand: {slide: 2 cm*sin(4 rad/s*t)}}
+        strings: {cord: {length: L, preload: N, mass_per_length: mu, left: {clamped: hand}, right: {c: 1 N*s/m}}}
+        """, "cord.u(L/3)", WaveResponse, 1e-5)
+
+
+def test_drag_that_damps_each_mode_by_itself():
+    compared(BEAM % "drag: 3 N*s/m^2, left: pinned, right: pinned" + "initial: {arm.u: 2 mm*sin(pi*x/L)^3}\n",
+             "arm.u(0.3*L)", ModalResponse, 1e-12)
+
+
+def transfer(s, c):
+    """u/F at the end of a cantilever with a damper there."""
+    b = (-s * s + 0j)**0.25
+    ch, sh, co, si = np.cosh(b), np.sinh(b), np.cos(b), np.sin(b)
+    own = (si * ch - co * sh) / (b**3 * (1 + co * ch))
+    return own / (1 + c * s * own)
+
+
+def test_a_smooth_push_at_a_damper_by_the_integral_of_bromwich():
+    found = signal(DampedModalResponse, problem(TIP + "forces: {pull: {at: tip, force: 1 N*(t/(1 s))^6*exp(-4*t/(1 s))}"
+                                                      "}\n"), "arm.u(L)")
+    step = np.pi / 16
+    s = 6.0 + 1j * np.arange(-3000.0, 3000.0, step)
+    image = transfer(s, 0.7) * factorial(6) / (s + 4)**7
+    expected = [np.real(image @ np.exp(s * t)) * step / (2 * np.pi) for t in TIMES[:3]]
+    assert np.abs(found.values(TIMES[:3]) - expected).max() <= 1e-12 * max(expected)
+    assert max(found.error(t) for t in TIMES) <= 1e-11 * max(expected)
+
+
+def test_a_cantilever_let_go_at_its_damper():
+    """u at rest is F/3 less what a step brings; its mean with a smooth weight by the same integral."""
+    found = signal(DampedModalResponse, problem(TIP + "forces: {pull: {at: tip, force: 1 N}}\n"
+                                                      "initial: {released: pull}\n"), "arm.u(L)")
+    assert abs(found.values(np.array([0.0]))[0] - 1 / 3) <= found.error(0.0) <= 1e-10
+    s = 2.0 + 1j * np.arange(-300.0, 300.0, np.pi / 12)
+    t, fine = (np.linspace(0.0, 2.0, n + 1) for n in (4000, 20_000))
+    felt = np.exp(np.outer(s, t)) @ (t * (2 - t))**6 / 2000
+    expected = np.real(((1 / 3 - transfer(s, 0.7)) / s) @ felt) / 24
+    assert found.values(fine) @ (fine * (2 - fine))**6 / 10_000 == pytest.approx(expected, abs=1e-11)
+    time, lowest = found.extreme(0.0, 3.0, -1)
+    assert lowest == pytest.approx(found.values(np.linspace(time - 1e-3, time + 1e-3, 1001)).min(), abs=1e-12)
+
+
+def test_two_members_alike_have_each_damped_mode_twice(monkeypatch):
+    monkeypatch.setattr(damped_modal_response, "MANY", 300)
+    leg = BEAM.replace("arm", "leg").split("beams:\n")[1] % "left: clamped, right: {c: 0.7 N*s/m}"
+    start = "initial: {arm.u: 1 mm*(x/L)^2}\n"
+    one = signal(DampedModalResponse, problem(TIP + start), "arm.u(L)")
+    two = problem(TIP.replace("points", leg + "points") + start)
+    for name, expected in (("arm.u(L)", one.values(TIMES)), ("leg.u(L)", 0.0)):
+        found = signal(DampedModalResponse, two, name)
+        off = np.abs(found.values(TIMES) - expected)
+        assert off.max() <= 1e-9 and (off <= [found.error(t) + one.error(t) for t in TIMES]).all()
+
+
+def test_what_lets_no_wave_come_back_is_told():
+    scene = problem("""\
+        parameters: {L: 1 m, N: 4 N, mu: 1 kg/m}
+        strings: {cord: {length: L, preload: N, mass_per_length: mu, drag: 0.1 N*s/m^2, left: clamped,
+                         right: {c: 2 N*s/m}}}
+        initial: {cord.u: 1 mm*sin(pi*x/L/2)}
+        """)
+    with pytest.raises(PhysicsError, match="no wave comes back"):
+        signal(lambda one: one.response, scene, "cord.u(L)").values(TIMES)

@@ -1,0 +1,68 @@
+"""Where damped modes of members are looked for: along the imaginary axis, between places to which waves turn by a part
+of π on all pieces together; along rays for what decays faster; and where pieces vibrate with their ends held.
+"""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from vibcli.analyses.continuous.damped_series import DampedSeries, Known
+    from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix
+    from vibcli.mechanics.factored_system import PlacedPiece
+
+RAYS, TURNS = 60, 7     # estimates on each of so many rays from the negative real axis on
+
+
+def estimates(matrix: "DynamicMatrix", known: "Known | DampedSeries", count: int, effort: int) -> np.ndarray:
+    """Points from which roots beyond those known are looked for, about `count`; effort: times as many."""
+    phases = np.arange(0.0, count + matrix.n + 4 * len(matrix.pieces), 0.5 / effort)
+    line = _where_waves_turn(matrix.pieces, np.pi * phases)
+    line = line[line > 0.8 * known.radius]
+    if not len(line):
+        return np.zeros(0, complex)
+    tail = known.rates[known.rates.imag > 0][-4:].real
+    decay = float(tail.mean()) if len(tail) else 0.0
+    rows = [decay + 1j * line[::2], 1j * line[1::2], *(-line[0] / 16 * k + 1j * line for k in range(1, effort))]
+    rays = np.geomspace(0.9 * known.radius, line[-1], RAYS * effort)
+    turned = np.exp(1j * np.pi * (1 - np.arange(TURNS) / (2 * TURNS)))
+    return np.concatenate([*rows, np.outer(turned, rays).ravel()])
+
+
+def inner_estimates(pieces: "Sequence[PlacedPiece]", low: float, high: float) -> np.ndarray:
+    """Where pieces vibrate with their ends held, or nearly so: low < |s| < high."""
+    found = [np.zeros(0, complex)]
+    for one in (placed.piece for placed in pieces):
+        last = int(one.length * float(_wave_number(one, np.float64(high))) / np.pi) + 1
+        k = np.pi * (np.arange(1, last + 1) + (0.5 if one.order == 4 else 0.0)) / one.length
+        stiff = one.foundation + (one.tension + one.gradient * one.length / 2) * k**2 + one.bending * k**4
+        s = (np.sqrt(one.drag**2 - 4 * one.inertia * stiff + 0j) - one.drag) / (2 * one.inertia)
+        found.append(s[(abs(s) > 0.8 * low) & (abs(s) < high)])
+    return np.concatenate(found)
+
+
+def _where_waves_turn(pieces, phases):
+    """ω at which Σ k l is each of these."""
+    def turned(omega):
+        return sum((one.piece.length * _wave_number(one.piece, omega) for one in pieces), 0 * omega)
+
+    low, high = np.zeros(len(phases)), np.ones(len(phases))
+    while (turned(high) < phases).any():
+        high = high * 4
+    for _ in range(60):
+        middle = (low + high) / 2
+        short = turned(middle) < phases
+        low, high = np.where(short, middle, low), np.where(short, high, middle)
+    return high
+
+
+def _wave_number(piece, omega):
+    """k of waves with B k⁴ + N k² = μ ω² − κ; 0 where none travel."""
+    tension, inertia = piece.tension + piece.gradient * piece.length / 2, piece.inertia * omega**2 - piece.foundation
+    inertia = np.maximum(inertia, 0.0)
+    if piece.order == 2:
+        return np.sqrt(inertia / tension)
+    square = np.sqrt(tension**2 + 4 * piece.bending * inertia) - tension
+    return np.sqrt(np.maximum(square, 0.0) / (2 * piece.bending))

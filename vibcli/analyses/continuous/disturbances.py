@@ -1,0 +1,200 @@
+"""How far loads and the start of a motion set modes in motion that are not counted.
+
+E = √(η² + η̇²/ω²) of a mode that nothing drives never grows. What drives it steadily is, with x = s/ω of the load,
+
+    η = (b/ω²) f/(1 + 2ζ x + x²) = (b/ω²) Σ uₘ f⁽ᵐ⁾/ωᵐ,      |uₘ| ≤ those of 1/(1 − 2ζ x − x²)
+
+so that a bend of the load adds to E at most (|b|/ω²) Σ (uₘ + uₘ₋₁) |Δf⁽ᵐ⁾|/ωᵐ, and an impulse |b| I/ω.
+"""
+
+from collections.abc import Sequence
+from math import comb, e, inf, log, perm, sqrt
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from vibcli.analyses.continuous.uncounted_modes import POWERS, size_of
+
+if TYPE_CHECKING:
+    from vibcli.analyses.continuous.uncounted_modes import UncountedModes
+    from vibcli.analyses.excitation.forcing import Segment, Wave
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+
+HIGHEST = 6         # power of 1/ω that is told apart
+LARGEST = 0.6       # x (2ζ + x) of a load whose series is taken
+SMALL = 1e-18       # of the first term: where the series ends
+ROUNDING = 1e-12    # of a load: what is no bend
+FADING = 0.9        # ratio up to which E falls by √((1 + ζ)/(1 − ζ)) e^{−ζωt} at least
+CREEPING = 1.25     # ratio from which on it creeps
+GAINED = 2          # powers of 1/ω that even damping brings
+SLOWER = 2.0        # times e^{−rt/2} it falls at least, whatever ζ, r being the slower rate
+
+
+class Start(NamedTuple):
+    """What a motion begins with: the loads that would hold its displacements, and those that would hold its rates,
+    (2, channels); of all else, spread along members, √(Σ b²/ω²ᵖ) of both at each of POWERS, (2, POWERS)."""
+
+    held: np.ndarray
+    spread: np.ndarray
+
+
+class Damping(NamedTuple):
+    """Of modes that are not counted: 2ζ, no ω smaller than `highest`, E ≤ `grown` e^{−`fading` t} of its start;
+    `creeping`: ζ grows with ω, and 2ζ/ω is at most that instead; `even`: ζ, where all have the same."""
+
+    double: float
+    highest: float
+    grown: float
+    fading: float
+    creeping: float | None = None
+    even: float = 0.0
+
+    def terms(self, count: int) -> np.ndarray:
+        """Of |Δf⁽ᵐ⁾| ωᴺᵐ, or where they creep of |Δf⁽ᵐ⁾|, in E ω²/|b|."""
+        step = self.double if self.creeping is None else self.creeping
+        back = 1.0 if self.creeping is None else 1 / self.highest
+        u = [1.0, step]
+        while len(u) < count:
+            u.append(step * u[-1] + back**2 * u[-2])
+        return np.array([u[m] + (back * u[m - 1] if m else 0.0) for m in range(count)])
+
+    def reach(self, s: float) -> float:
+        """x (2ζ + x)."""
+        x = s / self.highest
+        return x * (x + (self.double if self.creeping is None else self.creeping * self.highest))
+
+
+def damping_of(squares: np.ndarray, rates: np.ndarray) -> Damping:
+    """Beyond modes with ω² = squares and 2ζω = rates."""
+    omega = np.sqrt(np.abs(squares))
+    highest, half = float(omega[-1]), len(omega) // 2
+    double = rates[half:] / omega[half:]
+    last = float(double[-1])
+    slowest = float(rates[half:].min()) / 2
+    if last > (1 + 1e-9) * float(double.min()):
+        creeping, zeta = last / highest, last / 2
+        if zeta > CREEPING:     # E coth θ/2, cosh θ = ζ, of a slower rate ω² over 2ζω at least
+            return Damping(0.0, highest, sqrt((zeta + 1) / (zeta - 1)), 1 / creeping, creeping)
+        return Damping(0.0, highest, SLOWER, min(slowest, 1 / creeping) / 2, creeping)
+    zeta = float(double.max()) / 2
+    if zeta < FADING:
+        even = zeta if 2 * zeta <= (1 + 1e-9) * float(double.min()) else 0.0
+        return Damping(2 * zeta, highest, sqrt((1 + zeta) / (1 - zeta)), slowest, even=even * (1 - 1e-9))
+    return Damping(2 * zeta, highest, SLOWER, min(slowest, highest / (2 * zeta)) / 2)
+
+
+class Disturbances:
+    """Of UncountedModes, by segments of a load and by the start: `bound` of what an output shows of them."""
+
+    def __init__(self, modes: "UncountedModes", start: Start, segments: "Sequence[Segment]"):
+        self.modes, self.damping = modes, damping_of(modes.basis.squares, modes.rates)
+        channels = modes.inputs.shape[1]
+        self.times = np.array([segment.start for segment in segments])
+        orders = _orders(segments, self.damping)
+        self.sizes = np.zeros((len(segments), HIGHEST + 1, len(POWERS)))
+        if orders is None:
+            self.sizes[:] = inf
+            return
+        bends, struck = _bends(segments, channels, orders, start.held)
+        active = np.flatnonzero(bends.any(axis=(0, 1)) | struck.any(axis=0))
+        sums = modes.load_sums(active.tolist()) if len(active) else {}
+        for power, among in sums.items():
+            self._add(power, among, modes.begins[active] < power, bends[..., active], struck[:, active])
+        self.sizes[0, 2:4] += start.spread
+
+    def _add(self, power, sums, finite, bends, struck):
+        at, damping = POWERS.index(power), self.damping
+        terms = damping.terms(bends.shape[1])
+        beyond = (bends[..., ~finite] != 0).any(axis=-1)
+        grown = np.where(beyond, inf, size_of(bends, sums))
+        for m, term in enumerate(terms):
+            h = 2 if damping.creeping is not None else min(2 + m, HIGHEST)
+            rest = 0 if damping.creeping is not None else 2 + m - h
+            if term:
+                self.sizes[:, h, at] += term * damping.highest**-rest * grown[:, m]
+        self.sizes[:, 1, at] += np.where((struck[:, ~finite] != 0).any(axis=-1), inf, size_of(struck, sums))
+
+    def bound(self, output: "LinearOutput", t: float, order: int = 0) -> float:
+        """Of what modes that are not counted add to the order-th rate of an output at an instant."""
+        found = inf
+        for gained in (0, GAINED) if self.damping.even else (0,):
+            sizes = self._until(t, gained)
+            found = min(found, sum(self._of_rate(output, rate, rate + order, sizes, gained) for rate in range(3)))
+        return found
+
+    def _until(self, t, gained):
+        """Σ of sizes up to an instant, (powers of 1/ω, POWERS); of so many powers more where modes are damped evenly,
+        as e^{−ζωτ} ≤ e^{−ζΩτ/2} (2q/(e ζτω))^q."""
+        count, damping = max(1, int(np.searchsorted(self.times, t, side="right"))), self.damping
+        if not damping.fading:
+            return self.sizes[:count].sum(axis=0)
+        tau = np.maximum(t - self.times[:count], 0.0)
+        if gained:
+            with np.errstate(divide="ignore"):
+                left = np.exp(-damping.fading * tau / 2) * (2 * gained / (e * damping.even * tau)) ** gained
+        else:
+            left = np.minimum(np.exp(-damping.fading * tau), 1 / damping.grown)
+        with np.errstate(invalid="ignore"):
+            each = np.where(self.sizes[:count] == 0, 0.0, damping.grown * left[:, None, None] * self.sizes[:count])
+        return np.nan_to_num(each, nan=inf, posinf=inf).sum(axis=0)
+
+    def _of_rate(self, output, own, rate, sizes, gained):
+        if not self.modes.reads(output, own):
+            return 0.0
+        found, more = 0.0, rate - 1 if rate > 1 else 0
+        if more and self.damping.creeping is not None:
+            return inf
+        for h in np.flatnonzero(sizes.any(axis=1)).tolist():
+            found += min(_product(float(size), self.modes.reach(output, h + gained - rate - power, own))
+                         for power, size in zip(POWERS, sizes[h], strict=True))
+        return found * (1 + self.damping.double) ** more
+
+
+def _product(size, reach):
+    return size * reach if size and reach else 0.0
+
+
+def _orders(segments, damping):
+    """How many derivatives of loads are taken; None where a load is too fast for them to become small."""
+    count = 2
+    for segment in segments:
+        for wave in segment.waves:
+            x = damping.reach(abs(wave.exponent))
+            if x > LARGEST:
+                return None
+            steps = log(SMALL) / log(sqrt(x)) if x > 1e-300 else 0.0
+            count = max(count, wave.power + 2 + int(steps))
+    return count
+
+
+def _bends(segments, channels, orders, held):
+    """Δf⁽ᵐ⁾ at the start of each segment, (segments, orders, channels), and impulses, (segments, channels)."""
+    bends, struck = np.zeros((len(segments), orders, channels)), np.zeros((len(segments), channels))
+    size = np.zeros(bends.shape)
+    bends[0, :2], size[0, :2] = -held, np.abs(held)
+    for number, segment in enumerate(segments):
+        for channel, impulse in segment.impulses:
+            if channel < channels:
+                struck[number, channel] += impulse
+        for wave in segment.waves:
+            if wave.channel >= channels:
+                continue
+            for side in range(min(2, len(segments) - number)):
+                tau = segments[number + 1].start - segment.start if side else 0.0
+                values, sizes = derivatives(wave, tau, orders)
+                bends[number + side, :, wave.channel] += -values if side else values
+                size[number + side, :, wave.channel] += sizes
+    return np.where(np.abs(bends) <= ROUNDING * size, 0.0, bends), struck
+
+
+def derivatives(wave: "Wave", tau: float, orders: int) -> tuple[np.ndarray, np.ndarray]:
+    """f, f′, f″ … of a wave at τ, and the sizes that they are rounded from."""
+    s, k = complex(wave.exponent), wave.power
+    grown = np.exp(s * tau) * wave.coefficient
+    factors = [[comb(m, j) * perm(k, j) * tau ** (k - j) for j in range(min(k, m) + 1)] for m in range(orders)]
+    if not s:
+        found = np.array([row[m] if m <= k else 0.0 for m, row in enumerate(factors)])
+        return (grown * found).real, abs(grown) * found
+    sums = [sum(x * s ** (m - j) for j, x in enumerate(row)) for m, row in enumerate(factors)]
+    sizes = [sum(x * abs(s) ** (m - j) for j, x in enumerate(row)) for m, row in enumerate(factors)]
+    return (grown * np.array(sums)).real, abs(grown) * np.array(sizes)

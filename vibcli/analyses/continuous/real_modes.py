@@ -1,0 +1,56 @@
+"""Modes that move each by itself, as a motion in time needs them: η̈ + c η̇ + ω² η = Φᵀ f."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from vibcli.analyses.continuous.modal_states import states_of
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from vibcli.analyses.continuous.disturbances import Disturbances
+    from vibcli.analyses.continuous.mode_basis import ModeBasis
+    from vibcli.analyses.excitation.forcing import Segment
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+
+EPSILON = 2.0**-52
+
+
+class RealModes:
+    """Of a ModeBasis: inputs (modes, channels), η and η̇ at t = 0, each with what rounding loses of it, damping: c of
+    each mode, creeping: do modes creep the more slowly the higher they are?
+
+    states: those that a motion is added from; rigid_inputs, rigid_start: b and (η, η̇) of what nothing holds; left_out:
+    what no |λ| of a mode that is left out is below where it oscillates, and none where it creeps; fading: none of these
+    dies out more slowly; disturbed(segments): the Disturbances of those under a load, None of what has no true bound;
+    lost: rounding of the start, in each state; doubt: relative bounds of the λ and of the amplitudes.
+    """
+
+    def __init__(self, basis: "ModeBasis", inputs: np.ndarray, start: "Sequence[tuple[np.ndarray, np.ndarray]]",
+                 damping: np.ndarray, creeping: bool = False,
+                 disturbed: "Callable[[Sequence[Segment]], Disturbances] | None" = None):
+        (eta, eta_lost), (rate, rate_lost) = start
+        squares, self.basis, self.count, self.disturbed = basis.squares, basis, len(basis.squares), disturbed
+        at, self.rigid = np.flatnonzero(squares + damping), np.flatnonzero((squares == 0) & (damping == 0))
+        states = states_of(squares[at], damping[at], inputs[at], eta[at], rate[at])
+        self.states = states._replace(modes=at[states.modes])
+        self.rigid_inputs, self.rigid_start = inputs[self.rigid], np.array([eta[self.rigid], rate[self.rigid]])
+        self.left_out = _left_out(squares, damping, creeping)
+        slow = float(np.max(states.rates.real[len(at) // 2:len(at)], initial=-np.inf))
+        self.fading = min(max(slow, -self.left_out[1]), 0.0)
+        pace = np.maximum(np.where(states.rates, np.abs(states.rates), damping[self.states.modes]), 1e-300)
+        self.lost = 2 * (eta_lost[self.states.modes] + rate_lost[self.states.modes] / pace)
+        self.doubt = np.full(len(states.rates), basis.error + EPSILON), np.full(len(states.rates), 8 * EPSILON)
+
+    def rows(self, output: "LinearOutput") -> tuple[np.ndarray, np.ndarray]:
+        """What an output reads of each state, its rate and acceleration, (3, states), and of what nothing holds."""
+        rows = self.basis.rows(output)
+        return rows[:, self.states.modes], rows[:, self.rigid]
+
+
+def _left_out(squares, damping, creeping):
+    highest = float(np.abs(squares).max(initial=0.0))
+    last = float(damping[-1]) if len(damping) else 0.0
+    return highest**0.5, 0.0 if creeping else highest / last if last else np.inf
+

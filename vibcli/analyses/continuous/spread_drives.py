@@ -1,0 +1,87 @@
+"""Loads along members as inputs: f(x) times what varies in time, on every piece between two places of a member."""
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from vibcli.analyses.excitation.load_forms import load_form
+from vibcli.base.errors import PhysicsError
+from vibcli.numerics.pieces.loads import LoadForm, end_loads, end_loads_slope, loaded_fields
+from vibcli.symbolic.evaluation import evaluate
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.factored_system import PlacedPiece
+    from vibcli.scene.spread_forces import SpreadForce
+
+
+POINTS = 33     # at which the size of a load is looked at
+
+
+class SpreadDrive(NamedTuple):
+    """f(x), a LoadForm over the places of a member, from `start` to `end`."""
+
+    member: str
+    start: Any
+    end: Any
+    form: LoadForm
+
+    def on(self, placed: "PlacedPiece") -> LoadForm | None:
+        """f on a piece, counted from its left end; None where there is none."""
+        middle = placed.start + placed.piece.length / 2
+        if placed.owner != self.member or not self.start < middle < self.end:
+            return None
+        return self.form.on(placed.start, placed.start + placed.piece.length)
+
+    def end_loads(self, placed: "PlacedPiece", s: Any, steep: bool = False) -> Any:
+        """What it puts on the ends of a piece at s, (…, order), or how that changes with s; None of other pieces."""
+        form, piece = self.on(placed), placed.piece
+        if form is None:
+            return None
+        s = np.asarray(s)
+        kappa = piece.undamped_reaction(s.imag) if not (piece.drag or np.real(s).any()) else piece.reaction(s)
+        if not steep:
+            return end_loads(piece, kappa, form)
+        return end_loads_slope(piece, kappa, form) * (2 * piece.inertia * s + piece.drag)[..., None]
+
+
+    def size(self, placed: "PlacedPiece") -> list[float]:
+        """What ∫ |f| H dx may be on the ends of a piece: sums that cancel round by as much."""
+        length, form = float(placed.piece.length), self.on(placed)
+        x = length * np.linspace(0.0, 1.0, POINTS)
+        most = 0.0 if form is None else sum(float(np.abs(one.size(x)).max()) for one in form.stretches)
+        return [most * length, most * length**2][:placed.piece.order // 2] * 2
+
+    def between(self, placed: "PlacedPiece", s: np.ndarray, x: float, along: int) -> Any:
+        """What it bends a piece by while its ends are held: u at x, or a derivative of it, (N,)."""
+        form = self.on(placed)
+        return 0.0 if form is None else loaded_fields(placed.piece, placed.piece.reaction(s), form, x)[..., along]
+
+
+def spread_drive(force: "SpreadForce", values: "Mapping[str, Any]", arithmetic: Any,
+                 precise: bool = False) -> SpreadDrive:
+    """The SpreadDrive of a SpreadForce; `values`: {name: number} of all symbols but the place."""
+    from vibcli.analyses.excitation.decompose import forcing_of
+
+    start, end = evaluate([force.start, force.end], arithmetic, values)
+    try:
+        given = forcing_of({0: force.along}, force.x, values, 1, precise)
+    except PhysicsError:
+        given = None
+    if given is None or any(segment.impulses for segment in given.segments(end)):
+        raise PhysicsError(f"'{force.owner}' along '{force.member}' is no sum of powers, exponentials and sines of x",
+                           "write it as such a sum, or let forces act at points of the member")
+    return SpreadDrive(force.member, start, end, load_form(given, 0, end))
+
+
+def spread_inputs(configuration: "Configuration", weights: "Mapping[int, Any]") -> dict[int, SpreadDrive]:
+    """{coordinate of an input: its SpreadDrive} of those with a weight, at the precision of the configuration."""
+    from vibcli.symbolic.evaluation import Floats
+
+    opened = configuration.with_inputs
+    scene, arithmetic = opened.scene, opened.arithmetic
+    inputs = {force.weight: force for force in scene.spread_forces if force.weight in scene.inputs}
+    return {j: spread_drive(inputs[scene.q[j]], opened.values, arithmetic, arithmetic is not Floats)
+            for j, weight in weights.items() if weight and scene.q[j] in inputs}

@@ -1,0 +1,222 @@
+"""What sets modes in motion that start with a field u along members: in each, with L u = B u⁗ − ((N + n x) u′)′ + k u
+and the forces F that its ends need, by Green's identity
+
+    ω² ⟨φ, u⟩ = ∫ φ L u dx + φᵀ (K q + Σ Sᵀ F) − Σ e Q
+
+e being how far ends of the field are from their nodes, Q the forces of the mode on its ends. L u is spread: of it
+Σ (∫ φ L u dx)² = ∫ (L u)²/μ dx over all modes (Parseval). Where a field has a corner the piece is cut in two.
+"""
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from vibcli.analyses.continuous.disturbances import derivatives
+from vibcli.analyses.continuous.divided_pieces import divided_at
+from vibcli.analyses.continuous.modal_start import of_load
+from vibcli.analyses.continuous.uncounted_modes import POWERS, begins_at, left_of_squares
+from vibcli.analyses.continuous.unit_responses import UnitLoads, overlaps
+from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
+from vibcli.analyses.excitation.load_forms import load_form
+from vibcli.numerics.pieces.stiffness import stiffness_and_slope
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from vibcli.analyses.continuous.spread_drives import SpreadDrive
+    from vibcli.analyses.continuous.uncounted_modes import UncountedModes
+    from vibcli.mechanics.factored_system import PlacedPiece
+
+ROUNDING = 1e-12    # of a displacement or a force: what is none
+NOISE = 2.0**-51    # of what a start is added from
+
+
+class FieldStart(NamedTuple):
+    """held: loads that would hold the field at rest, (channels,) of UncountedModes; spread: √(Σ b²/ω²ᵖ) of all else
+    at each of POWERS; felt: ω² ⟨φ, u⟩ of the first modes, and what it is rounded from."""
+
+    held: np.ndarray
+    spread: np.ndarray
+    felt: np.ndarray
+    size: np.ndarray
+
+    def of_modes(self, squares: np.ndarray, plain: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """⟨φ, u⟩ of modes with ω² = squares, and how much is lost by rounding: by this, or by the `plain` integrals
+        where that is less."""
+        lost = np.full(len(plain), NOISE * np.abs(plain).max(initial=0.0))
+        with np.errstate(all="ignore"):
+            own = np.where(squares > 0, NOISE * self.size / squares, np.inf)
+            found = np.where(own < lost, self.felt / squares, plain)
+        return np.where(np.abs(found) > np.minimum(own, lost), found, 0.0), np.minimum(own, lost)
+
+
+class _Stretch(NamedTuple):
+    """A part of piece `number` from `start` of it on, u and what its ends need there with what they are rounded from,
+    (order,) each; None of a part at rest."""
+
+    number: int
+    start: float
+    placed: "PlacedPiece"
+    u: np.ndarray | None
+    u_size: np.ndarray | None
+    forces: np.ndarray | None
+    forces_size: np.ndarray | None
+
+
+def start_of_field(uncounted: "UncountedModes", given: "Sequence[Forcing | None]", channel: int, q: np.ndarray,
+                   resting: bool, let_go: "Sequence[SpreadDrive]" = ()) -> FieldStart:
+    """Of fields, a channel of Forcings over pieces, and coordinates q; where none is given a piece is at rest under
+    its ends and loads that are let go if it is `resting`, else 0."""
+    n, stretches, nodes = len(uncounted.K), [], list(q)
+    for number, forcing in enumerate(given):
+        stretches += _stretches(uncounted.pieces[number], number, forcing, channel, nodes)
+    held = np.zeros(len(uncounted.begins))
+    held[:n], size = uncounted.K @ q, np.abs(uncounted.K) @ np.abs(q)
+    forces, sizes = np.append(held[:n], np.zeros(len(nodes) - n)), np.append(size, np.zeros(len(nodes) - n))
+    ends = {}
+    for k, one in enumerate(stretches):
+        moved = np.array([sum(x * nodes[i] for i, x in row.items()) for row in one.placed.rows])
+        F, F_size = one.forces, one.forces_size
+        if one.forces is None:
+            d = stiffness_and_slope(one.placed.piece, np.float64(one.placed.piece.foundation))[0]
+            F, F_size = (d @ moved, np.abs(d) @ np.abs(moved)) if resting else (0 * moved, 0 * moved)
+            for put in (drive.end_loads(one.placed, 0.0) for drive in let_go if drive.on(one.placed) is not None):
+                F, F_size = F - put, F_size + np.abs(put)
+        for row, force, rounded in zip(one.placed.rows, F, F_size, strict=True):
+            for i, x in row.items():
+                forces[i] += x * force
+                sizes[i] += abs(x) * rounded
+        if one.u is not None or not resting:
+            u, u_size = (0 * moved, 0 * moved) if one.u is None else (one.u, one.u_size)
+            gaps = np.where(np.abs(u - moved) > ROUNDING * (u_size + np.abs(moved)), u - moved, 0.0)
+            ends |= {(k, end): gap for end, gap in enumerate(gaps.tolist()) if gap}
+    forces = np.where(np.abs(forces) > ROUNDING * sizes, forces, 0.0)
+    held[:n], forces[:n] = forces[:n], 0.0
+    for j, drive in enumerate(uncounted.driven):
+        for k, end in [at for at in ends if stretches[at[0]].number == drive.piece and at[1] == drive.end
+                       and _outer(stretches, *at)]:
+            held[n + j] = ends.pop((k, end))
+    inputs, rounded = uncounted.inputs, np.append(sizes[:n], np.abs(held[n:]))
+    at_corners, pointed = _pointed(uncounted, stretches, forces, ends)
+    along, spread, norm = _spread(uncounted, given, channel, let_go)
+    return FieldStart(held, at_corners + along, inputs @ held + pointed + spread,
+                      np.abs(inputs) @ rounded + np.abs(pointed) + norm)
+
+
+def _stretches(placed, number, forcing, channel, nodes):
+    """The _Stretches of a piece; appends to `nodes` what nodes at corners have."""
+    if forcing is None:
+        return [_Stretch(number, 0.0, placed, None, None, None, None)]
+    found, segments, start = [], forcing.segments(np.inf), 0.0
+    length, half = placed.piece.length, placed.piece.order // 2
+    for segment, end in zip(segments, [*(one.start for one in segments[1:]), length], strict=True):
+        if start < end < length:
+            placed, rest = divided_at(placed, end - start, len(nodes))
+            nodes += _along(segment, channel, end - segment.start)[0][:half].tolist()
+        elif start < length:
+            rest, end = placed, length
+        else:
+            break
+        left, right = (_along(segment, channel, x - segment.start) for x in (start, end))
+        found.append(_Stretch(number, start, placed, *_at_ends(placed.piece, left, right)))
+        placed, start = rest, end
+    return found
+
+
+def _along(segment, channel, x):
+    """u … u‴ of a field, and the sizes that they are rounded from."""
+    parts = [derivatives(wave, x, 4) for wave in segment.waves if wave.channel == channel]
+    return tuple(sum((part[side] for part in parts), np.zeros(4)) for side in range(2))
+
+
+def _at_ends(piece, left, right):
+    """End values, their sizes, the forces that the ends need, and theirs."""
+    half, found = piece.order // 2, []
+    for side in range(2):
+        found += [np.concatenate([left[side][:half], right[side][:half]]),
+                  np.concatenate([_forces(piece, left[side], 0.0, -1.0, bool(side)),
+                                  _forces(piece, right[side], piece.length, 1.0, bool(side))])]
+    return found[0], found[2], found[1], found[3]
+
+
+def _forces(piece, u, x, sign, as_size):
+    """Of an end, from u … u‴; or what they are rounded from."""
+    tension, back, sign = piece.tension + piece.gradient * x, 1.0 if as_size else -1.0, 1.0 if as_size else sign
+    across = (abs(tension) if as_size else tension) * u[1]
+    if piece.order == 2:
+        return np.array([sign * across])
+    return sign * np.array([across + back * piece.bending * u[3], piece.bending * u[2]])
+
+
+def _outer(stretches, k, end):
+    """Is an end of a _Stretch one of the whole piece?"""
+    half = stretches[k].placed.piece.order // 2
+    beside = k - 1 if end < half else k + 1
+    return not 0 <= beside < len(stretches) or stretches[beside].number != stretches[k].number
+
+
+def _pointed(uncounted, stretches, forces, ends):
+    """√(Σ b²/ω²ᵖ) of forces on nodes at corners and of dislocations, at each of POWERS, and b of the first modes."""
+    n, basis, begins, first = len(uncounted.K), uncounted.basis, 0.0, np.zeros(len(uncounted.basis.squares))
+    if not forces.any() and not ends:
+        return np.zeros(len(POWERS)), first
+    loads = UnitLoads(forces[:, None], {at: np.array([gap]) for at, gap in ends.items()})
+    for k, one in enumerate(stretches):
+        piece = one.placed.piece
+        half = piece.order // 2
+        for end, row in enumerate(one.placed.rows):
+            x, at = one.start + piece.length * (end >= half), end % half
+            corner = [i for i in row if i >= n and end >= half and forces[i]]
+            if corner:
+                first += forces[corner[0]] * basis.field(one.number, x, at)
+                begins = max(begins, begins_at(piece.order, at))
+            if (k, end) in ends:
+                first -= ends[k, end] * _force(basis, one, x, at, end >= half)
+                begins = max(begins, begins_at(piece.order, piece.order - 1 - at))
+    R = uncounted.left([one.placed for one in stretches], loads, first[:, None])
+    return np.sqrt([uncounted.sums(R, p, begins)[0, 0] for p in POWERS]), first
+
+
+def _force(basis, one, x, at, right):
+    """What an end needs in each mode."""
+    piece, sign = one.placed.piece, 1.0 if right else -1.0
+    tension = piece.tension + (piece.gradient * piece.length if right else 0.0)
+    if at:
+        return sign * piece.bending * basis.field(one.number, x, 2)
+    force = tension * basis.field(one.number, x, 1)
+    return sign * (force - piece.bending * basis.field(one.number, x, 3) if piece.order == 4 else force)
+
+
+def _spread(uncounted, given, channel, let_go):
+    """√(Σ (∫ φ L u dx)²/ω²ᵖ), at each of POWERS, ∫ φ L u dx of the first modes, and the most that it can be."""
+    total, known = 0.0, np.zeros(len(uncounted.basis.squares))
+    for number, (placed, forcing) in enumerate(zip(uncounted.pieces, given, strict=True)):
+        piece = placed.piece
+        forms = [form for drive in let_go if (form := drive.on(placed)) is not None]
+        if forcing is not None:
+            segments = [Segment(one.start, tuple(_answered(piece, one, channel))) for one in forcing.segments(np.inf)]
+            forms = [load_form(Forcing(1, segments), 0, piece.length)]
+        known += sum((of_load(uncounted.basis, number, form) for form in forms), 0 * known)
+        total += float(overlaps(forms).sum()) / piece.inertia
+    left = np.sqrt(left_of_squares(total, known @ known)) * uncounted.highest ** -np.array(POWERS)
+    return left, known, np.sqrt(total)
+
+
+def _answered(piece, segment, channel):
+    """Waves of L u, on channel 0."""
+    u = [wave._replace(channel=0) for wave in segment.waves if wave.channel == channel]
+    slope = _slope(u)
+    bent = _slope(slope)
+    found = [*_scaled(u, piece.foundation), *_scaled(bent, -piece.tension - piece.gradient * segment.start),
+             *_scaled(slope, -piece.gradient), *_scaled(_slope(_slope(bent)), piece.bending)]
+    return found + [wave._replace(power=wave.power + 1) for wave in _scaled(bent, -piece.gradient)]
+
+
+def _slope(waves):
+    found = [wave._replace(coefficient=wave.coefficient * wave.exponent) for wave in waves if wave.exponent]
+    return found + [wave._replace(coefficient=wave.coefficient * wave.power, power=wave.power - 1)
+                    for wave in waves if wave.power]
+
+
+def _scaled(waves: "list[Wave]", factor: float) -> "list[Wave]":
+    return [wave._replace(coefficient=wave.coefficient * factor) for wave in waves if factor]

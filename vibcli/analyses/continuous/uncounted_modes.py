@@ -1,0 +1,172 @@
+"""What modes that are not counted can add to a motion, a true upper bound: by Cauchy and Schwarz
+
+    Σ |cₙ| |bₙ|/ωₙʰ ≤ √(Σ cₙ²/ωₙ²ᵖ) √(Σ bₙ²/ωₙ^(2h−2p))      over n > N, for any p
+
+c being what is read of a mode, b/ωʰ how far a load sets it in motion; both sums are known from exact motions without
+modes. They are finite where 2p > (2k + 1)/m·2: of waves ω ~ β^(m/2), of which a k-th derivative is read.
+"""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from vibcli.analyses.continuous.divided_pieces import divided_at
+from vibcli.analyses.continuous.tail_sums import grid, tail_sum, without_first
+from vibcli.analyses.continuous.unit_responses import UnitLoads, motions_squared, overlaps
+from vibcli.numerics.pieces.loads import LoadForm
+
+if TYPE_CHECKING:
+    from vibcli.analyses.continuous.exact_transfer import DrivenEnd
+    from vibcli.analyses.continuous.mode_basis import ModeBasis
+    from vibcli.analyses.continuous.spread_drives import SpreadDrive
+    from vibcli.analyses.excitation.linear_output import FieldPoint, LinearOutput
+    from vibcli.mechanics.factored_system import PlacedPiece
+
+POWERS = 0.0, 0.5, 0.75, 1.0, 1.5, 2.0      # of ω², by which sums over b are divided
+ROUNDING = 1e-12    # of a sum of squares
+INSIDE = 1e-12      # of a length: how near to an end is at the end
+
+
+class UncountedModes:
+    """Those beyond a ModeBasis. K, M: without the pieces; inputs (modes, channels): b of the first modes, of the
+    coordinates, of `driven` ends and of loads `spread` along members behind them; rates: 2ζω of the first modes."""
+
+    def __init__(self, basis: "ModeBasis", K: np.ndarray, M: np.ndarray, driven: "Sequence[DrivenEnd]",
+                 spread: "Sequence[SpreadDrive]", inputs: np.ndarray, rates: np.ndarray):
+        self.basis, self.K, self.M, self.inputs, self.rates = basis, K, M, inputs, rates
+        self.pieces = [one._replace(piece=one.piece._replace(drag=0.0)) for one in basis.placed]
+        self.highest = float(np.sqrt(np.abs(basis.squares).max(initial=0.0)))
+        self.driven, self.sigma = list(driven), grid(self.highest)
+        self._reads: dict[Any, list[tuple[int, np.ndarray, float]]] = {}
+        self._sizes: dict[Any, float] = {}
+        self.begins = np.array([self._begin(i) for i in range(len(K))] + [
+            begins_at(self._order(one), self._order(one) - 1 - one.end % (self._order(one) // 2)) for one in driven] + [
+                -1.0 for _ in spread])
+        self.spread = np.zeros((len(spread), len(spread)))
+        for one in self.pieces:
+            forms = [drive.on(one) or LoadForm(()) for drive in spread]
+            self.spread += overlaps(forms) / one.piece.inertia
+
+    def _order(self, drive):
+        return self.pieces[drive.piece].piece.order
+
+    def _begin(self, coordinate):
+        """The power from which on Σ φ²/ω²ᵖ of a coordinate is finite."""
+        return max((begins_at(one.piece.order, end % (one.piece.order // 2)) for one in self.pieces
+                    for end, row in enumerate(one.rows) if row.get(coordinate)), default=0.0)
+
+    def load_sums(self, channels: "Sequence[int]") -> dict[float, np.ndarray]:
+        """{p: Σ b bᵀ/ω²ᵖ over those left out, (channels, channels)} at POWERS, 0 where it is not finite; it bounds sums
+        of loads at nodes and along members together."""
+        n, m = len(self.K), len(self.K) + len(self.driven)
+        chosen = np.array(channels, int)
+        ends: dict[tuple[int, int], np.ndarray] = {}
+        nodes, along = chosen[chosen < m], chosen[chosen >= m]
+        forces = np.zeros((n, len(nodes)))
+        for column, channel in enumerate(nodes.tolist()):
+            if channel < n:
+                forces[channel, column] = 1.0
+            else:
+                drive = self.driven[channel - n]
+                ends.setdefault((drive.piece, drive.end), np.zeros(len(nodes)))[column] = 1.0
+        R = self.left(self.pieces, UnitLoads(forces, ends), self.inputs[:, nodes])
+        both = 2.0 if len(nodes) and len(along) else 1.0
+        return {p: both * self._block(R, p, nodes, along, chosen) for p in POWERS}
+
+    def _block(self, R, power, nodes, along, chosen):
+        found, finite = np.zeros((len(chosen),) * 2), self.begins[nodes] < power
+        at = np.flatnonzero(np.isin(chosen, nodes[finite]))
+        if len(at):
+            left = R[:, finite][:, :, finite]
+            found[np.ix_(at, at)] = self.sums(left, power, float(self.begins[nodes[finite]].max()))
+        at = np.flatnonzero(np.isin(chosen, along))
+        spread, known = along - len(self.begins) + len(self.spread), self.inputs[:, along]
+        left = left_of_squares(self.spread[np.ix_(spread, spread)], known.T @ known)
+        found[np.ix_(at, at)] = left * self.highest ** (-2 * power)
+        return found
+
+    def left(self, pieces: "Sequence[PlacedPiece]", loads: UnitLoads, first: np.ndarray) -> np.ndarray:
+        """R of loads on these pieces, (σ, columns, columns); first: c of the first modes, (modes, columns)."""
+        n = len(loads.forces)
+        K, M = (np.pad(part, (0, n - len(part))) for part in (self.K, self.M))
+        total = motions_squared(K, M, pieces, loads, self.sigma)
+        return without_first(total, self.sigma, self.basis.squares, first)
+
+    def sums(self, R: np.ndarray, power: float, begins: float) -> np.ndarray:
+        """Σ c cᵀ/ω²ᵖ."""
+        return tail_sum(R, self.sigma, self.highest, power, begins)
+
+    def reach(self, output: "LinearOutput", power: float, rate: int) -> float:
+        """√(Σ c²/ω²ᵖ) of what an output reads of the rate-th rates of modes."""
+        key = _key(output), power, rate
+        if key not in self._sizes:
+            self._sizes[key] = sum(float(np.sqrt(self.sums(R, power, begins)[0, 0])) for own, R, begins in self._read(
+                output) if own == rate)
+        return self._sizes[key]
+
+    def reads(self, output: "LinearOutput", rate: int) -> bool:
+        """Does an output read the rate-th rates of modes?"""
+        return any(own == rate for own, _, _ in self._read(output))
+
+    def _read(self, output):
+        """[(rate, R, power from which on sums are finite)] of the parts of an output."""
+        key = _key(output)
+        if key not in self._reads:
+            found = []
+            for rate, part in enumerate((output.q, output.v, output.a)):
+                if any(part.values()):
+                    row = np.array([part.get(i, 0.0) for i in range(len(self.K))])
+                    R = self.left(self.pieces, UnitLoads(row[:, None], {}), (self.basis.shapes.T @ row)[:, None])
+                    found.append((rate, R, max(self.begins[i] for i, x in part.items() if x)))
+            found += [(place.rates, self._at_place(place) * x**2, begins_at(
+                self.pieces[place.piece].piece.order, place.along)) for place, x in output.places.items() if x]
+            self._reads[key] = found
+        return self._reads[key]
+
+    def _at_place(self, place: "FieldPoint"):
+        """R of u or of a derivative within a piece."""
+        pieces, k, n, one = list(self.pieces), place.piece, len(self.K), self.pieces[place.piece]
+        half, length, last = one.piece.order // 2, one.piece.length, False
+        if INSIDE * length < place.x < (1 - INSIDE) * length:
+            pieces[k:k + 1], k, n = divided_at(one, place.x, n), k + 1, n + half
+        else:
+            last = place.x > length / 2
+        one, ends, forces = pieces[k], {}, np.zeros((n, 1))
+        at, sign = (half, 1.0) if last else (0, -1.0)
+        tension = one.piece.tension + (one.piece.gradient * one.piece.length if last else 0.0)
+        row = {}
+        if place.along < half:
+            row = one.rows[at + place.along]
+        elif half == 1:
+            ends[k, at] = np.array([-sign / tension])
+        elif place.along == 2:
+            ends[k, at + 1] = np.array([-sign / one.piece.bending])
+        else:
+            ends[k, at] = np.array([sign / one.piece.bending])
+            row = {i: x * tension / one.piece.bending for i, x in one.rows[at + 1].items()}
+        for i, x in row.items():
+            forces[i, 0] = x
+        first = self.basis.field(place.piece, place.x, place.along)
+        return self.left(pieces, UnitLoads(forces, ends), first[:, None])
+
+
+def size_of(vectors: np.ndarray, sums: np.ndarray) -> np.ndarray:
+    """√(vᵀ S v) of vectors (…, channels)."""
+    return np.sqrt(np.maximum(np.einsum("...i,ij,...j->...", vectors, sums, vectors), 0.0))
+
+
+def left_of_squares(total: Any, known: Any) -> Any:
+    """Σ b bᵀ without those that are counted, no less than their rounding."""
+    found = total * (1 + ROUNDING) - known
+    return np.where(np.eye(len(found)), np.maximum(found, ROUNDING * total), found) if np.ndim(found) else max(
+        found, ROUNDING * total)
+
+
+def begins_at(order: int, along: int) -> float:
+    """p above which Σ (dᵏφ/dxᵏ)²/ω²ᵖ is finite."""
+    return (2 * along + 1) / order
+
+
+def _key(output):
+    return tuple(tuple(sorted(part.items())) for part in (output.q, output.v, output.a, output.places))

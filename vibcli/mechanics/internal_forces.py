@@ -1,0 +1,102 @@
+"""Forces and moments within members along each, at rest: piece by piece, since they may jump between.
+
+Within a piece the deflection is that between its ends under its weight and loads. Where the tension varies along it,
+N(x) = N + n x, the load w leaves u = −w x/n, and the ends the rest:
+
+    B u⁗ − ((N + n x) u′)′ + k u = w
+"""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from vibcli.base.errors import PhysicsError
+from vibcli.language.member_signals import PARTS, STRETCHING
+from vibcli.numerics.pieces.fields import fields
+from vibcli.numerics.pieces.piece import Piece
+from vibcli.numerics.stretches import CurveStretch
+from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    from vibcli.elements.member import Member
+    from vibcli.elements.place_signals import PlaceSignal
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.scene.scene import Scene
+
+UNITS = {"force": "N", "shear": "N", "moment": "N·m"}
+
+
+class InternalForce(NamedTuple):
+    """A force or moment along a member, `part` of its signals, in Stretches from its left end to its right one;
+    `error(place)` bounds how far a value there may be off."""
+
+    member: str
+    part: str
+    stretches: list[CurveStretch]
+    error: Callable = lambda place: 0.0
+
+    @property
+    def unit(self) -> str:
+        return UNITS[self.part]
+
+    @property
+    def largest(self) -> float:
+        """The largest of its absolute values that are shown."""
+        return max(float(np.abs(stretch.points()[1]).max()) for stretch in self.stretches)
+
+
+def forces_within(scene: "Scene") -> "list[tuple[str, Member, str]]":
+    """(name, Member, part) of all forces and moments within members, as signals name them."""
+    return [(name, member, part) for name, member in scene.members.items() if member.turns or not member.lengthwise
+            for part in UNITS if part in PARTS[member.kind.name + "s"] or (member.stretching and part in STRETCHING)]
+
+
+def forces_at_rest(configuration: "Configuration") -> list[InternalForce]:
+    """Those of all members in equilibrium."""
+    scene = configuration.scene.resting
+    return [InternalForce(name, part, _stretches(configuration, scene, member, part))
+            for name, member, part in forces_within(scene)]
+
+
+def _stretches(configuration, scene, member, part):
+    xi = scene.table.variable("the place on a piece of a member")
+    found = []
+    for signal in member.signals_along(scene, part, xi):
+        start, end = evaluate([signal.left.place, signal.right.place], Floats, configuration.at_rest)
+        found.append(CurveStretch(start, end, _from(start, _along(configuration, scene, signal, part, xi))))
+    return found
+
+
+def _from(start, along):
+    """What counts places from there, for places that count from the left end of the member."""
+    return lambda places: along(np.asarray(places) - start)
+
+
+def _along(configuration, scene, signal: "PlaceSignal", part: str, xi: Any):
+    """The signal as a function of places on its piece, counted from there."""
+    tension, gradient = signal.tension(scene)
+    if part == "force" and signal.segment.stiffness is None:
+        return _of_node(tension + gradient * xi, xi, configuration.at_rest)
+    if signal.member.kind.bends and not gradient.is_zero:
+        return _under_tension(configuration, scene, signal)
+    return _of_node(signal.static(scene), xi, configuration.at_rest)
+
+
+def _of_node(node, xi, values):
+    return lambda places: np.array([evaluate([node], Floats, {**values, xi.name: x})[0] for x in places.tolist()])
+
+
+def _under_tension(configuration, scene, signal):
+    """Of a beam whose tension varies along it."""
+    zero, segment, weight = scene.table.zero, signal.segment, signal.weight(scene)
+    if not segment.foundation.is_zero or signal.uneven(scene):
+        raise PhysicsError(f"the forces within '{signal.member.name}' at rest are not found, as its tension varies "
+                           "along it", "leave out its foundation, or what is spread unevenly along it")
+    nodes = [signal.length, segment.stiffness, *signal.tension(scene), zero, zero, zero, weight, signal.factor,
+             *signal.ends]
+    *numbers, w, factor, u0, slope0, u1, slope1 = evaluate(nodes, Floats, configuration.at_rest)
+    piece = Piece(*numbers)
+    slope = -w / piece.gradient
+    ends = np.array([u0, slope0 - slope, u1 - slope * piece.length, slope1 - slope])
+    return lambda places: factor * fields(piece, 0.0, ends, places)[..., signal.order]

@@ -1,0 +1,89 @@
+"""The motion in time of scenes with members whose modes dampers couple: as a sum over damped modes."""
+
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from vibcli.base.errors import PhysicsError
+from vibcli.results.modal_response import ModalResponse, NotByModes
+
+if TYPE_CHECKING:
+    from vibcli.analyses.continuous.modal_motion import ModalMotion
+
+LOW = 12            # damped modes that are looked for one by one
+LONGEST = 1_000     # steps of a million products
+MANY, MOST, SMALL = 2400, 600, 8        # modes at most of systems of few coordinates, and of others
+
+
+class DampedModalResponse(ModalResponse):
+    """Small oscillations about the equilibrium. NotByModes where damped modes are not all that moves."""
+
+    WORDS = "small oscillations about the equilibrium, by damped modes"
+
+    def require(self) -> None:
+        """NotByModes where the motion is not one of damped modes."""
+        import numpy as np
+
+        from vibcli.analyses.continuous.damped_series import swallowed
+
+        matrix = self._transfer.matrix
+        if self.problem.modal.member_damping is not None:
+            raise NotByModes("`damping:` stands beside dampers of members", "take one of them out")
+        if any((part != part.T).any() for part in matrix.polynomial):
+            raise NotByModes("forces that no potential gives couple the modes of members", "ask for steady(…)")
+        self.problem.modal.modes.first(1)
+        if swallowed(matrix, max(float(np.abs(mode.omega or 0.0)) for mode in self.problem.modal.modes.shown())):
+            raise NotByModes("a damper is as √(Nμ) of what vibrates at it, so that no wave comes back from it: damped "
+                             "modes are not all that moves", "give it a little more or less")
+
+    @property
+    def _transfer(self):
+        return self._exact
+
+    @property
+    def most(self) -> int:
+        return MANY if len(self.matrices[0]) <= SMALL else MOST
+
+    def _found(self, count) -> "ModalMotion":
+        import numpy as np
+
+        from vibcli.analyses.continuous.complex_modes import ComplexModes, DampedBasis
+        from vibcli.analyses.continuous.damped_series import damped_series
+        from vibcli.analyses.continuous.modal_motion import ModalMotion
+
+        modal, matrix = self.problem.modal, self._transfer.matrix
+        with self.problem.work.task("the search for damped modes", LONGEST):
+            self._known.append(damped_series(matrix, self._known[-1], count))
+        series = self._known[-1]
+        rigid = [[float(x) for x in mode.shape] for mode in modal.modes.shown() if mode.rigid]
+        basis = DampedBasis(series, matrix, np.array(rigid).reshape(len(rigid), matrix.n), self._transfer.pieces)
+        if series.resting != basis.at_rest:
+            raise PhysicsError("motions that nothing holds are not told from those that creep",
+                               "hold them, or damp them more")
+        modes = ComplexModes(basis, self._felt(basis), (*self._start(basis), self._dragged(basis)))
+        return ModalMotion(modes, self._transfer, self._forces, self.problem.work)
+
+    @cached_property
+    def _known(self):
+        """What is known of the λ, ever more."""
+        from vibcli.analyses.continuous.damped_series import within_region
+
+        damped = self.problem.modal.damped
+        try:
+            damped.first(LOW)
+        except PhysicsError as error:
+            raise PhysicsError(f"the motion in time of this scene is not found: {error}", "ask for steady(…)") from None
+        return [within_region(damped.region)]
+
+    def _dragged(self, basis):
+        """φᵀ C u at t = 0."""
+        found = basis.shapes.T @ (self.matrices[1] @ self.deviations[0])
+        for number, placed in enumerate(basis.placed):
+            if placed.piece.drag:
+                found = found + placed.piece.drag / placed.piece.inertia * self._displaced(basis, number)
+        return found
+
+    def lasting(self) -> float:
+        from vibcli.analyses.transient.duration import duration
+
+        modal = self.problem.modal
+        return duration(modal.modes.shown(), modal.damped.shown(), 0.0, [])
