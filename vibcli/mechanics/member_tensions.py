@@ -76,10 +76,18 @@ def _of_ties(placed, configuration):
         member = tied.get(reaction.signal.removesuffix(".force"))
         if member is None:
             continue
-        drawn = evaluate([member.tie], Floats, configuration.numeric.floats)[0] if member.tie is not None else 0.0
+        drawn = _at_right_end(member, configuration) if member.tie is not None else 0.0
         if abs(reaction.value - drawn) > ROUNDING * (largest + abs(drawn)):
             found.append(_open(member, reaction.value, drawn, configuration))
     return found
+
+
+def _at_right_end(member, configuration):
+    """The tension in its stiffness where its last piece ends, whose weight does not hang on the end."""
+    last, end = member.stations[-2:]
+    tension, gradient = member.tensions[-1]
+    tension, change = evaluate([tension, gradient * (end.place - last.place)], Floats, configuration.numeric.floats)
+    return tension + change
 
 
 def _of_stretches(members, configuration):

@@ -37,3 +37,18 @@ def test_a_tension_that_statics_does_not_find_is_told_with_its_part_of_the_buckl
         "statics alone does not find the tension -5424 N of 'right'",
         "statics alone does not find the tension -545.528 N of 'girder'"]
     assert "under -3924 N; the rest, 0.00068 of π²EI/L²" in told[0]
+
+
+@pytest.mark.parametrize("ends", ["from: [0, 0], to: [0, L], left: clamped, right: {clamped: head}",
+                                  "from: [0, L], to: [0, 0], left: {clamped: head}, right: clamped"])
+def test_the_tension_of_a_heavy_mast_under_a_head_is_found(ends):
+    """By Ritz's method with 14 powers in mpmath: ∫ EI u″² + N u′² dx, N = −(m + μ(L − x))g from the clamp to the head;
+    the masses as ∫ μ u² dx + m u² + J u′²."""
+    mast = problem(f"""
+        gravity: 9.81 m/s^2
+        parameters: {{L: 2 m}}
+        bodies: {{head: {{mass: 3 kg, inertia: 0.1 kg*m^2, at: [0, L], move: [X, Y, psi]}}}}
+        beams: {{mast: {{{ends}, EI: 500 N*m^2, mass_per_length: 1 kg/m}}}}
+        """)
+    assert member_warnings(mast.configuration) == []
+    assert mast.modal.modes[0].omega == pytest.approx(6.86289503406, rel=1e-11)
