@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.elements.member_ends import HOLDS
 from vibcli.elements.member_fields import MemberKind, members_of
+from vibcli.language.member_signals import oscillator_parts
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -111,11 +112,11 @@ def motions_of(spec: "Spec") -> "Iterator[tuple[str, bool]]":
         texts += [" + ".join(lengths[:i]) for i in range(1, len(lengths))]
         for text in dict.fromkeys(texts):
             yield from _named(name, kind, text)
+            yield from ((f"{name}.{part}({text})", kind.torsional) for part in oscillator_parts(record))
 
 
 def _named(name: str, kind: MemberKind, text: str) -> "Iterator[tuple[str, bool]]":
     yield f"{name}.{kind.motion}({text})", kind.torsional
-    yield f"{name}.oscillator({text})", kind.torsional
     yield f"{name}.along({text})", False
     if kind.bends:
         yield f"{name}.slope({text})", True

@@ -10,6 +10,7 @@ inertia deflects as at rest.
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.elements.member_line import Station
+from vibcli.language.member_signals import OF_COORDINATES
 
 if TYPE_CHECKING:
     from vibcli.elements.member import Member
@@ -100,7 +101,23 @@ def place_signal(scene: "Scene", member: "Member", signal: "SignalName", place: 
     else:
         number = sum(scene.number(station.place) < x for station in stations) - 1
     at = (place if there is None else there.place) - stations[number].place
+    if signal.kind in OF_COORDINATES:
+        return _of_coordinates(scene, member, signal, stations[number:number + 2], at, there)
     return _on_piece(scene, member, stations, number, signal.part, at)._replace(station=there)
+
+
+def _of_coordinates(scene, member, signal, between, at, there):
+    """The motion across of a bar, which stays straight, or that of what hangs there; None where nothing does."""
+    left, right = between
+    if signal.kind == "across":
+        motion = left.u + (right.u - left.u) * (at / (right.place - left.place))
+    else:
+        name = "" if there is None else signal._replace(place=there.text, primes=0).text
+        if name not in scene.hidden:
+            return None
+        motion = scene.symbol(name)
+    alone = Station(left.place + at, signal.place, motion, None, motion)
+    return PlaceSignal(member, left, right, 0, member.segments[0], at, alone, 0, scene.table.one)
 
 
 def signals_along(scene: "Scene", member: "Member", part: str, at: "Node") -> "list[PlaceSignal]":

@@ -19,7 +19,7 @@ def displacement(scene: "Scene", text: str) -> "Node | None":
         return scene.symbol(text)
     name, part, *_ = signal_name(text)
     if name in scene.members:
-        return scene.symbol(text) if part == "oscillator" else _on_member(scene, text)
+        return _on_member(scene, text)
     if name in (scene.spec.get("member_points") or {}):
         return _of_point(scene, name, part)
     if part in ("x", "y", "angle") and name in scene.bodies and scene.bodies[name].frame is None:
@@ -51,6 +51,9 @@ def signal_of_place(scene: "Scene", signal: SignalName):
     text = signal.place.removesuffix(LEFT_OF)
     place = scene.lower(Expression(Scalar(text, None), parse(text)))
     found = member.signal(scene, signal, place, before=signal.place.endswith(LEFT_OF))
+    if found is None and signal.kind == "oscillator":
+        raise PhysicsError(f"no {signal.part} is attached at '{signal.place}' to '{member.name}'",
+                           f"ask for {next(name for name in scene.hidden if signal_name(name)[:2] == signal[:2])}")
     if found is None:
         x, length = scene.number(place), scene.number(member.length)
         raise PhysicsError(f"'{signal.place}' is {x:.6g} m along '{member.name}', which is {length:.6g} m long",
