@@ -15,6 +15,7 @@ from vibcli.language.member_signals import OF_COORDINATES
 if TYPE_CHECKING:
     from vibcli.elements.member import Member
     from vibcli.elements.member_segments import MemberSegment
+    from vibcli.elements.rest_shapes import RestPiece
     from vibcli.language.signal_names import SignalName
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
@@ -55,6 +56,14 @@ class PlaceSignal(NamedTuple):
     def tension(self, scene: "Scene") -> "tuple[Node, Node]":
         """(N at the left end of its piece, N′)."""
         return self.member.tension(self.number, self.segment, scene)
+
+    def piece(self, scene: "Scene") -> "RestPiece":
+        """Its piece at rest."""
+        from vibcli.elements.rest_shapes import RestPiece
+
+        tension, gradient = self.tension(scene)
+        return RestPiece(self.length, self.member.kind.bends, self.segment.stiffness, tension, gradient,
+                         self.segment.foundation)
 
     def weight(self, scene: "Scene") -> "Node":
         """The even loads and the weight that act on its piece in the sense of u, per length."""
