@@ -26,8 +26,9 @@ class DampedModalResponse(ModalResponse):
         from vibcli.analyses.continuous.damped_series import swallowed
 
         matrix = self._transfer.matrix
-        if self.problem.modal.member_damping is not None:
-            raise NotByModes("`damping:` stands beside dampers of members", "take one of them out")
+        if matrix.retardation:
+            raise NotByModes("damping in proportion to stiffness stands beside what couples the modes of members: "
+                             "modes without end creep", "ask for steady(…), or write `proportional: [alpha, 0 s]`")
         if any((part != part.T).any() for part in matrix.polynomial):
             raise NotByModes("forces that no potential gives couple the modes of members", "ask for steady(…)")
         self.problem.modal.modes.first(1)

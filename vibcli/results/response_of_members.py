@@ -34,7 +34,7 @@ class ResponseOfMembers(SmallResponse):
     @cached_property
     def placed(self):
         """The PlacedPieces, their rows over coordinates and, behind them, inputs."""
-        return self.configuration.with_inputs.numbers.elements.pieces
+        return self.configuration.with_inputs.elements.pieces
 
     @cached_property
     def _inputs(self):

@@ -10,6 +10,9 @@ so that |xᴴ (d(κ) − d(κ₀)) y|² ≤ xᴴQx · yᴴQy with Q = P |κ − 
 of κ₀ to the κ_j. With Q for all that D is added from, σ_i the singular values of Q^½ D(s₀)⁻¹ Q^½,
 
     |Δ arg det D| ≤ −Σ ln(1 − σ_i)      (H. Weyl 1949).
+
+Where stiffness resists rates by β the same holds of D/(1 + βs) = K + r (C − βK) + p M + Σ Sᵀ d(k + μ p + c r) S with
+r = s/(1 + βs) and p = s r, for R < 1/β: at s = −1/β frequencies of held pieces pile up.
 """
 
 from typing import TYPE_CHECKING
@@ -18,10 +21,10 @@ import numpy as np
 
 from vibcli.analyses.continuous.counting import GUARD
 from vibcli.numerics.pieces.held_count import held_count
+from vibcli.numerics.pieces.retardation import retarded_reaction
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix, EvaluatedMatrix, PieceStack
-    from vibcli.numerics.pieces.piece import Piece
 
 ARCS = 16           # of half the circle, to begin with
 LEAST = 2.0**-30    # the shortest arc: something lies on the circle
@@ -34,18 +37,25 @@ CLEAR = 2.0 ** -np.array([*range(10), 11, 13])      # relative distances at whic
 
 def zeros_within(matrix: "DynamicMatrix", radius: float) -> int | None:
     """The zeros of F in |s| < radius; None where one of them, or of a piece held at its ends, is next to the circle."""
+    if not matrix.retardation * radius < 1:
+        return None
+    held = sum(int(held_within(stack, radius).sum()) for stack in matrix.stacks)
     if not matrix.n:
-        return sum(int(held_within(stack.piece, radius).sum()) for stack in matrix.stacks)
+        return held
     arguments = _arguments(matrix, radius)
     if arguments is None:
         return None
     steps = np.angle(arguments[1:] / arguments[:-1])
     turned = _to_real(arguments[0]) + steps.sum() - _to_real(arguments[-1])
-    return round(turned / np.pi) + sum(int(held_within(stack.piece, radius).sum()) for stack in matrix.stacks)
+    return round(turned / np.pi) + held
 
 
-def held_within(piece: "Piece", radius: float) -> np.ndarray:
+def held_within(stack: "PieceStack", radius: float) -> np.ndarray:
     """How many s in |s| < radius there are at which pieces vibrate with all end values 0, drag and all: (pieces, 1)."""
+    return _held_retarded(stack, radius) if stack.beta.any() else _held(stack.piece, radius)
+
+
+def _held(piece, radius):
     mu, c, k = piece.inertia, np.abs(piece.drag), piece.foundation
 
     def beyond(kappa):
@@ -57,6 +67,25 @@ def held_within(piece: "Piece", radius: float) -> np.ndarray:
     slow = c < 2 * mu * radius
     swinging = np.maximum(beyond(k - mu * radius * radius) - double, 0)
     return np.where(slow, 2 * swinging + 2 * double - right - left, left - right)
+
+
+def _held_retarded(stack, radius):
+    """The same where μs² + cs + K (1 + βs) = 0 has two, one or no roots in |s| < radius, K = k − κ_j > 0 of each
+    frequency of a held piece: between the K at which that changes it is what it is in their middle."""
+    piece, found = stack.piece, np.zeros((len(stack.ends), 1), int)
+    for p in range(len(found)):
+        one = piece._make(float(part[p, 0]) for part in piece)
+        mu, c, beta = float(one.inertia), float(one.drag), float(stack.beta[p, 0])
+        turns = np.roots([beta**2, 2 * beta * c - 4 * mu, c**2]) if mu else np.zeros(0)
+        places = [radius * (c - mu * radius) / (1 - beta * radius), -radius * (c + mu * radius) / (1 + beta * radius),
+                  mu * radius**2, -mu * radius**2, *turns[abs(turns.imag) <= 1e-9 * abs(turns)].real]
+        places = sorted({0.0, *places})
+        beyond = [int(held_count(one._replace(foundation=np.array([one.foundation - K])), 0)[0]) for K in places]
+        places = [2 * min(places) - 1.0, *places, 2 * max(places) + 1.0]
+        for low, high, many in zip(places, places[1:], np.diff([0, *beyond]), strict=False):
+            roots = np.roots([mu, c + beta * float(low + high) / 2, float(low + high) / 2])
+            found[p] += many * int((abs(roots) < radius).sum())
+    return found
 
 
 def _to_real(value):
@@ -90,7 +119,7 @@ def _phases(matrix, s, step):
     with np.errstate(all="ignore"):
         found = matrix.at(s, steep=True)
         room = _room(matrix, found, s, step)
-        D = np.moveaxis(found.D, -1, 0).astype(complex)
+        D = np.moveaxis(found.D, -1, 0).astype(complex) / (1 + matrix.retardation * s)[:, None, None]
         scale = 1 / np.sqrt(np.maximum(sizes(found, s).T, 1e-300))
         D = D * scale[:, :, None] * scale[:, None, :]
         room = room * scale[:, :, None] * scale[:, None, :]
@@ -117,23 +146,35 @@ def sizes(found: "EvaluatedMatrix", s: np.ndarray) -> np.ndarray:
 
 def _room(matrix, found, s, step):
     """Q of a step from each s: (N, n, n)."""
-    C, M = (_majorant(part) for part in matrix.polynomial[1:])
-    size = abs(s)
-    room = (step * (2 * size + step))[:, None, None] * M + step[:, None, None] * C
+    beta = matrix.retardation
+    C, M = (_majorant(part) for part in (matrix.polynomial[1] - beta * matrix.polynomial[0], matrix.polynomial[2]))
+    drag, inertia = _steps(beta, s, step)
+    room = inertia[:, None, None] * M + drag[:, None, None] * C
     n = matrix.n
-    room[:, range(n), range(n)] += GUARD * n * UNIT * sizes(found, s).T
+    room[:, range(n), range(n)] += GUARD * n * UNIT * sizes(found, s).T / np.abs(1 + beta * s)[:, None]
     for stack, (d, _) in zip(matrix.stacks, found.ends, strict=True):
-        kappa = stack.piece.reaction(s)
-        moved = (abs(2 * stack.piece.inertia * s + stack.piece.drag) + stack.piece.inertia * step) * step
+        kappa = retarded_reaction(stack.piece, s, stack.beta)
+        if beta:
+            moved = stack.piece.inertia * inertia + stack.piece.drag * drag
+        else:
+            moved = (abs(2 * stack.piece.inertia * s + stack.piece.drag) + stack.piece.inertia * step) * step
         left = 1 - moved / _distance(stack, kappa)
         share = np.where(left > 0, moved / np.where(left > 0, left, 1), np.inf)
-        power = d.imag / kappa.imag * share
+        power = (d / (1 + beta * s)).imag / kappa.imag * share
         for p, rows in enumerate(stack.ends):
             for a, b in np.ndindex(len(rows), len(rows)):
                 for i, x in rows[a].items():
                     for j, y in rows[b].items():
                         room[:, i, j] += float(x * y) * power[a, b, p]
     return room
+
+
+def _steps(beta, s, step):
+    """Bounds of |Δr| and |Δp| within so long a step from each s."""
+    size, factor = abs(s), np.abs(1 + beta * s)
+    left = factor - beta * step
+    drag = np.where(left > 0, step / (factor * np.where(left > 0, left, 1.0)), np.inf)
+    return drag, step * size / factor + (size + step) * drag
 
 
 def _majorant(part):

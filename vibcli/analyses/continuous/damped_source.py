@@ -14,6 +14,7 @@ from vibcli.analyses.continuous.damped_roots import ALIKE, DampedRoot, Whole, ap
 from vibcli.analyses.continuous.dynamic_matrix import dynamic_matrix
 from vibcli.analyses.continuous.trial_eigenvalues import trial_eigenvalues
 from vibcli.analyses.modal.damped_modes import DampedMode
+from vibcli.analyses.modal.mode_sequence import NoMoreTold
 from vibcli.base.errors import PhysicsError
 from vibcli.numerics.pieces.held_count import held_count
 from vibcli.numerics.pieces.stiffness import stiffness_and_slope
@@ -27,6 +28,7 @@ EFFORTS = 1, 1.6, 2.5       # more functions within pieces, in turn
 SURE = 1e-3                 # relative bound of a root that is told
 RESTING = 1e-5              # of the radius: what is nearer to 0 is looked for there
 STILL = 1e-11       # of the largest component of a shape: what moves less rests
+BELOW = 0.9                 # of 1/β, where damped modes pile up
 GAPS = 4                    # that are tried in turn for the circle
 
 
@@ -44,11 +46,18 @@ class DampedModes:
     def __init__(self, elements: "FactoredSystem", natural: "Callable[[], Modes]"):
         self.matrix, self._natural = dynamic_matrix(elements), natural
         self.whole, self.region = Whole(self.matrix), Region(0.0, 0, [])
+        beta = self.matrix.retardation
+        self._limit, self._ended = BELOW / beta if beta else np.inf, False
         self._resting = [mode.shape for mode in natural().shown() if mode.rigid]
 
     def numbered(self, first: int, last: int) -> list[DampedMode]:
         """The modes with an index from first to last."""
-        self._reach(lambda sizes: len(sizes) + len(self._resting) >= last, self._start(last))
+        try:
+            self._reach(lambda sizes: len(sizes) + len(self._resting) >= last, self._start(last))
+        except NoMoreTold:
+            self._reach_limit()
+            if len(self.region.modes) < first:
+                raise
         return self.region.modes[first - 1:last]
 
     def count(self, Omega: float) -> int:
@@ -65,13 +74,32 @@ class DampedModes:
         """Widens the region until its roots are enough."""
         if self.region.radius >= max(least, 1e-300) and enough([1] * (len(self.region.modes) - len(self._resting))):
             return
+        if self._ended:
+            raise _piled_up(self.matrix.retardation)
         for _ in range(TRIES):
-            found = self._search(radius, enough, least)
+            found = self._search(min(radius, self._limit), enough, least) if least < self._limit else None
             if found is not None:
                 self.region = found
                 return
+            if radius >= self._limit:
+                raise _piled_up(self.matrix.retardation)
             radius *= WIDER
         raise _few(radius / WIDER)
+
+    def _reach_limit(self):
+        """Widens the region up to where damped modes pile up, as far as their number is certain."""
+        if self._ended:
+            return
+        roots = [root for root in self._roots(self._limit, EFFORTS[-1]) if abs(root.value) < self._limit]
+        for count in range(len(roots), len(self.region.modes) - len(self._resting), -1):
+            try:
+                found = self._search(self._limit, lambda sizes, count=count: len(sizes) >= count, 0.0)
+            except PhysicsError:
+                continue
+            if found is not None:
+                self.region = found
+                break
+        self._ended = True
 
     def _search(self, radius, enough, least):
         """The Region about this radius or less; None where its roots are not enough."""
@@ -115,7 +143,7 @@ class DampedModes:
 
     def _held(self, radius):
         """The number of frequencies of held pieces within a radius, as a function."""
-        return lambda size: sum(int(held_within(stack.piece, size).sum()) for stack in self.matrix.stacks)
+        return lambda size: sum(int(held_within(stack, size).sum()) for stack in self.matrix.stacks)
 
     def _at_rest(self, nearest):
         """How often λ = 0 is an eigenvalue."""
@@ -197,6 +225,12 @@ def _mode(index, root):
 def _few(radius):
     return PhysicsError(f"so many damped modes are not there: there are fewer with |λ| < {radius:.4g} 1/s",
                         "a damper near √(Nμ) of a bar, shaft or string lets no wave come back: ask for fewer modes")
+
+
+def _piled_up(beta):
+    return NoMoreTold(f"damping in proportion to stiffness makes modes without end creep at rates about "
+                      f"1/beta = {1 / beta:.4g} 1/s: damped modes are told below that alone",
+                      "ask for fewer modes, or for frequency responses")
 
 
 def _undecided(radius):

@@ -1,6 +1,6 @@
 """The dynamic stiffness of bodies, springs, dampers and members at many complex frequencies at a time:
 
-    D(s) = K + s (C + G) + s² M + Σ Sᵀ d(s) S        D′ = dD/ds
+    D(s) = K + s (C + G) + s² M + Σ (1 + β s) Sᵀ d(κ) S,     κ = k + (μ s² + c s)/(1 + β s),        D′ = dD/ds
 
 A load f(x) along members that is an input has the column −Σ Sᵀ ∫ f H dx, H the fields of the end values. d has poles
 where a piece vibrates with its ends held, and D is too large near these to hold what else is in it. The motion is not:
@@ -14,6 +14,7 @@ import numpy as np
 
 from vibcli.analyses.continuous.divided_pieces import divided_at
 from vibcli.numerics.pieces.piece import Piece
+from vibcli.numerics.pieces.retardation import reaction_rate, retarded_reaction
 from vibcli.numerics.pieces.stiffness import stiffness, stiffness_and_slope
 
 if TYPE_CHECKING:
@@ -29,31 +30,32 @@ BLOCK = 2.0**17     # entries of the matrices that are held at once
 
 class PieceStack:
     """Pieces of one differential equation, evaluated together: their coefficients as columns; ends[p]: the rows
-    {coordinate: component} of the end values of piece p; numbers[p]: its place among all pieces."""
+    {coordinate: component} of the end values of piece p; numbers[p]: its place among all pieces; beta: retardations."""
 
-    __slots__ = ("ends", "numbers", "piece")
+    __slots__ = ("beta", "ends", "numbers", "piece")
 
     def __init__(self, placed: "Sequence[PlacedPiece]", numbers: "Sequence[int]"):
         self.ends, self.numbers = [one.rows for one in placed], list(numbers)
         self.piece = Piece(*(np.array([[float(getattr(one.piece, name))] for one in placed]) for name in Piece._fields))
+        self.beta = np.array([[float(one.retardation)] for one in placed])
 
     def stiffness(self, s: np.ndarray, steep: bool) -> tuple[np.ndarray, np.ndarray | None]:
         """(d, dd/ds if it is `steep`), each (m, m, pieces, N); real where s is imaginary and nothing drags."""
-        piece = self.piece
-        damped = piece.drag.any() or s.real.any()
-        kappa = piece.reaction(s) if damped else piece.undamped_reaction(s.imag)
+        piece, factor = self.piece, (1 + self.beta * s) if self.beta.any() else 1.0
+        kappa = retarded_reaction(piece, s, self.beta)
         if not steep:
-            return np.moveaxis(stiffness(piece, kappa), (-2, -1), (0, 1)), None
+            return np.moveaxis(stiffness(piece, kappa), (-2, -1), (0, 1)) * factor, None
         d, slope = (np.moveaxis(part, (-2, -1), (0, 1)) for part in stiffness_and_slope(piece, kappa))
-        return d, slope * (2 * piece.inertia * s + piece.drag)
+        slope = slope * reaction_rate(piece, s, self.beta) * factor
+        return d * factor, slope + self.beta * d if self.beta.any() else slope
 
     def excess(self, d: np.ndarray, s: np.ndarray) -> np.ndarray:
         """How many times larger d is than a wave of its length would make it, the most of all pieces: (N,)."""
         piece = self.piece
-        kappa, force = np.abs(piece.reaction(s)), np.abs(piece.tension)
+        kappa, force = np.abs(retarded_reaction(piece, s, self.beta)), np.abs(piece.tension)
         waves = piece.bending**0.25 * np.sqrt(kappa * np.sqrt(kappa))       # κ^¾
         natural = 12 * piece.bending / piece.length**3 + waves + force / piece.length + np.sqrt(force * kappa)
-        return (np.abs(d[0, 0]) / natural).max(axis=0)
+        return (np.abs(d[0, 0]) / (natural * np.abs(1 + self.beta * s))).max(axis=0)
 
 
 class DynamicMatrix:
@@ -73,7 +75,13 @@ class DynamicMatrix:
     @property
     def undamped(self) -> bool:
         """Is D a real function of s²?"""
-        return not self.polynomial[1].any() and not any(stack.piece.drag.any() for stack in self.stacks)
+        return not self.polynomial[1].any() and not any(stack.piece.drag.any() or stack.beta.any()
+                                                        for stack in self.stacks)
+
+    @property
+    def retardation(self) -> float:
+        """β with which all stiffness resists rates, (1 + β s) of it; 0 where it does not."""
+        return max((float(stack.beta.max()) for stack in self.stacks), default=0.0)
 
     def divided(self, share: float) -> "DynamicMatrix":
         """The same with a free node within each piece."""
@@ -87,7 +95,7 @@ class DynamicMatrix:
     def without_damping(self) -> "DynamicMatrix":
         """The same without dampers and drag, gyroscopic terms kept."""
         K, C, M = self.polynomial
-        pieces = [placed._replace(piece=placed.piece._replace(drag=0.0)) for placed in self.pieces]
+        pieces = [placed._replace(piece=placed.piece._replace(drag=0.0), retardation=0) for placed in self.pieces]
         return DynamicMatrix(np.array([K, (C - C.T) / 2, M]), pieces, self.spread)
 
     def mixed(self, other: "DynamicMatrix", share: float) -> "DynamicMatrix":

@@ -7,6 +7,7 @@ import numpy as np
 from vibcli.analyses.excitation.load_forms import load_form
 from vibcli.base.errors import PhysicsError
 from vibcli.numerics.pieces.loads import LoadForm, end_loads, end_loads_slope, loaded_fields
+from vibcli.numerics.pieces.retardation import reaction_rate, retarded_reaction
 from vibcli.symbolic.evaluation import evaluate
 
 if TYPE_CHECKING:
@@ -41,10 +42,10 @@ class SpreadDrive(NamedTuple):
         if form is None:
             return None
         s = np.asarray(s)
-        kappa = piece.undamped_reaction(s.imag) if not (piece.drag or np.real(s).any()) else piece.reaction(s)
+        kappa = retarded_reaction(piece, s, placed.retardation)
         if not steep:
             return end_loads(piece, kappa, form)
-        return end_loads_slope(piece, kappa, form) * (2 * piece.inertia * s + piece.drag)[..., None]
+        return end_loads_slope(piece, kappa, form) * reaction_rate(piece, s, placed.retardation)[..., None]
 
 
     def size(self, placed: "PlacedPiece") -> list[float]:

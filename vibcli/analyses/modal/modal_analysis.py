@@ -82,8 +82,9 @@ class ModalAnalysis:
 
     @cached_property
     def member_damping(self) -> "MemberDamping | None":
-        """What `damping:` gives to the modes of members with inertia; None where nothing is given."""
-        if self.spec.get("damping") is None or not self.scene.pieces or self.modes.finite:
+        """What `damping:` gives to the modes of members with inertia, each by itself; None where nothing is given, or
+        what else damps couples them."""
+        if self.spec.get("damping") is None or not self.scene.pieces or self.modes.finite or self.configuration.coupled:
             return None
         from vibcli.analyses.continuous.member_damping import member_damping
         from vibcli.symbolic.evaluation import Floats

@@ -20,6 +20,10 @@ FAR = 50            # beyond those that are known, to be found without the ones 
 FEW = 20            # asked for at once, with which one more is found where shapes are told apart from the next
 
 
+class NoMoreTold(PhysicsError):
+    """Modes are asked for beyond those that can be told."""
+
+
 class Selection(NamedTuple):
     """Modes that are asked for: from index `first` to `last`, or all up to the angular frequency `up_to`."""
 
@@ -61,8 +65,11 @@ class Modes(Sequence):
         return self._until(last)[place]
 
     def first(self, count: int) -> list[Any]:
-        """Those up to the index `count`, fewer where there are no more."""
-        return self.numbered(1, count)
+        """Those up to the index `count`, fewer where there are no more, or no more are told."""
+        try:
+            return self.numbered(1, count)
+        except NoMoreTold:
+            return [mode for mode in self._known if mode.index <= count]
 
     def numbered(self, first: int, last: int) -> list[Any]:
         """Those of the indices from `first` to `last`, fewer where there are no more."""
@@ -72,6 +79,7 @@ class Modes(Sequence):
             if first > self._reached + FAR:
                 return self._jumped(first, last)
             self._until(last)
+            self._until(first)      # says why where none of them is told
         return [mode for mode in self._known if first <= mode.index <= last]
 
     def alone(self, index: int) -> Any:
