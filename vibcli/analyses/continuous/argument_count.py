@@ -26,8 +26,8 @@ from vibcli.numerics.pieces.retardation import retarded_reaction
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix, EvaluatedMatrix, PieceStack
 
-ARCS = 16           # of half the circle, to begin with
-LEAST = 2.0**-30    # the shortest arc: something lies on the circle
+ARCS = 16           # of half a circle, to begin with
+LEAST = 2.0**-32    # the shortest arc, of the whole path: something lies on it
 MOST, SINGLE = 20_000, 100_000       # arcs; where D is one number, with a damper that may nearly swallow all waves
 TURN = 1.4          # by which the argument changes at most between the middle of an arc and its ends: below π/2
 UNIT = 2.0**-53
@@ -40,14 +40,24 @@ def zeros_within(matrix: "DynamicMatrix", radius: float) -> int | None:
     if not matrix.retardation * radius < 1:
         return None
     held = sum(int(held_within(stack, radius).sum()) for stack in matrix.stacks)
+    turns = _half_turns(matrix, lambda t: radius * np.exp(1j * np.pi * t), ARCS) if matrix.n else 0
+    return None if turns is None else turns + held
+
+
+def zeros_aside(matrix: "DynamicMatrix", inner: float, outer: float, angle: float, sign: int) -> int | None:
+    """The zeros of det D between two circles within an angle of the positive (sign 1) or negative (−1) real axis;
+    pieces held at their ends must have none there. None where a zero is next to the border."""
     if not matrix.n:
-        return held
-    arguments = _arguments(matrix, radius)
-    if arguments is None:
-        return None
-    steps = np.angle(arguments[1:] / arguments[:-1])
-    turned = _to_real(arguments[0]) + steps.sum() - _to_real(arguments[-1])
-    return round(turned / np.pi) + held
+        return 0
+
+    def border(t):      # along the outer arc from the axis, along the ray, along the inner arc back to the axis
+        turned = angle * np.clip(np.minimum(3 * t, 3 - 3 * t), 0, 1)
+        size = outer * (inner / outer) ** np.clip(3 * t - 1, 0, 1)
+        return size * np.exp(1j * turned)
+
+    if sign > 0:
+        return _half_turns(matrix, border, 3 * ARCS)
+    return _half_turns(matrix, lambda t: -border(1 - t).conj(), 3 * ARCS)
 
 
 def held_within(stack: "PieceStack", radius: float) -> np.ndarray:
@@ -88,29 +98,39 @@ def _held_retarded(stack, radius):
     return found
 
 
+def _half_turns(matrix, path, arcs):
+    """By how many half turns arg det D changes along path(t), 0 ≤ t ≤ 1, from the real axis back to it."""
+    arguments = _arguments(matrix, path, arcs)
+    if arguments is None:
+        return None
+    steps = np.angle(arguments[1:] / arguments[:-1])
+    return round((_to_real(arguments[0]) + steps.sum() - _to_real(arguments[-1])) / np.pi)
+
+
 def _to_real(value):
     """The angle from the nearest part of the real axis, where D is real."""
     angle = np.angle(value)
     return angle - np.pi * np.rint(angle / np.pi)
 
 
-def _arguments(matrix, radius):
+def _arguments(matrix, path, arcs):
     """det D/|det D| at the middles of arcs, in order, between which it changes by less than half a turn."""
-    ends = np.linspace(0, np.pi, ARCS + 1)
+    ends = np.linspace(0, 1, arcs + 1)
     low, high, most = ends[:-1], ends[1:], MOST if matrix.n > 1 else SINGLE
-    angles, values, spent = [np.zeros(0)], [np.zeros(0, complex)], 0
+    places, values, spent = [np.zeros(0)], [np.zeros(0, complex)], 0
     while len(low):
         spent += len(low)
         if spent > most or (high - low).min() < LEAST:
             return None
         middle = (low + high) / 2
-        phase, change = _phases(matrix, radius * np.exp(1j * middle), 2 * radius * np.sin((high - low) / 4))
+        s = path(middle)
+        phase, change = _phases(matrix, s, np.maximum(abs(path(high) - s), abs(s - path(low))))
         good = change <= TURN
-        angles.append(middle[good])
+        places.append(middle[good])
         values.append(phase[good])
         low, middle, high = low[~good], middle[~good], high[~good]
         low, high = np.concatenate([low, middle]), np.concatenate([middle, high])
-    order = np.argsort(np.concatenate(angles))
+    order = np.argsort(np.concatenate(places))
     return np.concatenate(values)[order]
 
 

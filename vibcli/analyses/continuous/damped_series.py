@@ -72,9 +72,9 @@ def damped_series(matrix: "DynamicMatrix", known: "Known | DampedSeries", count:
     for effort in EFFORTS:
         starts = estimates(matrix, known, count, effort)
         inner = inner_estimates(matrix.pieces, known.radius, abs(starts).max(initial=0.0))
-        found = np.concatenate([_approached(divisions, starts), _approached(divisions.inner, inner)])
-        roots = _distinct(np.concatenate([known.rates, found[abs(found) > known.radius * (1 - ALIKE)]]))
-        values, errors, groups = _polished(divisions, roots)
+        found = np.concatenate([approached(divisions, starts), approached(divisions.inner, inner)])
+        roots = distinct(np.concatenate([known.rates, found[abs(found) > known.radius * (1 - ALIKE)]]))
+        values, errors, groups = polished(divisions, roots)
         radius = _circle(matrix, values, min(count, len(values)), known.resting)
         if radius is not None and (errors[:np.searchsorted(abs(values), radius)] < SURE).all():
             return _within(radius, values, errors, groups, known.resting)
@@ -140,7 +140,7 @@ def swallowed(matrix: "DynamicMatrix", pace: float) -> bool:
     return bool(np.linalg.svd(D, compute_uv=False)[-1] < SWALLOWED)
 
 
-def _approached(divisions, s):
+def approached(divisions: Divisions, s: np.ndarray) -> np.ndarray:
     """Where Newton's steps settle."""
     s, settled, moving = s.astype(complex), np.zeros(len(s), bool), np.arange(len(s))
     for _ in range(STEPS):
@@ -186,7 +186,7 @@ def _solved(D, slope):
         return np.linalg.solve(D + UNIT * np.diag(np.arange(1.0, n + 1)), slope)
 
 
-def _distinct(roots):
+def distinct(roots: np.ndarray) -> np.ndarray:
     """Without those found twice, by |λ|."""
     roots = roots[np.argsort(abs(roots), kind="stable")]
     keep = np.ones(len(roots), bool)
@@ -196,7 +196,7 @@ def _distinct(roots):
     return roots[keep]
 
 
-def _polished(divisions, s):
+def polished(divisions: Divisions, s: np.ndarray) -> tuple[np.ndarray, np.ndarray, list[ShapesOf]]:
     """λ to rounding by |λ|, each as often as it is one, their relative bounds, and the ShapesOf."""
     several = _multiplicities(divisions, s)
     first = np.cumsum(several) - several        # the number of each of these

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.spread_drives import SpreadDrive
     from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
 
-SHARES = 0.382, 0.5, 0.29       # of a piece at which it is divided, in the order in which they are tried
+SHARES = (3 - 5**0.5) / 2, 0.5, 1 - 0.5**0.5     # of a piece at which it is divided, as tried: no mode has nodes at all
 BLOWN = 32.0        # times its natural size: where a piece is as large, it is near a frequency with its ends held
 BLOCK = 2.0**17     # entries of the matrices that are held at once
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
+    from vibcli.analyses.continuous.damped_far import Annulus
     from vibcli.analyses.continuous.damped_source import Region
     from vibcli.analyses.modal.damped_modes import DampedMode
     from vibcli.analyses.modal.undamped import Mode
@@ -115,6 +116,10 @@ class Modes(Sequence):
     def region(self) -> "Region | None":
         """Of damped modes without end the circle up to which all are known; None where the modes are a list."""
         return getattr(self._source, "region", None)
+
+    def proof(self, found: "Sequence[DampedMode]") -> "Region | Annulus | None":
+        """Of damped modes without end what tells that none of these is missing; None where the modes are a list."""
+        return self._source.proof(found[0].index, found[-1].index) if found and not self.finite else None
 
     @property
     def _reached(self):

@@ -121,10 +121,18 @@ def damping(problem: "Problem", report: "Report") -> Iterator[Section]:
     if not found and problem.scene.pieces:
         yield from section("Damped modes", paragraph(_none_comes_back(problem)))
         return
-    region = problem.modal.damped.region
-    yield from section(DAMPED, TableBlock(head, tuple(map(damped_row, found))), region and paragraph(
-        f"{region.count} eigenvalues, conjugates counted, have |λ| < {region.radius:.6g} 1/s by the argument "
-        "principle: none is missing"))
+    yield from section(DAMPED, TableBlock(head, tuple(map(damped_row, found))), _proved(problem.modal.damped, found))
+
+
+def _proved(modes, found):
+    """What the argument principle counts; None where the modes are a list."""
+    region = modes.proof(found)
+    if region is None:
+        return None
+    told = f"{region.count} eigenvalues, conjugates counted, have |λ| < {region.radius:.8g} 1/s"
+    if region.below:
+        told += f", {region.below} of them |λ| < {region.inner:.8g} 1/s"
+    return paragraph(f"{told}, by the argument principle: none is missing")
 
 
 def _none_comes_back(problem):
