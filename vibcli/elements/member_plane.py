@@ -74,7 +74,7 @@ def _along(member, places, held, scene):
     if base is None:
         base = scene.coordinates.further(f"{member.name}.along({places[0].text})")
     tied = left is not None and right is not None and (right - left).mask
-    if scene.variant.stretched:
+    if scene.variant.stretched or (scene.variant.opened and not member.stretching):
         stretches = [None if "along" in motions else scene.coordinates.further(f"{member.name}.stretch {i}")
                      for i, motions in enumerate(held)]
         return [motions.get("along", base) if stretch is None else base + stretch

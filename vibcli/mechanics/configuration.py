@@ -61,6 +61,11 @@ class Configuration:
         """The Equilibrium; PhysicsError where none is reached."""
         if self._equilibrium is not None:
             return self._equilibrium
+        settled = self.system.settled
+        if settled is not None and settled.refusal is not None:
+            raise settled.refusal
+        if settled is not None and settled.configuration.numeric.given == self.numeric.given:
+            return settled.configuration.equilibrium
         found = self._reached()
         if self.scene.members:
             from vibcli.mechanics.member_tensions import require_tensions

@@ -4,7 +4,6 @@ tensions that statics alone does not find."""
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from vibcli.mechanics.member_tensions import open_tensions
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
@@ -23,14 +22,17 @@ def member_warnings(configuration: "Configuration") -> list[str]:
     for member in configuration.scene.members.values():
         if not member.kind.torsional:
             found += _turned(member, configuration)
-    return [*found, *map(_left_out, open_tensions(configuration))]
+    settled = configuration.system.settled
+    names = () if settled is None else settled.names
+    return [*found, *(_from_equilibrium(configuration, name) for name in names)]
 
 
-def _left_out(one):
-    """That a tension is not in the stiffness of its member."""
-    return (f"statics alone does not find the tension {one.found:.6g} N of '{one.member.name}': its stiffness is that "
-            f"under {one.drawn:.6g} N; the rest, {one.part:.2g} of π²EI/L², is left out")
-
+def _from_equilibrium(configuration, name):
+    """How the tension of a member was found."""
+    member = configuration.scene.members[name]
+    found = evaluate([tension for tension, _ in member.tensions], Floats, configuration.at_rest)
+    told = list(dict.fromkeys(f"{x:.6g}" for x in (min(found), max(found))))
+    return f"'{name}': tension {' to '.join(told)} N: statics alone leaves it open; from the equilibrium"
 
 
 def _thick(member: "Member", configuration):
