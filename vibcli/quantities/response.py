@@ -91,8 +91,9 @@ def _extreme(sense):
     """The value of an extreme."""
     def value(problem, tree, args):
         signal = _signal(problem, tree)
-        instant, found = signal.extreme(0.0, problem.response.until, sense)
-        return found, lambda: signal.error(instant)
+        until = problem.response.until
+        instant, found = signal.extreme(0.0, until, sense)
+        return found, lambda: signal.error_of_extreme(0.0, until, (instant, found), sense)
     return value
 
 
@@ -127,12 +128,13 @@ def _overshoot(problem, tree, args):
     if final == start:
         raise PhysicsError("the signal ends where it starts: it has no overshoot", "ask for max(x)")
     sense = 1 if final > start else -1
-    instant, top = signal.extreme(0.0, problem.response.until, sense)
+    until = problem.response.until
+    instant, top = signal.extreme(0.0, until, sense)
     found = max(0.0, float((top - final) / (final - start)))
 
     def off():
-        last = signal.error_of_final()
-        return (signal.error(instant) + last + found * (signal.error(0.0) + last)) / abs(final - start)
+        last, high = signal.error_of_final(), signal.error_of_extreme(0.0, until, (instant, top), sense)
+        return (high + last + found * (signal.error(0.0) + last)) / abs(final - start)
 
     return found, off
 

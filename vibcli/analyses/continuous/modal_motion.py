@@ -184,6 +184,14 @@ class ModalMotion:
         rest = self._uncounted(read, stretch, t)
         return rest if modes is None else rest + float(self._amplitudes(read, stretch)[modes:].sum())
 
+    def left(self, output: "LinearOutput", start: float, t: float, modes: int) -> float:
+        """What those counted beyond the first `modes` can add from an instant on, on the stretch from `start`."""
+        read, states = Read(self, output, 0), self.states
+        stretch = next(one for one in self.stretches(t) if one.start == start)
+        beyond = states.modes >= modes
+        sizes = np.abs(read.states * stretch.free)[beyond]
+        return float(sizes @ np.exp(states.rates.real[beyond] * (t - start)))
+
     def _uncounted(self, read, stretch, t):
         """A bound of what is left out; where none is known how amplitudes fall."""
         if self._disturbances is not None:
