@@ -17,7 +17,6 @@ FIRST = 128         # modes
 FEWEST = 32
 MOST = {True: 2048, False: 512}     # modes of a uniform member by itself, and of others
 SHARES = 0.0, 0.25, 0.5, 0.75, 1.0      # of a piece
-CRITICAL = 1e-6     # |1 − ζ| below which two eigenvalues are not told apart
 CLOSE = 1e-10       # of the largest value: a remainder that is small enough
 
 
@@ -169,7 +168,7 @@ class ModalResponse(ResponseOfMembers):
         if most - min(rates) > 1e-14 * most or self.matrices[0].any():
             raise CoupledModes("drag that differs from place to place couples the modes of members",
                                "ask for steady(…), or give all the same drag by mass")
-        return _not_critical(basis, np.full(len(basis.squares), most))
+        return np.full(len(basis.squares), most)
 
     def _given_damping(self, basis):
         """Those of `damping:`."""
@@ -177,8 +176,7 @@ class ModalResponse(ResponseOfMembers):
 
         damping = self.problem.modal.member_damping
         modes = self.problem.modal.modes.first(len(basis.squares))
-        rates = np.array([float(damping.rate(mode)) for mode in modes])
-        return _not_critical(basis, rates)
+        return np.array([float(damping.rate(mode)) for mode in modes])
 
     def _start(self, basis):
         """η and η̇ at t = 0."""
@@ -282,14 +280,6 @@ class ModalResponse(ResponseOfMembers):
             raise PhysicsError("signals of loops that close are not found by modes", "ask for coordinates")
         signals = {symbol.name: self._one(part) for symbol, part in parts.items()}
         return ComposedSignal(node, signals, self.values, self.problem.scene.time, None, self.problem.work)
-
-
-def _not_critical(basis, damping):
-    """c of modes, two eigenvalues of each being told apart."""
-    omega = abs(basis.squares)**0.5
-    if ((basis.squares > 0) & (abs(damping / 2 - omega) < CRITICAL * omega)).any():
-        raise NotByModes("a mode is damped critically", "give it a little more or less damping")
-    return damping
 
 
 class NotByModes(NotByWaves):

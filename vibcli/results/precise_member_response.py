@@ -112,12 +112,12 @@ class PreciseMemberCurve:
                                 (s * s, elements.M)):
             for pair, x in entries.items():
                 D[pair] += factor * x
-        for placed, stiffness in zip(self.pieces, d, strict=True):
+        for placed, own in zip(self.pieces, d, strict=True):
             for a, one in enumerate(placed.rows):
                 for b, two in enumerate(placed.rows):
                     for i, x in one.items():
                         for j, y in two.items():
-                            D[i, j] += x * y * stiffness[a, b]
+                            D[i, j] += x * y * own[a, b]
         return D
 
 
