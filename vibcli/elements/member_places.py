@@ -84,8 +84,9 @@ def places_of(name: str, record: "Record", segments: "Sequence[MemberSegment]", 
         here = [attached[id(expression)]] if id(expression) in attached else []
         x = scene.number(node)
         if not -ROUNDING * length <= x <= (1 + ROUNDING) * length:
-            scene.report(expression.where, f"'{expression.text}' is {x:.6g} m along '{name}', which is {length:.6g} m "
-                         "long", "places count from its left end")
+            at, whole = scene.figures(node, end)
+            scene.report(expression.where, f"'{expression.text}' is {at} m along '{name}', which is {whole} m long",
+                         "places count from its left end")
             continue
         _add(found, PlaceAlong(node, expression.text, expression.where, [], here), x, length, scene)
     texts = []

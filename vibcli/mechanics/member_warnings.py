@@ -22,6 +22,9 @@ def member_warnings(configuration: "Configuration") -> list[str]:
     for member in configuration.scene.members.values():
         if not member.kind.torsional:
             found += _turned(member, configuration)
+    found += [f"the {side} end of '{member.name}' is held to '{name}' {off:.6g} m from where that is drawn, as by a "
+              "rigid arm without mass" for member in configuration.scene.members.values()
+              for side, name, off in member.arms(configuration.scene)]
     settled = configuration.system.settled
     names = () if settled is None else settled.names
     return [*found, *(_from_equilibrium(configuration, name) for name in names)]

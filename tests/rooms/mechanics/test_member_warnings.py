@@ -29,6 +29,15 @@ def test_a_turn_of_more_than_a_tenth_is_told(slope, large):
     assert [sentence.split(" turns by ")[1][:4] for sentence in found] == ["0.11"] * large
 
 
+def test_a_beam_beside_the_point_that_it_carries_is_told():
+    """A girder without size between two columns carries their heads as if by arms."""
+    frame = problem("bodies: {floor: {mass: 2 kg, at: [1 m, 3 m], move: [x, 0, 0]}}\nbeams:\n" + "".join(
+        f"  {name}: {{from: [{x} m, 0], to: [{x} m, 3 m], EI: 9 kN*m^2, left: clamped, right: {{clamped: floor}}}}\n"
+        for name, x in (("left", 0), ("middle", 1))))
+    assert member_warnings(frame.configuration) == [
+        "the right end of 'left' is held to 'floor' 1 m from where that is drawn, as by a rigid arm without mass"]
+
+
 def test_a_tension_that_statics_leaves_open_is_told_with_where_it_is_from():
     """The columns carry half the load besides; that of the girder by finite elements."""
     assert member_warnings(problem_of(TRIALS / "loaded_frames.yaml").configuration) == [

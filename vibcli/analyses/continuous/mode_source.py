@@ -167,7 +167,7 @@ class NaturalModes:
 
 def _undecided():
     return PhysicsError("the frequencies are so close to one another, or the data so far apart, that digits do not "
-                        "tell them", "look for stiffnesses of very different size")
+                        "tell them", "look for stiffnesses of very different size, or ask for lower modes")
 
 
 def _sizes(system, shapes):

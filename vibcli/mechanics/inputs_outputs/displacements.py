@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING
 
+from vibcli.base.diagnostics import distinct_figures
 from vibcli.base.errors import PhysicsError
 from vibcli.language.document.document import Scalar
 from vibcli.language.reader import Expression, Reference
@@ -55,8 +56,8 @@ def signal_of_place(scene: "Scene", signal: SignalName):
         raise PhysicsError(f"no {signal.part} is attached at '{signal.place}' to '{member.name}'",
                            f"ask for {next(name for name in scene.hidden if signal_name(name)[:2] == signal[:2])}")
     if found is None:
-        x, length = scene.number(place), scene.number(member.length)
-        raise PhysicsError(f"'{signal.place}' is {x:.6g} m along '{member.name}', which is {length:.6g} m long",
+        x, length = distinct_figures(scene.number(place), scene.number(member.length))
+        raise PhysicsError(f"'{signal.place}' is {x} m along '{member.name}', which is {length} m long",
                            "places count from its left end")
     return found
 
