@@ -17,7 +17,7 @@ MANY, MOST, SMALL = 2400, 600, 8        # modes at most of systems of few coordi
 class DampedModalResponse(ModalResponse):
     """Small oscillations about the equilibrium. NotByModes where damped modes are not all that moves."""
 
-    WORDS = "small oscillations about the equilibrium, by damped modes"
+    WORDS = "small oscillations about the equilibrium, by damped modes; what those left out add is estimated"
 
     def require(self) -> None:
         """NotByModes where the motion is not one of damped modes."""

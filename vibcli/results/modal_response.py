@@ -68,7 +68,7 @@ class ModalResponse(ResponseOfMembers):
         creeping = given is not None and given.creeps
         starts, disturbed = self._disturbed(basis, inputs, damping)
         start = [one.of_modes(basis.squares, plain) for one, plain in zip(starts, self._start(basis), strict=True)]
-        modes = RealModes(basis, inputs, start, damping, creeping, None if creeping else disturbed)
+        modes = RealModes(basis, inputs, start, damping, creeping, disturbed)
         return ModalMotion(modes, self._transfer, self._forces, self.problem.work)
 
     def _felt(self, basis):
@@ -95,7 +95,9 @@ class ModalResponse(ResponseOfMembers):
         found = [start_of_field(uncounted, [given[rate] for given in self.fields], 0, np.array(part, float), not rate,
                                 () if rate else self.let_go) for rate, part in enumerate(self.deviations)]
         start = Start(np.array([one.held for one in found]), np.array([one.spread for one in found]))
-        return found, lambda segments: Disturbances(uncounted, start, segments)
+        given = self.problem.modal.member_damping
+        creeping = given.series if given is not None and given.creeps else ()
+        return found, lambda segments: Disturbances(uncounted, start, segments, creeping)
 
     @cached_property
     def _driven_ends(self):

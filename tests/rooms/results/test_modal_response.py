@@ -248,3 +248,18 @@ def test_an_extreme_of_what_has_no_bound_at_first_is_not_told():
     assert found.error(top[0]) < 1e-6
     with pytest.raises(NoBound, match="no bound"):
         found.error_of_extreme(0.0, 1.0, top, 1)
+
+
+@pytest.mark.parametrize("load", ["1 N*step(t) + 0.5 N*cos(7 rad/s*t)", "1 N*(step(t) - step(t - 0.1 s))"])
+def test_the_bound_of_modes_that_creep_holds(load):
+    """Of few modes against many, in displacements, rates and moments."""
+    scene = problem(CANTILEVER + "points: {tip: {body: arm, at: L}}\nforces: {push: {at: tip, force: " + load + "}}\n"
+                    "damping: {caughey: {1: 1 %, 2: 2 %, 3: 8 %}}\n")
+    times = np.geomspace(1e-5, 2.0, 30)
+    for name, order in (("arm.u(L)", 0), ("arm.u(L)", 1), ("arm.moment(0 m)", 0)):
+        many = signal(scene, name)
+        few = scene.response.motion(32)
+        off = np.abs(few.values(many.reads, times, order) - scene.response.motion(512).values(many.reads, times, order))
+        bounds = np.array([few.bound(many.reads, t, order) for t in times])
+        assert (off <= bounds + 1e-13).all()
+        assert off.max() >= bounds.max() / 1e5

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from vibcli.analyses.continuous.disturbances import left_to_creep
 from vibcli.analyses.continuous.modal_states import FreeStretch, followed, moved, next_to, parts
 from vibcli.analyses.continuous.remainder import remainder
 from vibcli.base.errors import PhysicsError
@@ -146,9 +147,7 @@ class ModalMotion:
     def _among_creeping(self, read, s, power):
         """The same where no circle about s is free of eigenvalues: of a steady load alone."""
         if s or power or read.rigid.size or not self.states.rates.all():
-            raise PhysicsError("modes creep the more slowly the higher they are: what a load that grows or dies out "
-                               "leaves of them, or a steady one of what nothing holds, is not found",
-                               "let loads turn, or give ratios at one or two modes")
+            raise left_to_creep()
         return self._left(read, np.zeros(1, complex)).T
 
     def _left(self, read, s):
