@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 POINTS = 32                     # of a panel
 NONE, NEARLY = 1e-12, 1e-14     # of the size on a panel, of that on all: what is rounding
 FINEST = Fraction(1, 2**10)     # of an interval: the shortest panel
+LEAST = Fraction(1, 2**60)      # the same next to an end
+NOTHING = 2.0**-56              # of ∫ |f| dx: what is left there
 ROOTS = (2, 3, 4, 6)            # m of broken powers that are looked for
 GRID = 512                      # places between which an argument changes its sign
 CORNERS = ("abs", "ramp", "min", "max")
@@ -112,8 +114,9 @@ def _changes(u, x, ends, values):
 
 def panels(value: "Callable[[float], Sequence[float]]", ends: tuple[float, float], longest: float = 1.0,
            broken: bool = True) -> Iterator[SmoothPanel]:
-    """Panels of an interval without corners inside, none longer than this share of it; value(x): functions. With
-    `broken` powers at its ends. NotSmooth where there are none."""
+    """Panels of an interval without corners inside, none longer than this share of it; value(x): functions. Next to its
+    ends rules for `broken` powers, or without these one so short that nothing is left there. NotSmooth where there are
+    none."""
     low, high = ends
 
     def at(points):
@@ -127,7 +130,7 @@ def panels(value: "Callable[[float], Sequence[float]]", ends: tuple[float, float
         found = _panel(a, b, at, sizes, broken) if b - a <= longest else None
         if found is not None:
             yield found
-        elif b - a > FINEST or b - a > longest:
+        elif b - a > (LEAST if not broken and (a == 0) != (b == 1) else FINEST) or b - a > longest:
             left += [((a + b) / 2, b), (a, (a + b) / 2)]
         else:
             raise NotSmooth(f"is infinite, jumps or turns about too often near {low + (high - low) * float(a):.6g} m",
@@ -141,6 +144,11 @@ def _panel(a, b, at, sizes, broken):
         if all(isfinite(y) for row in rows for y in row) and all(
                 _said(row, weights, b - a, size) for row, size in zip(rows, sizes, strict=True)):
             return SmoothPanel(a, b, points, plain)
+    if not broken and (a == 0) != (b == 1):
+        points = _moved(gauss_points(POINTS), a, b)
+        left = [float(b - a) * max(map(abs, row)) for row in at(points)]
+        if all(most <= NOTHING * size for most, size in zip(left, sizes, strict=True)):
+            return SmoothPanel(a, b, points, False)
     return None
 
 
