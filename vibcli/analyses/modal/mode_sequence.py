@@ -107,6 +107,13 @@ class Modes(Sequence):
             wanted = USUAL + len({mode.index for mode in found if not mode.omega or mode.growth_rate is not None})
         return found
 
+    @property
+    def grow(self) -> bool:
+        """Do some grow? Told by counts, without modes, where these have no end."""
+        if self.finite:
+            return any(mode.growth_rate is not None for mode in self._known)
+        return bool(self._source.ground.growing)
+
     def counted_above(self, mode: "Mode") -> int | None:
         """How many modes have at most the frequency of this one, certain by a count just above it; None where that
         does not tell, or the modes are a list."""

@@ -46,12 +46,12 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
     if motion.KIND == "prescribed":
         yield from section(f"Motion in time ({motion.WORDS})", paragraph("nothing moves freely"))
     else:
-        yield from _start(problem, motion, _drive(problem, motion) if motion.KIND == "small" else ())
+        yield from _start(problem, motion, _drive(problem, motion) if motion.KIND in ("small", "steady") else ())
     if motion.KIND == "full":
         from vibcli.report.sections.integration import integration
 
         yield from integration(motion.trajectory())
-    elif motion.KIND == "small":
+    elif motion.KIND in ("small", "steady"):
         from vibcli.report.sections.formulas import formulas
         from vibcli.report.sections.vibrations import beats, free_vibration
 
