@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vibcli.analyses.continuous.counting import GUARD
+from vibcli.analyses.continuous.leaving_waves import leaving_room
 from vibcli.numerics.pieces.held_count import held_count
 from vibcli.numerics.pieces.retardation import retarded_reaction
 
@@ -31,13 +32,14 @@ LEAST = 2.0**-32    # the shortest arc, of the whole path: something lies on it
 MOST, SINGLE = 20_000, 100_000       # arcs; where D is one number, with a damper that may nearly swallow all waves
 TURN = 1.4          # by which the argument changes at most between the middle of an arc and its ends: below π/2
 UNIT = 2.0**-53
+FADED = 1e-250      # of D: floats hardly hold what its waves bring back
 HUGE = 1e100        # D is singular in floats
 CLEAR = 2.0 ** -np.array([*range(10), 11, 13])      # relative distances at which poles are looked for
 
 
 def zeros_within(matrix: "DynamicMatrix", radius: float) -> int | None:
     """The zeros of F in |s| < radius; None where one of them, or of a piece held at its ends, is next to the circle."""
-    if not matrix.retardation * radius < 1:
+    if not matrix.retardation * radius < 1 or fades(matrix, radius):
         return None
     held = sum(int(held_within(stack, radius).sum()) for stack in matrix.stacks)
     turns = _half_turns(matrix, lambda t: radius * np.exp(1j * np.pi * t), ARCS) if matrix.n else 0
@@ -58,6 +60,15 @@ def zeros_aside(matrix: "DynamicMatrix", inner: float, outer: float, angle: floa
     if sign > 0:
         return _half_turns(matrix, border, 3 * ARCS)
     return _half_turns(matrix, lambda t: -border(1 - t).conj(), 3 * ARCS)
+
+
+def fades(matrix: "DynamicMatrix", radius: float) -> bool:
+    """Is D so small on the circle that floats do not hold it, where dampers let no wave come back?"""
+    if not matrix.n or matrix.retardation:
+        return False
+    s = np.array([-radius + 0j])
+    with np.errstate(all="ignore"):
+        return bool(np.min(sizes(matrix.at(s, steep=True), s)) < FADED)
 
 
 def held_within(stack: "PieceStack", radius: float) -> np.ndarray:
@@ -169,10 +180,14 @@ def _room(matrix, found, s, step):
     beta = matrix.retardation
     C, M = (_majorant(part) for part in (matrix.polynomial[1] - beta * matrix.polynomial[0], matrix.polynomial[2]))
     drag, inertia = _steps(beta, s, step)
-    room = inertia[:, None, None] * M + drag[:, None, None] * C
+    room, away = inertia[:, None, None] * M, matrix.leaves(s)
+    if away.any():
+        room = room + drag[:, None, None] * np.where(away[:, None, None], _majorant(matrix.damping_left), C)
+    else:
+        room = room + drag[:, None, None] * C
     n = matrix.n
     room[:, range(n), range(n)] += GUARD * n * UNIT * sizes(found, s).T / np.abs(1 + beta * s)[:, None]
-    for stack, (d, _) in zip(matrix.stacks, found.ends, strict=True):
+    for stack, Z, (d, _) in zip(matrix.stacks, matrix.impedances, found.ends, strict=True):
         kappa = retarded_reaction(stack.piece, s, stack.beta)
         if beta:
             moved = stack.piece.inertia * inertia + stack.piece.drag * drag
@@ -181,12 +196,33 @@ def _room(matrix, found, s, step):
         left = 1 - moved / _distance(stack, kappa)
         share = np.where(left > 0, moved / np.where(left > 0, left, 1), np.inf)
         power = (d / (1 + beta * s)).imag / kappa.imag * share
+        if away.any() and Z.any():
+            power = _leaving_power(stack, Z, found, s, step, away, power)
         for p, rows in enumerate(stack.ends):
             for a, b in np.ndindex(len(rows), len(rows)):
                 for i, x in rows[a].items():
                     for j, y in rows[b].items():
                         room[:, i, j] += float(x * y) * power[a, b, p]
     return room
+
+
+def _leaving_power(stack, Z, found, s, step, away, power):
+    """Q of pieces whose leaving waves are taken off: of what ends answer themselves, and of what one answers the
+    other, b, |b (x̄₀ y₁ + x̄₁ y₀)|² ≤ (b t |x₀|² + b/t |x₁|²)(b t |y₀|² + b/t |y₁|²) for any t > 0; near poles as
+    without, and of the damper taken off."""
+    own, across = leaving_room(stack.piece, np.where(Z, Z, 1.0), s, step)
+    here = away & (Z > 0)
+    far = here & np.isfinite(own)
+    size = np.sqrt(np.maximum(found.size, 1e-300))
+    power = np.where(far, 0.0, power)
+    for p, rows in enumerate(stack.ends):
+        felt = [sum((abs(float(x)) * size[i] for i, x in row.items()), 0 * step) for row in rows]
+        both = (felt[0] > 0) & (felt[1] > 0)        # else one end is held
+        t = np.where(both, felt[0] / np.where(both, felt[1], 1), 1.0)
+        for end, share in enumerate((np.where(both, t, 0.0), np.where(both, 1 / t, 0.0))):
+            leaves = np.where(far[p], own[p] + across[p] * share, np.where(here[p], Z[p] * step, 0.0))
+            power[end, end, p] += leaves
+    return power
 
 
 def _steps(beta, s, step):

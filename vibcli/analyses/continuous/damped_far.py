@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from vibcli.analyses.continuous.argument_count import zeros_aside, zeros_within
+from vibcli.analyses.continuous.argument_count import fades, zeros_aside, zeros_within
 from vibcli.analyses.continuous.damped_estimates import half_turns, inner_estimates, where_waves_turn
 from vibcli.analyses.continuous.damped_series import SECTIONS, Divisions, approached, distinct, polished
 from vibcli.base.errors import PhysicsError
@@ -81,6 +81,9 @@ class FarModes:
 
     def _between(self, begin, end):
         """The Annulus of roots with about so many half turns of the waves between them."""
+        most = float(where_waves_turn(self.matrix.pieces, np.array([np.pi * end]))[0])
+        if fades(self.matrix, most):
+            raise _uncertain(most)
         for effort in EFFORTS:
             values, errors = self._roots(begin, end, effort)
             if float(where_waves_turn(self.matrix.pieces, np.array([np.pi * begin]))[0]) > self.low.radius:
@@ -96,7 +99,7 @@ class FarModes:
                 if not (errors[inside] < SURE).all():
                     raise _uncertain(outer)
                 return Annulus(inner, outer, below, within, self._before(inner, below) + 1, roots)
-        raise _uncertain(float(where_waves_turn(self.matrix.pieces, np.array([np.pi * end]))[0]))
+        raise _uncertain(most)
 
     def _roots(self, begin, end, effort):
         """Polished ones beyond the small circle: values by size, and their bounds."""

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 STEPS, SETTLED = 30, 1e-9
 UNIT = 2.0**-53
+GIVEN = 2.0         # roundings of a damper beside √(Nμ), as they are given
 ALIKE = 1e-7        # relative distance below which roots are looked at together
 FLAT = 1e-6         # of κ: so near the real axis the energy of a piece is that of its slope
 
@@ -79,7 +80,9 @@ def roots_at(whole: Whole, s: complex) -> list[DampedRoot]:
     away = np.linalg.eigvals(np.linalg.solve(w.conj().T @ slope @ x, -(w.conj().T @ D @ x)))
     gain = np.linalg.norm(np.linalg.inv(w.conj().T @ slope @ x), 2)
     spread = (abs(w).sum(axis=0) ** 2).sum() ** 0.5 * (abs(x).sum(axis=0) ** 2).sum() ** 0.5
-    error = SLACK * GUARD * UNIT * spread * gain / abs(s) + 4 * UNIT
+    given = np.sqrt(found.given[:, 0]) * scale
+    felt = ((given @ abs(w)) ** 2).sum() ** 0.5 * ((given @ abs(x)) ** 2).sum() ** 0.5
+    error = UNIT * (SLACK * GUARD * spread + GIVEN * felt) * gain / abs(s) + 4 * UNIT
     out = []
     for i, step in enumerate(away):
         value = complex(s + step)
