@@ -9,7 +9,7 @@ held to what parts along the line, that is a condition. A beam with EA stretches
 from typing import TYPE_CHECKING, Any
 
 from vibcli.elements.member_line import Station
-from vibcli.elements.member_pieces import add_across, add_along, add_piece, preload_of
+from vibcli.elements.member_pieces import add_across, add_along, add_graded, add_piece, preload_of
 from vibcli.elements.member_springs import mean_across, mean_along
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import HALF
@@ -123,8 +123,10 @@ def _add_taut(member, segment, left, right, i, scene):
     gradient = tension_gradient(member, segment, scene)
     member.tensions.append((tension, gradient))
     if member.kind.bends:
-        add_across(segment, left, right, tension, scene, gradient)
-        return mean_across(scene, length, segment.stiffness, tension + gradient * length / 2, segment.foundation,
+        if not gradient.is_zero:
+            return add_graded(f"{member.name}.{i + 1}", segment, left, right, tension, gradient, scene)
+        add_across(segment, left, right, tension, scene)
+        return mean_across(scene, length, segment.stiffness, tension, segment.foundation,
                            [*left.motions, *right.motions])
     ends = [scene.table.zero if station.u is None else station.u for station in (left, right)]
     least, most = sorted(scene.number(node) for node in (tension, tension + gradient * length))

@@ -67,10 +67,6 @@ class Configuration:
         if settled is not None and settled.configuration.numeric.given == self.numeric.given:
             return settled.configuration.equilibrium
         found = self._reached()
-        if self.scene.members:
-            from vibcli.mechanics.member_tensions import require_tensions
-
-            require_tensions(self.about(found))
         if self.scene.timed:
             from vibcli.mechanics.autonomous import require_autonomous
 

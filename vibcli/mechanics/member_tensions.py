@@ -7,7 +7,6 @@ with F − Σ λₖ ∂Gₖ/∂t; of a beam that stretches N is EA Δ/l beside i
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from vibcli.base.errors import PhysicsError
 from vibcli.scene.member_tensions import along_pieces, force_along, is_held_along, placed_members
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -24,17 +23,6 @@ class TensionAtRest(NamedTuple):
     found: list
     drawn: list
     size: float
-
-
-def require_tensions(configuration: "Configuration") -> None:
-    """PhysicsError where a member is bent while its tension varies along it."""
-    for member in placed_members(configuration.scene):
-        varies = any(not piece.piece.gradient.is_zero for piece in configuration.system.linearisation.pieces
-                     if piece.owner == member.name)
-        if varies and member.kind.bends and _bent(member, configuration):
-            raise PhysicsError(f"'{member.name}' is bent by its loads, and its tension varies along it: this does not "
-                               "work yet", "let it stand or hang upright with nothing that bends it, or leave out "
-                               "`gravity`", member.record.where)
 
 
 def tensions_at_rest(configuration: "Configuration") -> list[TensionAtRest]:
@@ -111,11 +99,3 @@ def _at_rest(scene, configuration, cuts):
     return {**configuration.numeric.floats, **dict(zip(names, values, strict=True)),
             **dict.fromkeys((t.name for t in cuts), 0.0), scene.time.name: 0.0,
             **dict.fromkeys((v.name for v in scene.v), 0.0)}
-
-
-def _bent(member, configuration):
-    """Does a member rest elsewhere than along its line as drawn?"""
-    if configuration.equilibrium.drawn:
-        return False
-    moved = [node for station in member.stations for node in station.motions]
-    return any(evaluate(moved, Floats, configuration.at_rest))
