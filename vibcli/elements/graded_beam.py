@@ -1,8 +1,8 @@
 """Pieces of beams under a tension that varies along them, at rest: springs, mean displacement, deflection, exactly.
 
-Cut into parts so short that their power series serve, joined at the cuts. With v = θ_l − θ₀, w = (θ_l + θ₀)/2 −
-(u_l − u₀)/l, what a piece does as it turns or shifts alone is known: u = x needs the load k x − n and the ends −N₀, N_l,
-u = 1 the load k, so that small tensions are told beside large stiffnesses.
+Cut into parts so short that their power series serve, joined at the cuts. Stiffness counts by θ_l − θ₀, (θ_l + θ₀)/2 −
+(u_l − u₀)/l, (u_l − u₀)/l and (u₀ + u_l)/2: what a piece needs to turn or shift alone is known, for u = x the load
+k x − n and the forces −N₀, N_l, for u = 1 the load k, so that small tensions are told beside large stiffnesses.
 """
 
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -34,13 +34,13 @@ class GradedBeam(NamedTuple):
         turned = (ul - u0) / self.length
         s = [tl - t0, (tl + t0) / 2 - turned, turned, (u0 + ul) / 2]
         k = self._by_shape()
-        chosen = [i for i in range(len(k))]
-        found, define = [], self.scene.table.defined
+        chosen, found, define = list(range(len(k))), [], self.scene.table.defined
         while chosen:
             i = max(chosen, key=lambda i: abs(self.scene.number(k[i][i])) * (1.0 if i < 2 else 1e-30))
             chosen.remove(i)
             share = {j: define(f"{owner}.c{i + 1}{j + 1}", k[i][j] / k[i][i]) for j in chosen if not k[i][j].is_zero}
-            found.append((define(f"{owner}.k{i + 1}", k[i][i]), self.scene.table.total([s[i], *(part * s[j] for j, part in share.items())])))
+            stretch = self.scene.table.total([s[i], *(part * s[j] for j, part in share.items())])
+            found.append((define(f"{owner}.k{i + 1}", k[i][i]), stretch))
             for a in share:
                 for b in share:
                     k[a][b] = k[a][b] - share[a] * k[i][b]
@@ -60,6 +60,13 @@ class GradedBeam(NamedTuple):
         eta = (2 * at / part - (2 * number + 1)) * self.scene.table.pi
         return self.parts[number].derivative(order, eta, [*cuts[number], *cuts[number + 1]], load)
 
+    def shares(self, order: int, at: "Node", owner: str) -> "list[Node]":
+        """That of end values of 1 each, and of a load of 1."""
+        table = self.scene.table
+        unit = [[table.one if i == j else table.zero for i in range(5)] for j in range(5)]
+        return [table.defined(f"{owner}.u{j}", self.derivative(order, at, row[:4], row[4]))
+                for j, row in enumerate(unit, 1)]
+
     def _cuts(self, ends, load):
         """(u, θ) at all cuts, ends included."""
         found = [ends[2:]]
@@ -72,18 +79,17 @@ class GradedBeam(NamedTuple):
     def _by_shape(self):
         """The stiffness by v, w, (u_l − u₀)/l and, on a foundation, (u₀ + u_l)/2."""
         d, even, slanted = self.joined[-1]
-        l, n, k, zero = self.length, self.gradient, self.foundation, self.scene.table.zero
-        first, last = self.tension, self.tension + n * l
-        turning = [-first, zero, last, zero]
+        n, k, zero = self.gradient, self.foundation, self.scene.table.zero
+        turning = [-self.tension, zero, self.tension + n * self.length, zero]
         turning = [a - n * b + k * c for a, b, c in zip(turning, even, slanted, strict=True)]
         bent = [(d[3][3] - 2 * d[1][3] + d[1][1]) / 4, (d[3][3] - d[1][1]) / 2, d[3][3] + 2 * d[1][3] + d[1][1]]
         turned = [(turning[3] - turning[1]) / 2, turning[3] + turning[1],
-                  turning[3] + turning[1] + l / 2 * (turning[2] - turning[0])]
+                  turning[3] + turning[1] + self.length / 2 * (turning[2] - turning[0])]
         found = [[bent[0], bent[1], turned[0]], [bent[1], bent[2], turned[1]], turned]
         if k.is_zero:
             return found
         shifted = [k * (even[3] - even[1]) / 2, k * (even[3] + even[1]),
-                   k * (even[3] + even[1] + l / 2 * (even[2] - even[0])), k * (even[0] + even[2])]
+                   k * (even[3] + even[1] + self.length / 2 * (even[2] - even[0])), k * (even[0] + even[2])]
         return [[*row, entry] for row, entry in zip(found, shifted, strict=False)] + [shifted]
 
 
@@ -117,8 +123,8 @@ def _of_part(part, middle):
 def _join(scene, left, right):
     """Two of them as one, what is between them moving freely."""
     flexible = _flexibility(left, right)
-    d = [[entry for entry in (*row[:2], scene.table.zero, scene.table.zero)] for row in left[0][:2]]
-    d += [[scene.table.zero, scene.table.zero, *row[2:]] for row in right[0][2:]]
+    zero = scene.table.zero
+    d = [[*row[:2], zero, zero] for row in left[0][:2]] + [[zero, zero, *row[2:]] for row in right[0][2:]]
     across = [*([left[0][i][2], left[0][i][3]] for i in (0, 1)), *([right[0][i][0], right[0][i][1]] for i in (2, 3))]
     shares = [[row[0] * flexible[0][j] + row[1] * flexible[1][j] for j in (0, 1)] for row in across]
     d = [[d[min(i, j)][max(i, j)] - shares[min(i, j)][0] * across[max(i, j)][0]

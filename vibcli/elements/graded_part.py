@@ -4,8 +4,8 @@ B u⁗ − ((N + n x) u′)′ + k u = q₀ + q₁ x, x from the middle. With η
 
     u = Σ c_k ηᵏ,   (k+4)(k+3)(k+2)(k+1) c_{k+4} = ν (k+2)(k+1) c_{k+2} + γ (k+1)² c_{k+1} − χ c_k + [load]
 
-of which c₀ … c₃ are free. Ends are told by r = ((u_l + u₀)/2, (u_l − u₀)/2, a (θ_l − θ₀)/2, a (θ_l + θ₀)/2). a is 1/π of
-half the length, so that −π ≤ η ≤ π: no factor is then rational, and products of sums stay as they are.
+of which c₀ … c₃ are free. Ends are told by r = ((u_l + u₀)/2, (u_l − u₀)/2, a (θ_l − θ₀)/2, a (θ_l + θ₀)/2). a is 1/π
+of half the length, so that −π ≤ η ≤ π: no factor is then rational, and products of sums stay as they are.
 """
 
 from fractions import Fraction
@@ -21,8 +21,8 @@ TINY = 2.0**-180        # of its first: the last terms of the series
 class GradedPart(NamedTuple):
     """The series of c₀ … c₃ and of q₀, lists of coefficients; c₀ … c₃ by r, lists by rows; r of q₀; a; B.
 
-    stiffness: by the end values (u₀, θ₀, u_l, θ_l), symmetric, the forces on the ends; even, slanted: what loads 1 and x
-    put on the ends, in place of them.
+    stiffness: by the end values (u₀, θ₀, u_l, θ_l), symmetric, the forces on the ends; even, slanted: what loads 1 and
+    x put on the ends, in place of them.
     """
 
     scene: Any
@@ -42,8 +42,8 @@ class GradedPart(NamedTuple):
         scaled = load * self.unit**4 / self.bending
         r = [one - scaled * own for one, own in zip(r, self.own, strict=True)]
         free = [self.scene.table.total([row[i] * r[i] for i in range(4)]) for row in self.by_ends]
-        found = self.scene.table.total([self._at(self.series[j], order, eta) * c for j, c in enumerate([*free, scaled])])
-        return found / self.unit**order
+        parts = [self._at(self.series[j], order, eta) * c for j, c in enumerate([*free, scaled])]
+        return self.scene.table.total(parts) / self.unit**order
 
     def _at(self, series, order, eta):
         found = self.scene.table.zero
@@ -96,8 +96,8 @@ def graded_part(scene: Any, half: "Node", bending: "Node", tension: "Node", grad
     sizes = [table.one, unit, table.one, unit]
     even, slanted = ([part * size * unit**power for part, size in zip(_apart(loads), sizes, strict=True)]
                      for loads, power in ((even, 1), (slanted, 2)))
-    return GradedPart(scene, series[:5], inverse, motions[4], unit, bending, _by_end_values(d, bending / unit**3, sizes),
-                      even, slanted)
+    d = _by_end_values(d, bending / unit**3, sizes)
+    return GradedPart(scene, series[:5], inverse, motions[4], unit, bending, d, even, slanted)
 
 
 def _forces(table, measures, parts):

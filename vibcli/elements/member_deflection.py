@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING
 
+from vibcli.elements.graded_beam import graded_beam
 from vibcli.elements.loaded_rest import held_deflection
 from vibcli.elements.rest_shapes import deflection
 from vibcli.symbolic.antiderivatives import antiderivative
@@ -16,10 +17,12 @@ if TYPE_CHECKING:
 
 
 def static_signal(scene: "Scene", signal: "PlaceSignal") -> "Node":
-    """The signal as a function of the coordinates, everything being at rest, under a tension that does not vary."""
+    """The signal as a function of the coordinates, everything being at rest."""
     if signal.motion is not None:
         return signal.motion
     own, piece = _given_along(scene, signal), signal.piece(scene)
+    if piece.bends and not piece.gradient.is_zero:
+        return signal.factor * _graded(scene, signal, piece)
     xi = scene.table.variable("the place on a piece")
     load, held = _particular(scene, signal, piece, xi)
     shift = [_at(scene, load, xi, k, x) for x in (scene.table.zero, signal.length)
@@ -27,6 +30,14 @@ def static_signal(scene: "Scene", signal: "PlaceSignal") -> "Node":
     ends = [end - part for end, part in zip(signal.ends, shift, strict=True)]
     found = deflection(scene, piece, signal.at, signal.order, ends)
     return signal.factor * (found + held + _at(scene, load, xi, signal.order, signal.at)) + own
+
+
+def _graded(scene, signal, piece):
+    """Of a beam under a tension that varies along it."""
+    shares = graded_beam(scene, piece.length, piece.bending, piece.tension, piece.gradient, piece.foundation).shares(
+        signal.order, signal.at, f"{signal.member.name}.{signal.number + 1}")
+    return scene.table.total([share * part for share, part in zip(shares, [*signal.ends, signal.weight(scene)],
+                                                                  strict=True)])
 
 
 def _at(scene, load, xi, order, place):
@@ -42,6 +53,8 @@ def _particular(scene, signal, piece, xi):
     even, found, held = signal.weight(scene), scene.table.zero, scene.table.zero
     if not even.is_zero and not piece.foundation.is_zero:
         found = even / piece.foundation
+    elif not (even.is_zero or piece.gradient.is_zero):
+        held = held_deflection(scene, piece, even, xi, signal.at, signal.order)
     elif not even.is_zero:
         found = even * xi**4 / (24 * piece.bending) if piece.tension.is_zero else -even * xi**2 / (2 * piece.tension)
     for load in signal.uneven(scene):

@@ -71,9 +71,6 @@ def _on_member(scene, text, resting=False):
         return tension + gradient * found.at
     if not (resting or found.motion is not None or found.is_light):
         return None
-    if found.motion is None and not found.tension(scene)[1].is_zero:
-        raise PhysicsError(f"how '{signal.name}' deflects at rest between its stations is not found, as its tension "
-                           "varies along it", "ask for a place where something is attached")
     if not resting and found.motion is None and found.in_time(scene):
         raise PhysicsError(f"what '{text}' is where '{found.in_time(scene)[0].owner}' varies in time is not found",
                            f"ask for the motion of '{signal.name}' where something is attached")
