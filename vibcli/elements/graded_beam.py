@@ -57,7 +57,7 @@ class GradedBeam(NamedTuple):
         part = self.length / len(self.parts)
         number = min(int(self.scene.number(at) / self.scene.number(part)), len(self.parts) - 1)
         cuts = self._cuts(ends, load)
-        eta = (2 * at / part - (2 * number + 1)) * self.scene.table.pi
+        eta = (2 * at - (2 * number + 1) * part) / part * self.scene.table.pi
         return self.parts[number].derivative(order, eta, [*cuts[number], *cuts[number + 1]], load)
 
     def shares(self, order: int, at: "Node", owner: str) -> "list[Node]":
