@@ -72,9 +72,14 @@ class NaturalModes:
 
     def count(self, Omega: float) -> int:
         """How many have ω ≤ Omega, those that grow and the rigid ones among them."""
-        z = Omega * Omega * (1 + 1e-15)
-        counts = self._at(None)
-        found = count(counts.system, counts.system.numbers([z]))
+        z, system = Omega * Omega * (1 + 1e-15), self._at(None).system
+        found = count(system, system.numbers([z]))
+        for digits in DEEPER:
+            if found.below[0] == found.above[0]:
+                break
+            with working(digits):
+                system = self._at(digits).system
+                found = count(system, system.numbers([z]))
         return int(found.below[0])
 
     def counted_above(self, mode: Mode) -> int | None:
