@@ -31,7 +31,7 @@ def frequencies(problem: "Problem", report: "Report") -> Iterator[Section]:
     modal = problem.modal
     found = shown(problem, report.wanted)
     same = repeated(found)
-    rows = [mode_row(mode, modal.zero_modes.get(mode.index), mode.index in same) for mode in found]
+    rows = [mode_row(mode, modal.zero_modes.get(mode.index), same.get(mode.index, "")) for mode in found]
     head = ("mode", "ω [rad/s]", "f [Hz]", "T [s]", "relative error ≤", "")
     doubts = [] if report.tells("Equilibrium") else list(map(paragraph, _doubts(problem)))
     if not modal.modes.finite:
