@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
 from vibcli.results.modal_response import ModalResponse, NotByModes
+from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.modal_motion import ModalMotion
@@ -35,6 +36,21 @@ class DampedModalResponse(ModalResponse):
         if swallowed(matrix, max(float(np.abs(mode.omega or 0.0)) for mode in self.problem.modal.modes.shown())):
             raise NotByModes("a damper is as √(Nμ) of what vibrates at it, so that no wave comes back from it: damped "
                              "modes are not all that moves", "give it a little more or less")
+
+    @property
+    def drive(self):
+        """With what `damping:` does with displacements that drive the scene."""
+        found, configuration = dict(super().drive), self.configuration
+        if not configuration.coupled:
+            return found
+        scene, opened = self.problem.scene, configuration.with_inputs
+        own = opened.numbers.elements.matrices()[1]
+        for (i, j), c in opened.elements.matrices()[1].items():
+            more = c - own.get((i, j), 0.0)
+            if i < opened.n and j in self._inputs and more:
+                rate = scene.table.number(fraction_of(float(more))) * scene.rate(self._inputs[j])
+                found[i] = found.get(i, scene.table.zero) - rate
+        return found
 
     @property
     def _transfer(self):

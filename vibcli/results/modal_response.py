@@ -68,7 +68,8 @@ class ModalResponse(ResponseOfMembers):
         creeping = given is not None and given.creeps
         starts, disturbed = self._disturbed(basis, inputs, damping)
         start = [one.of_modes(basis.squares, plain) for one, plain in zip(starts, self._start(basis), strict=True)]
-        modes = RealModes(basis, inputs, start, damping, creeping, disturbed)
+        shaking = self._shaking(basis)
+        modes = RealModes(basis, inputs, start, damping, creeping, disturbed if shaking is None else None, shaking)
         return ModalMotion(modes, self._transfer, self._forces, self.problem.work)
 
     def _felt(self, basis):
@@ -134,28 +135,30 @@ class ModalResponse(ResponseOfMembers):
         from vibcli.analyses.continuous.damped_transfer import DampedTransfer
 
         if self._inputs:
-            raise NotByModes("supports are driven beside `damping:` of members",
-                             "ask for steady(…), or take `damping:` out")
+            raise ShakenSupports("supports are driven beside `damping:` of members", "ask for steady(…)")
         return DampedTransfer(found, self.problem.modal.modes, damping)
 
     @cached_property
     def _forces(self):
-        """The Forcing of coordinates, driven ends and loads along members."""
+        """The Forcing of all channels."""
         from vibcli.analyses.excitation.decompose import forcing_of
         from vibcli.notation.plain import plain
 
-        n = len(self.matrices[0])
-        driven = [*(node for _, node in self.ends_of_pieces if node is not None),
-                  *(force.weight for force in self.spread_forces),
-                  *(self.problem.scene.table.zero for _ in self.let_go)]
-        nodes = self.drive_of_coordinates | dict(enumerate(driven, n))
-        return forcing_of(nodes, self.problem.scene.time, self.problem.numeric.floats, n + len(driven), write=plain,
+        nodes, channels = self._loaded
+        return forcing_of(nodes, self.problem.scene.time, self.problem.numeric.floats, channels, write=plain,
                           work=self.problem.work)
 
     @property
-    def drive_of_coordinates(self):
-        """{i: node of the time}."""
-        return self.loads
+    def _loaded(self):
+        """{channel: node of the time} of coordinates, driven ends and loads along members, and how many there are."""
+        driven = [*(node for _, node in self.ends_of_pieces if node is not None),
+                  *(force.weight for force in self.spread_forces),
+                  *(self.problem.scene.table.zero for _ in self.let_go)]
+        n = len(self.matrices[0])
+        return self.loads | dict(enumerate(driven, n)), n + len(driven)
+
+    def _shaking(self, basis):
+        """The Shaking of supports that are channels of their own; None where ends of pieces are."""
 
     def _damping(self, basis):
         """c of each mode: given, or of drag c/μ that is the same everywhere, which damps each by itself."""
@@ -286,6 +289,10 @@ class ModalResponse(ResponseOfMembers):
 
 class NotByModes(NotByWaves):
     """A system whose motion is not followed by modes, with the reason."""
+
+
+class ShakenSupports(NotByModes):
+    """A system whose modes are damped beside driven supports."""
 
 
 class CoupledModes(NotByModes):
