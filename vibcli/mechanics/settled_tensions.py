@@ -11,7 +11,7 @@ from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.mechanics.configuration import Configuration
 from vibcli.mechanics.member_tensions import tensions_at_rest
 from vibcli.mechanics.numeric_system import NumericSystem
-from vibcli.scene.member_tensions import statics_tells
+from vibcli.scene.member_tensions import require_preloads, statics_tells
 
 if TYPE_CHECKING:
     import numpy as np
@@ -32,6 +32,13 @@ class Settled(NamedTuple):
 
 def settled(system: "MechanicalSystem") -> Settled:
     """That of a scene with beams or strings in the plane."""
+    found = _settled(system)
+    if found.refusal is None:
+        require_preloads(found.configuration.scene)
+    return found
+
+
+def _settled(system):
     first = _under(system, {})
     if first.numeric.has_free_symbols or statics_tells(first.scene):
         return Settled(first)
@@ -63,6 +70,7 @@ def _search(system, first, open_ones):
     from vibcli.numerics.mixing import fixed_by_mixing
 
     start = {name: one.found for name, one in open_ones.items()}
+    _under(system, start).scene  # noqa: B018 - SpecError of a string that is pressed
     while True:
         search = _Search(system, start)
         size = max(one.size for one in open_ones.values())

@@ -9,6 +9,7 @@ the sum of what its pieces lengthen is zero: Σ N̄ l/EA = 0.
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.elements.member_ends import HOLDS
+from vibcli.elements.member_fields import holds_along
 from vibcli.elements.member_pieces import pieces_of
 from vibcli.elements.member_plane import tension_gradient
 from vibcli.symbolic.derivatives import gradient, substitute
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 LOOSE = 1e-9
+SAME = 1e-9             # of the largest tension along a member: a preload that differs by less is it
 
 
 class Tensions(NamedTuple):
@@ -69,6 +71,30 @@ def _carries(member, other):
     ends = [other.record.get(side) for side in ("left", "right")]
     return any(end[word].text == member.name for end in ends if end is not None and not isinstance(end, str)
                for word in HOLDS if word in end)
+
+
+def require_preloads(scene: "Scene") -> None:
+    """Report a `preload` of a member that keeps its length and rests under another tension."""
+    for member in placed_members(scene):
+        between = is_between_fixed(member)
+        if "preload" not in member.record or member.stretching or between:
+            continue
+        sizes = [scene.number(node) for (tension, change), (_, left, right) in
+                 zip(member.tensions, pieces_of(member, scene), strict=False)
+                 for node in (tension, tension + change * (right.place - left.place))]
+        given, slack = scene.number(scene.lower(member.record["preload"])), SAME * max(map(abs, sizes), default=0.0)
+        if sizes and not min(sizes) - slack <= given <= max(sizes) + slack:
+            told = " to ".join(dict.fromkeys(f"{x:.6g}" for x in (min(sizes), max(sizes))))
+            rests = f"{given:.6g} N, and it rests under {told} N" if not scene.parameters.free else \
+                "not the tension under which it rests"
+            scene.report(member.record.place("preload"), f"the preload of '{member.name}' is {rests}: what holds it "
+                         "tells its tension", "leave `preload` out")
+
+
+def is_between_fixed(member: "Member") -> bool:
+    """Are both its ends held along it, and nothing parts there, so that its preload alone tells its tension?"""
+    left, right = (member.record.get(side, "free") for side in ("left", "right"))
+    return all(holds_along(end) for end in (left, right)) and member.tie is None
 
 
 def under(found: "Mapping[str, Tensions]", given: "Mapping[str, list[Fraction]]") -> "dict[str, Tensions]":
