@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from vibcli.language.spec import Spec
 
 ROUNDING = 1e-9         # of the length of a member: places nearer than that are one
+ALIKE = 1e-12           # of the length: what no rounding of places leaves between them
 
 
 class PlaceAlong(NamedTuple):
@@ -102,6 +103,10 @@ def _add(found, place, x, length, scene):
     if same is None:
         found.append(place)
     else:
+        apart = abs(scene.number(same.node) - x)
+        if apart > ALIKE * length:
+            scene.report(place.where, f"'{place.text}' is {apart:.3g} m away from '{same.text}', on a member of "
+                         f"{length:.6g} m: too near to be another place", f"write '{same.text}' for both")
         same.attached.extend(place.attached)
 
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
-SAME = 1e-9         # of the length of a member: places nearer than that are one
+SAME = 1e-14        # of the length of a member: places nearer than that are one
 
 
 class PlaceSignal(NamedTuple):
