@@ -222,14 +222,10 @@ class ModalResponse(ResponseOfMembers):
             u = substitute([given.displacement], place)[0] - self._resting(self.configuration, piece)
         if given is not None and given.rate is not None:
             rate = substitute([given.rate], place)[0]
-        return self._over_place(u), self._over_place(rate)
+        return self._over_place(piece, u, piece.piece.order), self._over_place(piece, rate, 0)
 
-    def _over_place(self, node):
-        from vibcli.analyses.excitation.decompose import forcing_of
-        from vibcli.notation.plain import plain
-
-        return None if node is None else forcing_of({0: node}, self.problem.scene.time, self.problem.numeric.floats, 1,
-                                                    write=plain, work=self.problem.work)
+    def _over_place(self, piece, node, order):
+        return None if node is None else self.over_place(piece, {0: node}, [order])
 
     def _resting(self, configuration, piece):
         """u of a piece in the equilibrium of a Configuration, of the fourth degree as an even load bends it."""

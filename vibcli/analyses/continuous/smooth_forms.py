@@ -40,14 +40,20 @@ def smooth_form(f: "Node", x: "Node", ends: "tuple[Node, Node]", values: "Mappin
 
 
 def _stretch(f, x, ends, values, arithmetic, count):
-    start, end = ends
+    middle, half = (ends[0] + ends[1]) / 2, (ends[1] - ends[0]) / 2
+    found = legendre_powers(f, x, ends, values, arithmetic, count)
+    return LoadStretch(*ends, middle, tuple(LoadTerm(c / half**k, k, 0) for k, c in enumerate(found) if c))
+
+
+def legendre_powers(f: "Node", x: "Node", ends: "tuple[Any, Any]", values: "Mapping[str, Any]",
+                    arithmetic: Any = Floats, count: int = POINTS * 3 // 4) -> list:
+    """Coefficients of powers of −1 … 1 of a function on a panel; in floats no more than `count`."""
+    middle, half = (ends[0] + ends[1]) / 2, (ends[1] - ends[0]) / 2
     rule = gauss_points(POINTS if arithmetic is Floats else PRECISE)
     places = [arithmetic.number(2 * r - 1) for r, _ in rule]
-    middle, half = (start + end) / 2, (end - start) / 2
     given = [evaluate([f], arithmetic, {**values, x.name: middle + half * r})[0] for r in places]
     weighted = [arithmetic.number(w) * y for (_, w), y in zip(rule, given, strict=True)]
-    found = _powers(weighted, places, count if arithmetic is Floats else PRECISE * 3 // 4)
-    return LoadStretch(start, end, middle, tuple(LoadTerm(c / half**k, k, 0) for k, c in enumerate(found) if c))
+    return _powers(weighted, places, count if arithmetic is Floats else PRECISE * 3 // 4)
 
 
 def _powers(weighted, places, count):
