@@ -11,6 +11,8 @@ from vibcli.results.responses import SmallResponse
 from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
+    from vibcli.analyses.excitation.forcing import Forcing
+    from vibcli.mechanics.factored_system import PlacedPiece
     from vibcli.results.steady_response import SteadyResponse
     from vibcli.symbolic.node import Node
 
@@ -133,7 +135,7 @@ class ResponseOfMembers(SmallResponse):
             nodes[1] = substitute([given.rate], place)[0]
         return self.over_place(piece, nodes, [piece.piece.order, 0])
 
-    def over_place(self, piece, nodes, orders):
+    def over_place(self, piece: "PlacedPiece", nodes: "dict[int, Node]", orders: "list[int]") -> "Forcing":
         """{channel: node} of functions of the place on a piece as Forcing; as polynomials to rounding where they are no
         sums of powers, exponentials and sines, of derivatives of these orders."""
         from vibcli.analyses.continuous.smooth_fields import smooth_field
