@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 class ShakenModalResponse(ModalResponse):
     """Small oscillations about the equilibrium; the displacements of supports are channels of their own, the last."""
 
+    WORDS = "small oscillations about the equilibrium, by modes; what those left out add is estimated"
+
     @cached_property
     def _transfer(self):
         import numpy as np
