@@ -21,6 +21,7 @@ import numpy as np
 
 from vibcli.analyses.continuous.counting import GUARD
 from vibcli.analyses.continuous.leaving_waves import leaving_room
+from vibcli.numerics.fixed_point import count_floats
 from vibcli.numerics.pieces.held_count import held_count
 from vibcli.numerics.pieces.retardation import retarded_reaction
 
@@ -147,6 +148,7 @@ def _arguments(matrix, path, arcs):
 
 def _phases(matrix, s, step):
     """det D/|det D| at each s, and how far its argument can be from that within so long a step."""
+    count_floats(matrix.n, len(s))
     with np.errstate(all="ignore"):
         found = matrix.at(s, steep=True)
         room = _room(matrix, found, s, step)

@@ -50,7 +50,7 @@ def parity_functions(nu: np.ndarray, chi: np.ndarray, numbers: "Arithmetic", ste
     apart = np.abs(nu * nu - 4 * chi) >= 16 * np.abs(chi)
     if real and numbers.number is None:
         apart |= chi < 0        # one is positive, the other negative: no complex numbers
-    found = None
+    found = None if len(nu) else [part for parts in _by_roots(nu, chi, numbers, steep) for part in parts]
     for chosen, form in ((small, _series), (~small & apart, _by_roots), (~small & ~apart, _by_sums)):
         if chosen.any():
             found_here, slopes = form(nu[chosen], chi[chosen], numbers, steep)
