@@ -214,6 +214,10 @@ class ModalAnalysis:
     def _sharpened(self, word, digits, solve, *natural):
         if (word, digits) not in self._results:
             elements, sources = self.configuration.linear_system, self.configuration.sources
+            settled = self.system.settled
+            if settled is not None and settled.names:
+                raise PhysicsError(f"the tension of '{settled.names[0]}', found in equilibrium, is known to the digits "
+                                   "of floats: no more of what depends on it are found", "leave --digits out")
             if sources[0] is None:
                 from vibcli.mechanics.high_precision import Degenerate
 
