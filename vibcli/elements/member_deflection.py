@@ -34,8 +34,11 @@ def static_signal(scene: "Scene", signal: "PlaceSignal") -> "Node":
 
 def _graded(scene, signal, piece):
     """Of a beam under a tension that varies along it."""
+    sample = scene.table.sample
+    scene.table.resample(None)
     shares = graded_beam(scene, piece.length, piece.bending, piece.tension, piece.gradient, piece.foundation).shares(
         signal.order, signal.at, f"{signal.member.name}.{signal.number + 1}")
+    scene.table.resample(sample)
     return scene.table.total([share * part for share, part in zip(shares, [*signal.ends, signal.weight(scene)],
                                                                   strict=True)])
 

@@ -77,9 +77,13 @@ def add_graded(owner: str, segment: "MemberSegment", left: "Station", right: "St
                gradient: "Node", scene: Any) -> "Node":
     """A piece of a beam whose tension has a gradient; its mean displacement across."""
     ends, length = [*left.motions, *right.motions], right.place - left.place
+    sample = scene.table.sample
+    scene.table.resample(None)      # nothing in its long numbers has to cancel
     piece = graded_beam(scene, length, segment.stiffness, tension, gradient, segment.foundation)
-    _add(segment, left, right, (segment.stiffness, tension, gradient), ends, piece.springs(owner, ends), scene)
-    return piece.mean(owner, ends)
+    springs, mean = piece.springs(owner, ends), piece.mean(owner, ends)
+    scene.table.resample(sample)
+    _add(segment, left, right, (segment.stiffness, tension, gradient), ends, springs, scene)
+    return mean
 
 
 def add_along(member: "Member", segment: "MemberSegment", left: "Station", right: "Station", scene: Any) -> None:
