@@ -101,12 +101,16 @@ def _narrowed(pieces, of, low, high, below):
 
 
 def _with_slopes(pieces, places):
-    """(u, u′, u″, …); u″ = κ u / N of bars, shafts and strings."""
+    """(u, u′, u″, …); of bars, shafts and strings u″ from (N u′)′ = κ u."""
     found = shape_along(pieces, places).real
     if found.shape[1] > 2:
         return found
-    ratios = np.array([moved.kappa / moved.piece.tension for moved in pieces])
-    return np.column_stack([found, found[:, 0] * ratios[_piece_at(pieces, places)]])
+    kappa, tension, gradient, start = np.array([(
+        moved.kappa, moved.piece.tension, moved.piece.gradient, moved.start) for moved in pieces]).T[
+            :, _piece_at(pieces, places)]
+    with np.errstate(all="ignore"):     # an end without tension
+        bend = (kappa * found[:, 0] - gradient * found[:, 1]) / (tension + gradient * (places - start))
+    return np.column_stack([found, bend])
 
 
 def _piece_at(pieces, places):
