@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from vibcli.analyses.continuous.smooth_forms import legendre_powers
 from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
+from vibcli.mechanics.smooth_forms import legendre_powers
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.smooth_panels import intervals, panels

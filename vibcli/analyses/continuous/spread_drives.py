@@ -4,9 +4,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from vibcli.analyses.continuous.smooth_forms import smooth_form
 from vibcli.analyses.excitation.load_forms import load_form
 from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.smooth_forms import smooth_form
 from vibcli.numerics.pieces.loads import LoadForm, end_loads, end_loads_slope, loaded_fields
 from vibcli.numerics.pieces.retardation import reaction_rate, retarded_reaction
 from vibcli.symbolic.evaluation import evaluate
