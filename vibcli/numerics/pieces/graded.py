@@ -145,7 +145,7 @@ def _scale(piece, cuts, kappa, numbers):
         each = [(piece.tension + piece.gradient * (a + b) / 2) / (b - a) for a, b in pairwise(cuts)]
         z = numbers.array([each[0], *map(max, each, each[1:]), each[-1]])
         return 1 / numbers.sqrt(z[:, None, None] + abs(kappa[None, :, None]) * 0)
-    nu = (piece.tension + piece.gradient * piece.length / 2) / piece.bending + 0 * kappa
+    nu = 0 * kappa + (piece.tension + piece.gradient * piece.length / 2) / piece.bending
     one, other = separate_roots(nu, kappa / piece.bending + 2.0**-40 / piece.length**4, numbers)
     p, q = (np.sqrt(np.abs(root).astype(float)) + 1 / float(piece.length) for root in (one, other))
     z = float(piece.bending) * np.stack([p * q * (p + q), p + q], axis=-1)

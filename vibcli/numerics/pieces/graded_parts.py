@@ -85,12 +85,12 @@ def coefficients(piece: "Piece", cuts: list, kappa: np.ndarray,
     """(c_k, ∂c_k/∂κ, h): arrays (terms, parts, κ, m), a column for each first coefficient; h (parts, 1, 1)."""
     cuts_array = numbers.array(cuts)
     half = ((cuts_array[1:] - cuts_array[:-1]) / 2)[:, None, None]
-    tension = piece.tension + piece.gradient * (cuts_array[1:, None, None] - half)
+    tension = (cuts_array[1:, None, None] - half) * piece.gradient + piece.tension
     order, kappa = piece.order, kappa[None, :, None]
     zero = kappa * half * 0
     scale = half**order / (piece.bending if order == 4 else tension)
-    nu, gamma = tension * half**2 * scale / half**4, piece.gradient * half**3 * scale / half**4
-    rho, chi = piece.gradient * half / tension, kappa * scale
+    nu, gamma = tension * half**2 * scale / half**4, half**3 * piece.gradient * scale / half**4
+    rho, chi = half * piece.gradient / tension, kappa * scale
     first = np.stack([zero + numbers.array([int(i == j) for j in range(order)]) for i in range(order)])
     both = np.stack([first, first * 0], axis=1)         # c_k and ∂c_k/∂κ, (terms, 2, parts, κ, m)
     both = np.concatenate([both, np.zeros((numbers.terms(order), *both.shape[1:]), both.dtype)])
@@ -140,13 +140,13 @@ def _end_values(piece, cuts, kappa, numbers):
     for series in (c, dc):
         values, forces = [], []
         for eta, place in ((-1, places[:-1]), (1, places[1:])):
-            tension = (piece.tension + piece.gradient * place)[:, None, None]
+            tension = (place * piece.gradient + piece.tension)[:, None, None]
             first = end_sums(series, eta, 1, numbers) / half
             values.append(end_sums(series, eta, 0, numbers))
             if piece.order == 4:
                 values.append(first)
-                forces.append(eta * (tension * first - piece.bending * end_sums(series, eta, 3, numbers) / half**3))
-                forces.append(eta * piece.bending * end_sums(series, eta, 2, numbers) / half**2)
+                forces.append(eta * (tension * first - end_sums(series, eta, 3, numbers) * piece.bending / half**3))
+                forces.append(eta * end_sums(series, eta, 2, numbers) * piece.bending / half**2)
             else:
                 forces.append(eta * tension * first)
         found += [np.stack(values, axis=-2), np.stack(forces, axis=-2)]
@@ -156,8 +156,8 @@ def _end_values(piece, cuts, kappa, numbers):
 def _slack(piece, end, kappa, numbers):
     """Of the part next to the end without tension: forces only at its other end."""
     u, pull, u_slope, pull_slope = slack_series(piece, end, kappa, numbers)
-    own = piece.gradient * pull / u
+    own = pull * piece.gradient / u
     zero = own * 0
-    slope = (piece.gradient * pull_slope - own * u_slope) / u
+    slope = (pull_slope * piece.gradient - own * u_slope) / u
     return tuple(np.stack([np.stack([zero, zero], axis=-1), np.stack([zero, value], axis=-1)], axis=-2)
                  for value in (own, slope))
