@@ -23,6 +23,8 @@ def static_signal(scene: "Scene", signal: "PlaceSignal") -> "Node":
     own, piece = _given_along(scene, signal), signal.piece(scene)
     if piece.bends and not piece.gradient.is_zero:
         return signal.factor * _graded(scene, signal, piece)
+    if None in signal.ends:
+        return signal.factor * _slack(scene, signal, piece)
     xi = scene.table.variable("the place on a piece")
     load, held = _particular(scene, signal, piece, xi)
     shift = [_at(scene, load, xi, k, x) for x in (scene.table.zero, signal.length)
@@ -30,6 +32,14 @@ def static_signal(scene: "Scene", signal: "PlaceSignal") -> "Node":
     ends = [end - part for end, part in zip(signal.ends, shift, strict=True)]
     found = deflection(scene, piece, signal.at, signal.order, ends)
     return signal.factor * (found + held + _at(scene, load, xi, signal.order, signal.at)) + own
+
+
+def _slack(scene, signal, piece):
+    """Of a string that bears no tension at one end, (N u′)′ = −q with N = 0 there: u′ = −q/N′ all along."""
+    slope = -signal.weight(scene) / piece.gradient
+    left, right = signal.ends
+    u = left + slope * signal.at if right is None else right - slope * (piece.length - signal.at)
+    return (u, slope)[signal.order] if signal.order < 2 else scene.table.zero
 
 
 def _graded(scene, signal, piece):

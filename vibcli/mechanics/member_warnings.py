@@ -4,6 +4,7 @@ tensions that statics alone does not find."""
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from vibcli.elements.place_signals import signals_along
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
@@ -52,10 +53,14 @@ def _thick(member: "Member", configuration):
 
 def _turned(member, configuration):
     """More than 0.1 rad in equilibrium, at a station or between two."""
-    if not any(node.mask for node in member.nodes):
+    scene, string = configuration.scene, member.kind.stiffness is None
+    if not string and not any(node.mask for node in member.nodes):
         return
     slopes = [station.slope for station in member.stations if station.slope is not None]
-    if member.kind.bends or member.line is not None:
+    if string:
+        pieces = signals_along(scene.resting, member, "slope", scene.table.zero)
+        slopes += [one._replace(at=at).static(scene.resting) for one in pieces for at in (one.at, one.length)]
+    elif member.kind.bends or member.line is not None:
         slopes += [(right.u - left.u) / (right.place - left.place) for left, right in pairwise(member.stations)]
     largest = max(map(abs, evaluate(slopes, Floats, configuration.at_rest)), default=0.0)
     if largest > SMALL:

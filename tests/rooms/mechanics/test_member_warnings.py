@@ -58,3 +58,13 @@ def test_the_tension_of_a_heavy_mast_under_a_head_is_found(ends):
         """)
     assert member_warnings(mast.configuration) == []
     assert mast.modal.modes[0].omega == pytest.approx(6.86289503406, rel=1e-11)
+
+
+@pytest.mark.parametrize(("string", "turn"), [
+    ("from: [0, 0], to: [20 m, 0], left: pinned, right: pinned, preload: 1 kN", "0.147"),      # w L/2N at its ends
+    ("from: [0, 0], to: [1 m, -2 m], left: pinned", "0.5"),                                     # hangs straight down
+    ("from: [0, 0], to: [0, -2 m], left: pinned", None)])
+def test_a_string_that_sags_between_its_ends_is_told(string, turn):
+    scene = problem(f"gravity: 9.81 m/s^2\nstrings: {{line: {{{string}, mass_per_length: 1.5 kg/m}}}}\n")
+    found = member_warnings(scene.configuration)
+    assert [sentence.split(" turns by ")[1].split()[0] for sentence in found] == ([turn] if turn else [])
