@@ -4,7 +4,6 @@ tensions that statics alone does not find."""
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from vibcli.elements.place_signals import signals_along
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
@@ -58,7 +57,7 @@ def _turned(member, configuration):
         return
     slopes = [station.slope for station in member.stations if station.slope is not None]
     if string:
-        pieces = signals_along(scene.resting, member, "slope", scene.table.zero)
+        pieces = member.signals_along(scene.resting, "slope", scene.table.zero)
         slopes += [one._replace(at=at).static(scene.resting) for one in pieces for at in (one.at, one.length)]
     elif member.kind.bends or member.line is not None:
         slopes += [(right.u - left.u) / (right.place - left.place) for left, right in pairwise(member.stations)]
