@@ -3,7 +3,7 @@
 import gc
 import sys
 
-YOUNG = 50_000      # objects between searches for garbage: what is imported and read is none, and searching it is slow
+YOUNG = 100_000     # objects between searches for garbage: what is imported and read is none, and searching it is slow
 
 
 def main():

@@ -65,7 +65,8 @@ def test_forces_on_stations_balance(tmp_path, capsys, scene, told):
     assert [text for text in told if text not in printed] == []
 
 
-@pytest.mark.parametrize("more, told", [("", "cos βL = 0"), (", preload: EI/L^2", "no frequency equation is found")])
+@pytest.mark.parametrize("more, told", [("", "cos βL = 0"), (", preload: EI/L^2", "cos βL = 0"), (
+    ", preload: EI/L^2, attached: [{at: L, mass: mu*L}]", "no frequency equation is found")])
 def test_frequencies_in_letters_stand_below_their_equation(tmp_path, capsys, more, told):
     path = tmp_path / "scene.yaml"
     kind = f"beams: {{b: {{length: L, EI: EI, mass_per_length: mu, left: pinned, right: guided{more}}}}}"

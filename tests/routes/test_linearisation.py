@@ -14,6 +14,7 @@ from support.scenes import problem_of
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.check.instances import Instances
 from vibcli.mechanics.energies import dissipation, kinetic, potential
+from vibcli.mechanics.given_damping import given_numbers
 from vibcli.mechanics.lagrange import equation_of
 from vibcli.mechanics.linearise import without_time
 from vibcli.symbolic.derivatives import gradient, substitute
@@ -45,6 +46,15 @@ def full_equations(one):
     return scene, [equation_of(scene, i, T, V, Phi) for i in range(len(scene.q))]
 
 
+def given_damping(configuration):
+    """What `damping:` adds to C; where members are damped as a whole that of the coordinates, α M + β K of them."""
+    if not configuration.coupled:
+        return configuration.given_damping().each(float).matrices()[1]
+    alpha, beta = given_numbers(configuration, Floats)["proportional"]
+    M, _, _, K = configuration.linear_system.with_parts(pieces=[]).matrices()
+    return {pair: alpha * M.get(pair, 0.0) + beta * K.get(pair, 0.0) for pair in {*M, *K}}
+
+
 def compare(one):
     scene, equations = full_equations(one)
     try:
@@ -53,7 +63,7 @@ def compare(one):
         assert "kink" in error.message or "dead centre" in error.message
         return
     if one.spec.get("damping") is not None:        # acts beside the full equations
-        given = one.configuration.given_damping().each(float).matrices()[1]
+        given = given_damping(one.configuration)
         C = {pair: x - given.get(pair, 0.0) for pair, x in C.items()}
     values = {**one.configuration.at_rest, **dict.fromkeys((a.name for a in scene.a), 0.0)}
     n, size = len(scene.q), dict.fromkeys("qva", 0.0)

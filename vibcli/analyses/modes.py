@@ -8,7 +8,7 @@ from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Kind, Many, OneOf
 from vibcli.language.signal_kinds import FrequencyField
 
-LAST = 1_000_000       # number of a mode
+LAST = 100_000       # number of a mode
 
 
 class ModeNumber(Kind):

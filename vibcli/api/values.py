@@ -109,7 +109,8 @@ def _measured(problem, tree):
 
 def _rounding(problem, tree):
     """What a number of a motion that is found in closed form may be off where it is zero: by the size of its signal."""
-    if not tree.args or FAMILIES.get(tree.head) == "frequency_response" or problem.response.KIND == "full":
+    if not tree.args or FAMILIES.get(tree.head) == "frequency_response" or (
+            problem.response_of(tree).KIND == "full"):
         return 0.0
     with suppress(PhysicsError):
         return ERROR * declared(tree).size(problem, tree)

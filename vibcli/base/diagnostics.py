@@ -22,6 +22,12 @@ def quoted(text: str, room: int = 40) -> str:
     return f"'{escaped(text if len(text) <= room else text[: room - 1] + '…')}'"
 
 
+def distinct_figures(a: float, b: float) -> tuple[str, str]:
+    """Two numbers that differ, with six digits or as many as tell them apart."""
+    return next((f"{a:.{digits}g}", f"{b:.{digits}g}") for digits in (6, 9, 12, 17)
+                if digits == 17 or f"{a:.{digits}g}" != f"{b:.{digits}g}")
+
+
 def render(diagnostic: "Diagnostic", lines: Sequence[str], color: bool = False) -> str:
     """`file:line:column: error: message`, the source line, a caret line, the hint. A place of width 0 means the file as
     a whole: neither line nor column is named then."""

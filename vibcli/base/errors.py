@@ -61,6 +61,8 @@ class PhysicsError(Exception):
 class NotFixed(PhysicsError):
     """A force that is one of several which share a load in any proportion: its name is told."""
 
+    CELL = "not fixed by statics"
+
     def __init__(self, text: str, cause: str = "the scene is supported by more than it needs",
                  hint: str = "take a redundant support out"):
         super().__init__(f"statics alone does not fix '{text}': {cause}", hint)
@@ -96,3 +98,9 @@ def defined_as_drawn(function: Callable, *args: Any) -> tuple[Any, dict[str, Any
     except ZeroDivisionError:
         raise PhysicsError("the energies are not defined in the drawn position, at rest: something divides by zero "
                            "there", "draw the scene elsewhere, or say what its coordinates are as drawn") from None
+
+
+class NoBound(PhysicsError):
+    """A number whose error has no bound that is known."""
+
+    CELL = "no bound"

@@ -80,8 +80,8 @@ def _check_file(file, settings, patience):
 
         verdicts = check(problem)
         refused = [v for v in verdicts if v.refusal]
-        for verdict in refused:
-            show_refusal(verdict.refusal, file)
+        for refusal in _once([v.refusal for v in refused]):
+            show_refusal(refusal, file)
     except SpecError as error:
         show_diagnostics(error.diagnostics)
         return 3, []
@@ -91,6 +91,15 @@ def _check_file(file, settings, patience):
     finally:
         _sources.pop(file, None)
     return 4 if refused else int(any(not v.agrees for v in verdicts)), verdicts
+
+
+def _once(refusals):
+    """Each refusal of one place once, with the number of answers that it keeps from being found."""
+    same: dict = {}
+    for refusal in refusals:
+        same.setdefault((refusal.message, refusal.hint, refusal.where), []).append(refusal)
+    for (message, hint, where), those in same.items():
+        yield PhysicsError(f"{message} (so of {len(those)} answers)" if len(those) > 1 else message, hint, where)
 
 
 def _settle(problem):

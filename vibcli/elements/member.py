@@ -11,8 +11,9 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.elements.member_attachments import attach
+from vibcli.elements.member_ends import HOLDS
 from vibcli.elements.member_fields import LENGTHWISE, MemberKind, members_of
-from vibcli.elements.member_holds import held_at
+from vibcli.elements.member_holds import beyond_reach, held_at
 from vibcli.elements.member_line import DrawnLine, Station, line_of
 from vibcli.elements.member_pieces import add_pieces, pieces_of, preload_of
 from vibcli.elements.member_places import ROUNDING, places_of
@@ -20,7 +21,7 @@ from vibcli.elements.member_segments import segments_of
 from vibcli.language.named_elements import load
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterator, Mapping
 
     from vibcli.elements.member_segments import MemberSegment
     from vibcli.language.signal_names import SignalName
@@ -130,6 +131,15 @@ class Member(NamedTuple):
     def _moving(self, scene, part):
         """The member whose motions tell a part of its signals: of beams as they stretch another."""
         return scene.members[f"{self.name}.along"] if self.stretching and part in ("along", "force") else self
+
+    def arms(self, scene: Any) -> "Iterator[tuple[str, str, float]]":
+        """(side, body, how far off it is drawn) of ends that are held to bodies without size drawn elsewhere."""
+        for side, place in (("left", scene.table.zero), ("right", self.length)) if self.line is not None else ():
+            end = self.record.get(side, "free")
+            name = None if isinstance(end, str) else next((end[word].text for word in HOLDS if word in end), None)
+            off = beyond_reach(name, self.line.drawn(place), scene) if name in scene.bodies else 0.0
+            if off > ROUNDING * scene.number(self.length):
+                yield side, name, off
 
     def at(self, scene: Any, place: "Node") -> Station:
         """The Station at a place, which stands for those that differ from it by rounding alone."""

@@ -2,6 +2,8 @@
 
 from typing import TYPE_CHECKING, Any
 
+from vibcli.language.member_signals import oscillator_names
+
 if TYPE_CHECKING:
     from vibcli.elements.member import Member, Station
     from vibcli.language.reader import Record
@@ -39,7 +41,8 @@ def attach(record: "Record", member: "Member", station: "Station", scene: Any) -
 
 def _oscillator(record, member, station, carrier, scene):
     """A mass on a spring and a damper, its motion a coordinate."""
-    motion = scene.coordinates.further(f"{member.name}.oscillator({station.text})")
+    motion = scene.coordinates.further(next(name for name in oscillator_names(member.name, station.text)
+                                            if name not in scene.coordinates.names))
     mass, k = ("inertia", "torsion") if member.kind.torsional else ("mass", "k")
     weight = scene.positive(record[mass], f"the {mass} of the oscillator")
     scene.add_inertia(weight, motion)

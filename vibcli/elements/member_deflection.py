@@ -1,17 +1,15 @@
-"""The deflection of uniform pieces of members at rest, between displacements of their ends.
+"""Signals of places on members at rest, under loads and between displacements of the ends of uniform pieces."""
 
-    N u″ = k u:             u = u₀ sinh β(l − x)/sinh βl + u_l sinh βx/sinh βl, β² = k/N; linear without a foundation
-    B u⁗ − N u″ + k u = 0:  even and odd solutions about the middle; without N and k cubic (Hermite)
-"""
+from typing import TYPE_CHECKING
 
-from typing import TYPE_CHECKING, Any
-
-from vibcli.elements.member_springs import even_solutions, odd_solutions
+from vibcli.elements.graded_beam import graded_beam
+from vibcli.elements.loaded_rest import held_deflection
+from vibcli.elements.rest_shapes import deflection
 from vibcli.symbolic.antiderivatives import antiderivative
 from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.smooth_panels import NotSmooth
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
 
     from vibcli.elements.place_signals import PlaceSignal
     from vibcli.scene.scene import Scene
@@ -19,18 +17,40 @@ if TYPE_CHECKING:
 
 
 def static_signal(scene: "Scene", signal: "PlaceSignal") -> "Node":
-    """The signal as a function of the coordinates, everything being at rest, under a tension that does not vary."""
+    """The signal as a function of the coordinates, everything being at rest."""
     if signal.motion is not None:
         return signal.motion
-    tension, own = signal.tension(scene)[0], _given_along(scene, signal)
-    foundation, length = signal.segment.foundation, signal.length
+    own, piece = _given_along(scene, signal), signal.piece(scene)
+    if piece.bends and not piece.gradient.is_zero:
+        return signal.factor * _graded(scene, signal, piece)
+    if None in signal.ends:
+        return signal.factor * _slack(scene, signal, piece)
     xi = scene.table.variable("the place on a piece")
-    load = _particular(scene, signal, tension, foundation, xi)
-    shift = [_at(scene, load, xi, k, x) for x in (scene.table.zero, length)
-             for k in range(2 if signal.member.kind.bends else 1)]
+    load, held = _particular(scene, signal, piece, xi)
+    shift = [_at(scene, load, xi, k, x) for x in (scene.table.zero, signal.length)
+             for k in range(2 if piece.bends else 1)]
     ends = [end - part for end, part in zip(signal.ends, shift, strict=True)]
-    found = _between(scene, signal, (length, tension, foundation), ends)
-    return signal.factor * (found + _at(scene, load, xi, signal.order, signal.at)) + own
+    found = deflection(scene, piece, signal.at, signal.order, ends)
+    return signal.factor * (found + held + _at(scene, load, xi, signal.order, signal.at)) + own
+
+
+def _slack(scene, signal, piece):
+    """Of a string that bears no tension at one end, (N u′)′ = −q with N = 0 there: u′ = −q/N′ all along."""
+    slope = -signal.weight(scene) / piece.gradient
+    left, right = signal.ends
+    u = left + slope * signal.at if right is None else right - slope * (piece.length - signal.at)
+    return (u, slope)[signal.order] if signal.order < 2 else scene.table.zero
+
+
+def _graded(scene, signal, piece):
+    """Of a beam under a tension that varies along it."""
+    sample = scene.table.sample
+    scene.table.resample(None)
+    shares = graded_beam(scene, piece.length, piece.bending, piece.tension, piece.gradient, piece.foundation).shares(
+        signal.order, signal.at, f"{signal.member.name}.{signal.number + 1}")
+    scene.table.resample(sample)
+    return scene.table.total([share * part for share, part in zip(shares, [*signal.ends, signal.weight(scene)],
+                                                                  strict=True)])
 
 
 def _at(scene, load, xi, order, place):
@@ -40,36 +60,29 @@ def _at(scene, load, xi, order, place):
     return substitute([load], {xi: place})[0]
 
 
-def _between(scene, signal, piece, ends):
-    """The derivative of u that the ends alone leave."""
-    length, tension, foundation = piece
-    bends = signal.member.kind.bends
-    if foundation.is_zero and (not bends or tension.is_zero):
-        shapes = (_cubic if bends else _linear)(scene, length)
-        return scene.table.total([_derivative(scene, shape, signal.order, signal.at) * end
-                                  for shape, end in zip(shapes, ends, strict=True)])
-    if bends:
-        return _across(scene, signal, piece, ends)
-    return _along(scene, signal, scene.table.sqrt(foundation / tension), length, ends)
-
-
-def _particular(scene, signal, tension, foundation, xi):
-    """One u(ξ) that the loads leave: w/k, −w ξ²/(2N), w ξ⁴/(24B) of the even ones; of others q, which stand where there
-    is neither foundation nor tension of a beam, −∫∫ q/N or ∫∫∫∫ q/B."""
-    bending, bends = signal.segment.stiffness, signal.member.kind.bends
-    even, found = signal.weight(scene), scene.table.zero
-    if not even.is_zero:
-        found = even / foundation if not foundation.is_zero else -even * xi**2 / (2 * tension) if not (
-            tension.is_zero) else even * xi**4 / (24 * bending)
+def _particular(scene, signal, piece, xi):
+    """One u(ξ) that the loads leave: w/k, −w ξ²/(2N), w ξ⁴/(24B) of the even ones, −∫∫ q/N or ∫∫∫∫ q/B where there is
+    neither foundation nor tension of a beam; and the part of the signal that others leave between held ends."""
+    even, found, held = signal.weight(scene), scene.table.zero, scene.table.zero
+    if not even.is_zero and not piece.foundation.is_zero:
+        found = even / piece.foundation
+    elif not (even.is_zero or piece.gradient.is_zero):
+        held = held_deflection(scene, piece, even, xi, signal.at, signal.order)
+    elif not even.is_zero:
+        found = even * xi**4 / (24 * piece.bending) if piece.tension.is_zero else -even * xi**2 / (2 * piece.tension)
     for load in signal.uneven(scene):
-        q = substitute([load.q], {load.x: signal.left.place + xi})[0]
-        for _ in range(4 if bends else 2):
-            q = None if q is None else antiderivative(q, xi)
-        if q is None:
-            return scene.report(load.where, f"the deflection under '{load.owner}' is not found in closed form",
-                                "let it be a sum of powers, sines and exponentials")
-        found = found + (q / bending if bends else -q / tension)
-    return found
+        q, = substitute([load.q], {load.x: signal.left.place + xi})
+        integral = q if piece.plain else None
+        for _ in range(4 if piece.bends else 2):
+            integral = None if integral is None else antiderivative(integral, xi)
+        if integral is not None:
+            found = found + (integral / piece.bending if piece.bends else -integral / piece.tension)
+            continue
+        try:
+            held = held + held_deflection(scene, piece, q, xi, signal.at, signal.order)
+        except NotSmooth as error:
+            scene.report(load.where, f"'{load.owner}' {error.message}", error.hint)
+    return found, held
 
 
 def _given_along(scene, signal):
@@ -86,48 +99,3 @@ def _given_along(scene, signal):
     return signal.factor * (longer + preload / signal.segment.stiffness)
 
 
-def _linear(scene: Any, length: "Node") -> "list[list[Node]]":
-    """Powers of x in the shapes of u₀ and u_l."""
-    zero, one = scene.table.zero, scene.table.one
-    return [[one, -1 / length], [zero, 1 / length]]
-
-
-def _cubic(scene, length):
-    """Those of u₀, θ₀, u_l, θ_l."""
-    zero, one = scene.table.zero, scene.table.one
-    return [[one, zero, -3 / length**2, 2 / length**3], [zero, one, -2 / length, 1 / length**2],
-            [zero, zero, 3 / length**2, -2 / length**3], [zero, zero, -1 / length, 1 / length**2]]
-
-
-def _derivative(scene, coefficients, order, x):
-    """Of Σ cₖ xᵏ."""
-    total, power = scene.table.zero, scene.table.one
-    for k in range(order, len(coefficients)):
-        factor = 1
-        for i in range(order):
-            factor *= k - i
-        total, power = total + factor * coefficients[k] * power, power * x
-    return total
-
-
-def _along(scene, signal, beta, length, ends):
-    """u or u′ of a piece of order 2 on a foundation."""
-    call, whole = scene.table.call, scene.table.call("sinh", beta * length)
-    rest = length - signal.at
-    if signal.order == 0:
-        return (ends[0] * call("sinh", beta * rest) + ends[1] * call("sinh", beta * signal.at)) / whole
-    return beta * (ends[1] * call("cosh", beta * signal.at) - ends[0] * call("cosh", beta * rest)) / whole
-
-
-def _across(scene: "Scene", signal: "PlaceSignal", piece: "tuple[Node, Node, Node]", ends: "Sequence[Node]") -> "Node":
-    """A derivative of the deflection of a beam under tension or on a foundation, {u₀, θ₀, u_l, θ_l} its ends."""
-    length, tension, foundation = piece
-    first, turned, last, turned_last = ends
-    total = scene.table.zero
-    for solutions, value, slope in ((even_solutions, (last + first) / 2, (turned_last - turned) / 2),
-                                    (odd_solutions, (last - first) / 2, (turned_last + turned) / 2)):
-        of = signal.segment.stiffness, tension, foundation
-        (u, u1, *_), (w, w1, *_) = solutions(scene, length / 2, *of)
-        one, two = (found[signal.order] for found in solutions(scene, signal.at - length / 2, *of))
-        total = total + ((value * w1 - slope * w) * one + (slope * u - value * u1) * two) / (u * w1 - w * u1)
-    return total

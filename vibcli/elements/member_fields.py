@@ -109,7 +109,8 @@ def _settle(record: Record, reader: Reader) -> None:
                 reader.report(part.place("EA"), "a beam without a place moves across alone: its 'EA' plays no part",
                               "leave it out, or draw the beam in the plane, `from` a place `to` another")
     if record.element.name == "string" and "preload" not in record and (
-            "from" not in record or all(holds_along(record.get(side, FREE)) for side in ("left", "right"))):
+            "from" not in record or all(isinstance(record.get(side), str) and holds_along(record[side])
+                                        for side in ("left", "right"))):
         reader.report(record.where, f"nothing tells the tension of '{record.name}'", "give `preload: T`")
 
 

@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from vibcli.language.reader import Record
     from vibcli.symbolic.node import Node
 
+POINT = frozenset(("mass", "at", "move", "slide"))       # keys of a body that has no size
+SAME = 1e-9         # of the length of a member: places nearer than that are one
 HELD = {CLAMPED: ("u", "slope", "along"), PINNED: ("u", "along"), GUIDED: ("slope", "along")}
 
 
@@ -52,11 +54,19 @@ def _end(end: "Record | str", place, kind, line, scene, built) -> "dict[str, Nod
         return {}
     name, at = end[word], line and line.drawn(place.node)
     if name.text in scene.bodies:
-        held = _on_lumped(name, kind, scene) if line is None else _on_placed(name, line, at, scene)
+        held = _on_lumped(name, kind, scene) if line is None else _on_placed(name, kind, line, at, scene)
     else:
         other = built(name.text, scene)
         held = other and other.stations and _on_member(end, word, kind, line, at, scene, other)
     return {motion: held[motion] for motion in HELD[word if kind.bends else PINNED] if motion in held} if held else {}
+
+
+def beyond_reach(name: str, at: "tuple[Node, Node]", scene: Any) -> float:
+    """How far from a body without size a place is drawn, m; 0 of what has a size, or hangs from a pin."""
+    record, (x, y) = scene.spec.get("bodies")[name], scene.bodies[name].centre
+    if not POINT.issuperset(record):
+        return 0.0
+    return scene.number((at[0] - x) ** 2 + (at[1] - y) ** 2) ** 0.5
 
 
 def _moved(line, drawn, now, angle):
@@ -65,10 +75,14 @@ def _moved(line, drawn, now, angle):
     return {"u": across, "slope": angle, "along": along}
 
 
-def _on_placed(name, line, at, scene):
-    """Those of a place carried by a body; None where that moves on and on, which is reported."""
+def _on_placed(name, kind, line, at, scene):
+    """Those of a place carried by a body; None where it does not reach there, or moves on and on, which is reported."""
     frame = scene.frame(name)
-    now = frame.point(*at)
+    now, off = frame.point(*at), beyond_reach(name.text, at, scene)
+    if off > SAME * scene.number(line.length) and (frame.angle.mask or not kind.bends):
+        return scene.report(name.where, f"this end and '{name.text}', which is a point, are {off:.6g} m apart as drawn",
+                            "draw them at the same place, or give it a size, as in `shape: rectangle, width: 2 m, "
+                            "height: 1 m`")
     if any(scene.drifts(node) for node in (*now, frame.angle)):
         return _reports_drift(name, scene)
     return _moved(line, at, now, frame.angle)
@@ -116,7 +130,7 @@ def _on_member(end, word, kind, line, at, scene, other):
         return {"u": station.u, "slope": slope}
     there = other.line.drawn(station.place)
     off = scene.number((there[0] - at[0]) ** 2 + (there[1] - at[1]) ** 2) ** 0.5
-    if off > 1e-9 * scene.number(line.length + other.length):
+    if off > SAME * scene.number(line.length + other.length):
         return scene.report(name.where, f"this end and that place on '{name.text}' are {off:.6g} m apart as drawn",
                             "draw them at the same place")
     x, y = other.line.displaced(station.along, station.u)

@@ -8,16 +8,18 @@ SpreadForce.
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from vibcli.elements.loaded_rest import by_parts, end_forces
 from vibcli.elements.member_pieces import pieces_of
 from vibcli.elements.member_places import ROUNDING
 from vibcli.elements.member_springs import mean_across, mean_along
+from vibcli.elements.rest_shapes import RestPiece
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.separated_products import products_of
+from vibcli.symbolic.smooth_panels import NotSmooth
 
 if TYPE_CHECKING:
     from vibcli.elements.member import Member
     from vibcli.language.reader import Record
-    from vibcli.symbolic.node import Node
 
 
 class SpreadLoad(NamedTuple):
@@ -105,38 +107,36 @@ def _on_piece(record, load, member, segment, left, right, tension, scene):
             return _not_yet(record, scene)
         scene.add_force(load.q * length, load.in_time * length, mean)
         return None
-    if not foundation.is_zero or not tension[1].is_zero or (bends and not tension[0].is_zero):
+    if bends and not tension[1].is_zero:
         return _not_yet(record, scene)
     xi = scene.table.variable("the place on a piece")
-    parts = substitute([load.q, load.in_time], {load.x: left.place + xi})
-    for shape, end in zip(_shapes(scene, xi / length, length, bends), ends, strict=True):
-        found = [_integral(part, shape, xi, length, scene, record) for part in parts]
-        if None in found:
-            return None
-        scene.add_force(*found, end)
+    piece = RestPiece(length, bends, segment.stiffness, *tension, foundation)
+    try:
+        for part, in_time in ((load.q, False), (load.in_time, True)):
+            for end, force in zip(ends, _put(scene, piece, part, left.place, load, xi), strict=True):
+                scene.add_force(*((scene.table.zero, force) if in_time else (force, scene.table.zero)), end)
+    except NotSmooth as error:
+        scene.report(record["per_length"].where, f"'{record.name}' {error.message}", error.hint)
     return None
+
+
+def _put(scene, piece, part, start, load, xi):
+    """What a part of a load puts on the ends of a piece from `start` on."""
+    if part.is_zero:
+        return [part] * (4 if piece.bends else 2)
+    counted, = substitute([part], {load.x: start + xi})
+    whole = by_parts(scene, piece, counted, xi) if piece.plain else None
+    if whole is not None:
+        return whole
+    found = products_of(counted, xi, scene.time)
+    if found is None:
+        raise NotSmooth("is no sum of products f(x)*g(t) of what varies along a member and what varies in time",
+                        "write it as such a sum, as in q0*sin(pi*x/L)*cos(Omega*t)")
+    rows = end_forces(scene, piece, [along for along, _ in found], xi)
+    return [scene.table.total([moving * row[i] for (_, moving), row in zip(found, rows, strict=True)])
+            for i in range(len(rows[0]))]
 
 
 def _not_yet(record, scene):
     scene.report(record["per_length"].where, "such a load on a member under tension or on a foundation does not work "
                  "yet", "let forces act at points of the member")
-
-
-def _shapes(scene, r, length, bends):
-    """Nᵢ of (u₀, u_l), of beams (u₀, θ₀, u_l, θ_l), r = x/l."""
-    if not bends:
-        return [1 - r, r]
-    return [1 - 3 * r**2 + 2 * r**3, length * (r - 2 * r**2 + r**3), 3 * r**2 - 2 * r**3, length * (r**3 - r**2)]
-
-
-def _integral(q: "Node", shape: "Node", x: "Node", length: "Node", scene: Any, record: "Record") -> "Node | None":
-    """∫₀ˡ q N dx by parts, N being a polynomial: Σ (−1)ᵏ N⁽ᵏ⁾ q₍₋ₖ₋₁₎ between the ends."""
-    total, sign = scene.table.zero, 1
-    while not shape.is_zero:
-        q = scene.integrated(q, x, record["per_length"].where)
-        if q is None:
-            return None
-        there, here = (substitute([shape * q], {x: place})[0] for place in (length, scene.table.zero))
-        total = total + sign * (there - here)
-        shape, sign = gradient(shape).get(x, scene.table.zero), -sign
-    return total

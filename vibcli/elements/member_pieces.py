@@ -5,6 +5,7 @@ from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
+from vibcli.elements.graded_beam import graded_beam
 from vibcli.elements.member_springs import springs_across, springs_along
 from vibcli.language.named_elements import load
 
@@ -65,14 +66,24 @@ def add_piece(segment: "MemberSegment", left: "Station", right: "Station", tensi
     _add(segment, left, right, (scene.table.zero, tension, gradient), ends, springs, scene)
 
 
-def add_across(segment: "MemberSegment", left: "Station", right: "Station", tension: "Node", scene: Any,
-               gradient: "Node | None" = None) -> None:
-    """A piece of a beam between two stations; where its tension has a gradient, the springs are those under the mean,
-    for which exact ones stand in numbers."""
-    gradient, length = gradient or scene.table.zero, right.place - left.place
-    ends, mean = [*left.motions, *right.motions], tension + gradient * length / 2
-    springs = springs_across(scene, length, segment.stiffness, mean, segment.foundation, ends)
+def add_across(segment: "MemberSegment", left: "Station", right: "Station", tension: "Node", scene: Any) -> None:
+    """A piece of a beam between two stations."""
+    ends, length, zero = [*left.motions, *right.motions], right.place - left.place, scene.table.zero
+    springs = springs_across(scene, length, segment.stiffness, tension, segment.foundation, ends)
+    _add(segment, left, right, (segment.stiffness, tension, zero), ends, springs, scene)
+
+
+def add_graded(owner: str, segment: "MemberSegment", left: "Station", right: "Station", tension: "Node",
+               gradient: "Node", scene: Any) -> "Node":
+    """A piece of a beam whose tension has a gradient; its mean displacement across."""
+    ends, length = [*left.motions, *right.motions], right.place - left.place
+    sample = scene.table.sample
+    scene.table.resample(None)      # nothing in its long numbers has to cancel
+    piece = graded_beam(scene, length, segment.stiffness, tension, gradient, segment.foundation)
+    springs, mean = piece.springs(owner, ends), piece.mean(owner, ends)
+    scene.table.resample(sample)
     _add(segment, left, right, (segment.stiffness, tension, gradient), ends, springs, scene)
+    return mean
 
 
 def add_along(member: "Member", segment: "MemberSegment", left: "Station", right: "Station", scene: Any) -> None:

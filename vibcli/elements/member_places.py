@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.elements.member_ends import HOLDS
 from vibcli.elements.member_fields import MemberKind, members_of
+from vibcli.language.member_signals import oscillator_parts
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
     from vibcli.language.spec import Spec
 
 ROUNDING = 1e-9         # of the length of a member: places nearer than that are one
+ALIKE = 1e-12           # of the length: what no rounding of places leaves between them
 
 
 class PlaceAlong(NamedTuple):
@@ -83,8 +85,9 @@ def places_of(name: str, record: "Record", segments: "Sequence[MemberSegment]", 
         here = [attached[id(expression)]] if id(expression) in attached else []
         x = scene.number(node)
         if not -ROUNDING * length <= x <= (1 + ROUNDING) * length:
-            scene.report(expression.where, f"'{expression.text}' is {x:.6g} m along '{name}', which is {length:.6g} m "
-                         "long", "places count from its left end")
+            at, whole = scene.figures(node, end)
+            scene.report(expression.where, f"'{expression.text}' is {at} m along '{name}', which is {whole} m long",
+                         "places count from its left end")
             continue
         _add(found, PlaceAlong(node, expression.text, expression.where, [], here), x, length, scene)
     texts = []
@@ -100,6 +103,10 @@ def _add(found, place, x, length, scene):
     if same is None:
         found.append(place)
     else:
+        apart = abs(scene.number(same.node) - x)
+        if apart > ALIKE * length:
+            scene.report(place.where, f"'{place.text}' is {apart:.3g} m away from '{same.text}', on a member of "
+                         f"{length:.6g} m: too near to be another place", f"write '{same.text}' for both")
         same.attached.extend(place.attached)
 
 
@@ -111,11 +118,11 @@ def motions_of(spec: "Spec") -> "Iterator[tuple[str, bool]]":
         texts += [" + ".join(lengths[:i]) for i in range(1, len(lengths))]
         for text in dict.fromkeys(texts):
             yield from _named(name, kind, text)
+            yield from ((f"{name}.{part}({text})", kind.torsional) for part in oscillator_parts(record))
 
 
 def _named(name: str, kind: MemberKind, text: str) -> "Iterator[tuple[str, bool]]":
     yield f"{name}.{kind.motion}({text})", kind.torsional
-    yield f"{name}.oscillator({text})", kind.torsional
     yield f"{name}.along({text})", False
     if kind.bends:
         yield f"{name}.slope({text})", True

@@ -9,7 +9,7 @@ held to what parts along the line, that is a condition. A beam with EA stretches
 from typing import TYPE_CHECKING, Any
 
 from vibcli.elements.member_line import Station
-from vibcli.elements.member_pieces import add_across, add_along, add_piece, preload_of
+from vibcli.elements.member_pieces import add_across, add_along, add_graded, add_piece, preload_of
 from vibcli.elements.member_springs import mean_across, mean_along
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import HALF
@@ -34,6 +34,9 @@ def placed(member: "Member", places: "Sequence[PlaceAlong]", held: "Sequence[Map
     if member.name in scene.tensions and scene.tensions[member.name].shared and scene.parameters.free:
         scene.report(member.record.where, f"'{member.name}' and what its ends are held to share the loads: its tension "
                      "in letters does not work yet", "give every parameter a value, or leave out the loads")
+    untold = scene.tie(member.name) is None and all("along" in held[i] for i in (0, -1))
+    if member.kind.name == "string" and "preload" not in member.record and untold and scene.tensions:
+        scene.report(member.record.where, f"nothing tells the tension of '{member.name}'", "give `preload: T`")
     slack = [places[i] for i in _slack(member, places, scene)]
     return member._replace(stations=[_station(member, place, motions, node, place in slack, scene) for
                                      place, motions, node in zip(places, held, along, strict=True)],
@@ -74,7 +77,7 @@ def _along(member, places, held, scene):
     if base is None:
         base = scene.coordinates.further(f"{member.name}.along({places[0].text})")
     tied = left is not None and right is not None and (right - left).mask
-    if scene.variant.stretched:
+    if scene.variant.stretched or (scene.variant.opened and not member.stretching):
         stretches = [None if "along" in motions else scene.coordinates.further(f"{member.name}.stretch {i}")
                      for i, motions in enumerate(held)]
         return [motions.get("along", base) if stretch is None else base + stretch
@@ -121,16 +124,20 @@ def _add_taut(member, segment, left, right, i, scene):
     length = right.place - left.place
     tension = scene.tension(member.name, i) or preload_of(member, scene)
     gradient = tension_gradient(member, segment, scene)
+    if _is_sought(member, scene) and not _is_taut(left, right, tension, gradient * length, scene):
+        tension = 1 + scene.absolute(gradient * length)
     member.tensions.append((tension, gradient))
     if member.kind.bends:
-        add_across(segment, left, right, tension, scene, gradient)
-        return mean_across(scene, length, segment.stiffness, tension + gradient * length / 2, segment.foundation,
+        if not gradient.is_zero:
+            return add_graded(f"{member.name}.{i + 1}", segment, left, right, tension, gradient, scene)
+        add_across(segment, left, right, tension, scene)
+        return mean_across(scene, length, segment.stiffness, tension, segment.foundation,
                            [*left.motions, *right.motions])
     ends = [scene.table.zero if station.u is None else station.u for station in (left, right)]
-    least, most = sorted(scene.number(node) for node in (tension, tension + gradient * length))
-    if not (least > 0 or (most > 0 and None in (left.u, right.u))):
+    if not _is_taut(left, right, tension, gradient * length, scene):
+        least = min(scene.number(node) for node in (tension, tension + gradient * length))
         scene.report(member.record.where, f"'{member.name}' is not taut: statics finds the tension {least:.6g} N in it",
-                     "let its loads, or a `preload`, pull it")
+                     "let its loads pull it")
     elif not gradient.is_zero and not segment.foundation.is_zero:
         scene.report(member.record.where, f"the tension of '{member.name}' varies along it, and it rests on a "
                      "foundation: this does not work yet", "leave out the weight or the foundation")
@@ -138,6 +145,19 @@ def _add_taut(member, segment, left, right, i, scene):
         add_piece(segment, left, right, tension, ends, scene, gradient=gradient)
         return mean_along(scene, length, tension, segment.foundation, ends, gradient)
     return scene.table.zero
+
+
+def _is_taut(left, right, tension, change, scene):
+    """Is a piece of a string pulled all along, but for a slack end?"""
+    least, most = sorted(scene.number(node) for node in (tension, tension + change))
+    return least > 0 or (most > 0 and None in (left.u, right.u))
+
+
+def _is_sought(member, scene):
+    """Is the tension of a string that of an equilibrium yet to be found, so that any will do?"""
+    given = scene.variant.tensions
+    return (member.kind.name == "string" and given is not None and member.name not in given
+            and not scene.parameters.free and scene.tie(member.name) is not None)
 
 
 def tension_gradient(member: "Member", segment: "MemberSegment", scene: Any) -> "Node":
@@ -153,7 +173,7 @@ def tension_gradient(member: "Member", segment: "MemberSegment", scene: Any) -> 
 
 def _slack(member, places, scene):
     """The ends, 0 or -1, of a string that bear no tension: free ones, where its weight hangs or has not begun."""
-    if member.kind.name != "string" or member.name not in scene.tensions:
+    if member.kind.name != "string" or member.name not in scene.tensions or _is_sought(member, scene):
         return []
     first, last = (scene.tension(member.name, i) for i in (0, -1))
     last = last + tension_gradient(member, member.segments[-1], scene) * (places[-1].node - places[-2].node)

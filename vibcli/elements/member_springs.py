@@ -68,6 +68,12 @@ def mean_along(scene: Any, length: "Node", tension: "Node", foundation: "Node", 
     return mean * scene.table.call("tanh", half) / half
 
 
+def share_along(scene: Any, x: "Node", tension: "Node", gradient: "Node") -> "Node | None":
+    """½ log(1 + n x/N) = artanh r; None where there is no tension at 0 or at x."""
+    r = _share(x, tension, gradient)
+    return r / _graded(scene, r)[0] if scene.number(r * r) < 1 - 2.0**-39 else None
+
+
 def _share(length, tension, gradient):
     """r = n l/(2N + n l), how far the tension varies about its mean."""
     return gradient * length / (2 * tension + gradient * length)

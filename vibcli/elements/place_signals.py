@@ -10,15 +10,17 @@ inertia deflects as at rest.
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.elements.member_line import Station
+from vibcli.language.member_signals import OF_COORDINATES
 
 if TYPE_CHECKING:
     from vibcli.elements.member import Member
     from vibcli.elements.member_segments import MemberSegment
+    from vibcli.elements.rest_shapes import RestPiece
     from vibcli.language.signal_names import SignalName
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
-SAME = 1e-9         # of the length of a member: places nearer than that are one
+SAME = 1e-14        # of the length of a member: places nearer than that are one
 
 
 class PlaceSignal(NamedTuple):
@@ -54,6 +56,14 @@ class PlaceSignal(NamedTuple):
     def tension(self, scene: "Scene") -> "tuple[Node, Node]":
         """(N at the left end of its piece, N′)."""
         return self.member.tension(self.number, self.segment, scene)
+
+    def piece(self, scene: "Scene") -> "RestPiece":
+        """Its piece at rest."""
+        from vibcli.elements.rest_shapes import RestPiece
+
+        tension, gradient = self.tension(scene)
+        return RestPiece(self.length, self.member.kind.bends, self.segment.stiffness, tension, gradient,
+                         self.segment.foundation)
 
     def weight(self, scene: "Scene") -> "Node":
         """The even loads and the weight that act on its piece in the sense of u, per length."""
@@ -100,7 +110,23 @@ def place_signal(scene: "Scene", member: "Member", signal: "SignalName", place: 
     else:
         number = sum(scene.number(station.place) < x for station in stations) - 1
     at = (place if there is None else there.place) - stations[number].place
+    if signal.kind in OF_COORDINATES:
+        return _of_coordinates(scene, member, signal, stations[number:number + 2], at, there)
     return _on_piece(scene, member, stations, number, signal.part, at)._replace(station=there)
+
+
+def _of_coordinates(scene, member, signal, between, at, there):
+    """The motion across of a bar, which stays straight, or that of what hangs there; None where nothing does."""
+    left, right = between
+    if signal.kind == "across":
+        motion = left.u + (right.u - left.u) * (at / (right.place - left.place))
+    else:
+        name = "" if there is None else signal._replace(place=there.text, primes=0).text
+        if name not in scene.hidden:
+            return None
+        motion = scene.symbol(name)
+    alone = Station(left.place + at, signal.place, motion, None, motion)
+    return PlaceSignal(member, left, right, 0, member.segments[0], at, alone, 0, scene.table.one)
 
 
 def signals_along(scene: "Scene", member: "Member", part: str, at: "Node") -> "list[PlaceSignal]":

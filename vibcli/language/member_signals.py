@@ -1,10 +1,13 @@
 """Signals of continuous members, each at a place that is counted from the left end: `rod.u(L/2)`."""
 
+from itertools import count
 from typing import TYPE_CHECKING, NamedTuple
 
 from vibcli.base.spelling import nearest
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from vibcli.language.reader import Record
     from vibcli.language.signal_names import SignalName
     from vibcli.language.spec import Spec
@@ -13,6 +16,7 @@ PARTS = {"bars": {"u": "m", "force": "N", "stress": "Pa"},
          "shafts": {"phi": "rad", "moment": "N*m", "stress": "Pa"},
          "beams": {"u": "m", "slope": "rad", "moment": "N*m", "shear": "N", "stress": "Pa"},
          "strings": {"u": "m", "slope": "rad", "force": "N"}}
+OF_COORDINATES = "across", "oscillator"         # what fields along members do not tell
 STRETCHING = {"along": "m", "force": "N"}
 ABOUT = (
     ("rod.u(x), .force, .stress", "of a bar at the place x from its left end, a length: displacement along the bar, "
@@ -24,6 +28,10 @@ ABOUT = (
      "of beams and shafts needs a `section`"),
     ("wing.along(x), .force", "of a beam that stretches, in the plane with an `EA`: displacement w along it, tension "
                               "EA w′ beside its `preload`"),
+    ("rod.across(x)", "of a bar in the plane, which stays straight: displacement to the left of the way from its left "
+                      "end to its right one"),
+    ("wing.oscillator(x)", "of an oscillator that is attached at that place: displacement of its mass, on a shaft its "
+                           "turn; of the second one there `wing.oscillator.2(x)`"),
     ("cord.u(x), .slope, .force", "of a string: displacement across it, slope u′, tension, which small motions do "
                                    "not change"),
     ("rod.u'(x)", "the rate of any of these; `rod.u(L)(1 ms)` is the value in time. At a jump along x the value on its "
@@ -52,7 +60,21 @@ def parts_of(spec: "Spec", name: str) -> dict[str, str]:
     section = spec.members[name]
     record = spec.get(section)[name]
     stretches = section == "beams" and any("EA" in part for part in (record, *record.get("segments", ())))
-    return PARTS[section] | (STRETCHING if stretches else {})
+    hung = dict.fromkeys(oscillator_parts(record), "rad" if section == "shafts" else "m")
+    drawn = {"across": "m"} if section == "bars" and "from" in record else {}
+    return PARTS[section] | (STRETCHING if stretches else {}) | drawn | hung
+
+
+def oscillator_names(member: str, place: str) -> "Iterator[str]":
+    """The motions of oscillators at a place, as the file has them: `wing.oscillator(L)`, `wing.oscillator.2(L)`, …"""
+    yield f"{member}.oscillator({place})"
+    yield from (f"{member}.oscillator.{number}({place})" for number in count(2))
+
+
+def oscillator_parts(record: "Record") -> list[str]:
+    """The parts by which names of a member's oscillators may go: `oscillator`, `oscillator.2`, …"""
+    number = sum("oscillator" in part for part in record.get("attached", ()))
+    return ["oscillator", *(f"oscillator.{i}" for i in range(2, number + 1))][:number]
 
 
 def _no_stress(spec, signal, section):

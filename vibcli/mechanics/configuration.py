@@ -1,6 +1,6 @@
 """A mechanical system at one of its equilibria, and the linear system about it."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -61,11 +61,12 @@ class Configuration:
         """The Equilibrium; PhysicsError where none is reached."""
         if self._equilibrium is not None:
             return self._equilibrium
+        settled = self.system.settled
+        if settled is not None and settled.refusal is not None:
+            raise settled.refusal
+        if settled is not None and settled.configuration.numeric.given == self.numeric.given:
+            return settled.configuration.equilibrium
         found = self._reached()
-        if self.scene.members:
-            from vibcli.mechanics.member_tensions import require_tensions
-
-            require_tensions(self.about(found))
         if self.scene.timed:
             from vibcli.mechanics.autonomous import require_autonomous
 
@@ -124,11 +125,27 @@ class Configuration:
         found = self._without_given_damping()
         if self.spec.get("damping") is None:
             return found
-        from vibcli.mechanics.given_damping import require_no_dampers, with_damping
+        from vibcli.mechanics.given_damping import with_damping
 
-        if found.pieces:
-            require_no_dampers(found)
-        return with_damping(found, self.given_damping().each(float))
+        return self.damped_as_a_whole(found) if found.pieces else with_damping(found, self.given_damping().each(float))
+
+    @cached_property
+    def coupled(self) -> bool:
+        """Does `damping:` of members stand beside what couples their modes?"""
+        if self.spec.get("damping") is None or not self.scene.pieces:
+            return False
+        from vibcli.mechanics.given_damping import coupled
+
+        return coupled(self.spec.get("damping"), self._without_given_damping())
+
+    def damped_as_a_whole(self, elements: Any, moved: "Sequence[int] | None" = None):
+        """Element data of members with `damping:` that stands beside what couples their modes; moved: those of their
+        coordinates that are displacements, where others are loads."""
+        if not self.coupled:
+            return elements
+        from vibcli.mechanics.given_damping import as_a_whole
+
+        return as_a_whole(self, elements, moved)
 
     def given_damping(self, digits: int = 40):
         """What `damping:` adds, as element data, to so many digits; nothing where members are damped mode by mode."""

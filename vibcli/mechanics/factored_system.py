@@ -21,13 +21,14 @@ ROUNDING = 2.0 ** -51
 class PlacedPiece(NamedTuple):
     """A uniform piece of the member `owner`, its left end at the place `start`: its Piece, the rows ∇s of the
     displacements of its ends, {coordinate index: component} of (u₀, u_l), of beams (u₀, u₀′, u_l, u_l′), and the
-    springs [(weight, row)] that it is at rest."""
+    springs [(weight, row)] that it is at rest. retardation: β with which its stiffness resists rates, N + β N d/dt."""
 
     owner: str
     start: Any
     piece: Any
     rows: tuple
     springs: list
+    retardation: Any = 0
 
 
 class FactoredSystem:
@@ -66,7 +67,8 @@ class FactoredSystem:
         parts: dict = {kind: rows(getattr(self, kind)) for kind in ("inertias", "springs", "dampers")}
         parts["pieces"] = [PlacedPiece(piece.owner, change(piece.start), piece.piece._make(map(change, piece.piece)),
                                        tuple({i: change(x) for i, x in row.items()} for row in piece.rows),
-                                       rows(piece.springs)) for piece in self.pieces]
+                                       rows(piece.springs), change(piece.retardation) if piece.retardation else 0)
+                           for piece in self.pieces]
         parts |= {kind: {pair: change(x) for pair, x in getattr(self, kind).items()}
                   for kind in ("M", "C", "G", "K", "drag")}
         return self.with_parts(**parts)

@@ -87,18 +87,39 @@ def given_numbers(configuration: "Configuration", arithmetic: Any = None) -> "di
             else list(numbers(given)) for key, given in record.items()}
 
 
-def require_no_dampers(elements: Any) -> None:
-    """PhysicsError where members with inertia, which `damping:` damps by modes, have what couples these besides."""
+def coupled(record: "Record", elements: Any) -> bool:
+    """Does anything couple the modes of members with inertia, which `damping:` damps each by itself elsewhere?
+    PhysicsError where that is not found."""
     if not any(placed.piece.inertia for placed in elements.pieces):
         raise PhysicsError("members with drag and without inertia are not damped as a whole",
                            "take `damping:` out, or give the members inertia")
     coupling = {"dampers": elements.dampers or elements.C or elements.drag,
                 "drag": any(placed.piece.drag for placed in elements.pieces), "gyroscopic": any(elements.G.values())}
     found = " and ".join(name for name, acts in coupling.items() if acts)
-    if found:
-        raise PhysicsError("`damping:` of members is found where no dampers, drag or gyroscopic terms act besides",
-                           "take `damping:` out" + ("" if coupling["gyroscopic"] else
-                                                    f", or take the {found} out and give the modes higher ratios"))
+    if found and "proportional" not in record:
+        out = "" if coupling["gyroscopic"] else f", or take the {found} out and give the modes higher ratios"
+        raise PhysicsError("ratios of modes of members are found where no dampers, drag or gyroscopic terms act "
+                           "besides", "write `proportional: [alpha, beta]`" + out)
+    return bool(found)
+
+
+def as_a_whole(configuration: "Configuration", elements: Any, moved: "Sequence[int] | None") -> Any:
+    """Element data of members with α M + β K beside what damps them: pieces have the drag α μ and the retardation β.
+    moved: the coordinates that are displacements, where some are loads."""
+    import mpmath
+
+    from vibcli.mechanics.high_precision import GUARD
+
+    exact = any(isinstance(placed.piece.length, mpmath.mpf) for placed in elements.pieces)
+    with mpmath.workdps(max(DIGITS, mpmath.mp.dps if exact else 0) + GUARD):
+        alpha, beta = given_numbers(configuration)["proportional"]
+    alpha, beta = (+alpha, +beta) if exact else (float(alpha), float(beta))
+    pieces = [placed._replace(retardation=beta, piece=placed.piece._replace(
+        drag=placed.piece.drag + alpha * placed.piece.inertia)) for placed in elements.pieces]
+    more = in_proportion(alpha, beta, elements)
+    if moved is not None:
+        more = more.with_parts(C={pair: x for pair, x in more.C.items() if {*pair} <= {*moved}})
+    return with_damping(elements, more).with_parts(pieces=pieces)
 
 
 def with_damping(elements: Any, more: FactoredSystem):

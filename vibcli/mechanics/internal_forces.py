@@ -13,10 +13,15 @@ import numpy as np
 
 from vibcli.base.errors import PhysicsError
 from vibcli.language.member_signals import PARTS, STRETCHING
+from vibcli.mechanics.smooth_forms import smooth_form
 from vibcli.numerics.pieces.fields import fields
+from vibcli.numerics.pieces.loads import LoadForm, LoadStretch, LoadTerm, loaded_fields
 from vibcli.numerics.pieces.piece import Piece
 from vibcli.numerics.stretches import CurveStretch
+from vibcli.symbolic.antiderivatives import antiderivative
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.smooth_panels import NotSmooth
 
 if TYPE_CHECKING:
     from vibcli.elements.member import Member
@@ -80,7 +85,42 @@ def _along(configuration, scene, signal: "PlaceSignal", part: str, xi: Any):
         return _of_node(tension + gradient * xi, xi, configuration.at_rest)
     if signal.member.kind.bends and not gradient.is_zero:
         return _under_tension(configuration, scene, signal)
+    if signal.uneven(scene) and not signal.member.lengthwise:
+        return _under_uneven(configuration, scene, signal)
+    if signal.uneven(scene) and not all(_is_closed(signal, load) for load in signal.uneven(scene)):
+        raise PhysicsError(f"the forces within '{signal.member.name}' along it under such a load are not found",
+                           f"ask for them at places, as in equilibrium[{signal.member.name}.{part}(0 m)]")
     return _of_node(signal.static(scene), xi, configuration.at_rest)
+
+
+def _is_closed(signal, load):
+    """Is a load integrated twice in letters?"""
+    once = None if not signal.segment.foundation.is_zero else antiderivative(load.q, load.x)
+    return once is not None and antiderivative(once, load.x) is not None
+
+
+def _under_uneven(configuration, scene, signal):
+    """Of a piece under loads that vary along it, its tension does not."""
+    zero, values = scene.table.zero, configuration.at_rest
+    of = signal.piece(scene)
+    bending = of.bending if of.bends else zero
+    numbers = evaluate([of.length, bending, of.tension, of.gradient, zero, zero, of.foundation, signal.weight(scene),
+                        signal.factor, *signal.ends], Floats, values)
+    piece, even, factor, ends = Piece(*numbers[:7]), numbers[7], numbers[8], np.array(numbers[9:])
+    forms = [LoadForm((LoadStretch(0.0, piece.length, 0.0, (LoadTerm(even, 0, 0.0),)),))]
+    for load in signal.uneven(scene):
+        q, = substitute([load.q], {load.x: signal.left.place + load.x})
+        try:
+            forms.append(smooth_form(q, load.x, (zero, of.length), values, Floats))
+        except NotSmooth as error:
+            raise PhysicsError(f"'{load.owner}' {error.message} of a piece", error.hint) from None
+
+    def at(places):
+        found = fields(piece, piece.foundation, ends, places)[..., signal.order]
+        held = [sum(loaded_fields(piece, piece.foundation, form, x)[..., signal.order] for form in forms)
+                for x in places.tolist()]
+        return factor * (found + np.array(held))
+    return at
 
 
 def _of_node(node, xi, values):

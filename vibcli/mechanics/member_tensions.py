@@ -1,119 +1,101 @@
-"""The tension of beams and strings in the plane, on which their stiffness depends, against that in equilibrium."""
+"""The tension of beams and strings in the plane in equilibrium, as they bend and stretch there.
 
-from math import pi
+Members that keep their length are cut open at their stations. With the force F along each coordinate, cuts included,
+the conditions G that hold them together have multipliers, Σ λₖ ∂Gₖ/∂q = F along what is not cut, and a station pulls
+with F − Σ λₖ ∂Gₖ/∂t; of a beam that stretches N is EA Δ/l beside its preload.
+"""
+
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from vibcli.base.errors import PhysicsError
+from vibcli.scene.member_tensions import along_pieces, force_along, is_held_along, placed_members
+from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
 
-ROUNDING = 1e-11        # of the largest force in the scene
-SLIGHT = 0.05           # of Euler's load: tensions that statics alone does not find, said beside what leaves them out
-SAME = 1e-9             # of the largest tension along a beam that stretches: nearer ones are one
 
-
-class OpenTension(NamedTuple):
-    """A member that rests under the tension `found`, `drawn` being that in its stiffness; `part`: their difference over
-    Euler's load π²EI/L²."""
+class TensionAtRest(NamedTuple):
+    """Of each piece of a member the tension at its left end: that `found` in equilibrium and that in its stiffness,
+    `drawn`. `size`: of the forces that make it."""
 
     member: Any
-    found: float
-    drawn: float
-    part: float
-
-    @property
-    def slight(self) -> bool:
-        """Does it change no stiffness by more than a few per cent?"""
-        return self.part < SLIGHT
+    found: list
+    drawn: list
+    size: float
 
 
-def require_tensions(configuration: "Configuration") -> None:
-    """PhysicsError where a member has quite another tension in equilibrium than the one in its stiffness."""
-    scene = configuration.scene
-    placed = [member for member in scene.members.values() if member.line is not None and member.kind.name != "bar"]
-    if not placed:
-        return
-    for member in placed:
-        if not member.settled and not configuration.equilibrium.drawn:
-            raise PhysicsError(f"the tension of '{member.name}' depends on where the scene rests: this does not work "
-                               "yet", "draw the scene where it rests", member.record.where)
-        varies = any(not piece.piece.gradient.is_zero for piece in configuration.system.linearisation.pieces
-                     if piece.owner == member.name)
-        if varies and member.kind.bends and _bent(member, configuration):
-            raise PhysicsError(f"'{member.name}' is bent by its loads, and its tension varies along it: this does not "
-                               "work yet", "let it stand or hang upright with nothing that bends it, or leave out "
-                               "`gravity`", member.record.where)
-    for one in open_tensions(configuration):
-        if not one.slight:
-            raise PhysicsError(f"'{one.member.name}' rests under the tension {one.found:.6g} N, which statics alone "
-                               "does not find: its stiffness under it does not work yet",
-                               "leave out the loads that cause it", one.member.record.where)
-
-
-def open_tensions(configuration: "Configuration") -> "list[OpenTension]":
-    """Those of members that rest under another tension than the one in their stiffness, as what both their ends are
-    held to, or what bends, takes a share of the loads."""
-    scene = configuration.scene
-    placed = [member for member in scene.members.values() if member.line is not None and member.kind.name != "bar"]
-    found = _of_ties(placed, configuration)
-    if not scene.setting.variant.preloaded:     # what lets go starts a small motion
-        found += _of_stretches([member for member in placed if member.stretching], configuration)
-    return found
-
-
-def _of_ties(placed, configuration):
-    """Of members that keep their length."""
-    scene = configuration.scene
-    tied = {member.name: member for member in placed
-            if any(constraint.name == member.name for constraint in scene.constraints)}
-    if not tied:
-        return []
-    reactions = [one for one in configuration.reactions if one.value is not None]
-    largest, found = max((abs(one.value) for one in reactions), default=0.0), []
-    for reaction in reactions:
-        member = tied.get(reaction.signal.removesuffix(".force"))
-        if member is None:
-            continue
-        drawn = _at_right_end(member, configuration) if member.tie is not None else 0.0
-        if abs(reaction.value - drawn) > ROUNDING * (largest + abs(drawn)):
-            found.append(_open(member, reaction.value, drawn, configuration))
-    return found
-
-
-def _at_right_end(member, configuration):
-    """The tension in its stiffness where its last piece ends, whose weight does not hang on the end."""
-    last, end = member.stations[-2:]
-    tension, gradient = member.tensions[-1]
-    tension, change = evaluate([tension, gradient * (end.place - last.place)], Floats, configuration.numeric.floats)
-    return tension + change
+def tensions_at_rest(configuration: "Configuration") -> list[TensionAtRest]:
+    """Those of all beams and strings in the plane."""
+    members = placed_members(configuration.scene)
+    found = _of_stretches([member for member in members if member.stretching], configuration)
+    kept = [member for member in members if not member.stretching and member.stations]
+    return found + _of_cuts(kept, configuration) if kept else found
 
 
 def _of_stretches(members, configuration):
-    """Of beams that stretch: one each, where it differs most."""
-    parts = [(member, *evaluate(pair, Floats, configuration.at_rest)) for member in members
-             for pair in member.stretch_forces(configuration.scene)]
-    largest = max((abs(tension) for _, *both in parts for tension in both), default=0.0)
-    found = {}
-    for member, tension, drawn in sorted(parts, key=lambda part: abs(part[1] - part[2])):
-        if abs(tension - drawn) > SAME * largest:
-            found[member.name] = _open(member, tension, drawn, configuration)
-    return list(found.values())
+    """Of beams that stretch."""
+    scene, at = configuration.scene, configuration.at_rest
+    found = []
+    for member in members:
+        parts = [evaluate([stretch, mean, tension], Floats, at) for (stretch, mean), (tension, _)
+                 in zip(member.stretch_forces(scene), member.tensions, strict=True)]
+        found.append((member, [stretch - (mean - tension) for stretch, mean, tension in parts],
+                      [tension for *_, tension in parts]))
+    size = max((abs(x) for _, *both in found for part in both for x in part), default=0.0)
+    return [TensionAtRest(*one, size) for one in found]
 
 
-def _open(member, found, drawn, configuration):
-    """An OpenTension; of a string no part of its tension is slight."""
-    if not member.kind.bends:
-        return OpenTension(member, found, drawn, float("inf"))
-    length, *bending = evaluate([member.length, *(segment.stiffness for segment in member.segments)], Floats,
-                                configuration.numeric.floats)
-    return OpenTension(member, found, drawn, abs(found - drawn) * length**2 / (pi**2 * min(bending)))
+def _of_cuts(members, configuration):
+    """Of members that keep their length."""
+    forces, ties, size = _cut_open(configuration)
+    found = []
+    for member in members:
+        start, *drawn = evaluate([_preload(member, configuration.scene), *(tension for tension, _ in member.tensions)],
+                                 Floats, configuration.at_rest)
+        tie = ties.get(member.name, drawn[-1] if member.tie is not None else None)
+        pieces = along_pieces(forces[member.name], tie, start, 0.0)
+        found.append(TensionAtRest(member, [x + 0.0 for x in pieces], drawn, size))
+    return found
 
 
-def _bent(member, configuration):
-    """Does a member rest elsewhere than along its line as drawn?"""
-    if configuration.equilibrium.drawn:
-        return False
-    moved = [node for station in member.stations for node in station.motions]
-    return any(evaluate(moved, Floats, configuration.at_rest))
+def _preload(member, scene):
+    return scene.lower(member.record["preload"]) if "preload" in member.record else scene.table.zero
+
+
+def _cut_open(configuration):
+    """({member: force along each station, None where it is held}, {member: λ of what both its ends are held to}, the
+    largest force); a λ that the conditions leave open is left out."""
+    import numpy as np
+
+    from vibcli.mechanics.inputs_outputs.reactions import OPEN, solved
+    from vibcli.mechanics.static_preload import take_over
+
+    scene = take_over(configuration.scene.with_open_members(), configuration.system.preloads).resting
+    members = {member.name: member for member in placed_members(scene) if member.stretches}
+    ties = {name: gap for name, member in members.items() if is_held_along(member)
+            and (gap := member.stations[-1].along - member.stations[0].along).mask}
+    cuts = {t: i for i, t in enumerate(t for member in members.values() for t in member.stretches if t is not None)}
+    q = [x for x in scene.q if x not in cuts] + list(cuts)
+    conditions = [gradient(node) for node in (*ties.values(), *(constraint.node for constraint in scene.constraints))]
+    nodes = [force_along(scene, x) for x in q]
+    slopes = [row.get(x, scene.table.zero) for row in conditions for x in q]
+    flat = evaluate([*nodes, *slopes], Floats, _at_rest(scene, configuration, cuts))
+    n = len(q) - len(cuts)
+    F, G = np.array(flat[:len(q)]), np.array(flat[len(q):]).reshape(len(conditions), len(q))
+    multipliers, loose = solved(G[:, :n], -F[:n])
+    at_cuts = (F - multipliers @ G)[n:]
+    forces = {name: [None if t is None else float(at_cuts[cuts[t]]) for t in member.stretches]
+              for name, member in members.items()}
+    found = {name: float(multipliers[k]) for k, name in enumerate(ties) if np.abs(loose[:, k]).max(initial=0.0) <= OPEN}
+    return forces, found, float(max(np.abs(F).max(initial=0.0), np.abs(multipliers).max(initial=0.0)))
+
+
+def _at_rest(scene, configuration, cuts):
+    """{symbol: float} of the scene cut open in equilibrium."""
+    rest = configuration.scene.resting
+    names = [x.name for x in scene.q if x not in cuts]
+    values = evaluate([rest.symbol(name) for name in names], Floats, configuration.at_rest)
+    return {**configuration.numeric.floats, **dict(zip(names, values, strict=True)),
+            **dict.fromkeys((t.name for t in cuts), 0.0), scene.time.name: 0.0,
+            **dict.fromkeys((v.name for v in scene.v), 0.0)}

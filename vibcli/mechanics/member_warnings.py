@@ -4,7 +4,6 @@ tensions that statics alone does not find."""
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from vibcli.mechanics.member_tensions import open_tensions
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
@@ -23,14 +22,20 @@ def member_warnings(configuration: "Configuration") -> list[str]:
     for member in configuration.scene.members.values():
         if not member.kind.torsional:
             found += _turned(member, configuration)
-    return [*found, *map(_left_out, open_tensions(configuration))]
+    found += [f"the {side} end of '{member.name}' is held to '{name}' {off:.6g} m from where that is drawn, as by a "
+              "rigid arm without mass" for member in configuration.scene.members.values()
+              for side, name, off in member.arms(configuration.scene)]
+    settled = configuration.system.settled
+    names = () if settled is None else settled.names
+    return [*found, *(_from_equilibrium(configuration, name) for name in names)]
 
 
-def _left_out(one):
-    """That a tension is not in the stiffness of its member."""
-    return (f"statics alone does not find the tension {one.found:.6g} N of '{one.member.name}': its stiffness is that "
-            f"under {one.drawn:.6g} N; the rest, {one.part:.2g} of π²EI/L², is left out")
-
+def _from_equilibrium(configuration, name):
+    """How the tension of a member was found."""
+    member = configuration.scene.members[name]
+    found = evaluate([tension for tension, _ in member.tensions], Floats, configuration.at_rest)
+    told = list(dict.fromkeys(f"{x:.6g}" for x in (min(found), max(found))))
+    return f"'{name}': tension {' to '.join(told)} N: statics alone leaves it open; from the equilibrium"
 
 
 def _thick(member: "Member", configuration):
@@ -47,10 +52,14 @@ def _thick(member: "Member", configuration):
 
 def _turned(member, configuration):
     """More than 0.1 rad in equilibrium, at a station or between two."""
-    if not any(node.mask for node in member.nodes):
+    scene, string = configuration.scene, member.kind.stiffness is None
+    if not string and not any(node.mask for node in member.nodes):
         return
     slopes = [station.slope for station in member.stations if station.slope is not None]
-    if member.kind.bends or member.line is not None:
+    if string:
+        pieces = member.signals_along(scene.resting, "slope", scene.table.zero)
+        slopes += [one._replace(at=at).static(scene.resting) for one in pieces for at in (one.at, one.length)]
+    elif member.kind.bends or member.line is not None:
         slopes += [(right.u - left.u) / (right.place - left.place) for left, right in pairwise(member.stations)]
     largest = max(map(abs, evaluate(slopes, Floats, configuration.at_rest)), default=0.0)
     if largest > SMALL:

@@ -5,8 +5,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.mechanics.factored_system import FactoredSystem
 from vibcli.mechanics.linearisation import Linearisation, nodes_of
-from vibcli.symbolic.evaluation import Rationals, evaluate, evaluate_rational
-from vibcli.symbolic.running_errors import Rounded, RunningErrors, number_in
+from vibcli.symbolic.evaluation import evaluate, evaluate_rational
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -14,7 +13,6 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 ALIKE = 2.0**-46
-SPRINGS = 1e-12     # relative: within which springs are taken to be that stand for a tension that varies
 
 
 class Numbers(NamedTuple):
@@ -51,24 +49,7 @@ def in_numbers(form: Linearisation, arithmetic: Any, values: Mapping[str, Any],
                                  pieces=form.pieces)
     elements = expressions.each(known.__getitem__).with_parts(
         K=K, K_size=size, massless=massless(form, known), rational_rows=_rational_rows(form, rational))
-    if any(piece.piece.gradient for piece in elements.pieces):
-        elements = _graded(elements, arithmetic)
     return Numbers(elements, residual, residual_size)
-
-
-def _graded(elements, arithmetic):
-    """With the exact springs of beams whose tension varies; there are none in Fractions."""
-    from vibcli.mechanics.placed_pieces import exact_springs
-
-    if isinstance(arithmetic, Rationals):
-        raise Rationals.Irrational
-    if not isinstance(arithmetic, RunningErrors):
-        return elements.with_parts(pieces=[piece._replace(springs=exact_springs(piece)) for piece in elements.pieces])
-    plain = elements.each(number_in).pieces
-    springs = [[(Rounded(k, SPRINGS * abs(k)), {i: Rounded(x, SPRINGS * abs(x)) for i, x in row.items()})
-                for k, row in exact_springs(piece)] for piece in plain]
-    return elements.with_parts(pieces=[piece._replace(springs=found)
-                                       for piece, found in zip(elements.pieces, springs, strict=True)])
 
 
 def _accumulate(K, size, pair, term):

@@ -35,7 +35,12 @@ class NumericSystem:
         return NumericSystem(self.system.with_values({**self.given, **given}))
 
     def sharing(self, given: "Mapping[str, Fraction]") -> "NumericSystem":
-        """The same with the expressions of this scene: for values on which no sign in its geometry hangs."""
+        """The same with the expressions of this scene: for values on which no sign in its geometry hangs; drawn anew
+        where tensions of members are to be found."""
+        from vibcli.scene.member_tensions import statics_tells
+
+        if self.system.settled is not None and not statics_tells(self.scene):
+            return self.with_values(given)
         return NumericSystem(self.system, {**self.given, **given})
 
     @property

@@ -23,8 +23,13 @@ LOST = 1e-20    # of the terms of a force: what counts as none, at the working p
 def perturbed_system(configuration: "Configuration", name: str, free: Any):
     """FactoredSystem in dual numbers at the working precision of mpmath, the slopes being d/d`name`.
 
-    `free`: the shapes of the rigid-body modes. PhysicsError where the equilibrium does not persist as p changes.
+    `free`: the shapes of the rigid-body modes. PhysicsError where the equilibrium does not persist as p changes, or
+    a tension is found with it.
     """
+    settled = configuration.system.settled
+    if settled is not None and settled.names:
+        raise PhysicsError(f"the tension of '{settled.names[0]}', which statics alone leaves open, changes with "
+                           f"'{name}': its rate is not found", "solve the scene with two values of it")
     scene, form, plain = configuration.scene, configuration.system.linearisation, multiprecision()
     arithmetic, known = Duals(plain), configuration.numeric.values(plain)
     given = {other: plain.number(x) for other, x in configuration.numeric.given.items()} | {name: Dual(known[name], 1)}

@@ -29,6 +29,11 @@ class PreciseConfiguration(Configuration):
         return near._replace(values=equilibrium_to(self.near.numeric, near, self.values, self.arithmetic))
 
     @property
+    def coupled(self) -> bool:
+        """As near by."""
+        return self.near.coupled
+
+    @property
     def at_rest(self) -> "dict[str, mpmath.mpf]":
         """{symbol: number} of everything in equilibrium, at t = 0."""
         zero = mpmath.mpf(0)

@@ -11,7 +11,7 @@ from vibcli.mechanics.linearisation import at_position, residual_terms
 from vibcli.mechanics.linearise import linearise
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.mechanics.static_preload import solve_linear
-from vibcli.mechanics.symbolic_matrices import matrices_in_letters
+from vibcli.mechanics.symbolic_matrices import stiffness_at_rest
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import is_zero, textbook
 
@@ -48,7 +48,13 @@ def equilibrium_in_letters(symbolic: "SymbolicSystem") -> "dict[str, Node]":
         raise NotInLetters("the drawn position is not an equilibrium, and the equilibrium of this nonlinear scene is "
                            "not found in letters",
                            "draw it in equilibrium (`preload: static` helps), or give numbers with --set")
-    _, _, _, K = matrices_in_letters(symbolic.system.linearisation)
+    form = symbolic.system.linearisation
+    graded = next((piece.owner for piece in form.pieces if piece.piece.order == 4 and not piece.piece.gradient.is_zero),
+                  None)
+    if graded is not None:
+        raise NotInLetters(f"how '{graded}' bends under a tension that varies along it is not found in letters",
+                           "give numbers with --set")
+    K = stiffness_at_rest(form)
     n, zero = len(scene.q), scene.table.zero
     residual = symbolic.system.drawn_residual if start is None else residual_terms(
         at_position(symbolic.system.linearisation, {**scene.drawn_position, **start}))

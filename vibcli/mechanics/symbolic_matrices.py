@@ -9,9 +9,18 @@ def matrices_in_letters(form: Any) -> Any:
     """M, C, G, K of a Linearisation as {(i, j): simplified expression}, zeros left out."""
     M = _assembled(form.table, form.inertias, [form.M])
     C = _assembled(form.table, form.dampers, [form.C, form.drag])
+    G = _simplified({pair: [node] for pair, node in form.G.items()}, form.table)
+    return M, C, G, _stiffness(form, form.springs)
+
+
+def stiffness_at_rest(form: Any) -> Any:
+    """K as such expressions with the springs that pieces of members are at rest."""
+    return _stiffness(form, [*form.springs, *(spring for piece in form.pieces for spring in piece.springs)])
+
+
+def _stiffness(form, springs):
     geometric = [{pair: force * second for pair, second in curvature.items()} for force, curvature, _ in form.curved]
-    K = _assembled(form.table, form.springs, geometric + form.K)
-    return M, C, _simplified({pair: [node] for pair, node in form.G.items()}, form.table), K
+    return _assembled(form.table, springs, geometric + form.K)
 
 
 def _assembled(table, terms, parts):

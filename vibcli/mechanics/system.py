@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from fractions import Fraction
 
     from vibcli.language.spec import Spec
+    from vibcli.mechanics.settled_tensions import Settled
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
@@ -21,11 +22,13 @@ SENSES = ("sign", "abs", "min", "max")      # functions by which dry friction ac
 class MechanicalSystem:
     """A scene and what follows from it in letters. `given`: exact values for parameters that the file leaves as
     symbols, by which signs in the geometry are read off; `work`: what counts its long work; `released`: the system
-    whose motion starts under the force that lets go, where this one is held by it."""
+    whose motion starts under the force that lets go, where this one is held by it; `tensions`: {member: [N of each
+    piece]} that are not those of statics alone, None where they are sought."""
 
     def __init__(self, spec: "Spec", given: "Mapping[str, Fraction] | None" = None, work: Work | None = None,
-                 released: Any = None):
+                 released: Any = None, tensions: "Mapping[str, list[Fraction]] | None" = None):
         self.spec, self.given, self.work, self.released = spec, dict(given or {}), work or Work(), released
+        self.tensions = tensions
         self.costs = Costs()
 
     def with_values(self, given: "Mapping[str, Fraction]") -> "MechanicalSystem":
@@ -41,6 +44,28 @@ class MechanicalSystem:
             return None
         return MechanicalSystem(self.spec, self.given, self.work, self)
 
+    @cached_property
+    def settled(self) -> "Settled | None":
+        """The same as it rests under tensions of its own, whose parts are those of this one; None where nothing has
+        tensions to be found, or they are given."""
+        from vibcli.scene.build import has_tensions
+
+        if self.tensions is not None or self.released is not None or not has_tensions(self.spec):
+            return None
+        from vibcli.mechanics.settled_tensions import settled
+
+        return settled(self)
+
+    @property
+    def members_under(self) -> "Mapping[str, list[Fraction]] | None":
+        """{member: [N of each piece]} that are not those of statics alone."""
+        return self._itself.tensions
+
+    @property
+    def _itself(self):
+        """What has its parts."""
+        return self if self.settled is None else self.settled.configuration.system
+
     def dimension(self, coordinate: str):
         """The dimension of a coordinate; a length where nothing settles it."""
         from vibcli.base.units import LENGTH
@@ -52,7 +77,13 @@ class MechanicalSystem:
     def scene(self) -> "Scene":
         from vibcli.scene.build import build_preloaded, build_scene
 
-        scene = (build_scene if self.released is None else build_preloaded)(self.spec, self.given)
+        if self.settled is not None:
+            self.preloads = self._itself.preloads
+            return self._itself.scene
+        if self.released is None:
+            scene = build_scene(self.spec, self.given, self.tensions)
+        else:
+            scene = build_preloaded(self.spec, self.given, self.released.members_under)
         if any(name not in self.given for name in scene.parameters.free):
             from vibcli.mechanics.symbolic_equilibrium_linear import drawn_stable
 
@@ -76,6 +107,8 @@ class MechanicalSystem:
     @Stage
     def linearisation(self):
         """The Linearisation of the scene, its excitation left out."""
+        if self.settled is not None:
+            return self._itself.linearisation
         if not self.scene.vibrating.timed:
             return self.time_dependent_linearisation
         from vibcli.mechanics.autonomous import steady
@@ -85,6 +118,8 @@ class MechanicalSystem:
     @cached_property
     def time_dependent_linearisation(self):
         """The Linearisation of the scene with what drives it."""
+        if self.settled is not None:
+            return self._itself.time_dependent_linearisation
         from vibcli.mechanics.linearise import linearise
 
         self._require_coordinates()
@@ -107,6 +142,8 @@ class MechanicalSystem:
     @cached_property
     def linearisation_at_reference(self):
         """The Linearisation in the drawn position, in letters: what vanishes there by structure is exactly zero."""
+        if self.settled is not None:
+            return self._itself.linearisation_at_reference
         from vibcli.mechanics.linearisation import at_position
 
         scene = self.scene.vibrating

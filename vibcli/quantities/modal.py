@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.base.errors import NotInLetters, PhysicsError
+from vibcli.language.member_signals import OF_COORDINATES
 from vibcli.language.signal_names import signal_name
 from vibcli.language.signals import coordinate_name
 from vibcli.quantities.matrices import entry_dimension
@@ -89,7 +90,7 @@ def _shape(problem, tree, args):
     signal = coordinate_name(problem.spec, tree.indices[1]) or tree.indices[1]
     mode = problem.modal.told_apart(_mode(problem, tree))
     shape, placed = problem.modal.shape(mode), signal_name(signal)
-    if placed.name in problem.spec.members:
+    if placed.name in problem.spec.members and placed.kind not in OF_COORDINATES:
         return amplitude_as_asked(problem, *_along_member(problem, mode, placed))
     amplitude = along(problem, shape, signal)
     return amplitude_as_asked(problem, amplitude, shape)

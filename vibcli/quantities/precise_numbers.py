@@ -22,7 +22,8 @@ def settled(problem: "Problem", tree: "QuantityRef", args: Sequence[Any], found:
             error: float) -> tuple[float, float]:
     """(value, relative error bound) of a number found in floats, or to more digits where these are asked for or its
     bound exceeds what is asked."""
-    if problem.response.KIND != "small" or (problem.digits is None and not _exceeds(problem, tree, args, found, error)):
+    small = problem.response_of(tree).KIND == "small"
+    if not small or (problem.digits is None and not _exceeds(problem, tree, args, found, error)):
         return found, error
     import mpmath
 

@@ -5,10 +5,20 @@ from typing import Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.quantities.precise_numbers import settled
-from vibcli.quantities.quantity import ERROR, NUMBER, OF_SIGNAL, PERIOD, ROUNDING, SIGNAL, Declaration, declared, one
+from vibcli.quantities.quantity import (
+    ERROR,
+    EXACT,
+    NUMBER,
+    OF_SIGNAL,
+    PERIOD,
+    ROUNDING,
+    SIGNAL,
+    Declaration,
+    declared,
+    one,
+)
 from vibcli.symbolic.syntax import QuantityRef
 
-EXACT = ("small", "waves", "modes")      # motions whose numbers carry bounds of their own
 ALONG = ("value", "max", "min", "argmax", "argmin", "zero")     # along motions that are integrated
 
 
@@ -18,7 +28,8 @@ def _measured(number):
     def value(problem, tree, args):
         try:
             found, off = number(problem, tree, args)
-            if problem.response.KIND in EXACT or (problem.response.KIND == "series" and tree.head in ALONG):
+            kind = problem.response_of(tree).KIND
+            if kind in EXACT or (kind == "series" and tree.head in ALONG):
                 error = relative(found, off())
             else:
                 error = max(ERROR, _doubt(problem, tree, found, off))
@@ -70,7 +81,7 @@ def _is_found(problem, arg):
 
 
 def _signal(problem, tree):
-    return problem.response.signal(tree.args[0])
+    return problem.response_of(tree).signal(tree.args[0])
 
 
 def at_instant(signal: Any, time: float) -> float:
@@ -91,8 +102,9 @@ def _extreme(sense):
     """The value of an extreme."""
     def value(problem, tree, args):
         signal = _signal(problem, tree)
-        instant, found = signal.extreme(0.0, problem.response.until, sense)
-        return found, lambda: signal.error(instant)
+        until = problem.response_of(tree).until
+        instant, found = signal.extreme(0.0, until, sense)
+        return found, lambda: signal.error_of_extreme(0.0, until, (instant, found), sense)
     return value
 
 
@@ -100,7 +112,7 @@ def _instant(sense):
     """The instant of an extreme."""
     def value(problem, tree, args):
         signal = _signal(problem, tree)
-        instant = signal.extreme(0.0, problem.response.until, sense)[0]
+        instant = signal.extreme(0.0, problem.response_of(tree).until, sense)[0]
         return instant, lambda: signal.error_of_time(instant)
     return value
 
@@ -127,21 +139,22 @@ def _overshoot(problem, tree, args):
     if final == start:
         raise PhysicsError("the signal ends where it starts: it has no overshoot", "ask for max(x)")
     sense = 1 if final > start else -1
-    instant, top = signal.extreme(0.0, problem.response.until, sense)
+    until = problem.response_of(tree).until
+    instant, top = signal.extreme(0.0, until, sense)
     found = max(0.0, float((top - final) / (final - start)))
 
     def off():
-        last = signal.error_of_final()
-        return (signal.error(instant) + last + found * (signal.error(0.0) + last)) / abs(final - start)
+        last, high = signal.error_of_final(), signal.error_of_extreme(0.0, until, (instant, top), sense)
+        return (high + last + found * (signal.error(0.0) + last)) / abs(final - start)
 
     return found, off
 
 
 def _zero(problem, tree, args):
     number, signal = int(tree.indices[0]), _signal(problem, tree)
-    found = signal.zeros(0.0, problem.response.until)
+    until = problem.response_of(tree).until
+    found = signal.zeros(0.0, until)
     if len(found) < number:
-        until = problem.response.until
         raise PhysicsError(f"the signal passes through zero {len(found)} times until t = {until:.6g} s",
                            f"later ones, if there are any, are seen with a later end: find: [{{response: {{until: "
                            f"{2 * until:.3g} s}}}}]")
@@ -150,20 +163,22 @@ def _zero(problem, tree, args):
 
 
 def _end(problem, tree):
-    return problem.response.until
+    return problem.response_of(tree).until
 
 
 def _size(problem, tree):
     """The largest value of the signal; of a value whose motion has no known end, until its instant and for a second."""
+    response = problem.response_of(tree)
     try:
-        end = problem.response.until
+        end = response.until
     except PhysicsError:
         if tree.head != "value":
             raise
         from vibcli.quantities.expression import number_of
 
         end = max(number_of(problem, tree.args[1]), 1.0)
-    signal = _signal(problem, tree)
+    signal = response.signal(tree.args[0])
+    signal = signal.steady if response.KIND == "steady" else signal
     return max(abs(signal.extreme(0.0, end, sense)[1]) for sense in (1, -1))
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.quantities.frequency_response import wrapped
+from vibcli.quantities.quantity import EXACT
 from vibcli.results import feature_errors, signal_features, steady_features
 from vibcli.results.envelope import Envelope
 from vibcli.results.signals import ComposedSignal, LinearSignal
@@ -23,8 +24,8 @@ ANGLE = 0.7     # no phasor of an undamped scene is at right angles to it
 
 def _linear(problem, tree):
     """The signal as a linear output of a small motion."""
-    response = getattr(problem.response, "kept_up", problem.response)
-    signal = response.signal(tree.args[0])
+    response = problem.response_of(tree)
+    signal = getattr(response, "kept_up", response).signal(tree.args[0])
     if not isinstance(signal, LinearSignal):
         raise PhysicsError(f"'{tree.head}' is not found of {signal.KIND}", "ask for max(x), min(x) or values in time")
     return signal
@@ -68,7 +69,7 @@ def harmonic(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> "M
 def _over_a_period(which):
     """The mean or the rms of the steady state that loads keep up, else of the free vibrations that last."""
     def value(problem, tree, args):
-        signal = problem.response.signal(tree.args[0])
+        signal = problem.response_of(tree).signal(tree.args[0])
         if isinstance(signal, ComposedSignal | Envelope):
             from vibcli.results import composed_means
 
@@ -93,7 +94,7 @@ def _free(find, relative):
 
 def period(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> "Measured":
     """That of a full motion as it is found."""
-    if problem.response.KIND != "small":
+    if problem.response_of(tree).KIND not in EXACT:
         return problem.response.period(tree.args[0])[0], lambda: 0.0
     signal = _linear(problem, tree)
     kept_up = signal_features.kept_up(signal)

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
 from vibcli.results.modal_response import ModalResponse, NotByModes
+from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.modal_motion import ModalMotion
@@ -17,7 +18,7 @@ MANY, MOST, SMALL = 2400, 600, 8        # modes at most of systems of few coordi
 class DampedModalResponse(ModalResponse):
     """Small oscillations about the equilibrium. NotByModes where damped modes are not all that moves."""
 
-    WORDS = "small oscillations about the equilibrium, by damped modes"
+    WORDS = "small oscillations about the equilibrium, by damped modes; what those left out add is estimated"
 
     def require(self) -> None:
         """NotByModes where the motion is not one of damped modes."""
@@ -26,14 +27,30 @@ class DampedModalResponse(ModalResponse):
         from vibcli.analyses.continuous.damped_series import swallowed
 
         matrix = self._transfer.matrix
-        if self.problem.modal.member_damping is not None:
-            raise NotByModes("`damping:` stands beside dampers of members", "take one of them out")
+        if matrix.retardation:
+            raise NotByModes("damping in proportion to stiffness stands beside what couples the modes of members: "
+                             "modes without end creep", "ask for steady(…), or write `proportional: [alpha, 0 s]`")
         if any((part != part.T).any() for part in matrix.polynomial):
             raise NotByModes("forces that no potential gives couple the modes of members", "ask for steady(…)")
         self.problem.modal.modes.first(1)
         if swallowed(matrix, max(float(np.abs(mode.omega or 0.0)) for mode in self.problem.modal.modes.shown())):
             raise NotByModes("a damper is as √(Nμ) of what vibrates at it, so that no wave comes back from it: damped "
                              "modes are not all that moves", "give it a little more or less")
+
+    @property
+    def drive(self):
+        """With what `damping:` does with displacements that drive the scene."""
+        found, configuration = dict(super().drive), self.configuration
+        if not configuration.coupled:
+            return found
+        scene, opened = self.problem.scene, configuration.with_inputs
+        own = opened.numbers.elements.matrices()[1]
+        for (i, j), c in opened.elements.matrices()[1].items():
+            more = c - own.get((i, j), 0.0)
+            if i < opened.n and j in self._inputs and more:
+                rate = scene.table.number(fraction_of(float(more))) * scene.rate(self._inputs[j])
+                found[i] = found.get(i, scene.table.zero) - rate
+        return found
 
     @property
     def _transfer(self):

@@ -53,7 +53,7 @@ def value_of_signal(signal: "Signal", t: "Fraction | float") -> tuple[float, flo
 def extreme_of_signal(signal: "Signal", start: float, end: float, sense: int) -> BoundedExtreme:
     """The largest (sense 1) or smallest (−1) value between two instants."""
     time, value = signal.extreme(start, end, sense)
-    error = signal.error(time)
+    error = signal.error_of_extreme(start, end, (time, value), sense)
     size = _exceeded(signal, time, value, error)
     if size is not None:
         from vibcli.results.precise_instants import extreme_to

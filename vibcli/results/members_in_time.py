@@ -31,12 +31,17 @@ def members_in_time(problem: "Problem") -> "SmallResponse":
 
 def _by_modes(problem):
     """The ModalResponse, or a response of which steady states alone are found."""
-    from vibcli.results.modal_response import CoupledModes, ModalResponse, NotByModes
+    from vibcli.results.modal_response import CoupledModes, ModalResponse, NotByModes, ShakenSupports
 
     modes: ModalResponse = ModalResponse(problem)
     try:
         try:
             modes.alone  # noqa: B018 - is its motion one of modes by themselves?
+        except ShakenSupports:
+            from vibcli.results.shaken_modal_response import ShakenModalResponse
+
+            modes = ShakenModalResponse(problem)
+            modes.alone  # noqa: B018 - does it have such a motion?
         except CoupledModes:
             from vibcli.results.damped_modal_response import DampedModalResponse
 

@@ -17,7 +17,6 @@ FIRST = 128         # modes
 FEWEST = 32
 MOST = {True: 2048, False: 512}     # modes of a uniform member by itself, and of others
 SHARES = 0.0, 0.25, 0.5, 0.75, 1.0      # of a piece
-CRITICAL = 1e-6     # |1 − ζ| below which two eigenvalues are not told apart
 CLOSE = 1e-10       # of the largest value: a remainder that is small enough
 
 
@@ -69,7 +68,8 @@ class ModalResponse(ResponseOfMembers):
         creeping = given is not None and given.creeps
         starts, disturbed = self._disturbed(basis, inputs, damping)
         start = [one.of_modes(basis.squares, plain) for one, plain in zip(starts, self._start(basis), strict=True)]
-        modes = RealModes(basis, inputs, start, damping, creeping, None if creeping else disturbed)
+        shaking = self._shaking(basis)
+        modes = RealModes(basis, inputs, start, damping, creeping, disturbed if shaking is None else None, shaking)
         return ModalMotion(modes, self._transfer, self._forces, self.problem.work)
 
     def _felt(self, basis):
@@ -96,7 +96,9 @@ class ModalResponse(ResponseOfMembers):
         found = [start_of_field(uncounted, [given[rate] for given in self.fields], 0, np.array(part, float), not rate,
                                 () if rate else self.let_go) for rate, part in enumerate(self.deviations)]
         start = Start(np.array([one.held for one in found]), np.array([one.spread for one in found]))
-        return found, lambda segments: Disturbances(uncounted, start, segments)
+        given = self.problem.modal.member_damping
+        creeping = given.series if given is not None and given.creeps else ()
+        return found, lambda segments: Disturbances(uncounted, start, segments, creeping)
 
     @cached_property
     def _driven_ends(self):
@@ -133,28 +135,30 @@ class ModalResponse(ResponseOfMembers):
         from vibcli.analyses.continuous.damped_transfer import DampedTransfer
 
         if self._inputs:
-            raise NotByModes("supports are driven beside `damping:` of members",
-                             "ask for steady(…), or take `damping:` out")
+            raise ShakenSupports("supports are driven beside `damping:` of members", "ask for steady(…)")
         return DampedTransfer(found, self.problem.modal.modes, damping)
 
     @cached_property
     def _forces(self):
-        """The Forcing of coordinates, driven ends and loads along members."""
+        """The Forcing of all channels."""
         from vibcli.analyses.excitation.decompose import forcing_of
         from vibcli.notation.plain import plain
 
-        n = len(self.matrices[0])
-        driven = [*(node for _, node in self.ends_of_pieces if node is not None),
-                  *(force.weight for force in self.spread_forces),
-                  *(self.problem.scene.table.zero for _ in self.let_go)]
-        nodes = self.drive_of_coordinates | dict(enumerate(driven, n))
-        return forcing_of(nodes, self.problem.scene.time, self.problem.numeric.floats, n + len(driven), write=plain,
+        nodes, channels = self._loaded
+        return forcing_of(nodes, self.problem.scene.time, self.problem.numeric.floats, channels, write=plain,
                           work=self.problem.work)
 
     @property
-    def drive_of_coordinates(self):
-        """{i: node of the time}."""
-        return self.loads
+    def _loaded(self):
+        """{channel: node of the time} of coordinates, driven ends and loads along members, and how many there are."""
+        driven = [*(node for _, node in self.ends_of_pieces if node is not None),
+                  *(force.weight for force in self.spread_forces),
+                  *(self.problem.scene.table.zero for _ in self.let_go)]
+        n = len(self.matrices[0])
+        return self.loads | dict(enumerate(driven, n)), n + len(driven)
+
+    def _shaking(self, basis):
+        """The Shaking of supports that are channels of their own; None where ends of pieces are."""
 
     def _damping(self, basis):
         """c of each mode: given, or of drag c/μ that is the same everywhere, which damps each by itself."""
@@ -169,7 +173,7 @@ class ModalResponse(ResponseOfMembers):
         if most - min(rates) > 1e-14 * most or self.matrices[0].any():
             raise CoupledModes("drag that differs from place to place couples the modes of members",
                                "ask for steady(…), or give all the same drag by mass")
-        return _not_critical(basis, np.full(len(basis.squares), most))
+        return np.full(len(basis.squares), most)
 
     def _given_damping(self, basis):
         """Those of `damping:`."""
@@ -177,8 +181,7 @@ class ModalResponse(ResponseOfMembers):
 
         damping = self.problem.modal.member_damping
         modes = self.problem.modal.modes.first(len(basis.squares))
-        rates = np.array([float(damping.rate(mode)) for mode in modes])
-        return _not_critical(basis, rates)
+        return np.array([float(damping.rate(mode)) for mode in modes])
 
     def _start(self, basis):
         """η and η̇ at t = 0."""
@@ -219,14 +222,10 @@ class ModalResponse(ResponseOfMembers):
             u = substitute([given.displacement], place)[0] - self._resting(self.configuration, piece)
         if given is not None and given.rate is not None:
             rate = substitute([given.rate], place)[0]
-        return self._over_place(u), self._over_place(rate)
+        return self._over_place(piece, u, piece.piece.order), self._over_place(piece, rate, 0)
 
-    def _over_place(self, node):
-        from vibcli.analyses.excitation.decompose import forcing_of
-        from vibcli.notation.plain import plain
-
-        return None if node is None else forcing_of({0: node}, self.problem.scene.time, self.problem.numeric.floats, 1,
-                                                    write=plain, work=self.problem.work)
+    def _over_place(self, piece, node, order):
+        return None if node is None else self.over_place(piece, {0: node}, [order])
 
     def _resting(self, configuration, piece):
         """u of a piece in the equilibrium of a Configuration, of the fourth degree as an even load bends it."""
@@ -284,16 +283,12 @@ class ModalResponse(ResponseOfMembers):
         return ComposedSignal(node, signals, self.values, self.problem.scene.time, None, self.problem.work)
 
 
-def _not_critical(basis, damping):
-    """c of modes, two eigenvalues of each being told apart."""
-    omega = abs(basis.squares)**0.5
-    if ((basis.squares > 0) & (abs(damping / 2 - omega) < CRITICAL * omega)).any():
-        raise NotByModes("a mode is damped critically", "give it a little more or less damping")
-    return damping
-
-
 class NotByModes(NotByWaves):
     """A system whose motion is not followed by modes, with the reason."""
+
+
+class ShakenSupports(NotByModes):
+    """A system whose modes are damped beside driven supports."""
 
 
 class CoupledModes(NotByModes):

@@ -1,8 +1,9 @@
 """Signals of motions by modes, with the bound of the modes that are left out."""
 
+from math import inf
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import PhysicsError
+from vibcli.base.errors import NoBound, PhysicsError
 from vibcli.results.signal import Signal
 
 if TYPE_CHECKING:
@@ -25,18 +26,24 @@ class ModalSignal(Signal):
         return self.modal.values(self.reads, times, order)
 
     def require_bound(self, t: float, order: int = 0) -> None:
-        """PhysicsError where what the modes left out add has no bound."""
+        """NoBound where what the modes left out add has no bound."""
         import numpy as np
 
         if np.isinf(self.modal.bound(self.reads, t, order)):
-            raise PhysicsError("the series of this signal over all modes does not converge absolutely after what jumps "
-                               "here: what the modes left out add to it has no bound",
-                               "ask for displacements, or let the load begin smoothly")
+            raise _without_bound()
 
     def error(self, t: float) -> float:
         import numpy as np
 
         return float(self.modal.errors(self.reads, np.array([t]))[0])
+
+    def error_of_extreme(self, start: float, end: float, top: tuple[float, float], sense: int) -> float:
+        from vibcli.analyses.continuous.modal_search import error_of_extreme
+
+        found = error_of_extreme(self.modal, self.reads, start, end, top, sense)
+        if found == inf:
+            raise _without_bound()
+        return found
 
     def error_of_time(self, t: float) -> float:
         from vibcli.analyses.continuous.modal_search import width_of_top
@@ -70,3 +77,9 @@ class ModalSignal(Signal):
     def final(self) -> float:
         """It is not found."""
         raise PhysicsError(f"the limit of {self.KIND} is not found", "ask for its value at a late instant")
+
+
+def _without_bound():
+    return NoBound("the series of this signal over all modes does not converge absolutely after what jumps here: "
+                   "what the modes left out add to it has no bound",
+                   "ask for displacements, or let the load begin smoothly")

@@ -14,7 +14,8 @@ from vibcli.mechanics.inputs_outputs.inputs import drives_supports, named_input
 from vibcli.mechanics.inputs_outputs.outputs import linear_row
 from vibcli.mechanics.inputs_outputs.place_signals import place_output
 from vibcli.mechanics.precise_configuration import PreciseConfiguration
-from vibcli.numerics.pieces.stiffness import dynamic_stiffness
+from vibcli.numerics.pieces.retardation import retarded_reaction
+from vibcli.numerics.pieces.stiffness import dynamic_stiffness, stiffness
 from vibcli.symbolic.evaluation import multiprecision
 
 if TYPE_CHECKING:
@@ -37,7 +38,7 @@ class PreciseMemberCurve:
         if self.given.carried:
             raise PhysicsError("more digits of a response to a load that turns with what is driven are not found",
                                "leave --digits out")
-        self.elements, self.spread = opened.numbers.elements, spread_inputs(configuration, self.given.weights)
+        self.elements, self.spread = opened.elements, spread_inputs(configuration, self.given.weights)
         self.supports = drives_supports(configuration, self.given)
         self.driven, self.n = range(opened.n, len(opened.scene.q)), len(opened.scene.q)
         self.pieces, self.rates = list(self.elements.pieces), 0
@@ -65,7 +66,7 @@ class PreciseMemberCurve:
 
     def _answer(self, s, sigma):
         """H where stiffnesses are those at σ, and rates those of e^{st}."""
-        d = [dynamic_stiffness(placed.piece, sigma) for placed in self.pieces]
+        d = [_stiffness(placed, sigma) for placed in self.pieces]
         D, free = self._matrix(sigma, d), [i for i in range(self.n) if i not in self.driven]
         put = [(number, j, drive.end_loads(placed, sigma)) for j, drive in self.spread.items()
                for number, placed in enumerate(self.pieces) if drive.on(placed) is not None]
@@ -85,8 +86,8 @@ class PreciseMemberCurve:
                                "ask at another frequency") from None
         for i, x in zip(free, found, strict=True):
             X[i] = x
-        loaded = mp.fsum(factor * loads[end] * X[j] for factor, piece, end in self.output.ends
-                         for number, j, loads in put if number == piece)
+        loaded = mp.fsum(factor * loads[end] * X[j] / (1 + self.pieces[piece].retardation * s)
+                         for factor, piece, end in self.output.ends for number, j, loads in put if number == piece)
         return [(self._seen(X, s, d) - loaded) * s**self.rates]
 
     def _seen(self, X, s, d):
@@ -94,7 +95,8 @@ class PreciseMemberCurve:
                         for power, row in enumerate(self.output.rows) for i, x in row.items())
         for factor, number, end in self.output.ends:
             for b, row in enumerate(self.pieces[number].rows):
-                total += factor * d[number][end, b] * mp.fsum(x * X[i] for i, x in row.items())
+                moved = mp.fsum(x * X[i] for i, x in row.items())
+                total += factor * d[number][end, b] * moved / (1 + self.pieces[number].retardation * s)
         return total
 
     def _matrix(self, s, d):
@@ -110,10 +112,18 @@ class PreciseMemberCurve:
                                 (s * s, elements.M)):
             for pair, x in entries.items():
                 D[pair] += factor * x
-        for placed, stiffness in zip(self.pieces, d, strict=True):
+        for placed, own in zip(self.pieces, d, strict=True):
             for a, one in enumerate(placed.rows):
                 for b, two in enumerate(placed.rows):
                     for i, x in one.items():
                         for j, y in two.items():
-                            D[i, j] += x * y * stiffness[a, b]
+                            D[i, j] += x * y * own[a, b]
         return D
+
+
+def _stiffness(placed, s):
+    """d(s), with what stiffness resists rates by."""
+    beta = placed.retardation
+    if not beta:
+        return dynamic_stiffness(placed.piece, s)
+    return (1 + beta * s) * stiffness(placed.piece, retarded_reaction(placed.piece, s, beta))

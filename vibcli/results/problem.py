@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses import OF_MODES
 from vibcli.analyses.modal.modal_analysis import ModalAnalysis
-from vibcli.base.errors import NotInLetters
+from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.base.stage import Stage
 from vibcli.mechanics.configuration import Configuration
 from vibcli.mechanics.numeric_system import NumericSystem
@@ -27,11 +27,14 @@ if TYPE_CHECKING:
     from vibcli.mechanics.equilibrium.all_equilibria import Equilibria
     from vibcli.results.frequency_response import FrequencyResponse
     from vibcli.results.signals import LinearSignal
+    from vibcli.results.steady_response import SteadyResponse
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import QuantityRef
 
 STAGES = ("scene", "linearisation", "equilibrium", "linear_system", "modes", "damped", "energies", "equations",
           "closed_forms", "equilibria", "reactions", *OF_MODES)
+STEADY = ("amplitude", "phase", "harmonic", "mean", "rms", "period")     # of what loads keep up, where they do
 
 
 class Problem:
@@ -172,6 +175,26 @@ class Problem:
 
             return FullResponse(self)
         return responses.SmallResponse(self, _precise_response)
+
+    def response_of(self, tree: "QuantityRef") -> Any:
+        """The motion that a quantity of a signal is read off: where of members that vibrate the steady state alone is
+        asked, that by itself, which needs no modes."""
+        of_steady = any(getattr(arg, "head", "") == "steady" for arg in tree.args[:1])
+        steady = self._kept_up if (of_steady or tree.head in STEADY) and self.scene.pieces else None
+        return self.response if steady is None else steady
+
+    @cached_property
+    def _kept_up(self) -> "SteadyResponse | None":
+        """What loads that oscillate without end keep up in a scene with members, apart from the motion that leads to
+        it; None where none does, or the motion is not one of small oscillations."""
+        from vibcli.results.steady_response import SteadyResponse
+
+        kind = self.spec.get("motion")
+        if kind == "full" or (kind is None and self.scene.laws):
+            return None
+        found = SteadyResponse(self, PhysicsError("this is not found of small oscillations of members",
+                                                  "ask for max(x), min(x) or values in time"))
+        return found if found.drives else None
 
     def require_no_members(self) -> None:
         """NotInLetters of motions in time, and at a frequency, of members that vibrate."""

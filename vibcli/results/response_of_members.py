@@ -11,6 +11,8 @@ from vibcli.results.responses import SmallResponse
 from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
+    from vibcli.analyses.excitation.forcing import Forcing
+    from vibcli.mechanics.factored_system import PlacedPiece
     from vibcli.results.steady_response import SteadyResponse
     from vibcli.symbolic.node import Node
 
@@ -34,7 +36,7 @@ class ResponseOfMembers(SmallResponse):
     @cached_property
     def placed(self):
         """The PlacedPieces, their rows over coordinates and, behind them, inputs."""
-        return self.configuration.with_inputs.numbers.elements.pieces
+        return self.configuration.with_inputs.elements.pieces
 
     @cached_property
     def _inputs(self):
@@ -115,8 +117,6 @@ class ResponseOfMembers(SmallResponse):
 
     def _field(self, piece, given):
         """u and u̇ over one piece; the time of the scene stands for the place along it."""
-        from vibcli.analyses.excitation.decompose import forcing_of
-        from vibcli.notation.plain import plain
         from vibcli.symbolic.derivatives import substitute
 
         scene, held = self.problem.scene, self.configuration.preloaded
@@ -133,7 +133,26 @@ class ResponseOfMembers(SmallResponse):
         nodes = {0: u}
         if given is not None and given.rate is not None:
             nodes[1] = substitute([given.rate], place)[0]
-        return forcing_of(nodes, scene.time, self.problem.numeric.floats, 2, write=plain, work=self.problem.work)
+        return self.over_place(piece, nodes, [piece.piece.order, 0])
+
+    def over_place(self, piece: "PlacedPiece", nodes: "dict[int, Node]", orders: "list[int]") -> "Forcing":
+        """{channel: node} of functions of the place on a piece as Forcing; as polynomials to rounding where they are no
+        sums of powers, exponentials and sines, of derivatives of these orders."""
+        from vibcli.analyses.continuous.smooth_fields import smooth_field
+        from vibcli.analyses.excitation.decompose import forcing_of
+        from vibcli.notation.plain import plain
+        from vibcli.symbolic.smooth_panels import NotSmooth
+
+        table, time, floats = self.problem.scene.table, self.problem.scene.time, self.problem.numeric.floats
+        try:
+            return forcing_of(nodes, time, floats, len(orders), write=plain, work=self.problem.work)
+        except PhysicsError:
+            pass
+        try:
+            return smooth_field(nodes, time, table.number(fraction_of(float(piece.piece.length))), floats, orders)
+        except NotSmooth as error:
+            raise PhysicsError(f"the field with which '{piece.owner}' starts, or what bends it, {error.message} of its "
+                               "piece", error.hint) from None
 
     def _resting(self, configuration, piece):
         """u of a piece in the equilibrium of a Configuration: a parabola, as weight may lengthen it."""

@@ -73,6 +73,11 @@ class Signal:
         """How far its value at an instant may be off; 0 where that is rounding."""
         return 0.0
 
+    def error_of_extreme(self, start: float, end: float, top: tuple[float, float], sense: int) -> float:
+        """How far the largest (sense 1) or smallest (−1) value between two instants may be off, `top` being (t, value)
+        of what is found."""
+        return self.error(top[0])
+
     def error_of_time(self, t: float) -> float:
         """How far an instant that was searched may be off at which it is largest or smallest [s]."""
         return 0.0

@@ -2,12 +2,14 @@
 followed from its start."""
 
 from functools import cached_property
+from math import inf, tau
 from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.excitation.linear_output import LinearOutput
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signal_names import signal_name
 from vibcli.results.responses import SmallResponse
+from vibcli.results.steady_features import common
 from vibcli.symbolic.syntax import QuantityRef
 
 if TYPE_CHECKING:
@@ -21,6 +23,8 @@ MOST = 10_000       # steps of a million products
 class SteadyResponse(SmallResponse):
     """What loads keep up; `reason`: why nothing else is found."""
 
+    KIND = "steady"
+
     def __init__(self, problem: "Problem", reason: PhysicsError):
         super().__init__(problem)
         self.reason = reason
@@ -32,6 +36,16 @@ class SteadyResponse(SmallResponse):
         return self.problem.initial.start
 
     @property
+    def drives(self) -> bool:
+        """Do loads that oscillate without end drive the scene?"""
+        from vibcli.analyses.excitation.forcing import oscillates
+
+        try:
+            return self.input_forcing.period is not None or oscillates(self.input_forcing)
+        except PhysicsError:
+            return False
+
+    @property
     def alone(self):
         return NotFollowed(self)
 
@@ -41,7 +55,7 @@ class SteadyResponse(SmallResponse):
         speeds = [Omega for waves in self.waves.values() for Omega, _ in waves if Omega]
         if not speeds:
             raise self.reason
-        return duration(self.problem.modal.modes.shown(), None, 0.0, speeds)
+        return max(duration((), None, 0.0, speeds), tau / (common(speeds) or inf))
 
     @property
     def precise(self):
@@ -125,7 +139,7 @@ class SteadyResponse(SmallResponse):
         """{coordinate of an input: [(Ω, A)]} of what the inputs do in the end, Re Σ A e^{iΩt}."""
         from vibcli.analyses.transient.steady_state import steady_forcing
 
-        if any(mode.growth_rate is not None for mode in self.problem.modal.modes.shown()):
+        if self.problem.modal.modes.grow:
             raise PhysicsError("there is no steady state: the free motion grows", "the equilibrium is unstable")
         forcing, n = steady_forcing(self.input_forcing), self.configuration.with_inputs.n
         if forcing.period is not None:

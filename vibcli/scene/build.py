@@ -20,18 +20,21 @@ if TYPE_CHECKING:
 ATTEMPTS = 12
 
 
-def build_scene(spec: "Spec", given: "Mapping[str, Fraction] | None" = None) -> Scene:
-    """The Scene of a Spec; SpecError where its geometry contradicts itself.
+def build_scene(spec: "Spec", given: "Mapping[str, Fraction] | None" = None,
+                tensions: "Mapping[str, list[Fraction]] | None" = None) -> Scene:
+    """The Scene of a Spec, under the `tensions` of members that statics alone does not find; SpecError where its
+    geometry contradicts itself.
 
     A scene with symbols is drawn with sample values, those that are `given` and others; signs such as that of R − r
     are those of the first sample in which the drawing fits together.
     """
-    return _drawn(spec, given or {}, 0, Variant())
+    return _drawn(spec, given or {}, 0, Variant(tensions=tensions))
 
 
-def build_preloaded(spec: "Spec", given: Mapping[Any, Any]) -> Scene:
+def build_preloaded(spec: "Spec", given: Mapping[Any, Any],
+                    tensions: "Mapping[str, list[Fraction]] | None" = None) -> Scene:
     """The Scene under the force that lets go where its motion starts."""
-    return _drawn(spec, given, 0, Variant(preloaded=True))
+    return _drawn(spec, given, 0, Variant(preloaded=True, tensions=tensions))
 
 
 def _drawn(spec, given, start, variant):
@@ -57,12 +60,17 @@ def _drawn(spec, given, start, variant):
 
 def _tensions(spec, given, attempt, variant):
     """{name: tension of each piece} of the beams and strings in the plane, as statics finds it; empty where none is."""
-    drawn = any("from" in record for section in ("beams", "strings") for record in (spec.get(section) or {}).values())
-    if not drawn or variant.stretched:
+    if variant.stretched or not has_tensions(spec):
         return {}
-    from vibcli.scene.member_tensions import tensions
+    from vibcli.scene.member_tensions import tensions, under
 
-    return tensions(_drawn(spec, given, attempt, Variant(multipliers=True, stretched=True)))
+    found = tensions(_drawn(spec, given, attempt, Variant(multipliers=True, stretched=True)))
+    return under(found, variant.tensions) if variant.tensions else found
+
+
+def has_tensions(spec: "Spec") -> bool:
+    """Has a scene beams or strings in the plane?"""
+    return any("from" in record for section in ("beams", "strings") for record in (spec.get(section) or {}).values())
 
 
 def _assembled(builder, setting):

@@ -69,7 +69,7 @@ class Builder:
         self.agree, self.vanishes = expressions.agree, expressions.vanishes
         self.require_equal, self.terms_with = expressions.require_equal, expressions.terms_with
         self.unit, self.distance, self.absolute = expressions.unit, expressions.distance, expressions.absolute
-        self.height_of = expressions.height_of
+        self.height_of, self.figures = expressions.height_of, expressions.figures
         self.symbol, self.at_drawn = self.coordinates.symbol, self.coordinates.at_drawn
         self.v, self.a = self.coordinates.v, self.coordinates.a
         self.driven_by, self.turns = displacements.driven_by, displacements.turns

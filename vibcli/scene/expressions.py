@@ -5,6 +5,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
+from vibcli.base.diagnostics import distinct_figures
 from vibcli.language.parameters import Parameters, unusable
 from vibcli.language.reader import Expression, Record
 from vibcli.symbolic.derivatives import substitute
@@ -129,7 +130,11 @@ class Expressions:
                       size: float = 0.0) -> None:
         """Report `message` with both values where they differ in the drawn position by more than `size`."""
         if not self.agree(*self.coordinates.at_drawn(a, b)) and not abs(self.number(a) - self.number(b)) <= size:
-            self.reports.report(where, message.format(f"{self.number(a):.6g}", f"{self.number(b):.6g}"), hint)
+            self.reports.report(where, message.format(*self.figures(a, b)), hint)
+
+    def figures(self, a: "Node", b: "Node") -> tuple[str, str]:
+        """Two values in the drawn position, with as many digits as tell them apart."""
+        return distinct_figures(self.number(a), self.number(b))
 
     def unit(self, dx: Any, dy: Any, where: "Where | None" = None):
         """The unit vector along (dx, dy), constants."""

@@ -8,15 +8,23 @@ the sum of what its pieces lengthen is zero: Σ N̄ l/EA = 0.
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from vibcli.elements.member_ends import HOLDS
+from vibcli.elements.member_fields import holds_along
 from vibcli.elements.member_pieces import pieces_of
 from vibcli.elements.member_plane import tension_gradient
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.normal_form import is_zero, textbook
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from fractions import Fraction
+
+    from vibcli.elements.member import Member
     from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 LOOSE = 1e-9
+SAME = 1e-9             # of the largest tension along a member: a preload that differs by less is it
 
 
 class Tensions(NamedTuple):
@@ -36,15 +44,67 @@ def tensions(scene: "Scene") -> dict[str, Tensions]:
     ties = _ties(scene, cuts)
     found = {name: _found(scene, member, cuts, ties.get(name)) for name, member in scene.members.items()
              if member.stretches}
-    between = [name for name in found if scene.members[name].stretching and _is_between(scene.members[name])]
+    between = [name for name in found if scene.members[name].stretching and is_held_along(scene.members[name])]
     loaded = any("preload" in scene.members[name].record for name in between) or any(
-        not force.is_zero for q in scene.q for force in scene.at_drawn(_force(scene, q)))
+        not force.is_zero for q in scene.q for force in scene.at_drawn(force_along(scene, q)))
     if not (between and loaded):
         return found
     return found | {name: _stretched(scene, scene.members[name], found[name]) for name in between}
 
 
-def _is_between(member):
+def placed_members(scene: "Scene") -> "list[Member]":
+    """The beams and strings in the plane."""
+    return [member for member in scene.members.values() if member.line is not None and member.kind.name != "bar"]
+
+
+def statics_tells(scene: "Scene") -> bool:
+    """Does statics alone, of members that neither bend nor stretch, tell the tension of all of them?"""
+    members = placed_members(scene)
+    if any(member.tie is not None or member.stretching or not member.settled for member in members):
+        return False
+    return not members or not (scene.constraints or any(_carries(member, other) for member in members
+                                                        for other in members))
+
+
+def _carries(member, other):
+    """Is an end of another member held to this one?"""
+    ends = [other.record.get(side) for side in ("left", "right")]
+    return any(end[word].text == member.name for end in ends if end is not None and not isinstance(end, str)
+               for word in HOLDS if word in end)
+
+
+def require_preloads(scene: "Scene") -> None:
+    """Report a `preload` of a member that keeps its length and rests under another tension."""
+    for member in placed_members(scene):
+        between = is_between_fixed(member)
+        if "preload" not in member.record or member.stretching or between:
+            continue
+        sizes = [scene.number(node) for (tension, change), (_, left, right) in
+                 zip(member.tensions, pieces_of(member, scene), strict=False)
+                 for node in (tension, tension + change * (right.place - left.place))]
+        given, slack = scene.number(scene.lower(member.record["preload"])), SAME * max(map(abs, sizes), default=0.0)
+        if sizes and not min(sizes) - slack <= given <= max(sizes) + slack:
+            told = " to ".join(dict.fromkeys(f"{x:.6g}" for x in (min(sizes), max(sizes))))
+            rests = f"{given:.6g} N, and it rests under {told} N" if not scene.parameters.free else \
+                "not the tension under which it rests"
+            scene.report(member.record.place("preload"), f"the preload of '{member.name}' is {rests}: what holds it "
+                         "tells its tension", "leave `preload` out")
+
+
+def is_between_fixed(member: "Member") -> bool:
+    """Are both its ends held along it, and nothing parts there, so that its preload alone tells its tension?"""
+    left, right = (member.record.get(side, "free") for side in ("left", "right"))
+    return all(holds_along(end) for end in (left, right)) and member.tie is None
+
+
+def under(found: "Mapping[str, Tensions]", given: "Mapping[str, list[Fraction]]") -> "dict[str, Tensions]":
+    """The same with tensions that are given, {name: [N of each piece]}."""
+    changed = {name: found[name]._replace(pieces=[found[name].pieces[0].table.number(x) for x in numbers])
+               for name, numbers in given.items()}
+    return {**found, **changed}
+
+
+def is_held_along(member: "Member") -> bool:
     """Are both its ends held along it?"""
     return member.stretches[0] is None and member.stretches[-1] is None
 
@@ -64,17 +124,18 @@ def _stretched(scene, member, found):
 
 
 def _found(scene, member, cuts, tie):
-    whole = [None if t is None else substitute([_force(scene, t)], cuts)[0] for t in member.stretches]
+    whole = [None if t is None else substitute([force_along(scene, t)], cuts)[0] for t in member.stretches]
     forces = [None if node is None else textbook(scene.at_drawn(node)[0]) for node in whole]
     settled = all(node is None or is_zero(node - force) for node, force in zip(whole, forces, strict=True))
-    return Tensions(_along(scene, member, forces, tie), settled, tie)
+    start = scene.lower(member.record["preload"]) if "preload" in member.record else scene.table.zero
+    return Tensions(along_pieces(forces, tie, start, scene.table.zero), settled, tie)
 
 
 def _ties(scene, cuts):
     """{name: λ} of the members both of whose ends are held to what parts along them, as drawn: Σ λₖ ∂Gₖ/∂q is the force
     along q, Gₖ = 0 the conditions that they and the constraints make."""
     ends = {name: (member.stations[0].along, member.stations[-1].along) for name, member in scene.members.items()
-            if member.stretches and _is_between(member)}
+            if member.stretches and is_held_along(member)}
     gaps = {name: right - left for name, (left, right) in ends.items() if (right - left).mask}
     if not gaps:
         return {}
@@ -83,7 +144,7 @@ def _ties(scene, cuts):
     for q in scene.q:
         slopes = [gradient(node).get(q, scene.table.zero) for node in conditions]
         if q not in cuts and any(slopes):
-            rows.append(scene.at_drawn(*slopes, _force(scene, q)))
+            rows.append(scene.at_drawn(*slopes, force_along(scene, q)))
     found = _solved(scene, rows, len(conditions))
     return {name: textbook(found.get(k, scene.table.zero)) for k, name in enumerate(gaps)}
 
@@ -104,16 +165,16 @@ def _solved(scene, rows, count):
     return {k: work[i][-1] / work[i][k] for k, i in pivots.items()}
 
 
-def _along(scene, member, forces, tie):
+def along_pieces(forces: list, tie: Any, start: Any, zero: Any) -> list:
+    """N at the left end of each piece, by the forces along its stations, None at ends that are held: from a free end;
+    from the `tie` in the last one; or from the tension `start` in the first. Nodes or numbers."""
     if forces[-1] is not None:
-        return _summed(forces[:0:-1], scene.table.zero)[::-1]
+        return _summed(forces[:0:-1], zero)[::-1]
     if forces[0] is not None:
-        return [-node for node in _summed(forces[:-1], scene.table.zero)]
+        return [-node for node in _summed(forces[:-1], zero)]
     if tie is not None:
-        return _summed([tie, *forces[-2:0:-1]], scene.table.zero)[::-1]
-    start = scene.lower(member.record["preload"]) if "preload" in member.record else scene.table.zero
-    inner = [scene.table.zero, *_summed(forces[1:-1], scene.table.zero)]
-    return [start - node for node in inner]
+        return _summed([tie, *forces[-2:0:-1]], zero)[::-1]
+    return [start - node for node in (zero, *_summed(forces[1:-1], zero))]
 
 
 def _summed(forces, total):
@@ -124,7 +185,7 @@ def _summed(forces, total):
     return found
 
 
-def _force(scene, t):
+def force_along(scene: "Scene", t: "Node") -> "Node":
     """What pulls the station along, but for the member itself: −∂V/∂t and steady loads."""
     zero = scene.table.zero
     parts = [-(term.force(scene) * gradient(term.s).get(t, zero)) for term in scene.springs]

@@ -28,13 +28,16 @@ BENT = ("abs", "sign", "min", "max", "step", "ramp")
 class Variant(NamedTuple):
     """What a scene is beside that of its file: its constraints held by multipliers, its supports `released`, its drives
     and loads as further coordinates, the `inputs`; `preloaded`: with the force that lets go where the motion starts;
-    `stretched`: its beams and strings in the plane cut open at their stations, to find their tension."""
+    `stretched`: its beams and strings in the plane cut open at their stations, to find their tension, without what
+    bends, or as they bend, `opened`; `tensions`: {member: [N of each piece]} that are not those of statics alone."""
 
     multipliers: bool = False
     released: bool = False
     inputs: bool = False
     preloaded: bool = False
     stretched: bool = False
+    opened: bool = False
+    tensions: Any = None
 
 
 class Setting(NamedTuple):
@@ -126,6 +129,10 @@ class Scene:
     def with_released_supports(self) -> "Scene":
         """The same with all its coordinates and those by which its supports give way, whose forces are reactions."""
         return self.setting.draw(self.attempt, self.setting.variant._replace(multipliers=True, released=True))
+
+    def with_open_members(self) -> "Scene":
+        """The same with all its coordinates and those by which members that keep their length are cut open."""
+        return self.setting.draw(self.attempt, self.setting.variant._replace(multipliers=True, opened=True))
 
     def with_inputs(self) -> "Scene":
         """The same with what drives it as further coordinates, which stand last: displacements that come and go, a load

@@ -10,7 +10,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic import discontinuous_functions
-from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.expression_graph import evaluable
 from vibcli.symbolic.rationals import HALF, ONE, bits, exact_root
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ def evaluate(nodes: "Sequence[Node]", arithmetic: Any, values: Any) -> list[Any]
     """The values of `nodes`, given {symbol name: number}."""
     number, power, functions = arithmetic.number, arithmetic.power, arithmetic.functions
     done = {}
-    for node in reachable(nodes):
+    for node in evaluable(nodes):
         if node.op == "sum":
             parts = [done[part] if c == 1 else number(c) * done[part] for part, c in node.args]
             total = parts[0] + number(node.coefficient) if node.coefficient else parts[0]
@@ -41,7 +41,9 @@ def evaluate(nodes: "Sequence[Node]", arithmetic: Any, values: Any) -> list[Any]
                 total = factor if total is None else total * factor
             done[node] = total
         elif node.op == "symbol":
-            done[node] = values[node.name]
+            definition = node.table.definitions.get(node)
+            done[node] = values[node.name] if definition is None else arithmetic.defined(
+                node.name, done[definition]) if hasattr(arithmetic, "defined") else done[definition]
         elif node.op == "number":
             done[node] = number(node.coefficient)
         elif node.op == "pi":

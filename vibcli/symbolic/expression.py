@@ -28,7 +28,7 @@ class Table:
         self.variables, self.called = [], set()
         self.sample, self._signs, self.squares_at_sample = None, {}, squares_at_sample
         self.time, self.records = None, records or {}
-        self.positive = set()
+        self.positive, self.definitions = set(), {}
         self.zero, self.one = self.number(ZERO), self.number(ONE)
         self.pi = self._make("pi", (), ONE, 0, "pi")
         self.positive.add(self.pi)
@@ -66,6 +66,14 @@ class Table:
         node = self._make("symbol", (), ONE, 1 << len(self.variables), name)
         self.variables.append(node)
         return node
+
+    def defined(self, name: str, node: Node) -> Node:
+        """A symbol that stands for a long node without variables, which is evaluated and never written out."""
+        if node.op in ("number", "symbol"):
+            return node
+        found = self._make("symbol", (node,), ONE, 0, name)
+        self.definitions[found] = node
+        return found
 
     def time_variable(self, name: Any) -> Node:
         """The variable that is the time."""

@@ -10,6 +10,15 @@ if TYPE_CHECKING:
 _index = attrgetter("index")
 
 
+def evaluable(nodes: Any) -> "list[Node]":
+    """All that is reachable, what symbols stand for included."""
+    found, known = reachable(nodes), ()
+    while len(found) > len(known):
+        known, more = found, [node.table.definitions[node] for node in found if node in node.table.definitions]
+        found = reachable([*found, *more]) if more else known
+    return found
+
+
 def reachable(nodes: Any, known: "Mapping[Node, str] | Sequence[Any]" = ()) -> "list[Node]":
     """All nodes below `nodes`, themselves included, in an order of evaluation; without what only `known` ones need."""
     seen, pending = set(), list(nodes)

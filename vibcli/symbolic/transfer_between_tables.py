@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.evaluation import evaluate
-from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.expression_graph import evaluable
 
 if TYPE_CHECKING:
     from vibcli.symbolic.expression import Table
@@ -16,7 +16,7 @@ class _Nodes:
 
     def __init__(self, table: "Table"):
         self.table, self.number, self.pi, self.power = table, table.number, table.pi, table.power
-        self.functions = self
+        self.functions, self.defined = self, table.defined
 
     def record(self, name: Any, samples: Sequence[dict[str, float]]):
         self.table.records[name] = samples
@@ -30,5 +30,5 @@ def copied(nodes: "Sequence[Node]", table: "Table") -> "list[Node]":
     """The nodes as those of `table`, symbols by their names."""
     symbols = {node.name: table.variable(node.name) if node.mask
                else table.parameter(node.name, node in node.table.positive)
-               for node in reachable(nodes) if node.op == "symbol"}
+               for node in evaluable(nodes) if node.op == "symbol"}
     return evaluate(nodes, _Nodes(table), symbols)

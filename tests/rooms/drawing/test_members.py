@@ -45,6 +45,15 @@ def test_numbers_of_the_file_stand_as_in_print():
     assert {"9.81 m/s²", "900 N·m²"} <= written
 
 
+def test_a_beam_is_named_by_all_its_stiffnesses():
+    drawn = draw(problem("""
+        parameters: {EI: 900 N*m^2, EA: 1 MN}
+        beams: {arm: {from: [0, 0], to: [3 m, 0], EI: EI, EA: 2*EA, mass_per_length: 1 kg/m, left: clamped}}
+    """))
+    told = ["".join(run.text for run in part.runs) for part in drawn if isinstance(part, LetterRuns)]
+    assert [text for text in told if "E" in text] == ["EI, 2 EA"]
+
+
 def test_a_clamped_string_bends_as_its_mode_and_rests_at_its_nodes():
     found = problem(STRING)
     vibration = Vibration(found, 3, compose.Scenery(found.scene))

@@ -29,14 +29,20 @@ def test_a_turn_of_more_than_a_tenth_is_told(slope, large):
     assert [sentence.split(" turns by ")[1][:4] for sentence in found] == ["0.11"] * large
 
 
-def test_a_tension_that_statics_does_not_find_is_told_with_its_part_of_the_buckling_load():
-    """The columns carry half the load more than as drawn: 1500 N of π²·2 MN·m²/(3 m)² = 2.193 MN."""
-    told = member_warnings(problem_of(TRIALS / "loaded_frames.yaml").configuration)
-    assert [line.partition(": ")[0] for line in told] == [
-        "statics alone does not find the tension -5424 N of 'left'",
-        "statics alone does not find the tension -5424 N of 'right'",
-        "statics alone does not find the tension -545.528 N of 'girder'"]
-    assert "under -3924 N; the rest, 0.00068 of π²EI/L²" in told[0]
+def test_a_beam_beside_the_point_that_it_carries_is_told():
+    """A girder without size between two columns carries their heads as if by arms."""
+    frame = problem("bodies: {floor: {mass: 2 kg, at: [1 m, 3 m], move: [x, 0, 0]}}\nbeams:\n" + "".join(
+        f"  {name}: {{from: [{x} m, 0], to: [{x} m, 3 m], EI: 9 kN*m^2, left: clamped, right: {{clamped: floor}}}}\n"
+        for name, x in (("left", 0), ("middle", 1))))
+    assert member_warnings(frame.configuration) == [
+        "the right end of 'left' is held to 'floor' 1 m from where that is drawn, as by a rigid arm without mass"]
+
+
+def test_a_tension_that_statics_leaves_open_is_told_with_where_it_is_from():
+    """The columns carry half the load besides; that of the girder by finite elements."""
+    assert member_warnings(problem_of(TRIALS / "loaded_frames.yaml").configuration) == [
+        f"'{name}': tension {tension} N: statics alone leaves it open; from the equilibrium"
+        for name, tension in (("left", -5424), ("right", -5424), ("girder", -545.659))]
 
 
 @pytest.mark.parametrize("ends", ["from: [0, 0], to: [0, L], left: clamped, right: {clamped: head}",
@@ -52,3 +58,13 @@ def test_the_tension_of_a_heavy_mast_under_a_head_is_found(ends):
         """)
     assert member_warnings(mast.configuration) == []
     assert mast.modal.modes[0].omega == pytest.approx(6.86289503406, rel=1e-11)
+
+
+@pytest.mark.parametrize(("string", "turn"), [
+    ("from: [0, 0], to: [20 m, 0], left: pinned, right: pinned, preload: 1 kN", "0.147"),      # w L/2N at its ends
+    ("from: [0, 0], to: [1 m, -2 m], left: pinned", "0.5"),                                     # hangs straight down
+    ("from: [0, 0], to: [0, -2 m], left: pinned", None)])
+def test_a_string_that_sags_between_its_ends_is_told(string, turn):
+    scene = problem(f"gravity: 9.81 m/s^2\nstrings: {{line: {{{string}, mass_per_length: 1.5 kg/m}}}}\n")
+    found = member_warnings(scene.configuration)
+    assert [sentence.split(" turns by ")[1].split()[0] for sentence in found] == ([turn] if turn else [])

@@ -39,6 +39,26 @@ def test_closed_forms():
             assert abs(found - exact) <= mpf(10) ** -30 * abs(exact)
 
 
+def test_beside_a_damper():
+    """EI u‴(L) (1 + βs) = c s u(L) − F and u″(L) = 0 of u = A (cosh kx − cos kx) + B (sinh kx − sin kx)."""
+    scene = SCENE.replace("left: clamped}", "left: clamped, right: {c: 20 N*s/m}}")
+    scene = problem(scene.replace("{DAMPING}", "{proportional: [4 s^-1, 1e-3 s]}"))
+    with mp.workdps(40):
+        s = mpc(0, 80)
+        slope = 1 + s / 1000
+        k = (-3 * (s * s + 4 * s) / slope / 2400) ** mpf("0.25")
+        z, EI = k * mpf("1.2"), 2400 * k**3 * slope
+        A, B = mp.lu_solve(
+            mp.matrix([[cosh(z) + cos(z), sinh(z) + sin(z)],
+                       [EI * (sinh(z) - sin(z)) - 20 * s * (cosh(z) - cos(z)),
+                        EI * (cosh(z) + cos(z)) - 20 * s * (sinh(z) - sin(z))]]), mp.matrix([0, -1]))
+        tip = A * (cosh(z) - cos(z)) + B * (sinh(z) - sin(z))
+        for signal, exact in (("arm.u(L)", tip), ("arm.moment(0 m)", 2 * 2400 * k**2 * A),
+                              ("arm.shear(0 m)", 2 * 2400 * k**3 * B)):
+            found, = PreciseMemberCurve(scene, signal, "push").at(mpf(80))
+            assert abs(found - exact) <= mpf(10) ** -30 * abs(exact)
+
+
 def test_of_ratios_they_are_refused():
     with pytest.raises(PhysicsError, match="`proportional` alone"):
         curve("{modal: 2 %}", "arm.u(L)", "push")

@@ -8,7 +8,7 @@ from scipy.optimize import brentq
 from support.scenes import problem
 
 from vibcli.analyses.continuous.mode_basis import ModeBasis
-from vibcli.base.errors import PhysicsError
+from vibcli.base.errors import NoBound, PhysicsError
 from vibcli.language.signals_of_places import with_places
 from vibcli.results.modal_response import ModalResponse
 from vibcli.results.wave_response import WaveResponse
@@ -222,3 +222,44 @@ def test_what_rests_under_a_steady_load_has_its_extremes_at_once():
     assert tip.extreme(0.0, 50.0, 1) == (0.0, pytest.approx(1 / 3, rel=1e-12))
     assert tip.extreme(0.0, 50.0, -1)[1] == pytest.approx(1 / 3, rel=1e-12)
     assert tip.zeros(0.0, 50.0) == []
+
+
+@pytest.mark.parametrize(("rest", "end", "name"), [
+    ("forces: {push: {at: tip, force: 1 N*(step(t - 0.1 s) - step(t - 0.3 s))}}\n", 1.5, "arm.u(L)"),
+    ("forces: {push: {at: tip, force: 1 N*(step(t) + step(t - 1 s))}}\ndamping: {modal: 5 %}\n", 1.2,
+     "arm.moment(0 m)")])
+def test_no_error_lifts_a_motion_above_its_extreme(rest, end, name):
+    """What modes left out add is looked at on the whole window: at its instant alone an extreme knows less of it."""
+    scene = problem(CANTILEVER + "points: {tip: {body: arm, at: L}}\n" + rest)
+    times = np.concatenate([np.linspace(0.0, end, 60), np.geomspace(1e-7, end, 40)])
+    found = signal(scene, name)
+    values, errors = found.values(times), np.array([found.error(t) for t in times])
+    for sense in (1, -1):
+        top = found.extreme(0.0, end, sense)
+        off = found.error_of_extreme(0.0, end, top, sense)
+        assert found.error(top[0]) <= off
+        assert (sense * values + errors <= sense * top[1] + off * (1 + 1e-9)).all()
+
+
+def test_an_extreme_of_what_has_no_bound_at_first_is_not_told():
+    scene = problem(CANTILEVER + "damping: {modal: 5 %}\ninitial: {arm.u: 0.1*x^2/L}\n")
+    found = signal(scene, "arm.moment(0 m)")
+    top = 0.1219, float(found.values(np.array([0.1219]))[0])
+    assert found.error(top[0]) < 1e-6
+    with pytest.raises(NoBound, match="no bound"):
+        found.error_of_extreme(0.0, 1.0, top, 1)
+
+
+@pytest.mark.parametrize("load", ["1 N*step(t) + 0.5 N*cos(7 rad/s*t)", "1 N*(step(t) - step(t - 0.1 s))"])
+def test_the_bound_of_modes_that_creep_holds(load):
+    """Of few modes against many, in displacements, rates and moments."""
+    scene = problem(CANTILEVER + "points: {tip: {body: arm, at: L}}\nforces: {push: {at: tip, force: " + load + "}}\n"
+                    "damping: {caughey: {1: 1 %, 2: 2 %, 3: 8 %}}\n")
+    times = np.geomspace(1e-5, 2.0, 30)
+    for name, order in (("arm.u(L)", 0), ("arm.u(L)", 1), ("arm.moment(0 m)", 0)):
+        many = signal(scene, name)
+        few = scene.response.motion(32)
+        off = np.abs(few.values(many.reads, times, order) - scene.response.motion(512).values(many.reads, times, order))
+        bounds = np.array([few.bound(many.reads, t, order) for t in times])
+        assert (off <= bounds + 1e-13).all()
+        assert off.max() >= bounds.max() / 1e5

@@ -62,9 +62,9 @@ def chains(pieces: "Sequence[PlacedPiece]") -> "list[list[PlacedPiece]]":
 
 
 def _equation(form, chain):
-    uniform = all(part.piece.gradient.is_zero and (part.piece.bending.is_zero or part.piece.tension.is_zero)
-                  for part in chain)
-    if len(chain) > MOST or not uniform or any(len(row) > 1 for part in chain for row in part.rows):
+    pressed = [part for part in chain if not (part.piece.bending.is_zero or part.piece.tension.is_zero)]
+    if len(chain) > (1 if pressed else MOST) or not all(part.piece.gradient.is_zero for part in chain) or any(
+            len(row) > 1 for part in chain for row in part.rows):
         return None
     elsewhere = {i for piece in form.pieces if piece not in chain for row in piece.rows for i in row}
     M, _, G, K = matrices_in_letters(form)
@@ -72,9 +72,10 @@ def _equation(form, chain):
     x, order = table.parameter(WAVE_NUMBER), 2 if first.bending.is_zero else 4
     stiffness = _stiffness(first)
     length = textbook(table.total([part.piece.length for part in chain]))
-    square = (stiffness * (x / length) ** order + first.foundation) / first.inertia
+    force = stiffness * (x / length) ** order + first.foundation
+    square = (force + first.tension * (x / length) ** 2 if pressed else force) / first.inertia
     acting = None if G else _impedances(form.n, M, K, square, _stations(chain), elsewhere, table)
-    if acting is None:
+    if acting is None or (pressed and not _sines(acting[0])):
         return None
     pieces, beta = [], x / length
     for part in chain:
@@ -89,6 +90,12 @@ def _equation(form, chain):
     function = frequency_function(table, order, pieces, acting[0])
     return FrequencyEquation(tuple(dict.fromkeys(part.owner for part in chain)), order, x, square,
                              [piece.argument for piece in pieces], function, chain, *acting)
+
+
+def _sines(impedances):
+    """Is each end of a beam pinned or guided and nothing else, so that sines and cosines are its shapes under any
+    tension N: B β⁴ + N β² + k = μ ω²?"""
+    return all([Z.is_zero for Z in end if Z is not None] == [True] for end in impedances)
 
 
 def _stiffness(piece):

@@ -75,6 +75,18 @@ def _sum(terms, argument):
     return table.sum(*((table.call(name, argument), sign) for name, sign in terms.items()))
 
 
+def unstrained(found: "FrequencyEquation") -> int:
+    """How many motions with βL = 0 vibrate, ω² = k/μ: those of a bare member on a foundation that its ends let go."""
+    ends = found.impedances
+    if found.pieces[0].piece.foundation.is_zero or any(Z is not None and not Z.is_zero for end in ends for Z in end):
+        return 0
+    held = [sum(end[part] is None for end in ends) for part in range(found.order // 2)]
+    if found.order == 2:
+        return int(not held[0])
+    across, turning = held
+    return max(2 - across - min(turning, 1), 0)
+
+
 def roots(found: "FrequencyEquation", count: int) -> list[float] | None:
     """The first positive βL that fulfil the equation; None where they hang on letters."""
     x, table = found.wave_number, found.wave_number.table
@@ -91,7 +103,7 @@ def roots(found: "FrequencyEquation", count: int) -> list[float] | None:
     def residual(at: float) -> float:
         return evaluate([whole], Floats, {**values, x.name: at})[0]
 
-    told, at = [], STEP
+    told, at = [0.0] * unstrained(found), STEP
     while len(told) < count and at < (count + 2) * pi:
         here, there = residual(at), residual(at + STEP)
         if here * there < 0:

@@ -2,7 +2,7 @@
 of π on all pieces together; along rays for what decays faster; and where pieces vibrate with their ends held.
 """
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,7 +19,7 @@ RAYS, TURNS = 60, 7     # estimates on each of so many rays from the negative re
 def estimates(matrix: "DynamicMatrix", known: "Known | DampedSeries", count: int, effort: int) -> np.ndarray:
     """Points from which roots beyond those known are looked for, about `count`; effort: times as many."""
     phases = np.arange(0.0, count + matrix.n + 4 * len(matrix.pieces), 0.5 / effort)
-    line = _where_waves_turn(matrix.pieces, np.pi * phases)
+    line = where_waves_turn(matrix.pieces, np.pi * phases)
     line = line[line > 0.8 * known.radius]
     if not len(line):
         return np.zeros(0, complex)
@@ -43,17 +43,19 @@ def inner_estimates(pieces: "Sequence[PlacedPiece]", low: float, high: float) ->
     return np.concatenate(found)
 
 
-def _where_waves_turn(pieces, phases):
-    """ω at which Σ k l is each of these."""
-    def turned(omega):
-        return sum((one.piece.length * _wave_number(one.piece, omega) for one in pieces), 0 * omega)
+def half_turns(pieces: "Sequence[PlacedPiece]", omega: Any) -> Any:
+    """Σ k l/π of waves at frequencies."""
+    return sum((one.piece.length * _wave_number(one.piece, omega) for one in pieces), 0 * omega) / np.pi
 
-    low, high = np.zeros(len(phases)), np.ones(len(phases))
-    while (turned(high) < phases).any():
+
+def where_waves_turn(pieces: "Sequence[PlacedPiece]", phases: np.ndarray) -> np.ndarray:
+    """ω at which Σ k l is each of these."""
+    low, high, turns = np.zeros(len(phases)), np.ones(len(phases)), phases / np.pi
+    while (half_turns(pieces, high) < turns).any():
         high = high * 4
     for _ in range(60):
         middle = (low + high) / 2
-        short = turned(middle) < phases
+        short = half_turns(pieces, middle) < turns
         low, high = np.where(short, middle, low), np.where(short, high, middle)
     return high
 

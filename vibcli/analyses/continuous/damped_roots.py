@@ -11,12 +11,14 @@ import numpy as np
 from vibcli.analyses.continuous.argument_count import sizes
 from vibcli.analyses.continuous.counting import GUARD, SLACK
 from vibcli.analyses.continuous.dynamic_matrix import BLOWN, SHARES
+from vibcli.numerics.pieces.retardation import reaction_rate, retarded_reaction
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix, EvaluatedMatrix
 
 STEPS, SETTLED = 30, 1e-9
 UNIT = 2.0**-53
+GIVEN = 2.0         # roundings of a damper beside √(Nμ), as they are given
 ALIKE = 1e-7        # relative distance below which roots are looked at together
 FLAT = 1e-6         # of κ: so near the real axis the energy of a piece is that of its slope
 
@@ -78,7 +80,9 @@ def roots_at(whole: Whole, s: complex) -> list[DampedRoot]:
     away = np.linalg.eigvals(np.linalg.solve(w.conj().T @ slope @ x, -(w.conj().T @ D @ x)))
     gain = np.linalg.norm(np.linalg.inv(w.conj().T @ slope @ x), 2)
     spread = (abs(w).sum(axis=0) ** 2).sum() ** 0.5 * (abs(x).sum(axis=0) ** 2).sum() ** 0.5
-    error = SLACK * GUARD * UNIT * spread * gain / abs(s) + 4 * UNIT
+    given = np.sqrt(found.given[:, 0]) * scale
+    felt = ((given @ abs(w)) ** 2).sum() ** 0.5 * ((given @ abs(x)) ** 2).sum() ** 0.5
+    error = UNIT * (SLACK * GUARD * spread + GIVEN * felt) * gain / abs(s) + 4 * UNIT
     out = []
     for i, step in enumerate(away):
         value = complex(s + step)
@@ -106,11 +110,13 @@ def _kinetic(found, x, s):
     """√(xᴴ M x + Σ μ ∫|u|² dx)."""
     energy = float((x.conj() @ found.matrix.polynomial[2] @ x).real)
     for stack, (d, slope) in zip(found.matrix.stacks, found.ends, strict=True):
-        kappa = stack.piece.reaction(np.array([s]))
-        flow = 2 * stack.piece.inertia * s + stack.piece.drag
+        at, beta = np.array([s]), stack.beta
+        kappa, flow = retarded_reaction(stack.piece, at, beta), reaction_rate(stack.piece, at, beta)
+        factor = 1 + beta * s
         for p, rows in enumerate(stack.ends):
             u = np.array([sum(float(c) * x[i] for i, c in row.items()) for row in rows], complex)
-            plain = abs(kappa[p, 0].imag) <= FLAT * abs(kappa[p, 0])
-            form = (slope[:, :, p, 0] / flow[p, 0]).real if plain else d[:, :, p, 0].imag / kappa[p, 0].imag
+            plain, own = abs(kappa[p, 0].imag) <= FLAT * abs(kappa[p, 0]), d[:, :, p, 0] / factor[p, 0]
+            steep = (slope[:, :, p, 0] - beta[p, 0] * own) / (factor[p, 0] * flow[p, 0])
+            form = steep.real if plain else own.imag / kappa[p, 0].imag
             energy += float(stack.piece.inertia[p, 0]) * float((u.conj() @ form @ u).real)
     return np.sqrt(energy) if energy > 0 else float(np.linalg.norm(x)) or 1.0

@@ -5,13 +5,14 @@ once from many places. As D is symmetric its vectors are those of both sides: x 
 D⁻¹ = Σ x xᵀ/(s − λ).
 """
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from vibcli.analyses.continuous.argument_count import sizes, zeros_within
 from vibcli.analyses.continuous.counting import GUARD, SLACK
 from vibcli.analyses.continuous.damped_estimates import estimates, inner_estimates
+from vibcli.analyses.continuous.damped_roots import GIVEN
 from vibcli.analyses.continuous.dynamic_matrix import BLOWN, SHARES
 from vibcli.base.errors import PhysicsError
 from vibcli.numerics.fixed_point import count_floats
@@ -72,9 +73,9 @@ def damped_series(matrix: "DynamicMatrix", known: "Known | DampedSeries", count:
     for effort in EFFORTS:
         starts = estimates(matrix, known, count, effort)
         inner = inner_estimates(matrix.pieces, known.radius, abs(starts).max(initial=0.0))
-        found = np.concatenate([_approached(divisions, starts), _approached(divisions.inner, inner)])
-        roots = _distinct(np.concatenate([known.rates, found[abs(found) > known.radius * (1 - ALIKE)]]))
-        values, errors, groups = _polished(divisions, roots)
+        found = np.concatenate([approached(divisions, starts), approached(divisions.inner, inner)])
+        roots = distinct(np.concatenate([known.rates, found[abs(found) > known.radius * (1 - ALIKE)]]))
+        values, errors, groups = polished(divisions, roots)
         radius = _circle(matrix, values, min(count, len(values)), known.resting)
         if radius is not None and (errors[:np.searchsorted(abs(values), radius)] < SURE).all():
             return _within(radius, values, errors, groups, known.resting)
@@ -97,8 +98,9 @@ class Divisions:
         """The same with nodes within pieces for all s."""
         return Divisions(self.matrix, False)
 
-    def parts(self, s: np.ndarray) -> "Iterator[tuple[DynamicMatrix, np.ndarray, np.ndarray, np.ndarray, np.ndarray]]":
-        """(matrix, numbers of s, D, D′, units): D and D′ (numbers, n, n) with units in which the diagonal is 1."""
+    def parts(self, s: np.ndarray) -> "Iterator[tuple[Any, ...]]":
+        """(matrix, numbers of s, D, D′, units, √ of the dampers in these): D and D′ (numbers, n, n) with units in which
+        the diagonal is 1."""
         block = max(1, ENTRIES // max(one.n for one in self._matrices) ** 2)
         for first in range(0, len(s), block):
             for matrix, at, *rest in self._block(s[first:first + block]):
@@ -125,7 +127,7 @@ class Divisions:
                     units = 1 / np.sqrt(np.maximum(sizes(one, s[at]).T[here], 1e-300))
                     D, slope = (np.moveaxis(part, -1, 0)[here].astype(complex) * units[:, :, None] * units[:, None, :]
                                 for part in (one.D, one.slope))
-                    yield matrix, at[here], D, slope, units
+                    yield matrix, at[here], D, slope, units, units * np.sqrt(one.given.T[here])
 
 
 def swallowed(matrix: "DynamicMatrix", pace: float) -> bool:
@@ -135,12 +137,12 @@ def swallowed(matrix: "DynamicMatrix", pace: float) -> bool:
         return False
     s = np.array([-FAR * (pace or 1.0)])
     found = matrix.at(s, steep=True)
-    units = 1 / np.sqrt(np.maximum(sizes(found, s)[:, 0], 1e-300))
+    units = 1 / np.sqrt(np.maximum(sizes(found, s)[:, 0] + found.given[:, 0], 1e-300))
     D = found.D[:, :, 0] * units[:, None] * units
     return bool(np.linalg.svd(D, compute_uv=False)[-1] < SWALLOWED)
 
 
-def _approached(divisions, s):
+def approached(divisions: Divisions, s: np.ndarray) -> np.ndarray:
     """Where Newton's steps settle."""
     s, settled, moving = s.astype(complex), np.zeros(len(s), bool), np.arange(len(s))
     for _ in range(STEPS):
@@ -158,7 +160,7 @@ def _approached(divisions, s):
 def _steps(divisions, s):
     """The smallest δ with det(D + δ D′) = 0 at each s, NaN where D is not finite."""
     found = np.full(len(s), np.nan, complex)
-    for _, at, D, slope, _ in divisions.parts(s):
+    for _, at, D, slope, *_ in divisions.parts(s):
         usable = np.isfinite(D).all(axis=(1, 2)) & np.isfinite(slope).all(axis=(1, 2))
         nu = np.linalg.eigvals(_solved(D[usable], slope[usable]))
         largest = np.take_along_axis(nu, np.argmax(abs(nu), axis=1)[:, None], axis=1)[:, 0]
@@ -170,7 +172,7 @@ def _multiplicities(divisions, s):
     """How many λ there are at each s, which is one."""
     found = np.ones(len(s), int)
     away = ALIKE / 3 * s
-    for _, at, D, slope, _ in divisions.parts(s + away):
+    for _, at, D, slope, *_ in divisions.parts(s + away):
         nu = np.linalg.eigvals(_solved(D, slope))
         step = away[at][:, None] - 1 / np.where(nu == 0, 1e-300, nu)
         found[at] = np.maximum((abs(step) <= ALIKE * abs(s[at])[:, None]).sum(axis=1), 1)
@@ -186,7 +188,7 @@ def _solved(D, slope):
         return np.linalg.solve(D + UNIT * np.diag(np.arange(1.0, n + 1)), slope)
 
 
-def _distinct(roots):
+def distinct(roots: np.ndarray) -> np.ndarray:
     """Without those found twice, by |λ|."""
     roots = roots[np.argsort(abs(roots), kind="stable")]
     keep = np.ones(len(roots), bool)
@@ -196,12 +198,12 @@ def _distinct(roots):
     return roots[keep]
 
 
-def _polished(divisions, s):
+def polished(divisions: Divisions, s: np.ndarray) -> tuple[np.ndarray, np.ndarray, list[ShapesOf]]:
     """λ to rounding by |λ|, each as often as it is one, their relative bounds, and the ShapesOf."""
     several = _multiplicities(divisions, s)
     first = np.cumsum(several) - several        # the number of each of these
     values, errors, groups = np.repeat(s, several).astype(complex), np.full(several.sum(), np.inf), []
-    for matrix, at, D, slope, units in divisions.parts(s):
+    for matrix, at, D, slope, units, given in divisions.parts(s):
         vectors = np.linalg.svd(D)[2].conj()
         own, x, numbers = [np.arange(len(at))], [vectors[:, -1, :]], [first[at]]
         for k in np.flatnonzero(several[at] > 1):
@@ -215,7 +217,9 @@ def _polished(divisions, s):
         residue, steep = (np.einsum("ki,kij,kj->k", found, part[at_own], found) for part in (D, slope))
         steep = np.where(steep == 0, 1e-300, steep)
         values[place] -= residue / steep
-        errors[place] = SLACK * GUARD * UNIT * abs(found).sum(axis=1) ** 2 / abs(steep) / abs(values[place]) + 4 * UNIT
+        spread = abs(found).sum(axis=1) ** 2
+        felt = (abs(found) * given[at_own]).sum(axis=1) ** 2
+        errors[place] = UNIT * ((SLACK * GUARD * spread + GIVEN * felt) / abs(steep) / abs(values[place]) + 4)
         groups.append(ShapesOf(matrix, place, units[at_own] * found / np.sqrt(steep)[:, None]))
     values = np.where(abs(values.imag) <= 2 * errors * abs(values), values.real, values)
     order = np.argsort(abs(values), kind="stable")

@@ -5,20 +5,26 @@ many are found as there are none is missing, and each is simple or has the multi
 """
 
 from collections.abc import Callable
+from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from vibcli.analyses.continuous.argument_count import held_within, zeros_within
+from vibcli.analyses.continuous.damped_estimates import half_turns
+from vibcli.analyses.continuous.damped_far import FarModes
 from vibcli.analyses.continuous.damped_roots import ALIKE, DampedRoot, Whole, approached, roots_at
+from vibcli.analyses.continuous.damped_series import distinct
 from vibcli.analyses.continuous.dynamic_matrix import dynamic_matrix
 from vibcli.analyses.continuous.trial_eigenvalues import trial_eigenvalues
 from vibcli.analyses.modal.damped_modes import DampedMode
+from vibcli.analyses.modal.mode_sequence import NoMoreTold
 from vibcli.base.errors import PhysicsError
 from vibcli.numerics.pieces.held_count import held_count
 from vibcli.numerics.pieces.stiffness import stiffness_and_slope
 
 if TYPE_CHECKING:
+    from vibcli.analyses.continuous.damped_far import Annulus
     from vibcli.analyses.modal.mode_sequence import Modes
     from vibcli.mechanics.factored_system import FactoredSystem
 
@@ -27,6 +33,8 @@ EFFORTS = 1, 1.6, 2.5       # more functions within pieces, in turn
 SURE = 1e-3                 # relative bound of a root that is told
 RESTING = 1e-5              # of the radius: what is nearer to 0 is looked for there
 STILL = 1e-11       # of the largest component of a shape: what moves less rests
+BELOW = 0.9                 # of 1/β, where damped modes pile up
+NEAR, LOW = 60, 6   # modes that are found with all below them; those from which others are counted
 GAPS = 4                    # that are tried in turn for the circle
 
 
@@ -36,6 +44,8 @@ class Region(NamedTuple):
     radius: float
     count: int      # type: ignore[assignment]
     modes: list[DampedMode]
+    below: int = 0  # known without a count
+    inner: float = 0.0
 
 
 class DampedModes:
@@ -43,18 +53,64 @@ class DampedModes:
 
     def __init__(self, elements: "FactoredSystem", natural: "Callable[[], Modes]"):
         self.matrix, self._natural = dynamic_matrix(elements), natural
-        self.whole, self.region = Whole(self.matrix), Region(0.0, 0, [])
+        self.whole, self.region, self.annuli = Whole(self.matrix), Region(0.0, 0, []), []
+        beta = self.matrix.retardation
+        self._limit, self._ended = BELOW / beta if beta else np.inf, False
         self._resting = [mode.shape for mode in natural().shown() if mode.rigid]
 
     def numbered(self, first: int, last: int) -> list[DampedMode]:
         """The modes with an index from first to last."""
-        self._reach(lambda sizes: len(sizes) + len(self._resting) >= last, self._start(last))
+        if last > NEAR and self._counts_far:
+            return self._far_up(first, last)
+        try:
+            self._reach(lambda sizes: len(sizes) + len(self._resting) >= last, self._start(last))
+        except NoMoreTold:
+            self._reach_limit()
+            if len(self.region.modes) < first:
+                raise
         return self.region.modes[first - 1:last]
 
     def count(self, Omega: float) -> int:
         """How many have |λ| ≤ Omega, the rigid ones among them."""
+        if self._counts_far and half_turns(self.matrix.pieces, Omega) > NEAR:
+            found = self._far.about(Omega)
+            return found.first - 1 + int((abs(found.roots) <= Omega).sum())
         self._reach(lambda sizes: True, 1.02 * Omega, Omega)
         return sum(float(mode.omega) <= Omega for mode in self.region.modes)
+
+    @property
+    def _counts_far(self):
+        """Do waves travel on all pieces, the faster the shorter they are?"""
+        return not self.matrix.retardation and all(placed.piece.inertia for placed in self.matrix.pieces)
+
+    @cached_property
+    def _far(self):
+        """What finds those far up, from some that are known."""
+        self.numbered(1, LOW + len(self._resting))
+        fastest = max(abs(float(placed.piece.drag / placed.piece.inertia)) for placed in self.matrix.pieces)
+        self._reach(lambda sizes: True, 2.1 * fastest, 2.01 * fastest)
+        return FarModes(self.matrix, self.region)
+
+    def _far_up(self, first, last):
+        """Those of which the last is beyond many."""
+        low = self._far.low.modes
+        if first <= len(low):
+            return low[first - 1:] + self._far_up(len(low) + 1, last)
+        found = self._far.numbered(first, last)
+        roots = []
+        for s in distinct(found.roots[first - found.first:last - found.first + 1]):
+            roots += [_cleaned(root, self.matrix) for root in roots_at(self.whole, complex(s))]
+        if len(roots) != last - first + 1 or not all(root.error < SURE for root in roots):
+            raise _undecided(found.radius)
+        self.annuli.append(found)
+        return [_mode(i, root) for i, root in enumerate(_by_size(roots), first)]
+
+    def proof(self, first: int, last: int) -> "Region | Annulus | None":
+        """What tells that none of the indices from first to last is missing."""
+        if last <= len(self.region.modes):
+            return self.region
+        beyond = max(first, len(self.region.modes) + 1)
+        return next((one for one in self.annuli if one.first <= beyond and last <= one.last), None)
 
     def _start(self, last):
         """A radius in which so many may be: the frequency of the next mode without dampers."""
@@ -65,13 +121,32 @@ class DampedModes:
         """Widens the region until its roots are enough."""
         if self.region.radius >= max(least, 1e-300) and enough([1] * (len(self.region.modes) - len(self._resting))):
             return
+        if self._ended:
+            raise _piled_up(self.matrix.retardation)
         for _ in range(TRIES):
-            found = self._search(radius, enough, least)
+            found = self._search(min(radius, self._limit), enough, least) if least < self._limit else None
             if found is not None:
                 self.region = found
                 return
+            if radius >= self._limit:
+                raise _piled_up(self.matrix.retardation)
             radius *= WIDER
         raise _few(radius / WIDER)
+
+    def _reach_limit(self):
+        """Widens the region up to where damped modes pile up, as far as their number is certain."""
+        if self._ended:
+            return
+        roots = [root for root in self._roots(self._limit, EFFORTS[-1]) if abs(root.value) < self._limit]
+        for count in range(len(roots), len(self.region.modes) - len(self._resting), -1):
+            try:
+                found = self._search(self._limit, lambda sizes, count=count: len(sizes) >= count, 0.0)
+            except PhysicsError:
+                continue
+            if found is not None:
+                self.region = found
+                break
+        self._ended = True
 
     def _search(self, radius, enough, least):
         """The Region about this radius or less; None where its roots are not enough."""
@@ -115,7 +190,7 @@ class DampedModes:
 
     def _held(self, radius):
         """The number of frequencies of held pieces within a radius, as a function."""
-        return lambda size: sum(int(held_within(stack.piece, size).sum()) for stack in self.matrix.stacks)
+        return lambda size: sum(int(held_within(stack, size).sum()) for stack in self.matrix.stacks)
 
     def _at_rest(self, nearest):
         """How often λ = 0 is an eigenvalue."""
@@ -124,8 +199,12 @@ class DampedModes:
     def _listed(self, roots):
         rigid = [DampedMode(i, 0.0, 0.0, None, shape, 0.0, "rigid motion: λ = 0")
                  for i, shape in enumerate(self._resting, 1)]
-        roots = sorted(roots, key=lambda root: (round(abs(root.value) / abs(roots[0].value), 12), -root.value.real))
-        return rigid + [_mode(i, root) for i, root in enumerate(roots, len(rigid) + 1)]
+        return rigid + [_mode(i, root) for i, root in enumerate(_by_size(roots), len(rigid) + 1)]
+
+
+def _by_size(roots):
+    """By |λ|, of equal ones those first that decay slowest."""
+    return sorted(roots, key=lambda root: (round(abs(root.value) / abs(roots[0].value), 12), -root.value.real))
 
 
 def _circles(sizes, held, radius, least, enough):
@@ -197,6 +276,12 @@ def _mode(index, root):
 def _few(radius):
     return PhysicsError(f"so many damped modes are not there: there are fewer with |λ| < {radius:.4g} 1/s",
                         "a damper near √(Nμ) of a bar, shaft or string lets no wave come back: ask for fewer modes")
+
+
+def _piled_up(beta):
+    return NoMoreTold(f"damping in proportion to stiffness makes modes without end creep at rates about "
+                      f"1/beta = {1 / beta:.4g} 1/s: damped modes are told below that alone",
+                      "ask for fewer modes, or for frequency responses")
 
 
 def _undecided(radius):

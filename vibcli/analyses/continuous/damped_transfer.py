@@ -26,7 +26,7 @@ class DampedTransfer:
         """(channels, number of s): the output, its constant and channels left out, for a unit e^{st} on each."""
         found = np.zeros((self.still.channels, len(s)), complex)
         for power in range(POWERS):
-            part = _of_power(output, power)
+            part = of_power(output, power)
             if any(part[1:]):
                 found += s**power * self._sum_of(part).at(s)
         return found
@@ -38,7 +38,7 @@ class DampedTransfer:
         return self._sums[key]
 
 
-def _of_power(output, power):
+def of_power(output: LinearOutput, power: int) -> LinearOutput:
     """The displacements of which an output reads this rate."""
     places = {place._replace(rates=0): x for place, x in output.places.items() if place.rates == power}
     return LinearOutput(0.0, q=(output.q, output.v, output.a)[power], places=places)

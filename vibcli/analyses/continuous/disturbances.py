@@ -4,7 +4,9 @@ E = √(η² + η̇²/ω²) of a mode that nothing drives never grows. What driv
 
     η = (b/ω²) f/(1 + 2ζ x + x²) = (b/ω²) Σ uₘ f⁽ᵐ⁾/ωᵐ,      |uₘ| ≤ those of 1/(1 − 2ζ x − x²)
 
-so that a bend of the load adds to E at most (|b|/ω²) Σ (uₘ + uₘ₋₁) |Δf⁽ᵐ⁾|/ωᵐ, and an impulse |b| I/ω.
+so that a bend of the load adds to E at most (|b|/ω²) Σ (uₘ + uₘ₋₁) |Δf⁽ᵐ⁾|/ωᵐ, and an impulse |b| I/ω. Where 2ζ/ω has
+no bound, a wave F e^{st} with Re s ≥ 0 that begins or ends adds at most |b F|/(ω² (1 − |x|)), as |1 + 2ζ x + x²| is no
+less than |1 + x²|; what begins with η and η̇ there creeps with |η̇| ≤ |η₀| ω/(2 √(ζ² − 1)) + |η̇₀|.
 """
 
 from collections.abc import Sequence
@@ -14,6 +16,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from vibcli.analyses.continuous.uncounted_modes import POWERS, size_of
+from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.uncounted_modes import UncountedModes
@@ -26,6 +29,7 @@ SMALL = 1e-18       # of the first term: where the series ends
 ROUNDING = 1e-12    # of a load: what is no bend
 FADING = 0.9        # ratio up to which E falls by √((1 + ζ)/(1 − ζ)) e^{−ζωt} at least
 CREEPING = 1.25     # ratio from which on it creeps
+ALMOST = 1e-6       # imaginary part of a root that may be real
 GAINED = 2          # powers of 1/ω that even damping brings
 SLOWER = 2.0        # times e^{−rt/2} it falls at least, whatever ζ, r being the slower rate
 
@@ -40,7 +44,8 @@ class Start(NamedTuple):
 
 class Damping(NamedTuple):
     """Of modes that are not counted: 2ζ, no ω smaller than `highest`, E ≤ `grown` e^{−`fading` t} of its start;
-    `creeping`: ζ grows with ω, and 2ζ/ω is at most that instead; `even`: ζ, where all have the same."""
+    `creeping`: ζ grows with ω, and 2ζ/ω is at most that instead, inf where it has no bound; `even`: ζ, where all
+    have the same."""
 
     double: float
     highest: float
@@ -51,6 +56,8 @@ class Damping(NamedTuple):
 
     def terms(self, count: int) -> np.ndarray:
         """Of |Δf⁽ᵐ⁾| ωᴺᵐ, or where they creep of |Δf⁽ᵐ⁾|, in E ω²/|b|."""
+        if self.creeping == inf:
+            return np.ones(count)
         step = self.double if self.creeping is None else self.creeping
         back = 1.0 if self.creeping is None else 1 / self.highest
         u = [1.0, step]
@@ -84,18 +91,22 @@ def damping_of(squares: np.ndarray, rates: np.ndarray) -> Damping:
 
 
 class Disturbances:
-    """Of UncountedModes, by segments of a load and by the start: `bound` of what an output shows of them."""
+    """Of UncountedModes, by segments of a load and by the start: `bound` of what an output shows of them; creeping: the
+    aₖ of 2ζω = Σ aₖ ω²ᵏ where 2ζ/ω grows without end."""
 
-    def __init__(self, modes: "UncountedModes", start: Start, segments: "Sequence[Segment]"):
-        self.modes, self.damping = modes, damping_of(modes.basis.squares, modes.rates)
+    def __init__(self, modes: "UncountedModes", start: Start, segments: "Sequence[Segment]", creeping: tuple = ()):
+        self.modes, self.slow = modes, _creep(creeping, modes.highest, segments)
+        self.damping = Damping(0.0, modes.highest, 1.0, 0.0, inf) if creeping else damping_of(modes.basis.squares,
+                                                                                              modes.rates)
         channels = modes.inputs.shape[1]
         self.times = np.array([segment.start for segment in segments])
-        orders = _orders(segments, self.damping)
+        orders = (_rows_of_waves if creeping else _orders)(segments, self.damping)
         self.sizes = np.zeros((len(segments), HIGHEST + 1, len(POWERS)))
         if orders is None:
             self.sizes[:] = inf
             return
-        bends, struck = _bends(segments, channels, orders, start.held)
+        bends, struck = _ends_of_waves(segments, channels, orders, start.held, modes.highest) if creeping else _bends(
+            segments, channels, orders, start.held)
         active = np.flatnonzero(bends.any(axis=(0, 1)) | struck.any(axis=0))
         sums = modes.load_sums(active.tolist()) if len(active) else {}
         for power, among in sums.items():
@@ -108,7 +119,7 @@ class Disturbances:
         beyond = (bends[..., ~finite] != 0).any(axis=-1)
         grown = np.where(beyond, inf, size_of(bends, sums))
         for m, term in enumerate(terms):
-            h = 2 if damping.creeping is not None else min(2 + m, HIGHEST)
+            h = min(2 + m, HIGHEST) if damping.creeping is None else 2 + (m == 1 and damping.creeping == inf)
             rest = 0 if damping.creeping is not None else 2 + m - h
             if term:
                 self.sizes[:, h, at] += term * damping.highest**-rest * grown[:, m]
@@ -145,8 +156,9 @@ class Disturbances:
         if more and self.damping.creeping is not None:
             return inf
         for h in np.flatnonzero(sizes.any(axis=1)).tolist():
-            found += min(_product(float(size), self.modes.reach(output, h + gained - rate - power, own))
-                         for power, size in zip(POWERS, sizes[h], strict=True))
+            ways = [(1.0, h + gained - rate), *([(self.slow, h)] if h == 2 and rate == 1 and self.slow < inf else [])]
+            found += min(_product(factor * float(size), self.modes.reach(output, left - power, own))
+                         for factor, left in ways for power, size in zip(POWERS, sizes[h], strict=True))
         return found * (1 + self.damping.double) ** more
 
 
@@ -185,6 +197,56 @@ def _bends(segments, channels, orders, held):
                 bends[number + side, :, wave.channel] += -values if side else values
                 size[number + side, :, wave.channel] += sizes
     return np.where(np.abs(bends) <= ROUNDING * size, 0.0, bends), struck
+
+
+def _creep(series, highest, segments):
+    """How many times |η₀| the rate of a mode that creeps becomes, inf where that is not known."""
+    z = highest**2
+    for share in (1.0, 0.5) if series else ():      # do 2ζ/ω and ζ grow from there on?
+        roots = np.roots([(k - share) * float(a) for k, a in enumerate(series)][::-1])
+        if any(root.real > z and abs(root.imag) <= ALMOST * abs(root) for root in roots):
+            return inf
+    c = sum(float(a) * z**k for k, a in enumerate(series))
+    zeta = c / (2 * highest)
+    if zeta <= CREEPING:
+        return inf
+    fastest = max((abs(complex(wave.exponent)) for segment in segments for wave in segment.waves), default=0.0)
+    return z / c / sqrt(1 - zeta**-2) + fastest
+
+
+def _rows_of_waves(segments, damping):
+    """How many rows _ends_of_waves has; None where a load is too fast."""
+    waves = [wave for segment in segments for wave in segment.waves]
+    if any(wave.power or complex(wave.exponent).real < 0 for wave in waves):
+        raise left_to_creep()
+    if any(abs(wave.exponent) > LARGEST * damping.highest for wave in waves):
+        return None
+    return 2 + 4 * max((len(segment.waves) for segment in segments), default=0)
+
+
+def _ends_of_waves(segments, channels, count, held, highest):
+    """What E ω²/|b| grows by where waves begin and end, (segments, count, channels), and impulses: of steady loads
+    their jumps, of all else |F|/(1 − x)."""
+    found, struck = np.zeros((len(segments), count, channels)), _bends(segments, channels, 2, held)[1]
+    found[0, :2] = -held
+    for number, segment in enumerate(segments):
+        for k, wave in enumerate(segment.waves):
+            s = complex(wave.exponent)
+            for side in range(min(2, len(segments) - number) if wave.channel < channels else 0):
+                tau = segments[number + 1].start - segment.start if side else 0.0
+                F = complex(wave.coefficient * np.exp(s * tau)) / (1 - abs(s) / highest)
+                if not s:
+                    found[number + side, 0, wave.channel] += -F.real if side else F.real
+                else:
+                    found[number + side, 2 + 4 * k + 2 * side:4 + 4 * k + 2 * side, wave.channel] += F.real, F.imag
+    return found, struck
+
+
+def left_to_creep() -> PhysicsError:
+    """Of a load that grows or dies out, or that nothing holds, beside modes that creep."""
+    return PhysicsError("modes creep the more slowly the higher they are: what a load that grows or dies out leaves of "
+                        "them, or a steady one of what nothing holds, is not found",
+                        "let loads turn, or give ratios at one or two modes")
 
 
 def derivatives(wave: "Wave", tau: float, orders: int) -> tuple[np.ndarray, np.ndarray]:

@@ -1,6 +1,6 @@
 """The dynamic stiffness of bodies, springs, dampers and members at many complex frequencies at a time:
 
-    D(s) = K + s (C + G) + s² M + Σ Sᵀ d(s) S        D′ = dD/ds
+    D(s) = K + s (C + G) + s² M + Σ (1 + β s) Sᵀ d(κ) S,     κ = k + (μ s² + c s)/(1 + β s),        D′ = dD/ds
 
 A load f(x) along members that is an input has the column −Σ Sᵀ ∫ f H dx, H the fields of the end values. d has poles
 where a piece vibrates with its ends held, and D is too large near these to hold what else is in it. The motion is not:
@@ -8,12 +8,15 @@ there pieces are divided by a node that is free to move.
 """
 
 from collections import defaultdict
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.continuous.divided_pieces import divided_at
+from vibcli.analyses.continuous.leaving_waves import impedances, leaving, without_leaving
 from vibcli.numerics.pieces.piece import Piece
+from vibcli.numerics.pieces.retardation import reaction_rate, retarded_reaction
 from vibcli.numerics.pieces.stiffness import stiffness, stiffness_and_slope
 
 if TYPE_CHECKING:
@@ -22,38 +25,39 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.spread_drives import SpreadDrive
     from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
 
-SHARES = 0.382, 0.5, 0.29       # of a piece at which it is divided, in the order in which they are tried
+SHARES = (3 - 5**0.5) / 2, 0.5, 1 - 0.5**0.5     # of a piece at which it is divided, as tried: no mode has nodes at all
 BLOWN = 32.0        # times its natural size: where a piece is as large, it is near a frequency with its ends held
 BLOCK = 2.0**17     # entries of the matrices that are held at once
 
 
 class PieceStack:
     """Pieces of one differential equation, evaluated together: their coefficients as columns; ends[p]: the rows
-    {coordinate: component} of the end values of piece p; numbers[p]: its place among all pieces."""
+    {coordinate: component} of the end values of piece p; numbers[p]: its place among all pieces; beta: retardations."""
 
-    __slots__ = ("ends", "numbers", "piece")
+    __slots__ = ("beta", "ends", "numbers", "piece")
 
     def __init__(self, placed: "Sequence[PlacedPiece]", numbers: "Sequence[int]"):
         self.ends, self.numbers = [one.rows for one in placed], list(numbers)
         self.piece = Piece(*(np.array([[float(getattr(one.piece, name))] for one in placed]) for name in Piece._fields))
+        self.beta = np.array([[float(one.retardation)] for one in placed])
 
     def stiffness(self, s: np.ndarray, steep: bool) -> tuple[np.ndarray, np.ndarray | None]:
         """(d, dd/ds if it is `steep`), each (m, m, pieces, N); real where s is imaginary and nothing drags."""
-        piece = self.piece
-        damped = piece.drag.any() or s.real.any()
-        kappa = piece.reaction(s) if damped else piece.undamped_reaction(s.imag)
+        piece, factor = self.piece, (1 + self.beta * s) if self.beta.any() else 1.0
+        kappa = retarded_reaction(piece, s, self.beta)
         if not steep:
-            return np.moveaxis(stiffness(piece, kappa), (-2, -1), (0, 1)), None
+            return np.moveaxis(stiffness(piece, kappa), (-2, -1), (0, 1)) * factor, None
         d, slope = (np.moveaxis(part, (-2, -1), (0, 1)) for part in stiffness_and_slope(piece, kappa))
-        return d, slope * (2 * piece.inertia * s + piece.drag)
+        slope = slope * reaction_rate(piece, s, self.beta) * factor
+        return d * factor, slope + self.beta * d if self.beta.any() else slope
 
     def excess(self, d: np.ndarray, s: np.ndarray) -> np.ndarray:
         """How many times larger d is than a wave of its length would make it, the most of all pieces: (N,)."""
         piece = self.piece
-        kappa, force = np.abs(piece.reaction(s)), np.abs(piece.tension)
+        kappa, force = np.abs(retarded_reaction(piece, s, self.beta)), np.abs(piece.tension)
         waves = piece.bending**0.25 * np.sqrt(kappa * np.sqrt(kappa))       # κ^¾
         natural = 12 * piece.bending / piece.length**3 + waves + force / piece.length + np.sqrt(force * kappa)
-        return (np.abs(d[0, 0]) / natural).max(axis=0)
+        return (np.abs(d[0, 0]) / (natural * np.abs(1 + self.beta * s))).max(axis=0)
 
 
 class DynamicMatrix:
@@ -69,11 +73,30 @@ class DynamicMatrix:
             piece = placed.piece
             alike[piece.order, bool(piece.tension), bool(piece.gradient)].append(number)
         self.stacks = [PieceStack([self.pieces[k] for k in numbers], numbers) for numbers in alike.values()]
+        self.impedances = [impedances(stack.piece, stack.beta) for stack in self.stacks]
+
+    @cached_property
+    def damping_left(self) -> np.ndarray:
+        """C + G without the dampers √(Nμ) that waves feel that leave their pieces, (n, n)."""
+        return without_leaving(self.polynomial[1], [
+            (float(stack.piece.tension[p, 0]), float(stack.piece.inertia[p, 0]), rows)
+            for stack, Z in zip(self.stacks, self.impedances, strict=True)
+            for p, rows in enumerate(stack.ends) if Z[p, 0]])
+
+    def leaves(self, s: np.ndarray) -> np.ndarray:
+        """Where D is added from what differs from leaving waves: (N,)."""
+        return s.real < 0 if any(Z.any() for Z in self.impedances) and not self.retardation else np.zeros(len(s), bool)
 
     @property
     def undamped(self) -> bool:
         """Is D a real function of s²?"""
-        return not self.polynomial[1].any() and not any(stack.piece.drag.any() for stack in self.stacks)
+        return not self.polynomial[1].any() and not any(stack.piece.drag.any() or stack.beta.any()
+                                                        for stack in self.stacks)
+
+    @property
+    def retardation(self) -> float:
+        """β with which all stiffness resists rates, (1 + β s) of it; 0 where it does not."""
+        return max((float(stack.beta.max()) for stack in self.stacks), default=0.0)
 
     def divided(self, share: float) -> "DynamicMatrix":
         """The same with a free node within each piece."""
@@ -87,7 +110,7 @@ class DynamicMatrix:
     def without_damping(self) -> "DynamicMatrix":
         """The same without dampers and drag, gyroscopic terms kept."""
         K, C, M = self.polynomial
-        pieces = [placed._replace(piece=placed.piece._replace(drag=0.0)) for placed in self.pieces]
+        pieces = [placed._replace(piece=placed.piece._replace(drag=0.0), retardation=0) for placed in self.pieces]
         return DynamicMatrix(np.array([K, (C - C.T) / 2, M]), pieces, self.spread)
 
     def mixed(self, other: "DynamicMatrix", share: float) -> "DynamicMatrix":
@@ -96,14 +119,20 @@ class DynamicMatrix:
 
     def at(self, s: np.ndarray, steep: bool = False) -> "EvaluatedMatrix":
         """D, and D′ if it is `steep`, at each s: (N,)."""
-        D, slope = self._polynomial(s, steep)
+        away = self.leaves(s)
+        D, slope = self._polynomial(s, steep, away)
         K, C, M = (np.abs(np.diagonal(part))[:, None] for part in self.polynomial)
-        size, excess, ends = K + np.abs(s) * (C + np.abs(s) * M), np.zeros(len(s)), []
-        for stack in self.stacks:
+        lost = given = np.abs(s) * C
+        if away.any():
+            lost = np.where(away, np.abs(s) * np.abs(np.diagonal(self.damping_left))[:, None], lost)
+        size, excess, ends = K + lost + np.abs(s) ** 2 * M, np.zeros(len(s)), []
+        for stack, Z in zip(self.stacks, self.impedances, strict=True):
             d, steeper = stack.stiffness(s, steep)
             D = D.astype(np.result_type(D, d), copy=False)
             excess = np.maximum(excess, stack.excess(d, s))
             ends.append((d, steeper))
+            if away.any() and Z.any():
+                d, steeper = _left(stack.piece, Z, s, away, d, steeper)
             for p, rows in enumerate(stack.ends):
                 for a, row in enumerate(rows):
                     for i, x in row.items():
@@ -111,7 +140,7 @@ class DynamicMatrix:
                 _added(D, rows, d[:, :, p])
                 if steeper is not None:
                     _added(slope, rows, steeper[:, :, p])
-        return EvaluatedMatrix(self, D, slope, size, excess, ends, self._put(D, slope, s))
+        return EvaluatedMatrix(self, D, slope, size, excess, ends, self._put(D, slope, s), given)
 
     def _put(self, D, slope, s):
         """Adds the columns of loads along members: {number of a piece: [(coordinate of an input, what it puts on the
@@ -131,14 +160,19 @@ class DynamicMatrix:
                             slope[i, j] -= float(x) * steeper[:, a]
         return found
 
-    def _polynomial(self, s, steep):
-        """K + s C + s² M and its slope, real where it may be: (n, n, N)."""
+    def _polynomial(self, s, steep, away):
+        """K + s C + s² M and its slope, real where it may be: (n, n, N); away: where C is what is left of it."""
         square = s * s if s.real.any() else -s.imag**2
         n, kind = self.n, square.dtype if self.undamped else complex
         D, slope = np.zeros((n, n, len(s)), kind), np.zeros((n, n, len(s)), complex) if steep else None
-        for i, j in zip(*np.nonzero(self.polynomial.any(axis=0)), strict=True):
+        left = self.damping_left if away.any() else np.zeros((n, n))
+        if left.any():
+            D = D.astype(complex)
+        for i, j in zip(*np.nonzero(self.polynomial.any(axis=0) | (left != 0)), strict=True):
             k, c, m = self.polynomial[:, i, j].tolist()
-            D[i, j] = k + square * m if not c else k + s * c + square * m
+            if away.any():
+                c = np.where(away, left[i, j], c)
+            D[i, j] = k + square * m if not np.any(c) else k + s * c + square * m
             if slope is not None:
                 slope[i, j] = 2 * s * m + c
         return D, slope
@@ -153,15 +187,31 @@ def _added(D, rows, d):
                 D[i, j] += d[a, b] if share == 1.0 else share * d[a, b]
 
 
+def _left(piece, Z, s, away, d, steeper):
+    """d and dd/ds with √(Nμ) s added to what ends answer themselves, where waves leave."""
+    with np.errstate(all="ignore"):
+        own, rise = leaving(piece, np.where(Z, Z, 1.0), s)
+    here = away & (Z > 0)
+    d, steeper = d.astype(complex), None if steeper is None else steeper.astype(complex)
+    for end in range(2):
+        d[end, end] = np.where(here, own, d[end, end])
+        if steeper is not None:
+            steeper[end, end] = np.where(here, rise, steeper[end, end])
+    return d, steeper
+
+
 class EvaluatedMatrix:
-    """D and D′ (n, n, N); size: of the parts that the diagonal was added from, (n, N); excess: that of the pieces;
+    """D and D′ (n, n, N); size: of the parts that the diagonal was added from, given: of the dampers that are in these,
+    or taken off, (n, N); excess: that of the pieces;
     ends: (d, dd/ds) of each stack; put: {number of a piece: [(coordinate of an input, what its load puts on the ends
     (N, m), the slope of that)]}."""
 
-    __slots__ = ("D", "ends", "excess", "matrix", "put", "size", "slope")
+    __slots__ = ("D", "ends", "excess", "given", "matrix", "put", "size", "slope")
 
     def __init__(self, matrix: DynamicMatrix, D: np.ndarray, slope: np.ndarray | None, size: np.ndarray,
-                 excess: np.ndarray, ends: "list[tuple[np.ndarray, np.ndarray | None]]", put: "Mapping[int, list]"):
+                 excess: np.ndarray, ends: "list[tuple[np.ndarray, np.ndarray | None]]", put: "Mapping[int, list]",
+                 given: np.ndarray):
+        self.given = given
         self.matrix, self.D, self.slope, self.size, self.excess, self.ends = matrix, D, slope, size, excess, ends
         self.put = put
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from vibcli.analyses.continuous.disturbances import left_to_creep
 from vibcli.analyses.continuous.modal_states import FreeStretch, followed, moved, next_to, parts
 from vibcli.analyses.continuous.remainder import remainder
 from vibcli.base.errors import PhysicsError
@@ -146,9 +147,7 @@ class ModalMotion:
     def _among_creeping(self, read, s, power):
         """The same where no circle about s is free of eigenvalues: of a steady load alone."""
         if s or power or read.rigid.size or not self.states.rates.all():
-            raise PhysicsError("modes creep the more slowly the higher they are: what a load that grows or dies out "
-                               "leaves of them, or a steady one of what nothing holds, is not found",
-                               "let loads turn, or give ratios at one or two modes")
+            raise left_to_creep()
         return self._left(read, np.zeros(1, complex)).T
 
     def _left(self, read, s):
@@ -183,6 +182,14 @@ class ModalMotion:
         read, (stretch, _) = Read(self, output, order), next(iter(self._placed(np.array([float(t)]))))
         rest = self._uncounted(read, stretch, t)
         return rest if modes is None else rest + float(self._amplitudes(read, stretch)[modes:].sum())
+
+    def left(self, output: "LinearOutput", start: float, t: float, modes: int) -> float:
+        """What those counted beyond the first `modes` can add from an instant on, on the stretch from `start`."""
+        read, states = Read(self, output, 0), self.states
+        stretch = next(one for one in self.stretches(t) if one.start == start)
+        beyond = states.modes >= modes
+        sizes = np.abs(read.states * stretch.free)[beyond]
+        return float(sizes @ np.exp(states.rates.real[beyond] * (t - start)))
 
     def _uncounted(self, read, stretch, t):
         """A bound of what is left out; where none is known how amplitudes fall."""

@@ -17,6 +17,9 @@ MOST = 2_000                    # steps of 100,000 values
 BENT = 0.5                      # of the largest second difference beside it: how far a value rises between places
 NARROW = 40                     # sections of the last search
 LEVEL = 1e-12                   # of its size: what varies by less is at rest
+NEAR = 1e-10                    # of an extreme: a bound that is near enough
+WINDOWS, HALVES = 8, 40         # stretches whose beginnings are looked at apart, and times that these are halved
+ALIKE = 0.99                    # of a bound: no smaller
 
 
 def extreme(motion: "ModalMotion", output: "LinearOutput", start: float, end: float,
@@ -34,6 +37,24 @@ def extreme(motion: "ModalMotion", output: "LinearOutput", start: float, end: fl
     times = [_top(motion, output, low, high, sense) for low, high in best]
     found = sense * motion.values(output, np.array(times))
     return float(times[int(np.argmax(found))]), float(sense * found.max())
+
+
+def error_of_extreme(motion: "ModalMotion", output: "LinearOutput", start: float, end: float,
+                     top: tuple[float, float], sense: int) -> float:
+    """Of the value of an extreme `top`, (t, value): that at t, and how far errors elsewhere could lift the signal above
+    it. What modes left out add never grows on a stretch; where it dies out, beginnings are looked at apart."""
+    t, value = top
+    begins = [max(start, low) for low, high in _spans(motion, end) if high > start]
+    errors = motion.errors(output, np.array([*begins, t, end]))
+    rounding = float(errors[-1]) - motion.bound(output, end)
+    most, enough = float(errors.max()) + rounding, float(max(2 * errors[-2], 2 * errors[-1], NEAR * abs(value)))
+    early = [(low, high) for low, high in _spans(motion, end) if high > start
+             and motion.bound(output, max(start, low)) + rounding > enough]
+    if most <= enough or len(early) > WINDOWS:
+        return most
+    above = [_lifted(motion, output, low, (max(start, low), high), enough, (sense, sense * value))
+             for low, high in early]
+    return max(enough, max(above) + rounding)
 
 
 def zeros(motion: "ModalMotion", output: "LinearOutput", start: float, end: float) -> list[float]:
@@ -97,6 +118,37 @@ def _searched(motion, output, start, end, chosen):
             if not len(cells):
                 break
     return cells
+
+
+def _lifted(motion, output, stretch, window, enough, top):
+    """How far a signal can come above its top, (sense, value in that sense), on a stretch before what modes left out
+    add is small enough: window by window, each half as wide as the next, as it dies out."""
+    low, high = window
+    highest, least = -np.inf, ALIKE * motion.bound(output, low)
+    for _ in range(HALVES):
+        middle = low + (high - low) / 2
+        rest = motion.bound(output, middle)
+        if rest > enough:
+            highest = max(highest, min(rest, _reached(motion, output, stretch, (middle, high), top)))
+        high = middle
+        if rest >= least:
+            break
+    return max(highest, min(motion.bound(output, low), _reached(motion, output, stretch, (low, high), top)))
+
+
+def _reached(motion, output, stretch, window, top):
+    """The same between two instants of a stretch, by its first modes on a grid."""
+    count, (sense, value) = min(LEVELS[1], motion.count), top
+    cells = divided(np.array([window]), motion, output, count)
+    values = sense * motion.values(output, cells, modes=count)
+    rest = motion.bound(output, window[0]) + motion.left(output, stretch, window[0], count)
+    return float((values.max(axis=1) + BENT * _bends(cells, values)).max()) + rest - value
+
+
+def _spans(motion, end):
+    """(begin, end) of the stretches up to an end."""
+    begins = _beginnings(motion, end)
+    return list(zip(begins, [*begins[1:], end], strict=True))
 
 
 def _beginnings(motion, end):

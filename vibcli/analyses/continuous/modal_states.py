@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.forcing import Segment
 
 NEAR = 1e-3         # relative: an exponent next to an eigenvalue
+ALIKE, AROUND = 3e-5, 3e-4      # |1 − ζ| below which two λ of a mode are not told apart, and how far about ζ they are
 
 
 class States(NamedTuple):
@@ -52,17 +53,31 @@ def states_of(squares: np.ndarray, damping: np.ndarray, inputs: np.ndarray, eta:
               rate: np.ndarray) -> States:
     """Those of modes η̈ + c η̇ + ω² η = b f, not both c and ω² being 0, with ω² = squares, c = damping, b = inputs,
     which start with η and η̇."""
-    half, square = damping / 2, squares - damping**2 / 4
-    turning, root = square > 0, np.sqrt(np.abs(square))
+    number, half, weight = _told_apart(squares, damping)
+    square = squares[number] - half**2
+    turning, root = (half.imag == 0) & (square.real > 0), np.sqrt(-square)
     with np.errstate(divide="ignore", invalid="ignore"):
-        first = np.where(turning, -half + 1j * root, squares / (-half - root))
+        first = np.where(turning, -half + 1j * np.abs(root), squares[number] / (-half - root))
     second = np.where(turning, first.conj(), -half - root)
     found = []
-    for own, other, chosen in ((first, second, np.full(len(squares), True)), (second, first, ~turning)):
+    for own, other, chosen in ((first, second, np.full(len(number), True)), (second, first, ~turning)):
         at = np.flatnonzero(chosen)
-        share = np.where(turning, 2.0, 1.0)[at] / (own - other)[at]
-        found.append((own[at], share[:, None] * inputs[at], at, share * (rate - other * eta)[at]))
+        share, mode = np.where(turning, 2.0, weight)[at] / (own - other)[at], number[at]
+        found.append((own[at], share[:, None] * inputs[mode], mode, share * (rate[mode] - other[at] * eta[mode])))
     return States(*(np.concatenate(part) for part in zip(*found, strict=True)))
+
+
+def _told_apart(squares, damping):
+    """(mode, c/2, weight) of each motion that is followed: of a mode whose two λ are one, or nearly so, those of four
+    complex ζ about its own, whose mean it is but for the fourth power of their distance; conjugate ones once."""
+    omega = np.sqrt(np.maximum(squares, 0.0))
+    near = np.flatnonzero((squares > 0) & (np.abs(damping / 2 - omega) < ALIKE * omega))
+    apart = np.setdiff1d(np.arange(len(squares)), near)
+    about = (damping[near] / 2)[:, None] + omega[near][:, None] * AROUND * np.exp(1j * np.pi * np.array([0.25, 0.75]))
+    number = np.concatenate([apart, near, near])
+    half = np.concatenate([damping[apart] / 2 + 0j, about[:, 0], about[:, 1]])
+    order = np.argsort(number, kind="stable")
+    return number[order], half[order], np.where(half.imag, 0.5, 1.0)[order]
 
 
 def strokes(segment: "Segment", channels: int) -> list[Stroke]:

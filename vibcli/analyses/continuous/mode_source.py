@@ -72,9 +72,14 @@ class NaturalModes:
 
     def count(self, Omega: float) -> int:
         """How many have ω ≤ Omega, those that grow and the rigid ones among them."""
-        z = Omega * Omega * (1 + 1e-15)
-        counts = self._at(None)
-        found = count(counts.system, counts.system.numbers([z]))
+        z, system = Omega * Omega * (1 + 1e-15), self._at(None).system
+        found = count(system, system.numbers([z]))
+        for digits in DEEPER:
+            if found.below[0] == found.above[0]:
+                break
+            with working(digits):
+                system = self._at(digits).system
+                found = count(system, system.numbers([z]))
         return int(found.below[0])
 
     def counted_above(self, mode: Mode) -> int | None:
@@ -167,7 +172,7 @@ class NaturalModes:
 
 def _undecided():
     return PhysicsError("the frequencies are so close to one another, or the data so far apart, that digits do not "
-                        "tell them", "look for stiffnesses of very different size")
+                        "tell them", "look for stiffnesses of very different size, or ask for lower modes")
 
 
 def _sizes(system, shapes):

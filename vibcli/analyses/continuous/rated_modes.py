@@ -25,6 +25,9 @@ class RatedModes:
         """Those of the modes with an index from first to last."""
         return [one for mode in self._natural.numbered(first, last) for one in self._of(mode)]
 
+    def proof(self, first: int, last: int) -> None:
+        """None: that none is missing is told of the modes that they are of."""
+
     def count(self, Omega: float) -> int:
         """How many modes have ω ≤ Omega, the rigid ones among them."""
         return len(self._natural.up_to(Omega))

@@ -53,7 +53,7 @@ def settled(system: "ContinuousSystem", z: np.ndarray, entries: np.ndarray, x: n
 
 def beside(system: "ContinuousSystem", z: np.ndarray) -> Any:
     """A z that is close, but none of those where D has no inverse."""
-    return z + system.aside * (abs(z) + system.aside * system.scale)
+    return z + (abs(z) + system.aside * system.scale) * system.aside
 
 
 def _factors(system, z):

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
 
     from vibcli.analyses.continuous.disturbances import Disturbances
     from vibcli.analyses.continuous.mode_basis import ModeBasis
+    from vibcli.analyses.continuous.shaken_modes import Shaking
     from vibcli.analyses.excitation.forcing import Segment
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
@@ -19,7 +20,7 @@ EPSILON = 2.0**-52
 
 class RealModes:
     """Of a ModeBasis: inputs (modes, channels), η and η̇ at t = 0, each with what rounding loses of it, damping: c of
-    each mode, creeping: do modes creep the more slowly the higher they are?
+    each mode, creeping: do modes creep the more slowly the higher they are? shaking: what displacements of supports do.
 
     states: those that a motion is added from; rigid_inputs, rigid_start: b and (η, η̇) of what nothing holds; left_out:
     what no |λ| of a mode that is left out is below where it oscillates, and none where it creeps; fading: none of these
@@ -29,12 +30,15 @@ class RealModes:
 
     def __init__(self, basis: "ModeBasis", inputs: np.ndarray, start: "Sequence[tuple[np.ndarray, np.ndarray]]",
                  damping: np.ndarray, creeping: bool = False,
-                 disturbed: "Callable[[Sequence[Segment]], Disturbances] | None" = None):
+                 disturbed: "Callable[[Sequence[Segment]], Disturbances] | None" = None,
+                 shaking: "Shaking | None" = None):
         (eta, eta_lost), (rate, rate_lost) = start
         squares, self.basis, self.count, self.disturbed = basis.squares, basis, len(basis.squares), disturbed
         at, self.rigid = np.flatnonzero(squares + damping), np.flatnonzero((squares == 0) & (damping == 0))
-        states = states_of(squares[at], damping[at], inputs[at], eta[at], rate[at])
-        self.states = states._replace(modes=at[states.modes])
+        unit = np.ones((len(at), 1))
+        states = states_of(squares[at], damping[at], np.append(inputs[at], unit, axis=1), eta[at], rate[at])
+        states, weights = states._replace(modes=at[states.modes], inputs=states.inputs[:, :-1]), states.inputs[:, -1]
+        self.states = states if shaking is None else shaking.shaken(states, weights)
         self.rigid_inputs, self.rigid_start = inputs[self.rigid], np.array([eta[self.rigid], rate[self.rigid]])
         self.left_out = _left_out(squares, damping, creeping)
         slow = float(np.max(states.rates.real[len(at) // 2:len(at)], initial=-np.inf))

@@ -83,27 +83,34 @@ def antinodes(pieces: Sequence[Moved], turning: Sequence[float]) -> list[float]:
 def _narrowed(pieces, of, low, high, below):
     """The zeros of u, of = 0, and of u′, 1, between places, by Newton steps that stay between them; below: the values
     at `low`."""
-    place, number = (low + high) / 2, np.arange(len(of))
-    for _ in range(STEPS if len(place) else 0):
+    found, moving = (low + high) / 2, np.arange(len(of))
+    for _ in range(STEPS):
+        if not len(moving):
+            break
+        place, number = found[moving], np.arange(len(moving))
         values = _with_slopes(pieces, place)
         value, slope = values[number, of], values[number, of + 1]
         same = value * below > 0
         low, high = np.where(same, place, low), np.where(same, high, place)
         with np.errstate(all="ignore"):
             step = place - value / slope
-        place, before = np.where((step >= low) & (step <= high), step, (low + high) / 2), place
-        if (abs(place - before) <= SETTLED * abs(place)).all():
-            break
-    return place
+        found[moving] = np.where((step >= low) & (step <= high), step, (low + high) / 2)
+        on = abs(found[moving] - place) > SETTLED * abs(place)
+        moving, of, low, high, below = (kept[on] for kept in (moving, of, low, high, below))
+    return found
 
 
 def _with_slopes(pieces, places):
-    """(u, u′, u″, …); u″ = κ u / N of bars, shafts and strings."""
+    """(u, u′, u″, …); of bars, shafts and strings u″ from (N u′)′ = κ u."""
     found = shape_along(pieces, places).real
     if found.shape[1] > 2:
         return found
-    ratios = np.array([moved.kappa / moved.piece.tension for moved in pieces])
-    return np.column_stack([found, found[:, 0] * ratios[_piece_at(pieces, places)]])
+    kappa, tension, gradient, start = np.array([(
+        moved.kappa, moved.piece.tension, moved.piece.gradient, moved.start) for moved in pieces]).T[
+            :, _piece_at(pieces, places)]
+    with np.errstate(all="ignore"):     # an end without tension
+        bend = (kappa * found[:, 0] - gradient * found[:, 1]) / (tension + gradient * (places - start))
+    return np.column_stack([found, bend])
 
 
 def _piece_at(pieces, places):

@@ -6,8 +6,11 @@ import numpy as np
 
 from vibcli.analyses.excitation.load_forms import load_form
 from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.smooth_forms import smooth_form
 from vibcli.numerics.pieces.loads import LoadForm, end_loads, end_loads_slope, loaded_fields
+from vibcli.numerics.pieces.retardation import reaction_rate, retarded_reaction
 from vibcli.symbolic.evaluation import evaluate
+from vibcli.symbolic.smooth_panels import NotSmooth
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -41,10 +44,10 @@ class SpreadDrive(NamedTuple):
         if form is None:
             return None
         s = np.asarray(s)
-        kappa = piece.undamped_reaction(s.imag) if not (piece.drag or np.real(s).any()) else piece.reaction(s)
+        kappa = retarded_reaction(piece, s, placed.retardation)
         if not steep:
             return end_loads(piece, kappa, form)
-        return end_loads_slope(piece, kappa, form) * (2 * piece.inertia * s + piece.drag)[..., None]
+        return end_loads_slope(piece, kappa, form) * reaction_rate(piece, s, placed.retardation)[..., None]
 
 
     def size(self, placed: "PlacedPiece") -> list[float]:
@@ -70,10 +73,13 @@ def spread_drive(force: "SpreadForce", values: "Mapping[str, Any]", arithmetic: 
         given = forcing_of({0: force.along}, force.x, values, 1, precise)
     except PhysicsError:
         given = None
-    if given is None or any(segment.impulses for segment in given.segments(end)):
-        raise PhysicsError(f"'{force.owner}' along '{force.member}' is no sum of powers, exponentials and sines of x",
-                           "write it as such a sum, or let forces act at points of the member")
-    return SpreadDrive(force.member, start, end, load_form(given, 0, end))
+    if given is not None and not any(segment.impulses for segment in given.segments(end)):
+        return SpreadDrive(force.member, start, end, load_form(given, 0, end))
+    try:
+        form = smooth_form(force.along, force.x, (force.start, force.end), values, arithmetic)
+    except NotSmooth as error:
+        raise PhysicsError(f"'{force.owner}' along '{force.member}' {error.message}", error.hint) from None
+    return SpreadDrive(force.member, start, end, form)
 
 
 def spread_inputs(configuration: "Configuration", weights: "Mapping[int, Any]") -> dict[int, SpreadDrive]:

@@ -88,7 +88,8 @@ def start_of_field(uncounted: "UncountedModes", given: "Sequence[Forcing | None]
                 sizes[i] += abs(x) * rounded
         if one.u is not None or not resting:
             u, u_size = (0 * moved, 0 * moved) if one.u is None else (one.u, one.u_size)
-            gaps = np.where(np.abs(u - moved) > ROUNDING * (u_size + np.abs(moved)), u - moved, 0.0)
+            rounded = np.tile(np.maximum(*np.split(u_size + np.abs(moved), 2)), 2)     # on the whole stretch
+            gaps = np.where(np.abs(u - moved) > ROUNDING * rounded, u - moved, 0.0)
             ends |= {(k, end): gap for end, gap in enumerate(gaps.tolist()) if gap}
     forces = np.where(np.abs(forces) > ROUNDING * sizes, forces, 0.0)
     held[:n], forces[:n] = forces[:n], 0.0

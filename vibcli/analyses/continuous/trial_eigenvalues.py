@@ -35,7 +35,7 @@ def trial_eigenvalues(matrix: "DynamicMatrix", functions: "list[int]", shift: fl
         at += count
         K += S.T @ k @ S
         M += S.T @ (piece.inertia * m) @ S
-        C += S.T @ (piece.drag * m) @ S
+        C += S.T @ (piece.drag * m + float(placed.retardation) * k) @ S
     return eigenvalues(K, C, M, shift)
 
 

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 POWERS = 0.0, 0.5, 0.75, 1.0, 1.5, 2.0      # of ω², by which sums over b are divided
 ROUNDING = 1e-12    # of a sum of squares
-INSIDE = 1e-12      # of a length: how near to an end is at the end
+INSIDE, BESIDE = 1e-12, 1e-4    # of a length: how near to an end is at the end, and beside it
 
 
 class UncountedModes:
@@ -125,7 +125,16 @@ class UncountedModes:
         return self._reads[key]
 
     def _at_place(self, place: "FieldPoint"):
-        """R of u or of a derivative within a piece."""
+        """R of u or of a derivative within a piece. Next to an end, where a part would be too stiff beside all else,
+        what is seen is no more than twice what both the end and a place further off show together."""
+        length = self.pieces[place.piece].piece.length
+        near = min(place.x, length - place.x)
+        if not INSIDE * length < near < BESIDE * length:
+            return self._at_one(place)
+        ends = (0.0, BESIDE * length) if place.x < length / 2 else (length, (1 - BESIDE) * length)
+        return 2 * sum(self._at_one(place._replace(x=x)) for x in ends)
+
+    def _at_one(self, place):
         pieces, k, n, one = list(self.pieces), place.piece, len(self.K), self.pieces[place.piece]
         half, length, last = one.piece.order // 2, one.piece.length, False
         if INSIDE * length < place.x < (1 - INSIDE) * length:

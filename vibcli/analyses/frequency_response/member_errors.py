@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vibcli.analyses.continuous.dynamic_matrix import BLOWN, SHARES
+from vibcli.analyses.frequency_response.places_within_pieces import weights_within
 from vibcli.analyses.transient.data_errors import DATA
 
 if TYPE_CHECKING:
@@ -53,7 +54,20 @@ def _bound(system: "MemberSystem", found: "EvaluatedMatrix", s: np.ndarray) -> f
     parts = _magnitudes(found, s)
     rounded = ((len(free) + GUARD) * EPSILON * parts[0] + GIVEN * parts[1]) @ np.abs(X)
     seen = (GIVEN * np.abs(c[:, 0]) + 2 * DATA * np.abs(s[0] * c_slope[:, 0])) @ np.abs(X)
-    return float(y @ rounded[free] + seen + 8 * EPSILON * abs(c[:, 0] @ X))
+    return float(y @ rounded[free] + seen + 8 * EPSILON * abs(c[:, 0] @ X) + _of_places(system, s, X))
+
+
+def _of_places(system, s, X):
+    """What rounding of places within pieces changes of what is seen there."""
+    found = 0.0
+    for factor, number, share, order in system.output.within:
+        placed = system.matrix.pieces[number]
+        if order + 1 < placed.piece.order:
+            weights = weights_within(placed, s, share, order + 1, False)[0][:, 0]
+            ends = [sum(float(x) * X[i] for i, x in row.items()) for row in placed.rows]
+            reach = float(placed.start + placed.piece.length)
+            found += 2 * EPSILON * reach * abs(factor * (weights @ np.array(ends)))
+    return found
 
 
 def _magnitudes(found: "EvaluatedMatrix", s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -51,7 +51,8 @@ class Marks:
 
 def still(elements: "FactoredSystem") -> "FactoredSystem":
     """The same elements without what damps."""
-    pieces = [placed._replace(piece=placed.piece._replace(drag=0 * placed.piece.drag)) for placed in elements.pieces]
+    pieces = [placed._replace(piece=placed.piece._replace(drag=0 * placed.piece.drag), retardation=0)
+              for placed in elements.pieces]
     return elements.with_parts(dampers=(), C=None, drag=None, pieces=pieces)
 
 

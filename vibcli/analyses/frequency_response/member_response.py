@@ -63,8 +63,10 @@ class MemberTransfer(FrequencyResponseFunction):
         for Omega in np.abs(s[s.real == 0].imag):
             near = self.marks.natural((1 - BESIDE) * Omega, (1 + BESIDE) * Omega)
             if not any(abs(float(mode.omega) - Omega) <= AT_POLE * Omega for mode in near):
+                piece = min((one.piece for one in self.system.matrix.pieces), key=lambda one: one.length)
                 raise PhysicsError("responses lose their digits: places on a member are too near each other beside its "
-                                   "length", "move them further apart, or put what they hold at one place")
+                                   f"length: {float(piece.length):.3g} m",
+                                   "move them further apart, or put what they hold at one place")
 
     def _block(self, s, steep):
         found = self.system.solved(s, steep)

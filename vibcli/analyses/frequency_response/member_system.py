@@ -152,19 +152,26 @@ class MemberSystem:
             c = np.repeat(parts[0][:, None], len(s), axis=1)
             return c, np.zeros_like(c) if steep else None
         c, c_slope = polynomial(parts, s).T.copy(), slope(parts, s).T.copy() if steep else None
-        for factor, number, end in self.output.ends:
-            d, steeper = found.of_piece(number)
-            for b, row in enumerate(self.matrix.pieces[number].rows):
-                for i, x in row.items():
-                    c[i] += factor * float(x) * d[end, b]
-                    if c_slope is not None and steeper is not None:
-                        c_slope[i] += factor * float(x) * steeper[end, b]
-            for j, put, steeper in found.put.get(number, ()):
-                c[j] -= factor * put[:, end]
-                if c_slope is not None:
-                    c_slope[j] -= factor * steeper[:, end]
+        for one in self.output.ends:
+            c, c_slope = self._seen_at_end(c, c_slope, found, one, s)
         for one in self.output.within:
             c, c_slope = self._seen_within(c, c_slope, one, s)
+        return c, c_slope
+
+    def _seen_at_end(self, c, c_slope, found, one, s):
+        """c and its slope with the force on the end of a piece, less what its stiffness resists rates with."""
+        factor, number, end = one
+        placed, (d, steeper) = self.matrix.pieces[number], found.of_piece(number)
+        parts = [(i, float(x), d[end, b], None if steeper is None else steeper[end, b])
+                 for b, row in enumerate(placed.rows) for i, x in row.items()]
+        parts += [(j, -1.0, put[:, end], None if steeper is None else steeper[:, end])
+                  for j, put, steeper in found.put.get(number, ())]
+        beta = float(placed.retardation)
+        whole = 1 + beta * s if beta else 1.0
+        for i, x, weight, steep in parts:
+            c[i] += factor * x * weight / whole
+            if c_slope is not None and steep is not None:
+                c_slope[i] += factor * x * (steep - beta * weight / whole) / whole
         return c, c_slope
 
     def _seen_within(self, c, c_slope, one, s):

@@ -60,7 +60,7 @@ def _still(configuration: "Configuration", signal: "SignalName", given: MemberIn
     """Without what `damping:` damps."""
     opened = configuration.with_inputs
     opened.require_steady(given.weights)
-    elements, n = opened.numbers.elements, len(opened.scene.q)
+    elements, n = opened.elements, len(opened.scene.q)
     pieces, size = list(elements.pieces), n
     place = place_output(configuration, signal.text)
     if place is not None:

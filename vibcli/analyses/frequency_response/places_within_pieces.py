@@ -11,6 +11,7 @@ import numpy as np
 from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.loads import loaded_fields
 from vibcli.numerics.pieces.reaction_slopes import reaction_slope
+from vibcli.numerics.pieces.retardation import reaction_rate, retarded_reaction
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.spread_drives import SpreadDrive
@@ -26,17 +27,17 @@ def weights_within(placed: "PlacedPiece", s: np.ndarray, share: float, order: in
     def seen(kappa):
         return fields(piece, kappa[..., None], unit, share * piece.length)[..., order]
 
-    kappa = _reaction(piece, s)
+    kappa = retarded_reaction(piece, s, placed.retardation)
     if not steep:
         return seen(kappa).T, None
-    slope = reaction_slope(piece, kappa, seen) * (2 * piece.inertia * s + piece.drag)[:, None]
+    slope = reaction_slope(piece, kappa, seen) * reaction_rate(piece, s, placed.retardation)[:, None]
     return seen(kappa).T, slope.T
 
 
 def loaded_within(drive: "SpreadDrive", placed: "PlacedPiece", s: np.ndarray, share: float, order: int,
                   steep: bool) -> tuple[np.ndarray, np.ndarray | None]:
     """The same that a load along the piece leaves while its ends are held, (N,)."""
-    piece = placed.piece._make(float(value) for value in placed.piece)
+    piece, beta = placed.piece._make(float(value) for value in placed.piece), float(placed.retardation)
     form = drive.on(placed)
     if form is None:
         return np.zeros(len(s)), None
@@ -44,11 +45,9 @@ def loaded_within(drive: "SpreadDrive", placed: "PlacedPiece", s: np.ndarray, sh
     def seen(kappa):
         return loaded_fields(piece, kappa, form, share * piece.length)[..., order:order + 1]
 
-    kappa = _reaction(piece, s)
-    slope = reaction_slope(piece, kappa, seen)[:, 0] * (2 * piece.inertia * s + piece.drag) if steep else None
-    return seen(kappa)[:, 0], slope
-
-
-def _reaction(piece, s):
-    """κ, real where s is imaginary and nothing drags."""
-    return piece.undamped_reaction(s.imag) if not (piece.drag or s.real.any()) else piece.reaction(s)
+    kappa, factor = retarded_reaction(piece, s, beta), 1 + beta * s if beta else 1.0
+    found = seen(kappa)[:, 0]
+    if not steep:
+        return found / factor, None
+    slope = reaction_slope(piece, kappa, seen)[:, 0] * reaction_rate(piece, s, beta)
+    return found / factor, (slope - beta * found / factor) / factor

@@ -82,8 +82,9 @@ class ModalAnalysis:
 
     @cached_property
     def member_damping(self) -> "MemberDamping | None":
-        """What `damping:` gives to the modes of members with inertia; None where nothing is given."""
-        if self.spec.get("damping") is None or not self.scene.pieces or self.modes.finite:
+        """What `damping:` gives to the modes of members with inertia, each by itself; None where nothing is given, or
+        what else damps couples them."""
+        if self.spec.get("damping") is None or not self.scene.pieces or self.modes.finite or self.configuration.coupled:
             return None
         from vibcli.analyses.continuous.member_damping import member_damping
         from vibcli.symbolic.evaluation import Floats
@@ -213,6 +214,10 @@ class ModalAnalysis:
     def _sharpened(self, word, digits, solve, *natural):
         if (word, digits) not in self._results:
             elements, sources = self.configuration.linear_system, self.configuration.sources
+            settled = self.system.settled
+            if settled is not None and settled.names:
+                raise PhysicsError(f"the tension of '{settled.names[0]}', found in equilibrium, is known to the digits "
+                                   "of floats: no more of what depends on it are found", "leave --digits out")
             if sources[0] is None:
                 from vibcli.mechanics.high_precision import Degenerate
 

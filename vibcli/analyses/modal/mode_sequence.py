@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
+    from vibcli.analyses.continuous.damped_far import Annulus
     from vibcli.analyses.continuous.damped_source import Region
     from vibcli.analyses.modal.damped_modes import DampedMode
     from vibcli.analyses.modal.undamped import Mode
@@ -18,6 +19,10 @@ USUAL = 5           # that oscillate, where nobody says how many
 MOST = 10_000       # at once
 FAR = 50            # beyond those that are known, to be found without the ones between
 FEW = 20            # asked for at once, with which one more is found where shapes are told apart from the next
+
+
+class NoMoreTold(PhysicsError):
+    """Modes are asked for beyond those that can be told."""
 
 
 class Selection(NamedTuple):
@@ -61,8 +66,11 @@ class Modes(Sequence):
         return self._until(last)[place]
 
     def first(self, count: int) -> list[Any]:
-        """Those up to the index `count`, fewer where there are no more."""
-        return self.numbered(1, count)
+        """Those up to the index `count`, fewer where there are no more, or no more are told."""
+        try:
+            return self.numbered(1, count)
+        except NoMoreTold:
+            return [mode for mode in self._known if mode.index <= count]
 
     def numbered(self, first: int, last: int) -> list[Any]:
         """Those of the indices from `first` to `last`, fewer where there are no more."""
@@ -72,6 +80,7 @@ class Modes(Sequence):
             if first > self._reached + FAR:
                 return self._jumped(first, last)
             self._until(last)
+            self._until(first)      # says why where none of them is told
         return [mode for mode in self._known if first <= mode.index <= last]
 
     def alone(self, index: int) -> Any:
@@ -98,6 +107,13 @@ class Modes(Sequence):
             wanted = USUAL + len({mode.index for mode in found if not mode.omega or mode.growth_rate is not None})
         return found
 
+    @property
+    def grow(self) -> bool:
+        """Do some grow? Told by counts, without modes, where these have no end."""
+        if self.finite:
+            return any(mode.growth_rate is not None for mode in self._known)
+        return bool(self._source.ground.growing)
+
     def counted_above(self, mode: "Mode") -> int | None:
         """How many modes have at most the frequency of this one, certain by a count just above it; None where that
         does not tell, or the modes are a list."""
@@ -107,6 +123,10 @@ class Modes(Sequence):
     def region(self) -> "Region | None":
         """Of damped modes without end the circle up to which all are known; None where the modes are a list."""
         return getattr(self._source, "region", None)
+
+    def proof(self, found: "Sequence[DampedMode]") -> "Region | Annulus | None":
+        """Of damped modes without end what tells that none of these is missing; None where the modes are a list."""
+        return self._source.proof(found[0].index, found[-1].index) if found and not self.finite else None
 
     @property
     def _reached(self):

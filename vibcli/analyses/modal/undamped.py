@@ -105,9 +105,16 @@ def prepared(elements: Any, dragged: bool = False) -> tuple[Scaling, int | None]
     scale = scaling(elements)
     if not dragged:
         check_ties(elements)
-        if len(elements.massless) == elements.n:
-            raise Inertless
-    return scale, elements.n - rank(elements.n, *spring_rows(elements)) if factored(elements) else None
+    zeros = elements.n - rank(elements.n, *spring_rows(elements)) if factored(elements) else None
+    if not dragged and len(elements.massless) == elements.n:
+        raise mechanism(_loose(elements)) if zeros else Inertless()
+    return scale, zeros
+
+
+def _loose(elements):
+    """The first coordinate that moves where no spring resists."""
+    known = spring_rows(elements)[0]
+    return next(i for i in range(elements.n) if rank(elements.n, [*known, {i: 1.0}]) > rank(elements.n, known))
 
 
 def certain(elements: Any, scale: Scaling, zeros: int | None, precise: Callable | None) -> EnclosedEigenvalues:

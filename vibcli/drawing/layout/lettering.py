@@ -115,6 +115,6 @@ def _advance(letters, slanted, size):
         return GAP * size * len(letters)
     found = font(file_of(letters, slanted))
     found.set_size(size, 72)
-    found.set_text(letters, 0.0)
+    found.set_text(letters.rstrip(), 0.0)
     blank = BLANK * size * (len(letters) - len(letters.rstrip()))
     return found.get_width_height()[0] / 64 + 0.06 * size + blank

@@ -10,11 +10,13 @@ from vibcli.drawing.layout.strips import Strip
 from vibcli.drawing.symbols import damper, spring, support
 from vibcli.drawing.symbols.joint import Turn
 from vibcli.drawing.symbols.member import Bend, place
+from vibcli.language.member_signals import oscillator_names
+from vibcli.language.signal_names import signal_name
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
 
-REACH, BALL, DISC, SIDE = 34.0, 5.2, 21.0, 8.0
+REACH, BALL, DISC, SIDE, BESIDE = 34.0, 5.2, 21.0, 8.0, 44.0
 HELD = ("clamped", "pinned", "guided")
 
 
@@ -31,7 +33,9 @@ def draw(strip: Strip, bend: Bend, sketch: "Sketch") -> tuple[list[Any], list[tu
         _attached(record, strip, bend, x, 1.0 if x > 0.999 * strip.metres else -1.0 if x < 1e-3 * strip.metres else 0.0,
                   found, named)
         if "oscillator" in record:
-            _oscillator(record["oscillator"], strip, bend, x, sketch.values[next(hung)[1]], found, named)
+            name = next(hung)[1]
+            aside = (int(signal_name(name).axis or 1) - 1) * (BESIDE if x < 0.5 * strip.metres else -BESIDE)
+            _oscillator(record["oscillator"], strip, bend, x, aside, sketch.values[name], found, named)
     return found, named
 
 
@@ -143,30 +147,32 @@ def _attached(record, strip, bend, x, sense, found, named):
 
 def oscillators(strip: Strip, sketch: "Sketch") -> list[tuple[float, str]]:
     """[(place, coordinate)] of the oscillators on a member."""
-    found = []
+    found, unnamed = [], {}
     for record in strip.member.record.get("attached", ()):
         if "oscillator" in record:
             x = sketch.number(record["at"])
             station = min(strip.member.stations, key=lambda one: abs(sketch.scene.number(one.place) - x))
-            found.append((x, f"{strip.name}.oscillator({station.text})"))
+            there = unnamed.setdefault(station.text, oscillator_names(strip.name, station.text))
+            found.append((x, next(there)))
     return found
 
 
-def _oscillator(record, strip, bend, x, moved, found, named):
+def _oscillator(record, strip, bend, x, aside, moved, found, named):
     """A block that hangs on springs and dampers, displaced beside the line or along a bar; on a shaft a mark on it
-    tells how far it has turned."""
+    tells how far it has turned. It hangs `aside` of others at its place."""
     here, n, e = place(strip, bend, x), plane.times(plane.left(strip.e), -1.0), strip.e
     top, deep = plane.plus(here, n, strip.half(x)), strip.half(x) + REACH
     across, along = plane.dot(plane.minus(strip.at(x), here), n), plane.dot(plane.minus(here, strip.at(x)), e)
     foot = (strip.at(x, moved * bend.unit - deep, along) if strip.sideways else
             strip.at(x, across - deep, 0.0 if strip.member.kind.torsional else moved * bend.unit))
+    top, foot = plane.plus(top, e, aside), plane.plus(foot, e, aside)
     keys = [key for key in ("k", "torsion", "c") if key in record]
     for i, key in enumerate(keys):
-        aside = (i - 0.5 * (len(keys) - 1)) * 15.0
-        start, end = plane.plus(top, e, aside), plane.plus(foot, e, aside)
+        lane = (i - 0.5 * (len(keys) - 1)) * 15.0
+        start, end = plane.plus(top, e, lane), plane.plus(foot, e, lane)
         symbol = damper if key == "c" else spring
         found += symbol.between({}, start, end, REACH)
-        named.append((record, key, [plane.plus(plane.middle(start, end), e, 10.0 if aside >= 0 else -10.0)]))
+        named.append((record, key, [plane.plus(plane.middle(start, end), e, 10.0 if lane >= 0 else -10.0)]))
     middle = plane.plus(foot, n, 8.0)
     found.append(Polygon(tuple(plane.box(middle, 32.0, 16.0, plane.heading(e))), layer=BODY))
     if strip.member.kind.torsional:

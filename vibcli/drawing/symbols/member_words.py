@@ -33,11 +33,14 @@ def of(strip: Strip, sketch: "Sketch") -> Iterator[tuple[list[Any], Any, list[An
 
 
 def _name(record, sketch):
-    """Its stiffness, whose letters make one name, else the name of the member."""
-    text = next((record[key].text.strip() for key in NAMED_BY if key in record), "")
-    return (Run(text, True, lettering.SIZE),) if text in NAMED_BY else (
-        captions.expression(record[key], sketch) if (key := next((k for k in NAMED_BY if k in record), None)) else None
-        ) or lettering.words(record.name)
+    """Its stiffnesses, the letters of each making one name, else the name of the member."""
+    told: tuple = ()
+    for key in NAMED_BY:
+        if key in record:
+            text = record[key].text.strip()
+            found = (Run(text, True, lettering.SIZE),) if text in NAMED_BY else captions.expression(record[key], sketch)
+            told += (*(lettering.words(", ") if told and found else ()), *(found or ()))
+    return told or lettering.words(record.name)
 
 
 def _size(field):

@@ -68,6 +68,12 @@ class SystemWithInputs:
         return in_numbers(self.form, self.arithmetic, self.values)
 
     @cached_property
+    def elements(self):
+        """The element data of these, with `damping:` that stands beside what couples the modes of members."""
+        carried = [j for j, opening in enumerate(self.scene.inputs.values(), self.n) if opening.node is not None]
+        return self.configuration.damped_as_a_whole(self.numbers.elements, [*range(self.n), *carried])
+
+    @cached_property
     def turning(self):
         """The numbers of the coordinates and inputs whose columns are others at other instants."""
         if not self.scene.timed:
@@ -113,7 +119,7 @@ class SystemWithInputs:
     @cached_property
     def columns(self):
         """{number of an input: [{i: number}] of b₀, b₁, b₂}, the residual moved to the right side."""
-        M, C, G, K = self.numbers.elements.matrices()
+        M, C, G, K = self.elements.matrices()
         found = {j: [{}, {}, {}] for j in range(self.n, len(self.scene.q))}
         for power, matrices in enumerate(((K,), (C, G), (M,))):
             for matrix in matrices:

@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING
 
+from vibcli.base.diagnostics import distinct_figures
 from vibcli.base.errors import PhysicsError
 from vibcli.language.document.document import Scalar
 from vibcli.language.reader import Expression, Reference
@@ -19,7 +20,7 @@ def displacement(scene: "Scene", text: str) -> "Node | None":
         return scene.symbol(text)
     name, part, *_ = signal_name(text)
     if name in scene.members:
-        return scene.symbol(text) if part == "oscillator" else _on_member(scene, text)
+        return _on_member(scene, text)
     if name in (scene.spec.get("member_points") or {}):
         return _of_point(scene, name, part)
     if part in ("x", "y", "angle") and name in scene.bodies and scene.bodies[name].frame is None:
@@ -51,9 +52,12 @@ def signal_of_place(scene: "Scene", signal: SignalName):
     text = signal.place.removesuffix(LEFT_OF)
     place = scene.lower(Expression(Scalar(text, None), parse(text)))
     found = member.signal(scene, signal, place, before=signal.place.endswith(LEFT_OF))
+    if found is None and signal.kind == "oscillator":
+        raise PhysicsError(f"no {signal.part} is attached at '{signal.place}' to '{member.name}'",
+                           f"ask for {next(name for name in scene.hidden if signal_name(name)[:2] == signal[:2])}")
     if found is None:
-        x, length = scene.number(place), scene.number(member.length)
-        raise PhysicsError(f"'{signal.place}' is {x:.6g} m along '{member.name}', which is {length:.6g} m long",
+        x, length = distinct_figures(scene.number(place), scene.number(member.length))
+        raise PhysicsError(f"'{signal.place}' is {x} m along '{member.name}', which is {length} m long",
                            "places count from its left end")
     return found
 
@@ -67,9 +71,6 @@ def _on_member(scene, text, resting=False):
         return tension + gradient * found.at
     if not (resting or found.motion is not None or found.is_light):
         return None
-    if found.motion is None and not found.tension(scene)[1].is_zero:
-        raise PhysicsError(f"how '{signal.name}' deflects at rest between its stations is not found, as its tension "
-                           "varies along it", "ask for a place where something is attached")
     if not resting and found.motion is None and found.in_time(scene):
         raise PhysicsError(f"what '{text}' is where '{found.in_time(scene)[0].owner}' varies in time is not found",
                            f"ask for the motion of '{signal.name}' where something is attached")

@@ -40,8 +40,7 @@ def _row(configuration, text):
     if text in ENERGIES:
         raise PhysicsError(f"'{text}' is quadratic in the motion: it is not linear", "ask for coordinates or forces")
     if is_quadratic(text):
-        raise PhysicsError(f"'{text}' is quadratic in the motion: it is not linear",
-                           f"ask for {name}.force or {name}.stretch")
+        raise PhysicsError(f"'{text}' is quadratic in the motion: it is not linear", _instead(configuration, text))
     if name == "ground":
         return on_the_ground(opened, signal)
     node = displacement(scene, text)
@@ -56,6 +55,15 @@ def _row(configuration, text):
         return combined(rates)
     force = scene.force_of(name)
     return configuration.moving_reactions.row(text) if force is None else opened.rows([force])[0]
+
+
+def _instead(configuration, text):
+    """What is linear of that whose power or energy is asked."""
+    name, spec = signal_name(text).name, configuration.spec
+    if not is_load(spec, text):
+        return f"ask for {name}.force or {name}.stretch"
+    known = [part for part in ("force", "moment") if is_load(spec, f"{name}.{part}")]
+    return f"ask for {name}.{known[0]}" if known else "ask for motions of places where it acts"
 
 
 def products(configuration: "Configuration", text: str) -> list[tuple[float, list[LinearFunction]]]:

@@ -9,7 +9,7 @@ from vibcli.symbolic.evaluation import evaluate
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
 
-SAME = 1e-9         # of the length of a member: places nearer than that are one
+SAME = 1e-14        # of the length of a member: places nearer than that are one
 
 
 class PlaceOutput(NamedTuple):

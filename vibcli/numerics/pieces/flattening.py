@@ -52,8 +52,15 @@ def flattened(piece: Piece, *values: Any) -> Flat:
     numbers = arithmetic_of(*piece, *values)
     arrays = [numbers.array(value) for value in (*piece, *values)]
     shape = np.broadcast_shapes(*(array.shape for array in arrays))
-    arrays = [np.broadcast_to(array, shape).ravel() for array in arrays]
+    arrays = [_spread(array, shape) for array in arrays]
     return Flat(_piece(arrays[:len(piece)]), arrays[len(piece):], shape, piece.order, numbers)
+
+
+def _spread(array, shape):
+    """Flat, as long as the shape tells: by assignment, which costs a tenth of np.broadcast_to."""
+    found = np.empty(shape, array.dtype)
+    found[...] = array
+    return found.reshape(-1)
 
 
 def _piece(values):

@@ -8,6 +8,7 @@ import numpy as np
 from vibcli.numerics.pieces.graded_parts import (
     coefficients,
     depth_of,
+    end_sums,
     is_slack,
     part_stiffness,
     parts_of,
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from vibcli.numerics.pieces.piece import Piece
 
 AT_ONCE = 20_000        # parts times values of κ
+LIKE = 4.0              # κ up to this times another have its parts
 
 
 class _Tree(NamedTuple):
@@ -101,14 +103,23 @@ def graded_fields(piece: "Piece", kappa: np.ndarray, ends: np.ndarray, x: np.nda
     if piece.order == 2 and piece.gradient < 0:
         found = graded_fields(mirrored(piece), kappa, ends[:, ::-1], piece.length - x, numbers)
         return found * numbers.array([1, -1])
-    values, back = np.unique(kappa, return_inverse=True) if kappa.dtype.kind != "O" else (kappa, np.arange(len(kappa)))
     found = np.empty((len(x), piece.order), np.result_type(kappa, ends, x))
     real = numbers.is_real(kappa) and numbers.is_real(ends)
-    for i in range(len(values)):
-        chosen = np.flatnonzero(back.ravel() == i)
-        one = _one_field(piece, values[i:i + 1], ends[chosen], x[chosen], numbers)
-        found[chosen] = numbers.real(one) if real else one
+    for chosen in _runs(piece, kappa):
+        some = _fields(piece, kappa[chosen], ends[chosen], x[chosen], numbers)
+        found[chosen] = numbers.real(some) if real else some
     return found
+
+
+def _runs(piece, kappa):
+    """Numbers of fields in groups of like |κ|, so that all in one have about the parts that they need."""
+    sizes = np.array([float(abs(value)) for value in kappa])
+    order = np.argsort(sizes, kind="stable")
+    while len(order):
+        alike = max(1, int(np.searchsorted(sizes[order], LIKE * sizes[order[0]], side="right")))
+        count = min(alike, max(1, AT_ONCE // len(parts_of(piece, sizes[order[alike - 1]]))))
+        yield order[:count]
+        order = order[count:]
 
 
 def _portions(piece, kappa):
@@ -134,7 +145,7 @@ def _scale(piece, cuts, kappa, numbers):
         each = [(piece.tension + piece.gradient * (a + b) / 2) / (b - a) for a, b in pairwise(cuts)]
         z = numbers.array([each[0], *map(max, each, each[1:]), each[-1]])
         return 1 / numbers.sqrt(z[:, None, None] + abs(kappa[None, :, None]) * 0)
-    nu = (piece.tension + piece.gradient * piece.length / 2) / piece.bending + 0 * kappa
+    nu = 0 * kappa + (piece.tension + piece.gradient * piece.length / 2) / piece.bending
     one, other = separate_roots(nu, kappa / piece.bending + 2.0**-40 / piece.length**4, numbers)
     p, q = (np.sqrt(np.abs(root).astype(float)) + 1 / float(piece.length) for root in (one, other))
     z = float(piece.bending) * np.stack([p * q * (p + q), p + q], axis=-1)
@@ -159,42 +170,45 @@ def _negative(tree, i, numbers):
     return np.where(determinant < 0, 1, 2 * (joint[..., 0, 0] + joint[..., 1, 1] < 0)).sum(axis=0)
 
 
-def _one_field(piece, kappa, ends, x, numbers):
-    """At one κ: what goes into the whole goes into its parts, whose end values follow."""
-    tree = _tree(piece, kappa, numbers)
+def _fields(piece, kappa, ends, x, numbers):
+    """At a κ each: what goes into the whole goes into its parts, whose end values follow."""
+    known: dict = {}
+    own = np.array([known.setdefault(value, len(known)) for value in kappa.tolist()], int)
+    values = np.array(list(known), kappa.dtype)
+    tree = _tree(piece, values, numbers)
     slack = piece.order == 2 and is_slack(piece)
-    scale = _ports(tree, -1)[0, 0]
-    d, _ = (values[0, 0] for values in stiffness_again(tree.levels[-1], _ports(tree, -1), numbers))
+    scale = _ports(tree, -1)[0, own]
+    d = stiffness_again(tree.levels[-1], _ports(tree, -1), numbers)[0][0, own]
     if slack:
         ends = ends * numbers.array([0, 1])
-    inward = ((ends @ d) * scale + numbers.i * ends / scale)[None]          # every field takes the place of a κ
+    inward = ((ends[:, None, :] @ d)[:, 0] * scale + numbers.i * ends / scale)[None]
     for level in reversed(tree.levels[:-1]):
-        inward = divided(level, inward, numbers)
-    outward = (tree.levels[0].s @ inward[..., None])[..., 0]
-    parts = (inward - outward) / (2 * numbers.i) * _ports(tree, 0)
-    c, _, half = coefficients(piece, tree.cuts, kappa, numbers)
-    return _within(piece, tree.cuts, kappa, c, half, parts, x, numbers, slack)
-
-
-def _within(piece, cuts, kappa, c, half, parts, x, numbers, slack):
-    """The series of the part in which each place lies, from its end values."""
-    places = numbers.array(cuts)
-    index = np.clip(np.searchsorted(places.astype(float), x.astype(float), side="right") - 1, 0, len(cuts) - 2)
-    values = np.concatenate([np.stack([sums(c, eta, j) / half**j for j in range(piece.order // 2)], axis=-2)
-                             for eta in (-1, 1)], axis=-2)[:, 0]
-    own = (numbers.inverse(values)[index] @ parts[index, np.arange(len(x))][:, :, None])[..., 0]
-    eta = (x - (places[index] + places[index + 1]) / 2) / half[index, 0, 0]
-    terms = [(one[index, 0] * own).sum(axis=-1) for one in c]
-    found = np.stack([sums(terms, eta, j) / half[index, 0, 0] ** j for j in range(piece.order)], axis=-1)
-    if slack:
-        for i in np.flatnonzero(index == 0):
-            found[i] = _near_slack(piece, cuts[1], kappa, parts[0, i, 1], x[i], numbers)
+        inward = divided(level.s[:, own], inward, numbers)
+    outward = (tree.levels[0].s[:, own] @ inward[..., None])[..., 0]
+    parts = (inward - outward) / (2 * numbers.i) * _ports(tree, 0)[:, own]
+    found, index = _within(piece, tree.cuts, (values, own), parts, x, numbers)
+    if slack and (index == 0).any():
+        first = np.flatnonzero(index == 0)
+        found[first] = _near_slack(piece, tree.cuts[1], kappa[first], parts[0, first, 1], x[first], numbers)
     return found
+
+
+def _within(piece, cuts, kappas, parts, x, numbers):
+    """(the series of the part in which each place lies, from its end values; the number of that part); kappas: (κ, the
+    number of that of each field)."""
+    kappa, own = kappas
+    places, (c, _, half) = numbers.array(cuts), coefficients(piece, cuts, kappa, numbers)
+    index = np.clip(np.searchsorted(places.astype(float), x.astype(float), side="right") - 1, 0, len(cuts) - 2)
+    values = np.concatenate([np.stack([end_sums(c, eta, j, numbers) / half**j for j in range(piece.order // 2)],
+                                      axis=-2) for eta in (-1, 1)], axis=-2)
+    weights = (numbers.inverse(values[index, own]) @ parts[index, np.arange(len(x))][:, :, None])[..., 0]
+    eta = (x - (places[index] + places[index + 1]) / 2) / half[index, 0, 0]
+    terms = (c[:, index, own] * weights).sum(axis=-1)
+    return np.stack([sums(terms, eta, j) / half[index, 0, 0] ** j for j in range(piece.order)], axis=-1), index
 
 
 def _near_slack(piece, end, kappa, value, x, numbers):
     """(u, u′) next to the end without tension; u′ = κ/n there."""
-    whole, _, _, _ = slack_series(piece, end, kappa, numbers)
-    u, pull, _, _ = slack_series(piece, x, kappa, numbers)
-    slope = pull[0] / x if x else kappa[0] / piece.gradient
-    return np.array([u[0] / whole[0] * value, slope / whole[0] * value])
+    whole, u = (slack_series(piece, place, kappa, numbers) for place in (end, x))
+    slope = np.where(x == 0, kappa / piece.gradient, u[1] / np.where(x == 0, 1, x))
+    return np.stack([u[0], slope], axis=-1) * (value / whole[0])[:, None]

@@ -9,7 +9,7 @@ In η = (x − middle)/h, h half a part's length, u = Σ c_k ηᵏ follows from 
 is bounded there, c_{k+1} = (κ x/n) c_k/(k+1)²; that end then bears no force whatever its value is.
 """
 
-from math import inf, log
+from math import inf, log, perm
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -81,61 +81,44 @@ def part_stiffness(piece: "Piece", cuts: list, kappa: np.ndarray,
 
 
 def coefficients(piece: "Piece", cuts: list, kappa: np.ndarray,
-                 numbers: "Arithmetic") -> tuple[list, list, np.ndarray]:
-    """(c_k, ∂c_k/∂κ, h): lists of arrays (parts, κ, m), a column for each first coefficient; h (parts, 1, 1)."""
+                 numbers: "Arithmetic") -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """(c_k, ∂c_k/∂κ, h): arrays (terms, parts, κ, m), a column for each first coefficient; h (parts, 1, 1)."""
     cuts_array = numbers.array(cuts)
     half = ((cuts_array[1:] - cuts_array[:-1]) / 2)[:, None, None]
-    tension = piece.tension + piece.gradient * (cuts_array[1:, None, None] - half)
+    tension = (cuts_array[1:, None, None] - half) * piece.gradient + piece.tension
     order, kappa = piece.order, kappa[None, :, None]
     zero = kappa * half * 0
-    c = [zero + numbers.array([int(i == j) for j in range(order)]) for i in range(order)]
-    dc = [c[0] * 0 for _ in range(order)]
     scale = half**order / (piece.bending if order == 4 else tension)
-    nu, gamma = tension * half**2 * scale / half**4, piece.gradient * half**3 * scale / half**4
-    rho = piece.gradient * half / tension
+    nu, gamma = tension * half**2 * scale / half**4, half**3 * piece.gradient * scale / half**4
+    rho, chi = half * piece.gradient / tension, kappa * scale
+    first = np.stack([zero + numbers.array([int(i == j) for j in range(order)]) for i in range(order)])
+    both = np.stack([first, first * 0], axis=1)         # c_k and ∂c_k/∂κ, (terms, 2, parts, κ, m)
+    both = np.concatenate([both, np.zeros((numbers.terms(order), *both.shape[1:]), both.dtype)])
     for k in range(numbers.terms(order)):
         if order == 4:
             below = (k + 4) * (k + 3) * (k + 2) * (k + 1)
-            drawn, leaning = nu * ((k + 2) * (k + 1)), gamma * (k + 1) ** 2
-            c.append((drawn * c[k + 2] + leaning * c[k + 1] - kappa * scale * c[k]) / below)
-            dc.append((drawn * dc[k + 2] + leaning * dc[k + 1] - scale * (c[k] + kappa * dc[k])) / below)
+            found = nu * ((k + 2) * (k + 1)) * both[k + 2] + gamma * (k + 1) ** 2 * both[k + 1] - chi * both[k]
+            found[1] -= scale * both[k, 0]
         else:
             below = (k + 2) * (k + 1)
-            c.append((kappa * scale * c[k] - rho * (k + 1) ** 2 * c[k + 1]) / below)
-            dc.append((scale * (c[k] + kappa * dc[k]) - rho * (k + 1) ** 2 * dc[k + 1]) / below)
-    return c, dc, half
+            found = chi * both[k] - rho * (k + 1) ** 2 * both[k + 1]
+            found[1] += scale * both[k, 0]
+        both[k + order] = found / below
+    return both[:, 0], both[:, 1], half
 
 
-def sums(c: list, eta: Any, derivative: int) -> Any:
+def sums(c: np.ndarray, eta: Any, derivative: int) -> Any:
     """Σ k!/(k − j)! c_k ηᵏ⁻ʲ: the j-th derivative by η."""
     found = c[-1] * 0
     for k in range(len(c) - 1, derivative - 1, -1):
-        weight = 1
-        for i in range(derivative):
-            weight *= k - i
-        found = found * eta + weight * c[k]
+        found = found * eta + perm(k, derivative) * c[k]
     return found
 
 
-def _end_values(piece, cuts, kappa, numbers):
-    """End values and end forces of the solutions, rows, and their derivatives by κ: arrays (parts, κ, m, m)."""
-    c, dc, half = coefficients(piece, cuts, kappa, numbers)
-    places = numbers.array(cuts)
-    found = []
-    for series in (c, dc):
-        values, forces = [], []
-        for eta, place in ((-1, places[:-1]), (1, places[1:])):
-            tension = (piece.tension + piece.gradient * place)[:, None, None]
-            first = sums(series, eta, 1) / half
-            values.append(sums(series, eta, 0))
-            if piece.order == 4:
-                values.append(first)
-                forces.append(eta * (tension * first - piece.bending * sums(series, eta, 3) / half**3))
-                forces.append(eta * piece.bending * sums(series, eta, 2) / half**2)
-            else:
-                forces.append(eta * tension * first)
-        found += [np.stack(values, axis=-2), np.stack(forces, axis=-2)]
-    return found
+def end_sums(c: np.ndarray, eta: int, derivative: int, numbers: "Arithmetic") -> np.ndarray:
+    """The same at η = ±1."""
+    weights = [perm(k, derivative) * eta ** (k - derivative) for k in range(derivative, len(c))]
+    return np.tensordot(numbers.array(weights), c[derivative:], 1)
 
 
 def slack_series(piece: "Piece", x: Any, kappa: np.ndarray, numbers: "Arithmetic") -> tuple[Any, Any, Any, Any]:
@@ -149,11 +132,32 @@ def slack_series(piece: "Piece", x: Any, kappa: np.ndarray, numbers: "Arithmetic
     return found[0], found[1], found[2] * x / piece.gradient, found[3] * x / piece.gradient
 
 
+def _end_values(piece, cuts, kappa, numbers):
+    """End values and end forces of the solutions, rows, and their derivatives by κ: arrays (parts, κ, m, m)."""
+    c, dc, half = coefficients(piece, cuts, kappa, numbers)
+    places = numbers.array(cuts)
+    found = []
+    for series in (c, dc):
+        values, forces = [], []
+        for eta, place in ((-1, places[:-1]), (1, places[1:])):
+            tension = (place * piece.gradient + piece.tension)[:, None, None]
+            first = end_sums(series, eta, 1, numbers) / half
+            values.append(end_sums(series, eta, 0, numbers))
+            if piece.order == 4:
+                values.append(first)
+                forces.append(eta * (tension * first - end_sums(series, eta, 3, numbers) * piece.bending / half**3))
+                forces.append(eta * end_sums(series, eta, 2, numbers) * piece.bending / half**2)
+            else:
+                forces.append(eta * tension * first)
+        found += [np.stack(values, axis=-2), np.stack(forces, axis=-2)]
+    return found
+
+
 def _slack(piece, end, kappa, numbers):
     """Of the part next to the end without tension: forces only at its other end."""
     u, pull, u_slope, pull_slope = slack_series(piece, end, kappa, numbers)
-    own = piece.gradient * pull / u
+    own = pull * piece.gradient / u
     zero = own * 0
-    slope = (piece.gradient * pull_slope - own * u_slope) / u
+    slope = (pull_slope * piece.gradient - own * u_slope) / u
     return tuple(np.stack([np.stack([zero, zero], axis=-1), np.stack([zero, value], axis=-1)], axis=-2)
                  for value in (own, slope))

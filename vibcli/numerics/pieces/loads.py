@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from vibcli.numerics.pieces.piece import Piece
 
 AT_ONCE = 200_000       # fields at a time
+HIGH = 6                # powers that no rule minds
 FAR = 50.0              # times what else is in P: κ
 
 
@@ -64,8 +65,10 @@ class LoadStretch(NamedTuple):
 
     @property
     def pace(self) -> float:
-        """The largest |λ|."""
-        return max((float(abs(rate)) for _, _, rate in self.terms), default=0.0)
+        """The largest |λ|, high powers as what grows as much."""
+        length = float(self.end - self.start)
+        return max((float(abs(rate)) + (power / length if power > HIGH else 0.0) for _, power, rate in self.terms),
+                   default=0.0)
 
 
 class LoadForm(NamedTuple):

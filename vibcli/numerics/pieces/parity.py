@@ -50,7 +50,7 @@ def parity_functions(nu: np.ndarray, chi: np.ndarray, numbers: "Arithmetic", ste
     apart = np.abs(nu * nu - 4 * chi) >= 16 * np.abs(chi)
     if real and numbers.number is None:
         apart |= chi < 0        # one is positive, the other negative: no complex numbers
-    found = None
+    found = None if len(nu) else [part for parts in _by_roots(nu, chi, numbers, steep) for part in parts]
     for chosen, form in ((small, _series), (~small & apart, _by_roots), (~small & ~apart, _by_sums)):
         if chosen.any():
             found_here, slopes = form(nu[chosen], chi[chosen], numbers, steep)
@@ -79,7 +79,10 @@ def _put(found, part, chosen):
 
 
 def _series(nu, chi, numbers, steep):
-    """X_k = (Aᵏ + Bᵏ)/2 and Y_k = (Aᵏ − Bᵏ)/(A − B) by their recurrence."""
+    """X_k = (Aᵏ + Bᵏ)/2 and Y_k = (Aᵏ − Bᵏ)/(A − B) by their recurrence.
+
+    Arrays stand before numbers in products: a number of mpmath before an array writes it out in full to refuse it.
+    """
     total, product = 2 * nu, nu * nu - 4 * chi
     zero = nu * chi * 0
     x, y = [zero + 1, zero + nu], [zero, zero + 1]
@@ -92,8 +95,8 @@ def _series(nu, chi, numbers, steep):
         weights.append(weights[-1] / k)
     for k in range(len(x) - 1, -1, -1):
         even, odd = weights[2 * k], weights[2 * k + 1]
-        c, s = c + even * x[k], s + 2 * even * y[k]
-        d, sigma = d + odd * x[k], sigma + 2 * odd * y[k]
+        c, s = c + x[k] * even, s + y[k] * (2 * even)
+        d, sigma = d + x[k] * odd, sigma + y[k] * (2 * odd)
     slopes = (sigma / 2, *_series_slopes(total, product, y, weights)) if steep else ()
     return (c, s, d, sigma, c * d - chi * s * sigma, chi * sigma * sigma - d * d, c * sigma - d * s), slopes
 
@@ -107,9 +110,9 @@ def _series_slopes(total, product, y, weights):
     s_slope = d_slope = sigma_slope = zero
     for k in range(len(y) - 1, -1, -1):
         even, odd = weights[2 * k], weights[2 * k + 1]
-        s_slope, sigma_slope = s_slope + 2 * even * dy[k], sigma_slope + 2 * odd * dy[k]
+        s_slope, sigma_slope = s_slope + dy[k] * (2 * even), sigma_slope + dy[k] * (2 * odd)
         if k:
-            d_slope = d_slope + 2 * k * odd * y[k - 1]
+            d_slope = d_slope + y[k - 1] * (2 * k * odd)
     return s_slope, d_slope, sigma_slope
 
 

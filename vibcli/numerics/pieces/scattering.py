@@ -74,17 +74,17 @@ def _star(left, right, numbers):
                  for part in (s, ds))
 
 
-def divided(level: Level, inward: np.ndarray, numbers: "Arithmetic") -> np.ndarray:
-    """What goes into the parts of a level, (parts, κ, m), from what goes into the pairs joined of it."""
-    pairs = len(level.s) // 2
+def divided(s: np.ndarray, inward: np.ndarray, numbers: "Arithmetic") -> np.ndarray:
+    """What goes into the parts of a level with S, (parts, κ, m), from what goes into the pairs joined of it."""
+    pairs = len(s) // 2
     h = inward.shape[-1] // 2
-    _, _, l21, l22 = _blocks(level.s[:2 * pairs:2])
-    r11, r12, _, _ = _blocks(level.s[1:2 * pairs:2])
+    _, _, l21, l22 = _blocks(s[:2 * pairs:2])
+    r11, r12, _, _ = _blocks(s[1:2 * pairs:2])
     first, last = inward[:pairs, :, :h, None], inward[:pairs, :, h:, None]
     inverse = numbers.inverse(numbers.array(np.eye(h)) - l22 @ r11)
     out = inverse @ (l21 @ first - l22 @ r12 @ last)
     back = r11 @ out - r12 @ last
-    found = np.empty((len(level.s), *inward.shape[1:]), out.dtype)
+    found = np.empty((len(s), *inward.shape[1:]), out.dtype)
     found[:2 * pairs:2] = np.concatenate([first, back], axis=-2)[..., 0]
     found[1:2 * pairs:2] = np.concatenate([-out, last], axis=-2)[..., 0]
     found[2 * pairs:] = inward[pairs:]

@@ -12,6 +12,8 @@ from vibcli.report.keys import Key
 from vibcli.report.sections.equilibrium import held
 from vibcli.report.sections.members import member_energies, member_equations
 from vibcli.report.sections.too_long import brief
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression_graph import reachable
 
 if TYPE_CHECKING:
     from vibcli.report.document import Report
@@ -28,7 +30,7 @@ def energies(problem: "Problem", report: "Report") -> Iterator[Section]:
         further = member_energies(problem, key) if problem.scene.pieces else []
         if not shown.is_zero:
             yield from section(title, blocks.equations([line(f"{symbol} = ", brief(shown), *further, hang=2)]),
-                               *with_lengths(lengths))
+                               *with_lengths(lengths), *with_numbers(problem, [shown]))
         elif further:
             yield from section(title, blocks.equations([line(f"{symbol} = ", further[0].lstrip(" +"), *further[1:],
                                                              hang=2)]))
@@ -37,6 +39,19 @@ def energies(problem: "Problem", report: "Report") -> Iterator[Section]:
 def with_lengths(lengths: "Sequence[tuple[Node, Node]]") -> list[Paragraph]:
     """Paragraphs that tell what new symbols of lengths stand for."""
     return [paragraph("with ", maths(symbol, " = ", length), hang=4, aside=True) for symbol, length in lengths]
+
+
+def with_numbers(problem: "Problem", nodes: "Sequence[Node]") -> list[Paragraph]:
+    """A paragraph that tells the numbers by which beams act at rest whose tension varies along them, if there are."""
+    known = [node for node in reachable(nodes) if node in node.table.definitions]
+    if not known:
+        return []
+    if problem.numeric.has_free_symbols:
+        return [paragraph("with numbers of beams at rest whose tension varies along them", hang=4, aside=True)]
+    values = zip(known, evaluate(known, Floats, problem.numeric.floats), strict=True)
+    told = sorted(f"{node.name} = {value:.6g}" for node, value in values)
+    return [paragraph(f"with, in SI units, as tensions vary along beams, {', '.join(told)}", hang=4, aside=True)]
+
 
 WITHOUT = "without what `damping` adds: it acts in small oscillations alone"
 

@@ -114,7 +114,7 @@ def _damped(problem):
 
 def _solved(problem, found, label):
     """The equation, its roots, the frequencies, the shape and the orthogonality."""
-    from vibcli.analyses.closed_form.member_shapes import shape
+    from vibcli.analyses.closed_form.member_shapes import shape, unstrained
     from vibcli.analyses.closed_form.textbook_equation import sides
 
     left, right = sides(found)
@@ -122,7 +122,7 @@ def _solved(problem, found, label):
     simple = SIMPLE.get(left.name) if right.is_zero and left.op == "call" else None
     values = simple is None and _roots(problem, found)
     if simple:
-        yield line("βL = ", simple, ", n = 1, 2, …", inset=2)
+        yield line("βL = ", simple, ", n = 0, 1, 2, …" if unstrained(found) else ", n = 1, 2, …", inset=2)
     elif values:
         yield line("βL = ", ", ".join(f"{value:.10g}" for value in values), ", …", inset=2)
     yield _frequency(found)

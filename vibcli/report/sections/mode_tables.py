@@ -3,7 +3,7 @@
 from cmath import polar as to_polar
 from collections.abc import Callable, Sequence
 from itertools import pairwise
-from math import degrees, tau
+from math import degrees, floor, log10, tau
 from typing import TYPE_CHECKING
 
 from vibcli.notation.numbers import figure
@@ -19,22 +19,24 @@ GROWING = {"divergence": "unstable: grows", "flutter": "flutter: grows"}
 MANY, LONGEST = 8, 12       # modes in columns; else amplitudes of a shape, and shapes
 
 
-def repeated(modes: "Sequence[Mode]") -> set[int]:
-    """The indices of modes whose frequencies coincide within their bounds: any mix of their shapes is a mode."""
-    found = set()
+def repeated(modes: "Sequence[Mode]") -> dict[int, str]:
+    """{index: to how many digits} of modes whose frequencies coincide within their bounds, which is all that is known:
+    any mix of their shapes is a mode to those digits."""
+    found = {}
     for a, b in pairwise(modes):
-        both = a.kind == b.kind == "oscillation"
-        if both and abs(float(b.omega - a.omega)) <= (a.error + b.error) * float(b.omega):
-            found |= {a.index, b.index}
+        bound = float(a.error + b.error)
+        if a.kind == b.kind == "oscillation" and abs(float(b.omega - a.omega)) <= bound * float(b.omega):
+            told = f"repeated to {floor(-log10(bound))} digits" if bound else "repeated"
+            found |= {a.index: told, b.index: told}
     return found
 
 
-def mode_row(mode: "Mode", kind: str | None = None, same: bool = False) -> tuple[str, ...]:
+def mode_row(mode: "Mode", kind: str | None = None, same: str = "") -> tuple[str, ...]:
     """A row of the table of natural frequencies: number, ω, f, T, error bound, remark."""
     number, error = str(mode.index), f"{mode.error:.0e}" if mode.error else "exact"
     if mode.rigid:
         return number, "0", "0", "∞", "exact", ZERO_MODES[kind]
-    remark = "repeated" * same
+    remark = same
     if mode.growth_rate is not None:
         rate = figure(float(mode.growth_rate), mode.error).replace("-", "−", mode.growth_rate < 0)
         remark = f"{GROWING.get(mode.kind, 'decays')} as exp({rate}·t)"

@@ -67,7 +67,7 @@ def _on_member(name):
     """A coordinate that a member brings, in words."""
     signal, bracket, place = name.partition("(")
     member, _, part = signal.partition(".")
-    return f"{OF_MEMBERS[part]} of {member} at {place.removesuffix(')')}" if bracket else ""
+    return f"{OF_MEMBERS[part.partition('.')[0]]} of {member} at {place.removesuffix(')')}" if bracket else ""
 
 
 def _no_freedom(problem):

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from vibcli.base.errors import NotFixed, PhysicsError, SpecError
+from vibcli.base.errors import NoBound, NotFixed, PhysicsError, SpecError
 from vibcli.language.reader import Reader
 from vibcli.language.signal_names import signal_name
 from vibcli.quantities.dimensions import checker
@@ -97,19 +97,19 @@ def _dimension(problem, tree):
 
 
 def extremes(asked: Any, until: Any) -> Any:
-    """[(signal, BoundedExtreme of the largest, of the smallest)], None for a force that statics does not fix."""
+    """[(signal, BoundedExtreme of the largest, of the smallest)], for what is not known a word that says why."""
     from vibcli.results.escalation import extreme_of_signal
 
-    return [(one, *if_fixed(lambda one=one: [extreme_of_signal(one.signal, 0.0, until, sense) for sense in (1, -1)],
-                            [None, None])) for one in asked]
+    return [(one, *(if_known(lambda one=one, sense=sense: extreme_of_signal(one.signal, 0.0, until, sense), str)
+                    for sense in (1, -1))) for one in asked]
 
 
-def if_fixed(found: Callable, otherwise: Any = None):
-    """What a function finds, else where statics alone does not fix it."""
+def if_known(found: Callable, otherwise: Callable[[str], Any]) -> Any:
+    """What a function finds; else, of a word that says why statics alone does not fix it or no bound is known."""
     try:
         return found()
-    except NotFixed:
-        return otherwise
+    except (NotFixed, NoBound) as error:
+        return otherwise(error.CELL)
 
 
 def names_asked(problem: "Problem", word: str, given: "Sequence[Expression]" = ()) -> Iterator[str]:

@@ -14,7 +14,7 @@ from vibcli.reader.sections.find import RESPONSE
 from vibcli.report import blocks
 from vibcli.report.blocks import Name, Section, TableBlock, line, maths, paragraph, section
 from vibcli.report.keys import Key, data
-from vibcli.report.sections.requested_signals import RequestedSignal, extremes, if_fixed, names_asked, signals_asked
+from vibcli.report.sections.requested_signals import RequestedSignal, extremes, if_known, names_asked, signals_asked
 from vibcli.report.sections.steady_state import harmonics_of, phase_in, steady_state
 
 if TYPE_CHECKING:
@@ -29,7 +29,6 @@ if TYPE_CHECKING:
     from vibcli.results.signal import Signal
 
 MOST_LINES = 16         # of what drives a motion
-NOT_FIXED = "not fixed by statics"
 
 
 def response(problem: "Problem", report: "Report") -> Iterator[Section]:
@@ -47,12 +46,12 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
     if motion.KIND == "prescribed":
         yield from section(f"Motion in time ({motion.WORDS})", paragraph("nothing moves freely"))
     else:
-        yield from _start(problem, motion, _drive(problem, motion) if motion.KIND == "small" else ())
+        yield from _start(problem, motion, _drive(problem, motion) if motion.KIND in ("small", "steady") else ())
     if motion.KIND == "full":
         from vibcli.report.sections.integration import integration
 
         yield from integration(motion.trajectory())
-    elif motion.KIND == "small":
+    elif motion.KIND in ("small", "steady"):
         from vibcli.report.sections.formulas import formulas
         from vibcli.report.sections.vibrations import beats, free_vibration
 
@@ -124,7 +123,7 @@ def _at_instants(problem, asked, wanted, known):
     """The values at the instants asked for, those up to `known`."""
     if wanted.at:
         rows = tuple((f"{one.label} [{one.unit}]", *(
-            if_fixed(lambda one=one, t=t: value_at(problem, one, t, wanted.digits), NOT_FIXED)
+            if_known(lambda one=one, t=t: value_at(problem, one, t, wanted.digits), str)
             if float(t) <= known else "–" for _, t in wanted.at))
             for one in asked)
         yield from section("Values", TableBlock(("signal", *(f"t = {text}" for text, _ in wanted.at)), rows))
@@ -180,7 +179,7 @@ def _extremes(asked, until, digits):
     rows = []
     for one, *both in extremes(asked, until):
         cells = [cell for found, sense in zip(both, (1, -1), strict=True) for cell in (
-            (NOT_FIXED, "") if found is None else extreme_cells(one.signal, found, until, sense, digits))]
+            (found, "") if isinstance(found, str) else extreme_cells(one.signal, found, until, sense, digits))]
         rows.append((f"{one.label} [{one.unit}]".replace(" []", ""), *cells))
     yield from section(f"Extremes for 0 ≤ t ≤ {figure(until)} s",
                        TableBlock(("signal", "largest", "at t [s]", "smallest", "at t [s]"), tuple(rows)))
@@ -207,7 +206,7 @@ def response_data(problem: "Problem", wanted: "Wanted") -> dict[str, Any]:
     end = None if alone else min(known, motion.until)
     ends = [(one, None, None) for one in asked] if alone else extremes(asked, end)
     found = [SIGNALS.row(one.text, one.unit, *(number for which in both for number in (
-                         (None, None) if which is None else (which.value, which.time))),
+                         (None, None) if which is None or isinstance(which, str) else (which.value, which.time))),
                          None if alone else _steady(motion, one.signal, wanted.phase), values,
                          [] if alone else one.signal.leaps(end))
              for (one, *both), values in zip(ends, instants, strict=True)]
@@ -227,7 +226,7 @@ def _values(problem, one, wanted, known):
             return None
         if wanted.digits is not None:
             return value_at(problem, one, t, wanted.digits)
-        return if_fixed(lambda: value_of_signal(one.signal, t)[0])
+        return if_known(lambda: value_of_signal(one.signal, t)[0], lambda _: None)
 
     return [(t, value(t)) for _, t in wanted.at]
 

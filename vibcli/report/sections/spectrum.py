@@ -31,7 +31,7 @@ def frequencies(problem: "Problem", report: "Report") -> Iterator[Section]:
     modal = problem.modal
     found = shown(problem, report.wanted)
     same = repeated(found)
-    rows = [mode_row(mode, modal.zero_modes.get(mode.index), mode.index in same) for mode in found]
+    rows = [mode_row(mode, modal.zero_modes.get(mode.index), same.get(mode.index, "")) for mode in found]
     head = ("mode", "ω [rad/s]", "f [Hz]", "T [s]", "relative error ≤", "")
     doubts = [] if report.tells("Equilibrium") else list(map(paragraph, _doubts(problem)))
     if not modal.modes.finite:
@@ -118,21 +118,33 @@ def damping(problem: "Problem", report: "Report") -> Iterator[Section]:
         return
     head = ("mode", "ω [rad/s]", "ζ", "ω_d [rad/s]", "T_d [s]", "decay [1/s]", "relative error ≤", "")
     found = shown_damped(problem, report.wanted)
-    if not found and problem.scene.pieces:
-        yield from section("Damped modes", paragraph(_none_comes_back(problem)))
+    ended = _none_comes_back(problem) if problem.scene.pieces and problem.modal.damped.finite else None
+    if ended is not None and not found:
+        yield from section("Damped modes", paragraph(f"none: {ended}"))
         return
-    region = problem.modal.damped.region
-    yield from section(DAMPED, TableBlock(head, tuple(map(damped_row, found))), region and paragraph(
-        f"{region.count} eigenvalues, conjugates counted, have |λ| < {region.radius:.6g} 1/s by the argument "
-        "principle: none is missing"))
+    yield from section(DAMPED, TableBlock(head, tuple(map(damped_row, found))),
+                       paragraph(f"no other: {ended}") if ended else _proved(problem.modal.damped, found))
+
+
+def _proved(modes, found):
+    """What the argument principle counts; None where the modes are a list."""
+    region = modes.proof(found)
+    if region is None:
+        return None
+    told = f"{region.count} eigenvalues, conjugates counted, have |λ| < {region.radius:.8g} 1/s"
+    if region.below:
+        told += f", {region.below} of them |λ| < {region.inner:.8g} 1/s"
+    rest = "" if any(mode.eigenvalue.real for mode in found) else "; those above leave all dampers at rest"
+    return paragraph(f"{told}, by the argument principle: none is missing{rest}")
 
 
 def _none_comes_back(problem):
-    """Why there is no damped mode at all."""
+    """Why there is no damped mode, or none but one at rest; None where that is not so."""
     from vibcli.analyses.continuous.matched_damper import dies_after
 
     ended = dies_after(problem.configuration.linear_system)
-    return f"none: a wave that arrives at the damper dies; what moves freely has ended after 2L/c₀ = {ended:.6g} s"
+    return None if ended is None else (
+        f"a wave that arrives at the damper dies; what moves freely has ended after 2L/c₀ = {ended:.6g} s")
 
 
 def modes(problem: "Problem", report: "Report") -> Iterator[Section]:

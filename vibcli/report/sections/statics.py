@@ -9,7 +9,7 @@ from vibcli.notation.numbers import figure
 from vibcli.report import blocks
 from vibcli.report.blocks import Name, Section, TableBlock, Words, line, maths, paragraph, section
 from vibcli.report.keys import Key
-from vibcli.report.sections.equations_of_motion import numeric_sum, with_lengths
+from vibcli.report.sections.equations_of_motion import numeric_sum, with_lengths, with_numbers
 from vibcli.report.sections.equilibrium import slack_ropes
 from vibcli.report.sections.numeric_equations import ROUNDING
 from vibcli.report.sections.too_long import brief
@@ -42,7 +42,7 @@ def virtual_work(problem: "Problem", report: "Report") -> Iterator[Section]:
     driven = ", and of the inertia of driven motion" if scene.timed and scene.inertias else ""
     where = "at rest in equilibrium" if balanced else "at rest"
     yield from section(f"Virtual work of weights, springs and steady loads{driven}, {where}",
-                       blocks.equations(lines), *with_lengths(lengths))
+                       blocks.equations(lines), *with_lengths(lengths), *with_numbers(problem, shown))
 
 
 def _balanced(problem):

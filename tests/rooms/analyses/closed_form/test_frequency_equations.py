@@ -22,6 +22,8 @@ TEXTBOOK = {
     f"beams: {{b: {{{BEAM}, left: clamped, right: pinned}}}}": "tan βL = tanh βL",
     f"beams: {{b: {{{BEAM}, left: clamped, right: guided}}}}": "tan βL = −tanh βL",
     f"beams: {{b: {{{BEAM}, left: pinned, right: guided}}}}": "cos βL = 0",
+    f"beams: {{b: {{{BEAM}, left: pinned, right: pinned, preload: -S}}}}": "sin βL = 0",
+    f"beams: {{b: {{{BEAM}, left: guided, right: pinned, preload: S, foundation: kf}}}}": "cos βL = 0",
     f"bars: {{b: {{{BAR}, left: clamped}}}}": "cos βL = 0",
     f"bars: {{b: {{{BAR}, left: clamped, right: clamped}}}}": "sin βL = 0",
     f"bars: {{b: {{{BAR}, left: clamped, attached: [{{at: L, mass: M}}]}}}}": "βL·tan βL = L·μ/M",
@@ -87,6 +89,22 @@ def test_roots_without_letters(text):
     elastic = [mode for mode in found.modal.modes.first(6) if mode.omega][:4]
     expected = [_wave_number(equation, found.numeric.floats, mode.omega) for mode in elastic]
     assert roots(equation, 4) == pytest.approx(expected, rel=1e-12)
+
+
+@pytest.mark.parametrize("left", ["clamped", "pinned", "guided", "free"])
+@pytest.mark.parametrize("right", ["clamped", "pinned", "guided", "free"])
+@pytest.mark.parametrize("kind", [f"beams: {{b: {{{BEAM}, ", f"bars: {{b: {{{BAR}, ",
+                                  "strings: {b: {length: L, preload: S, mass_per_length: mu, "])
+def test_what_moves_as_a_whole_on_a_foundation_is_a_root_too(kind, left, right):
+    """EI β⁴ + k = μ ω² has as many β = 0 as a bare member has rigid motions: the roots are all frequencies."""
+    if "guided" in (left, right) and "beams" not in kind:
+        return
+    found = _scene(f"{kind}left: {left}, right: {right}, foundation: kf}}}}")
+    equation, = frequency_equations(found.symbolic)
+    values, wave_numbers = found.numeric.floats, roots(equation, 5)
+    squares = [evaluate([equation.square], Floats, {**values, "βL": at})[0] for at in wave_numbers]
+    assert [mode.omega for mode in found.modal.modes.first(5)] == pytest.approx([x**0.5 for x in squares], rel=1e-12)
+    assert len(found.modal.modes.up_to(squares[-1]**0.5 * (1 + 1e-8))) == 5
 
 
 @pytest.mark.parametrize("left", ["clamped", "pinned", "guided", "free"])

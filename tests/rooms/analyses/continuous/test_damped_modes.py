@@ -14,7 +14,7 @@ from vibcli.analyses.continuous.argument_count import zeros_within
 from vibcli.analyses.continuous.damped_source import DampedModes
 from vibcli.analyses.continuous.dynamic_matrix import dynamic_matrix
 from vibcli.analyses.continuous.finite_elements import element_matrices, rows_as_array
-from vibcli.analyses.continuous.matched_damper import dies_after
+from vibcli.analyses.continuous.matched_damper import dies_after, left_over
 from vibcli.analyses.continuous.mode_source import NaturalModes
 from vibcli.analyses.modal.mode_sequence import Modes
 from vibcli.base.errors import PhysicsError
@@ -68,15 +68,45 @@ def test_a_matched_damper_lets_nothing_come_back():
     assert zeros_within(dynamic_matrix(bar(1.0)), 2.0) == 0
 
 
-def test_what_hardly_comes_back_ends_in_a_refusal():
-    with pytest.raises(PhysicsError):
-        source(bar(1.0 + 1e-12)).numbered(1, 3)
+@pytest.mark.parametrize("r", [1 - 1e-5, 1 + 1e-6, 1 - 1e-9, 1 + 1e-12, 1 - 1e-12])
+def test_a_damper_that_is_nearly_matched(r):
+    """To rounding of the numbers as given; the bound holds for these rounded too."""
+    with mpmath.workdps(40):
+        exactly = mpmath.mpf(r)
+        real = -mpmath.log((1 + exactly) / abs(1 - exactly)) / 2
+    found = source(bar(r)).numbered(1, 8)
+    shift = 0.5 if r < 1 else 0.0
+    for n, mode in enumerate(found):
+        value = mpmath.mpc(real, (n + shift) * mpmath.pi)
+        assert abs(mode.eigenvalue - value) <= 1e-15 * abs(value)
+        assert 1e-16 / abs(1 - r) / abs(value) <= mode.error <= 4e-16 / abs(1 - r) / abs(value) + 1e-14
 
 
-def test_a_matrix_that_is_singular_in_floats_leaves_the_count_open():
+def test_a_damper_inside_matched_to_both_sides():
+    """2 = e^{-2as} + e^{-2(1-a)s}: at a = 1/2 s = 2πin; at 0.3 the roots of z³ + z⁷ = 2, z = e^{−0.2s}."""
+    def inside(a):
+        return FactoredSystem(1, dampers=[(2.0, {0: 1.0})], pieces=[
+            member(Piece(a, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0), {}, {0: 1.0}),
+            member(Piece(1 - a, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0), {0: 1.0}, {})])
+    for n, mode in enumerate(source(inside(0.5)).numbered(1, 8), 1):
+        assert mode.eigenvalue.real == 0 and mode.eigenvalue.imag == pytest.approx(2 * math.pi * n, rel=1e-14)
+    roots = [-cmath.log(z) for z in np.roots([1, 0, 0, 0, 1, 0, 0, -2])]
+    values = sorted((5 * (one + 2j * math.pi * k) for one in roots for k in range(3)), key=abs)
+    values = [value for value in values if value.imag > 1e-9]
+    for value, mode in zip(values, source(inside(0.3)).numbered(1, 12), strict=False):
+        assert mode.eigenvalue == pytest.approx(value, rel=1e-12)
+    with pytest.raises(PhysicsError, match="not certain"):
+        source(inside(0.5)).numbered(990, 995)
+
+
+def test_a_free_bar_before_a_matched_damper_rests():
+    system = bar(1.0, {1: 1.0})
+    assert dies_after(system) == 2.0 and [mode.omega for mode in left_over(system)] == [0.0]
+    assert [zeros_within(dynamic_matrix(system), radius) for radius in (0.5, 3.0, 100.0)] == [1, 1, 1]
+    assert zeros_within(dynamic_matrix(system), 600.0) is None        # beyond what floats hold
+    assert dies_after(bar(1.1, {1: 1.0})) is None
     scene = problem("bars: {rod: {length: 1 m, EA: 1 N, mass_per_length: 1 kg/m, right: {c: 1 N*s/m}}}")
-    matrix = dynamic_matrix(scene.configuration.linear_system)
-    assert zeros_within(matrix, 3.0) == 1 and zeros_within(matrix, 600.0) is None
+    assert [mode.omega for mode in scene.modal.damped] == [0.0]
 
 
 def test_a_free_bar_rests_once():

@@ -107,7 +107,7 @@ def test_two_alike_are_counted_together():
         bars:
           one: {length: 2 m, EA: 2e6 N, mass_per_length: 2 kg/m, left: clamped}
           two: {length: 2 m, EA: 2e6 N, mass_per_length: 2 kg/m, left: clamped}"""))
-    assert "repeated" in text and "J = 6 just above ω₅ ≈ ω₆: none is missing" in text
+    assert "repeated to 15 digits" in text and "J = 6 just above ω₅ ≈ ω₆: none is missing" in text
 
 
 def test_coordinates_of_the_file_come_first():

@@ -52,3 +52,9 @@ def test_what_grows_has_two_eigenvalues():
     half = (4 - 1e-3 * g**2) / 2
     root = cmath.sqrt(half**2 + g**2)
     assert [mode.eigenvalue for mode in modal.damped.first(1)] == pytest.approx([root - half, -root - half], rel=1e-12)
+
+
+def test_they_are_listed():
+    """Of these no argument principle is asked."""
+    modes = of("{modal: 2 %}").modal.damped
+    assert modes.proof(modes.first(3)) is None

@@ -5,7 +5,9 @@ import pytest
 from support.scenes import problem
 
 from vibcli.base.errors import PhysicsError
+from vibcli.language.signals_of_places import with_places
 from vibcli.results.frequency_response import FrequencyResponse
+from vibcli.symbolic.parser import parse
 
 BEAM = """
     beams: {bridge: {length: 18 m, EI: 4.5e8 N*m^2, mass_per_length: 900 kg/m, left: pinned, right: pinned%s}}
@@ -27,7 +29,8 @@ def expected(part, x):
     return sign * found / (2 * EI * beta**3) * beta**order * (EI if order > 1 else 1)
 
 
-@pytest.mark.parametrize("apart", ["-1e-7", "-1e-6", "1e-6", "1e-4", "1e-3", "0.01", "0.3", "-0.3", "-3", "-5.9"])
+@pytest.mark.parametrize("apart", ["-1e-11", "1e-9", "-1e-7", "-1e-6", "1e-6", "1e-4", "1e-3", "0.01", "0.3", "-0.3",
+                                   "-3", "-5.9"])
 @pytest.mark.parametrize("part", ORDERS)
 def test_no_digits_are_lost_next_to_a_station(part, apart):
     with mpmath.workdps(40):
@@ -43,3 +46,21 @@ def test_stations_too_near_each_other_are_no_resonance(apart):
     scene = problem(BEAM % f", attached: [{{at: 6 m + {apart} m, k: 1 kN/m}}]")
     with pytest.raises(PhysicsError, match="too near each other"):
         FrequencyResponse(scene, "bridge.moment(9 m)", "drive").at(30.0)
+
+
+@pytest.mark.parametrize("x", ["17.9999999999", "17.9999999", "1e-10"])
+def test_the_rounding_of_a_place_is_part_of_the_error(x):
+    with mpmath.workdps(40):
+        right = expected("u", mpmath.mpf(x))
+        value, error = FrequencyResponse(problem(BEAM % ""), f"bridge.u({x} m)", "drive").at(30.0)
+        assert abs(value - right) <= error * abs(value)
+        assert error < 1e-3
+
+
+@pytest.mark.parametrize("x", ["5.99999999", "6.0000001", "5.99999"])
+def test_motions_in_time_next_to_a_station_are_those_there(x):
+    scene = problem(BEAM % "")
+    near, there = (scene.response.signal(with_places(parse(f"bridge.u({place} m)"), scene.spec.members))
+                   for place in (x, "6"))
+    assert near.values([0.31])[0] == pytest.approx(there.values([0.31])[0], rel=1e-5)
+    assert near.error(0.31) < 1e-10 * abs(there.values([0.31])[0])

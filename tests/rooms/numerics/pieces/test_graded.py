@@ -108,3 +108,15 @@ def test_ends_that_do_not_feel_each_other(tension, gradient):
             assert d[:, end, end] == pytest.approx(np.sqrt(kappa * here) + sign * gradient / 4, rel=1e-8)
             assert slope[:, end, end] == pytest.approx(np.sqrt(here / kappa) / 2, rel=1e-7)
     assert (abs(d[:, 0, 1]) <= 1e-15 * d[:, 1, 1]).all()
+
+
+@pytest.mark.parametrize("piece", [CHAIN, Piece(1.0, 2.0, 30.0, 5.0, 1.0, 0.0, 0.0),
+                                   Piece(1.0, 2.0, 0.3, 0.0, 1.0, 0.0, 0.0)])
+def test_no_array_is_written_out(piece, monkeypatch):
+    """A number of mpmath that stands before an array refuses it by a text that shows it: dearer than the product."""
+    monkeypatch.setattr(mpmath.mp, "npconvert", lambda value: pytest.fail(f"an array of {np.size(value)} numbers")
+                        if np.size(value) > 1 else mpmath.mpf(value.item()), raising=False)
+    with mpmath.workdps(40):
+        precise = Piece(*map(mpmath.mpf, piece))
+        d, _ = stiffness_and_slope(precise, np.array([mpmath.mpf(-k) for k in (1, 7, 40)], object))
+    assert d == pytest.approx(stiffness_and_slope(piece, np.array([-1.0, -7.0, -40.0]))[0].astype(object), rel=1e-11)

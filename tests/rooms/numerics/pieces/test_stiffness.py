@@ -113,3 +113,9 @@ def test_nothing_is_lost_from_tiny_to_huge_pieces():
         nearby = [piece._replace(tension=tension * (1 + part)), piece._replace(length=1 + part)]
         turned = sum(abs(stiffness_and_slope(one, kappa)[0] - exact) for one in nearby).max(axis=(1, 2)) / part
         assert (abs(found - exact).max(axis=(1, 2)) <= 4 * EPS * (abs(exact).max(axis=(1, 2)) + turned)).all()
+
+
+def test_no_frequency_at_all_gives_an_empty_array():
+    beam = Piece(1.0, 2.0, 0.3, 0.0, 1.0, 0.0, 0.0)
+    for kappa in (np.zeros(0), np.zeros(0, complex)):
+        assert [part.shape for part in stiffness_and_slope(beam, kappa)] == [(0, 4, 4)] * 2

@@ -1,0 +1,109 @@
+"""Pieces of members at rest under loads q(x) of any form: what they put on the ends, and the deflection between.
+
+    Fᵢ = ∫ q Nᵢ dx, Nᵢ the deflection with the i-th end value 1: where it is a polynomial integrated by parts, if q is a
+    sum of powers, exponentials and sines, else by Gauss's rule.
+
+Within a piece the deflection is found where it is cut: both parts take what is spread on them.
+"""
+
+from typing import TYPE_CHECKING, Any
+
+from vibcli.elements.member_springs import springs_across, springs_along
+from vibcli.elements.rest_shapes import basis_at, shares
+from vibcli.symbolic.antiderivatives import from_zero
+from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.quadrature import rule_for, weighed
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from vibcli.elements.rest_shapes import RestPiece
+    from vibcli.symbolic.node import Node
+
+
+def end_forces(scene: Any, piece: "RestPiece", parts: "Sequence[Node]", x: "Node") -> "list[list[Node]]":
+    """[Fᵢ of each end value] of each of `parts`, q(x) counted from the left end of a piece. NotSmooth of functions that
+    no rule integrates."""
+    found: list = [by_parts(scene, piece, q, x) if piece.plain else None for q in parts]
+    left = [q for q, known in zip(parts, found, strict=True) if known is None]
+    if left:
+        rule = rule_for(left, x, (scene.table.zero, piece.length), scene.sample, piece.longest(scene))
+        basis = list(zip(*(basis_at(scene, piece, one.place) for one in rule), strict=True))
+        rows = list(zip(*shares(scene, piece), strict=True))
+        for i, q in enumerate(parts):
+            if found[i] is None:
+                sums = [weighed(q, x, rule, values) for values in basis]
+                found[i] = [scene.table.total([c * one for c, one in zip(row, sums, strict=True)]) for row in rows]
+    return found
+
+
+def by_parts(scene: Any, piece: "RestPiece", q: "Node", x: "Node") -> "list[Node] | None":
+    """∫₀ˡ q N dx, N being a polynomial: Σ (−1)ᵏ N⁽ᵏ⁾ q₍₋ₖ₋₁₎ between the ends; None where no rule gives it."""
+    found, integrals, zero = [], [q], scene.table.zero
+    for shape in zip(*shares(scene, piece), strict=True):
+        shape = scene.table.total([c * power for c, power in zip(shape, basis_at(scene, piece, x), strict=True)])
+        total, sign, k = zero, 1, 1
+        while not shape.is_zero:
+            if k == len(integrals):
+                integrals.append(from_zero(integrals[-1], x))
+            if integrals[k] is None:
+                return None
+            there, here = (substitute([shape * integrals[k]], {x: place})[0] for place in (piece.length, zero))
+            total = total + sign * (there - here)
+            shape, sign, k = gradient(shape).get(x, zero), -sign, k + 1
+        found.append(total)
+    return found
+
+
+def held_deflection(scene: Any, piece: "RestPiece", q: "Node", x: "Node", at: "Node", order: int) -> "Node":
+    """u at a place of a piece whose ends are held, or a derivative of it."""
+    place, length, half = scene.number(at), scene.number(piece.length), 2 if piece.bends else 1
+    zero = scene.table.zero
+    if not 1e-12 * length < place < (1 - 1e-12) * length:
+        forces, = end_forces(scene, piece, [q], x)
+        pulled = forces[:half] if place < length / 2 else [-force for force in forces[half:]]
+        return _of_state(piece, at, [zero] * half, pulled, order)
+    left = piece._replace(length=at)
+    right = piece._replace(length=piece.length - at, tension=piece.tension + piece.gradient * at)
+    beyond, = substitute([q], {x: at + x})
+    own, = end_forces(scene, left, [q], x)
+    other, = end_forces(scene, right, [beyond], x)
+    own, other = own[half:], other[:half]
+    stiff, stiff_right = _stiffness(scene, left, half), _stiffness(scene, right, 0)
+    both = [[a + b for a, b in zip(*rows, strict=True)] for rows in zip(stiff, stiff_right, strict=True)]
+    moved = _solved(both, [a + b for a, b in zip(own, other, strict=True)])
+    pulled = [scene.table.total([k * u for k, u in zip(row, moved, strict=True)]) - force
+              for row, force in zip(stiff, own, strict=True)]
+    return _of_state(piece, at, moved, pulled, order)
+
+
+def _of_state(piece, at, moved, pulled, order):
+    """From (u) and (N u′), of beams (u, u′) and (N u′ − B u‴, B u″)."""
+    if order < len(moved):
+        return moved[order]
+    tension = piece.tension + piece.gradient * at
+    if not piece.bends:
+        return pulled[0] / tension
+    return pulled[1] / piece.bending if order == 2 else (tension * moved[1] - pulled[0]) / piece.bending
+
+
+def _stiffness(scene, piece, first):
+    """That of one end, its end values from the `first` on."""
+    count = 4 if piece.bends else 2
+    ends = [scene.table.variable(f"end value {i}") for i in range(count)]
+    if piece.bends:
+        springs = springs_across(scene, piece.length, piece.bending, piece.tension, piece.foundation, ends)
+    else:
+        springs = springs_along(scene, piece.length, piece.tension, piece.foundation, ends, piece.gradient)
+    own, zero = ends[first:first + count // 2], scene.table.zero
+    slopes = [(k, [gradient(stretch).get(end, zero) for end in own]) for k, stretch in springs]
+    return [[scene.table.total([k * row[i] * row[j] for k, row in slopes]) for j in range(len(own))]
+            for i in range(len(own))]
+
+
+def _solved(matrix, forces):
+    if len(forces) == 1:
+        return [forces[0] / matrix[0][0]]
+    (a, b), (c, d) = matrix
+    determinant = a * d - b * c
+    return [(d * forces[0] - b * forces[1]) / determinant, (a * forces[1] - c * forces[0]) / determinant]
