@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from support.motions import AT_THE_TOP, duffing_period, problem
+from support.motions import AT_THE_TOP, PENDULUM, duffing_period, problem
 
 from vibcli.analyses.time_integration.integrate import known_motion
 from vibcli.analyses.time_integration.level_crossings import extreme
