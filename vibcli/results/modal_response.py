@@ -275,12 +275,12 @@ class ModalResponse(ResponseOfMembers):
         return ModalSignal(self._enough(motion, output), output)
 
     def _composed(self, node, parts, source=()):
-        from vibcli.results.signals import ComposedSignal
+        from vibcli.results.composed_of_modes import ComposedOfModes
 
         if self._closing(node) is not None:
             raise PhysicsError("signals of loops that close are not found by modes", "ask for coordinates")
         signals = {symbol.name: self._one(part) for symbol, part in parts.items()}
-        return ComposedSignal(node, signals, self.values, self.problem.scene.time, None, self.problem.work)
+        return ComposedOfModes(node, signals, self.values, self.problem.scene.time, None, self.problem.work)
 
 
 class NotByModes(NotByWaves):

@@ -30,19 +30,25 @@ class ModalSignal(Signal):
         import numpy as np
 
         if np.isinf(self.modal.bound(self.reads, t, order)):
-            raise _without_bound()
+            raise without_bound()
 
     def error(self, t: float) -> float:
         import numpy as np
 
         return float(self.modal.errors(self.reads, np.array([t]))[0])
 
+    def off(self, times: "np.ndarray", end: float, modes: int) -> "np.ndarray":
+        """Bounds of the errors of its values by so many modes at instants up to an end."""
+        from vibcli.analyses.continuous.modal_search import off_along
+
+        return off_along(self.modal, self.reads, times, end, modes)
+
     def error_of_extreme(self, start: float, end: float, top: tuple[float, float], sense: int) -> float:
         from vibcli.analyses.continuous.modal_search import error_of_extreme
 
         found = error_of_extreme(self.modal, self.reads, start, end, top, sense)
         if found == inf:
-            raise _without_bound()
+            raise without_bound()
         return found
 
     def error_of_time(self, t: float) -> float:
@@ -79,7 +85,8 @@ class ModalSignal(Signal):
         raise PhysicsError(f"the limit of {self.KIND} is not found", "ask for its value at a late instant")
 
 
-def _without_bound():
+def without_bound() -> NoBound:
+    """Of a series that does not converge absolutely."""
     return NoBound("the series of this signal over all modes does not converge absolutely after what jumps here: "
                    "what the modes left out add to it has no bound",
                    "ask for displacements, or let the load begin smoothly")

@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.numerics.chebyshev import N
 from vibcli.results.signal import Signal
 from vibcli.results.signals import ComposedSignal
 
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.travelling_waves_search import Stretches
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
+BENDING = "abs", "sign", "ramp", "step", "min", "max"
 FRONT = 1e-12       # relative: how far the instant of a front may be off
 
 
@@ -44,6 +46,8 @@ class WaveSignal(Signal):
         """The instants up to an end between which it is smooth, ascending."""
         return self.waves.breaks(self.reads, end)
 
+    fronts = breaks
+
     def require_bounded(self, end: float) -> None:
         """PhysicsError where it is infinite at an instant."""
         self.waves.require_bounded(self.reads, end)
@@ -57,17 +61,12 @@ class WaveSignal(Signal):
     def error_of_time(self, t: float) -> float:
         from vibcli.analyses.transient.instant_errors import of_top
 
-        return FRONT * t if self._bends(t) else of_top(self.waves, self.reads, t)
+        return FRONT * t if _at_front(self, t) else of_top(self.waves, self.reads, t)
 
     def error_of_zero(self, t: float) -> float:
         from vibcli.analyses.transient.instant_errors import of_passage
 
-        return FRONT * t if self._bends(t) else of_passage(self.waves, self.reads, t)
-
-    def _bends(self, t):
-        import numpy as np
-
-        return bool((np.abs(self.breaks(t) - t) <= FRONT * t).any())
+        return FRONT * t if _at_front(self, t) else of_passage(self.waves, self.reads, t)
 
     def extreme(self, start: float, end: float, sense: int) -> tuple[float, float]:
         """(instant, value) of the largest (sense 1) or smallest (−1) value, at a front that before it or after it."""
@@ -96,11 +95,26 @@ class ComposedOfWaves(ComposedSignal):
     KIND = "a signal composed of others that waves bring"
     signals: Any
 
-    def breaks(self, end: float) -> "np.ndarray":
-        """The instants up to an end between which it is smooth, ascending."""
+    def fronts(self, end: float) -> "np.ndarray":
+        """The instants up to an end between which its signals are smooth, ascending."""
         import numpy as np
 
-        return np.unique(np.concatenate([part.breaks(end) for part in self.signals.values()]))
+        return np.unique(np.concatenate([part.fronts(end) for part in self.signals.values()]))
+
+    def breaks(self, end: float) -> "np.ndarray":
+        """Those between which it is smooth itself, with what |x|, max(x, y) and the like bend at."""
+        import numpy as np
+
+        return np.unique(np.concatenate([self.fronts(end), *(part.zeros(0.0, end) for part in self._turning)]))
+
+    @property
+    def _turning(self):
+        """What is zero where a function within it bends."""
+        from vibcli.symbolic.expression_graph import reachable
+
+        calls = [node for node in reachable([self.node]) if node.op == "call" and node.name in BENDING]
+        return [ComposedOfWaves(node.args[0] - node.args[1] if len(node.args) > 1 else node.args[0], self.signals,
+                                self.floats, self.time, None, self.work) for node in calls]
 
     def require_bounded(self, end: float) -> None:
         """PhysicsError where a part of it is infinite at an instant."""
@@ -126,9 +140,30 @@ class ComposedOfWaves(ComposedSignal):
     def zeros(self, start: float, end: float) -> list[float]:
         return _zeros(self, start, end)
 
+    def error_of_time(self, t: float) -> float:
+        return _of_instant(self, t, 1)
+
+    def error_of_zero(self, t: float) -> float:
+        return _of_instant(self, t, 0)
+
     def final(self) -> float:
         """It is not found: waves are followed up to an instant."""
         raise PhysicsError(f"the limit of {self.KIND} is not found", "ask for its value at a late instant")
+
+
+def _at_front(signal, t):
+    import numpy as np
+
+    return bool((np.abs(signal.fronts(t) - t) <= FRONT * t).any())
+
+
+def _of_instant(signal, t, order):
+    """The error of an instant between fronts by difference quotients, in the pace of its series there."""
+    from vibcli.results.composed_errors import at_pace
+
+    if _at_front(signal, t):
+        return FRONT * t
+    return at_pace(signal, t, order, N / float(_along(signal, 0.0, t).lengths[-1]))
 
 
 def _before(signal, t):
@@ -172,7 +207,7 @@ def _zeros(signal, start, end):
 def _leaps(signal, end):
     import numpy as np
 
-    at = signal.breaks(end)
+    at = signal.fronts(end)
     at = at[(at > 0) & (at <= end)]
     before, after = signal.values_before(at), signal.values(at)
     size = np.abs(after).max(initial=0.0)
