@@ -93,4 +93,5 @@ def test_moments_after_a_jump_are_bounded_wherever_they_are_largest():
     exact = max(exact, -low[1])
     assert abs(value - exact) <= bound
     assert bound >= size.error(top) > 0
-    assert size.error_of_time(top) >= 0.5 * plain.error_of_time(t if exact == plain.values(np.array([t]))[0] else low[0])
+    beside = t if exact == plain.values(np.array([t]))[0] else low[0]
+    assert size.error_of_time(top) >= 0.5 * plain.error_of_time(beside)
