@@ -196,6 +196,13 @@ class Problem:
                                                   "ask for max(x), min(x) or values in time"))
         return found if found.drives else None
 
+    @cached_property
+    def free_motions(self):
+        """Its FreeMotions."""
+        from vibcli.results.free_motions import FreeMotions
+
+        return FreeMotions(self)
+
     def require_no_members(self) -> None:
         """NotInLetters of motions in time, and at a frequency, of members that vibrate."""
         if self.scene.pieces:

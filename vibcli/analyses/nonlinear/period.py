@@ -40,26 +40,30 @@ def exact_period(scene: "Scene", values: "Mapping[str, float | mpmath.mpf]", q: 
     left, right = (turning_point(well, place, speed, side) for side in (-1, 1))
     if left.q == right.q:
         raise PhysicsError(*RESTS)
-    period, error = period_between(well, left, right)
+    return period_of(well, scene, values, (q, v), (left, right))
+
+
+def period_of(well: Well, scene: "Scene", values: "Mapping[str, float | mpmath.mpf]", start: tuple,
+              ends: "tuple[TurningPoint, TurningPoint]") -> tuple[float, float]:
+    """(period [s], relative error) of the motion from a start (q, v) that comes to rest at two ends: in more digits
+    where floats know it by less than they could, if V is known in letters."""
+    period, error = period_between(well, *ends)
     if error <= GOOD * period:
         return period, error / period
-    return _with_more_digits(well, scene, values, (q, v), (left, right)) or _told(period, error)
-
-
-def _with_more_digits(well: Well, scene: "Scene", values, start, ends: "tuple[TurningPoint, TurningPoint]"):
-    """The same from V in letters; None where that has none."""
     from vibcli.analyses.nonlinear.high_precision_period import Energies, precise_period
 
-    return precise_period(Energies(scene, values), well, start, ends)
-
-
-def _told(period, error):
-    if not error <= ENOUGH * period:
+    found = precise_period(Energies(scene, values), well, start, ends)
+    if found is None and not error <= ENOUGH * period:
         raise PhysicsError(*LIMIT)
-    return period, error / period
+    return found or (period, error / period)
 
 
 def is_conservative(scene: "Scene") -> bool:
-    """Is the energy ½ m(q) q̇² + V(q) constant? Steady forces along the way have a potential."""
+    """Is the energy ½ m(q) q̇² + V(q) constant?"""
     lost = scene.dampers or "C" in scene.matrices or not scene.energies["Phi"].is_zero
-    return not (scene.timed or lost or any(force.weight.mask for force in scene.forces) or scene.loops is not None)
+    return not (lost or any(law.damper for law in scene.laws)) and has_potential(scene)
+
+
+def has_potential(scene: "Scene") -> bool:
+    """Have all forces a potential, but for those of dampers? Steady forces along the way have one."""
+    return not (scene.timed or any(force.weight.mask for force in scene.forces) or scene.loops is not None)

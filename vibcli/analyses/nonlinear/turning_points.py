@@ -12,9 +12,10 @@ from vibcli.numerics.root_finding import last_place
 
 RESTS = ("the scene is at rest: its motion has no period", "give it an `initial` state that is none of equilibrium")
 AT_REST = 4 * EPS
-FIRST, GROWTH, WIDEST = 0.05, 1.1, 20.0     # steps of what a linear spring would go, no longer than so many of these …
+FIRST, GROWTH, WIDEST = 0.05, 1.1, 5.0      # steps of what a linear spring would go, no longer than so many of these …
 FARTHER = 0.05                              # … or of the way gone
 CELLS, BLOCKS = 40, 12
+BENT = 0.06                                 # of V′: by so much it may change in the first step
 HALVINGS = 100
 
 
@@ -123,6 +124,9 @@ def _zero(well, a, b, missing, rounding):
 def _scale(well, q, speed, force):
     """How far a linear spring would let it go."""
     k = stiffness(well, q)
-    if speed and k:
-        return math.sqrt(2 * speed / k)
-    return abs(force) / k if k and force else abs(q) or 1.0
+    found = math.sqrt(2 * speed / k) if speed and k else abs(force) / k if k and force else abs(q) or 1.0
+    if not force or (speed and k):
+        return found
+    trials = found * 0.5 ** np.arange(HALVINGS)
+    bent = np.abs(well.force(q - math.copysign(FIRST, force) * trials) - force) > BENT * abs(force)
+    return float(trials[min(np.flatnonzero(bent)[-1:].sum() + bent.any(), HALVINGS - 1)])
