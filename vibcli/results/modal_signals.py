@@ -89,4 +89,5 @@ def without_bound() -> NoBound:
     """Of a series that does not converge absolutely."""
     return NoBound("the series of this signal over all modes does not converge absolutely after what jumps here: "
                    "what the modes left out add to it has no bound",
-                   "ask for displacements, or let the load begin smoothly")
+                   "ask for displacements; loads that begin without a jump, or that act on a mass, leave less to the "
+                   "modes left out")

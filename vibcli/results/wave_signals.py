@@ -30,7 +30,6 @@ class WaveSignal(Signal):
         return self.waves.values(self.reads, times, order)
 
     def values_before(self, times: "np.ndarray") -> "np.ndarray":
-        """Its values at instants, at a front those before it."""
         return self.waves.values(self.reads, times, before=True)
 
     def sampled(self, times: "np.ndarray") -> "np.ndarray":
@@ -46,10 +45,10 @@ class WaveSignal(Signal):
         """The instants up to an end between which it is smooth, ascending."""
         return self.waves.breaks(self.reads, end)
 
-    fronts = breaks
+    def fronts(self, end: float) -> "np.ndarray":
+        return self.breaks(end)
 
     def require_bounded(self, end: float) -> None:
-        """PhysicsError where it is infinite at an instant."""
         self.waves.require_bounded(self.reads, end)
 
     def error(self, t: float) -> float:
@@ -90,13 +89,12 @@ class WaveSignal(Signal):
 
 
 class ComposedOfWaves(ComposedSignal):
-    """A function of WaveSignals."""
+    """A function of WaveSignals, and of steady states perhaps."""
 
     KIND = "a signal composed of others that waves bring"
     signals: Any
 
     def fronts(self, end: float) -> "np.ndarray":
-        """The instants up to an end between which its signals are smooth, ascending."""
         import numpy as np
 
         return np.unique(np.concatenate([part.fronts(end) for part in self.signals.values()]))
@@ -117,12 +115,10 @@ class ComposedOfWaves(ComposedSignal):
                                 self.floats, self.time, None, self.work) for node in calls]
 
     def require_bounded(self, end: float) -> None:
-        """PhysicsError where a part of it is infinite at an instant."""
         for part in self.signals.values():
             part.require_bounded(end)
 
     def values_before(self, times: "np.ndarray") -> "np.ndarray":
-        """Its values at instants, at a front those before it."""
         return self.composed(times, {name: part.values_before(times) for name, part in self.signals.items()})
 
     def sampled(self, times: "np.ndarray") -> "np.ndarray":

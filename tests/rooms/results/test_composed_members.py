@@ -95,3 +95,13 @@ def test_moments_after_a_jump_are_bounded_wherever_they_are_largest():
     assert bound >= size.error(top) > 0
     beside = t if exact == plain.values(np.array([t]))[0] else low[0]
     assert size.error_of_time(top) >= 0.5 * plain.error_of_time(beside)
+
+
+def test_steady_states_stand_beside_waves(struck):
+    steady = signal(struck.response, "steady(rod.u(L))").extreme(0.0, 2.0, 1)[1]
+    assert signal(struck.response, "abs(steady(rod.u(L)))").extreme(0.0, 2.2, 1)[1] == pytest.approx(steady, rel=1e-9)
+    both = signal(struck.response, "abs(rod.u(L) - steady(rod.u(L)))")
+    at = np.array([0.3, 1.4])
+    parts = [signal(struck.response, name).values(at) for name in ("rod.u(L)", "steady(rod.u(L))")]
+    np.testing.assert_allclose(both.values(at), np.abs(parts[0] - parts[1]), rtol=1e-12)
+    assert both.extreme(0.0, 2.0, 1)[1] >= both.values(np.linspace(0.0, 2.0, 999)).max() - 1e-12

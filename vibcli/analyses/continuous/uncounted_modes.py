@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import FieldPoint, LinearOutput
     from vibcli.mechanics.factored_system import PlacedPiece
 
-POWERS = 0.0, 0.5, 0.75, 1.0, 1.5, 2.0      # of ω², by which sums over b are divided
+POWERS = 0.0, 0.375, 0.5, 0.625, 0.75, 1.0, 1.5, 2.0      # of ω², by which sums over b are divided
 ROUNDING = 1e-12    # of a sum of squares
 MASSIVE = -1.0      # of coordinates with mass and loads along members: below all POWERS
 SINGULAR = 1e-10    # of the largest mass that coordinates have together: what is none

@@ -167,7 +167,13 @@ def growth(B: np.ndarray, t: float) -> np.ndarray:
 
 
 def harmonic(motion: "SteadyMotion", forcing: Forcing, n: int) -> tuple[complex, np.ndarray, np.ndarray]:
-    """(s, Q, F) of the n-th harmonic of periodic forcing: F = (2/T) ∫ f e^{−st} dt over a period, s = 2πin/T."""
+    """(s, Q, F) of the n-th harmonic of periodic forcing."""
+    s, row = harmonic_forces(forcing, n)
+    return s, phasor(motion, s, row[:len(motion.M)]), row
+
+
+def harmonic_forces(forcing: Forcing, n: int) -> tuple[complex, np.ndarray]:
+    """(s, F) of the n-th harmonic of periodic forcing: F = (2/T) ∫ f e^{−st} dt over a period, s = 2πin/T."""
     s = complex(0, math.tau * n / forcing.period)
     row = np.zeros(forcing.channels, complex)
     for piece, after in zip(forcing.pieces, [*forcing.pieces[1:], Segment(forcing.period)], strict=True):
@@ -179,8 +185,7 @@ def harmonic(motion: "SteadyMotion", forcing: Forcing, n: int) -> tuple[complex,
                 nodes = (0j, *[complex(exponent) - s] * (wave.power + 1))
                 row[wave.channel] += c * turn * math.factorial(wave.power) * differences(nodes, length)[0]
     row /= forcing.period * (1 if n else 2)
-    row = row if n else row.real
-    return s, phasor(motion, s, row[:len(motion.M)]), row
+    return s, row if n else row.real
 
 
 def mean_square(motion: "SteadyMotion", output: "LinearOutput", start: float, end: float) -> float:
