@@ -65,6 +65,8 @@ class ShakenModalResponse(ModalResponse):
         scene, nodes = self.problem.scene, list(self._inputs.values())
         known = {**self.problem.numeric.floats, scene.time.name: 0.0}
         start = np.array([evaluate(part, Floats, known) for part in (nodes, [scene.rate(node) for node in nodes])])
+        if not np.isfinite(start).all():
+            raise NotByModes("a support jumps at t = 0 beside `damping:` of members", "let it begin without a jump")
         return Shaking(np.array([g, r, m]), start)
 
     def _disturbed(self, basis, inputs, damping):
