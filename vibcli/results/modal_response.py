@@ -168,6 +168,8 @@ class ModalResponse(ResponseOfMembers):
             return self._given_damping(basis)
         rates = {placed.piece.drag / placed.piece.inertia for placed in self._transfer.pieces}
         most = max(rates)
+        if any(placed.retardation for placed in self.configuration.linear_system.pieces):
+            raise CoupledModes("damping in proportion to stiffness stands beside drag", "ask for steady(…)")
         if not most:
             return np.zeros(len(basis.squares))
         if most - min(rates) > 1e-14 * most or self.matrices[0].any():
