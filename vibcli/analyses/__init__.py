@@ -19,6 +19,8 @@ FIND = {
     "accelerations": "accelerations from rest in the drawn position and the forces of ropes, links, other constraints "
                      "and supports then, as expressions; no equilibrium is needed",
     "reactions": "forces in equilibrium: of ropes, links, gears and other constraints, and of supports on bodies",
+    "equivalents": "where several springs, or dampers, end at one place that moves: the perpendicular pair that "
+                   "resists like them, and whether springs and dampers share their axes",
     "response": "the motion in time: where it starts, its free part, its steady state, its extremes; "
                 "`{response: {of: [x, s.force], until: 2 s}}` says which signals, and until when",
     "frequency_response": "amplitude and phase over the frequency, resonances and antiresonances; "

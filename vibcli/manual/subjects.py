@@ -103,7 +103,9 @@ def usage(head: str) -> str:
     text = f"{head}[{joined.join(letters)}]" if head != "node" else f"{head}[{letters[0]}][{', '.join(letters[1:])}]"
     if asked.spare:
         text = f"{head}[{joined.join(letters[:-asked.spare])}], {text}"
-    return ", ".join(f"{text}.{a}" for a in asked.components) if asked.components != ("",) else text
+    if asked.components == ("",):
+        return text
+    return ", ".join(f"{text}.{a}" for a in asked.components[:2]) + ", …" * (len(asked.components) > 2)
 
 
 def _at_an_instant(head):

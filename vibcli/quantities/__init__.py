@@ -7,6 +7,7 @@ FAMILIES = {
     **dict.fromkeys(("equilibrium", "Q", "stable", "equilibria"), "equilibrium"),
     **dict.fromkeys(("equation", "motion"), "energies"),
     **dict.fromkeys(("M", "C", "G", "K"), "matrices"),
+    **dict.fromkeys(("stiffness", "damping"), "equivalents"),
     **dict.fromkeys(("T", "V", "Phi"), "energies"),
     **dict.fromkeys(("mass", "J", "centre"), "bodies"),
     **dict.fromkeys(("amplitude", "phase", "max", "min", "argmax", "argmin", "mean", "rms", "final", "overshoot",

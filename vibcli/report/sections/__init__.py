@@ -15,6 +15,7 @@ SECTIONS = {
     "modes": ("spectrum", "mode shapes"),
     "equilibria": ("equilibria", "the list of all equilibria"),
     "reactions": ("statics", "reactions in equilibrium and along a motion"),
+    "equivalents": ("equivalents", "springs and dampers at one place as a perpendicular pair"),
     "response": ("response", "the motion in time"),
     "frequency_response": ("frequency_response", "resonances, antiresonances and amplitudes"),
     "shares": ("shares", "what each element has of the energy of a mode"),
