@@ -8,7 +8,8 @@ import numpy as np
 from vibcli.analyses.continuous.modal_grid import divided
 from vibcli.analyses.continuous.modal_search import BENT, LEVELS, MOST, bends, top_between, width_about
 from vibcli.results.composed_errors import spread
-from vibcli.results.modal_signals import ModalSignal, without_bound
+from vibcli.results.modal_signals import ModalSignal, by_waves, without_bound
+from vibcli.results.signal import Signal
 from vibcli.results.signals import ComposedSignal
 
 CANDIDATES = 4          # cells that are searched for the top
@@ -20,6 +21,9 @@ class ComposedOfModes(ComposedSignal):
     KIND = "a signal composed of others of a motion that is followed by modes of members"
     signals: Any
     _cells: "dict[tuple, tuple[np.ndarray, np.ndarray, np.ndarray]] | None" = None
+
+    def read_at(self, t: float) -> Signal:
+        return by_waves(self, t)
 
     def error_of_time(self, t: float) -> float:
         near = self.values(np.array([t * (1 - 1e-6), t, t * (1 + 1e-6)]))

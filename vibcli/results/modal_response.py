@@ -25,8 +25,8 @@ class ModalResponse(ResponseOfMembers):
 
     KIND, WORDS = "modes", "small oscillations about the equilibrium, by modes"
 
-    def __init__(self, problem: Any):
-        super().__init__(problem)
+    def __init__(self, problem: Any, waves: Any = None):
+        super().__init__(problem, waves)
         self._motions: dict[int, ModalMotion] = {}
 
     @cached_property
@@ -274,7 +274,7 @@ class ModalResponse(ResponseOfMembers):
         from vibcli.results.modal_signals import ModalSignal
 
         motion, output = self._driven(constant, terms)
-        return ModalSignal(self._enough(motion, output), output)
+        return ModalSignal(self._enough(motion, output), output, source)
 
     def _composed(self, node, parts, source=()):
         from vibcli.results.composed_of_modes import ComposedOfModes
@@ -282,7 +282,7 @@ class ModalResponse(ResponseOfMembers):
         if self._closing(node) is not None:
             raise PhysicsError("signals of loops that close are not found by modes", "ask for coordinates")
         signals = {symbol.name: self._one(part) for symbol, part in parts.items()}
-        return ComposedOfModes(node, signals, self.values, self.problem.scene.time, None, self.problem.work)
+        return ComposedOfModes(node, signals, self.values, self.problem.scene.time, None, self.problem.work, source)
 
 
 class NotByModes(NotByWaves):

@@ -18,8 +18,11 @@ class ModalSignal(Signal):
 
     KIND = "a motion that is followed by modes of members"
 
-    def __init__(self, motion: "ModalMotion", output: "LinearOutput"):
-        self.modal, self.reads, self.work = motion, output, motion.work
+    def __init__(self, motion: "ModalMotion", output: "LinearOutput", source: tuple = ()):
+        self.modal, self.reads, self.work, self.source = motion, output, motion.work, source
+
+    def read_at(self, t: float) -> Signal:
+        return by_waves(self, t)
 
     def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
         self.require_bound(float(max(times, default=0.0)) if hasattr(times, "__len__") else float(times), order)
@@ -83,6 +86,12 @@ class ModalSignal(Signal):
     def final(self) -> float:
         """It is not found."""
         raise PhysicsError(f"the limit of {self.KIND} is not found", "ask for its value at a late instant")
+
+
+def by_waves(signal: Signal, t: float) -> Signal:
+    """The same by waves where these are followed up to an instant."""
+    response, *rest = signal.source or (None,)
+    return (len(rest) == 1 and response.by_waves(rest[0], t)) or signal
 
 
 def without_bound() -> NoBound:

@@ -32,6 +32,10 @@ class Signal:
     values: Callable[..., "np.ndarray"]
     extreme: Callable[..., tuple[float, float]]
 
+    def read_at(self, t: float) -> "Signal":
+        """The same signal as its value at an instant is best found."""
+        return self
+
     def sampled(self, times: "np.ndarray") -> "np.ndarray":
         """Its values at ascending instants; where it leaps and an instant stands twice, before the leap and after
         it."""

@@ -44,7 +44,7 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
     motion, asked = problem.response, signals_asked(problem, report.wanted.signals)
     _require_quick(problem, asked, report.wanted)
     if motion.KIND == "prescribed":
-        yield from section(f"Motion in time ({motion.WORDS})", paragraph("nothing moves freely"))
+        yield from section(f"Motion in time ({motion.words})", paragraph("nothing moves freely"))
     else:
         yield from _start(problem, motion, _drive(problem, motion) if motion.KIND in ("small", "steady") else ())
     if motion.KIND == "full":
@@ -134,8 +134,9 @@ def value_at(problem: "Problem", one: RequestedSignal, t: "Fraction", digits: in
     if digits is None:
         from vibcli.results.escalation import value_of_signal
 
-        value, error = value_of_signal(one.signal, t)
-        text, before = supported(value, error, 12), one.signal.before(float(t))
+        signal = one.signal.read_at(float(t))
+        value, error = value_of_signal(signal, t)
+        text, before = supported(value, error, 12), signal.before(float(t))
         return text if before is None else f"{text} (before {supported(before, error, 12)})"
     return precise_text(one.signal.precise(t, digits), digits)
 
@@ -162,7 +163,7 @@ def _start(problem, motion, drive):
         parts += ["   (as drawn: no equilibrium is reached)"]
     force = let_go(problem.spec)
     parts += [f", where {force} lets go"] if force else []
-    yield from section(f"Motion in time ({motion.WORDS})", paragraph("from ", *(parts or ["rest"])), *drive)
+    yield from section(f"Motion in time ({motion.words})", paragraph("from ", *(parts or ["rest"])), *drive)
 
 
 def _drive(problem, motion):
@@ -226,7 +227,7 @@ def _values(problem, one, wanted, known):
             return None
         if wanted.digits is not None:
             return value_at(problem, one, t, wanted.digits)
-        return if_known(lambda: value_of_signal(one.signal, t)[0], lambda _: None)
+        return if_known(lambda: value_of_signal(one.signal.read_at(float(t)), t)[0], lambda _: None)
 
     return [(t, value(t)) for _, t in wanted.at]
 
