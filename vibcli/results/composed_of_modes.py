@@ -1,7 +1,7 @@
 """Functions of signals of motions by modes: searched as these are, first by few modes, then by more, with what is left
 out of each part; the bounds of their extremes hold over the whole of the time that is searched."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -11,6 +11,12 @@ from vibcli.results.composed_errors import spread
 from vibcli.results.modal_signals import ModalSignal, by_waves, without_bound
 from vibcli.results.signal import Signal
 from vibcli.results.signals import ComposedSignal
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from vibcli.base.work import Work
+    from vibcli.symbolic.node import Node
 
 CANDIDATES = 4          # cells that are searched for the top
 
@@ -22,8 +28,13 @@ class ComposedOfModes(ComposedSignal):
     signals: Any
     _cells: "dict[tuple, tuple[np.ndarray, np.ndarray, np.ndarray]] | None" = None
 
+    def __init__(self, node: "Node", signals: "Mapping[str, Any]", floats: "Mapping[str, Any]", time: "Node",
+                 work: "Work | None" = None, asked: tuple = ()):
+        super().__init__(node, signals, floats, time, None, work)
+        self._asked = asked
+
     def read_at(self, t: float) -> Signal:
-        return by_waves(self, t)
+        return by_waves(self, self._asked, t)
 
     def error_of_time(self, t: float) -> float:
         near = self.values(np.array([t * (1 - 1e-6), t, t * (1 + 1e-6)]))

@@ -282,7 +282,7 @@ class ModalResponse(ResponseOfMembers):
         if self._closing(node) is not None:
             raise PhysicsError("signals of loops that close are not found by modes", "ask for coordinates")
         signals = {symbol.name: self._one(part) for symbol, part in parts.items()}
-        return ComposedOfModes(node, signals, self.values, self.problem.scene.time, None, self.problem.work, source)
+        return ComposedOfModes(node, signals, self.values, self.problem.scene.time, self.problem.work, source)
 
 
 class NotByModes(NotByWaves):

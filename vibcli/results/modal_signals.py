@@ -14,15 +14,15 @@ if TYPE_CHECKING:
 
 
 class ModalSignal(Signal):
-    """A linear output of a ModalMotion."""
+    """A linear output of a ModalMotion; asked: the response and the tree that it was asked as."""
 
     KIND = "a motion that is followed by modes of members"
 
-    def __init__(self, motion: "ModalMotion", output: "LinearOutput", source: tuple = ()):
-        self.modal, self.reads, self.work, self.source = motion, output, motion.work, source
+    def __init__(self, motion: "ModalMotion", output: "LinearOutput", asked: tuple = ()):
+        self.modal, self.reads, self.work, self.asked = motion, output, motion.work, asked
 
     def read_at(self, t: float) -> Signal:
-        return by_waves(self, t)
+        return by_waves(self, self.asked, t)
 
     def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
         self.require_bound(float(max(times, default=0.0)) if hasattr(times, "__len__") else float(times), order)
@@ -88,10 +88,10 @@ class ModalSignal(Signal):
         raise PhysicsError(f"the limit of {self.KIND} is not found", "ask for its value at a late instant")
 
 
-def by_waves(signal: Signal, t: float) -> Signal:
+def by_waves(signal: Signal, asked: tuple, t: float) -> Signal:
     """The same by waves where these are followed up to an instant."""
-    response, *rest = signal.source or (None,)
-    return (len(rest) == 1 and response.by_waves(rest[0], t)) or signal
+    found = asked[0].by_waves(asked[1], t) if asked else None
+    return signal if found is None else found
 
 
 def without_bound() -> NoBound:

@@ -1,11 +1,14 @@
 """Values at instants follow waves up to these, where the fronts up to the end of the motion are too many."""
 
+from fractions import Fraction
+
 import numpy as np
 import pytest
 from support.scenes import problem
 
 from vibcli.language.signals_of_places import with_places
 from vibcli.quantities.expression import measure
+from vibcli.results.escalation import extreme_of_signal, value_of_signal
 from vibcli.symbolic.parser import parse
 
 SCENE = """\
@@ -54,3 +57,13 @@ def test_what_fronts_hide_goes_by_modes(long_one):
     assert found.read_at(0.5) is not found
     assert found.read_at(9e3) is found
     assert np.isfinite(found.values(np.array([9e3]))).all()
+
+
+@pytest.mark.parametrize("text", ["rod.u(1.01 m)", "abs(rod.u(1.01 m))"])
+def test_extremes_and_values_of_reports_need_no_more_digits(long_one, text):
+    found = long_one.response.signal(with_places(parse(text), long_one.spec.members))
+    assert extreme_of_signal(found, 0.0, 2.0, 1).error < 0.1
+    value, error = value_of_signal(found.read_at(0.25), Fraction(1, 4))
+    assert abs(value - 0.25) <= error <= 1e-12
+    late = value_of_signal(found.read_at(5e3), Fraction(5000))
+    assert late[1] > 1e-6
