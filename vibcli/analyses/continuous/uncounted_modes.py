@@ -14,6 +14,7 @@ import numpy as np
 
 from vibcli.analyses.continuous.divided_pieces import divided_at
 from vibcli.analyses.continuous.tail_sums import grid, tail_sum, without_first
+from vibcli.analyses.continuous.uncoupled_parts import uncoupled_parts
 from vibcli.analyses.continuous.unit_responses import UnitLoads, motions_squared, overlaps
 from vibcli.numerics.pieces.loads import LoadForm
 
@@ -43,14 +44,22 @@ class UncountedModes:
         self.driven, self.sigma = list(driven), grid(self.highest)
         self._reads: dict[Any, list[tuple[int, np.ndarray, float, float]]] = {}
         self._sizes: dict[Any, float] = {}
+        self.parts = uncoupled_parts(K, M, self.pieces, basis.shapes)
         self.inverse = inverse_where_massive(M)
         self.begins = np.array([self._begin(i) for i in range(len(K))] + [
             begins_at(self._order(one), self._order(one) - 1 - one.end % (self._order(one) // 2)) for one in driven] + [
                 MASSIVE for _ in spread])
-        self.spread = np.zeros((len(spread), len(spread)))
+        self.spread, self._along = np.zeros((len(spread), len(spread))), list(spread)
         for one in self.pieces:
             forms = [drive.on(one) or LoadForm(()) for drive in spread]
             self.spread += overlaps(forms) / one.piece.inertia
+
+    def felt_by(self, part: int) -> np.ndarray:
+        """Which channels act on one of the parts, (channels,)."""
+        own = [one for one, number in zip(self.pieces, self.parts.pieces, strict=True) if number == part]
+        return np.array([*(number == part for number in self.parts.coordinates),
+                         *(self.parts.pieces[one.piece] == part for one in self.driven),
+                         *(any(drive.on(one) is not None for one in own) for drive in self._along)], bool)
 
     def _order(self, drive):
         return self.pieces[drive.piece].piece.order
