@@ -33,6 +33,8 @@ FIND = {
                  "only where it is asked for",
     "ritz": "`{ritz: {shapes: [{x1: 1, x2: 2}]}}`: upper bounds of the lowest natural frequencies by assumed shapes, "
             "beside the exact values: Rayleigh's quotient of one shape, Ritz's method of several; in numbers",
+    "backbone": "`{backbone: {of: [x], up_to: 10 cm}}`: how the frequency of free motions about the equilibrium hangs "
+                "on their amplitude, exactly; in numbers, of one degree of freedom",
 }
 ANALYSES = {        # file, what a mapping with particulars says, how it is written where the word alone says too little
     "response": ("transient/response", "which signals of the motion in time, and until when", None),
@@ -43,5 +45,7 @@ ANALYSES = {        # file, what a mapping with particulars says, how it is writ
     "estimates": ("modal/estimates", None, None),
     "ritz": ("modal/ritz", "bounds of the lowest natural frequencies by assumed shapes",
              "{ritz: {shapes: [{x1: 1, x2: 2}]}}"),
+    "backbone": ("nonlinear/backbone", "how the frequency of free motions hangs on the amplitude of a signal",
+                 "{backbone: {of: [x], up_to: 10 cm}}"),
 }
 OF_MODES = tuple(word for word, row in ANALYSES.items() if row[0].startswith("modal/"))

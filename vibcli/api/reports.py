@@ -107,6 +107,10 @@ def data(problem: "Problem", parts: Sequence[str], normalise: str, digits: int |
             beside = word not in parts and problem.numeric.has_free_symbols
             write = response.response_data if word == "response" else frequency_response.frequency_response_data
             found[word] = None if beside else write(problem, wanted or Wanted())
+    if "backbone" in sections:
+        from vibcli.report.sections.backbone import KEY
+
+        found |= keys.data([KEY], problem)
     if words := [word for word in sections if word in OF_MODES]:
         found["insight"] = _insight(problem, words, sections)
     return found

@@ -124,14 +124,18 @@ def arguments_fit(spec: "Spec", reader: "Reader", expression: "Expression", tree
 
 
 def check_questions(spec: "Spec", reader: "Reader", signals: "Sequence[Expression]",
-                    drivers: "Sequence[Expression]") -> None:
-    """Report what is wrong with the signals and inputs of `find`."""
+                    drivers: "Sequence[Expression]", amplitudes: "Sequence[tuple]" = ()) -> None:
+    """Report what is wrong with the signals and inputs of `find`, and with amplitudes of signals."""
+    before = len(reader.diagnostics)
     for expression in signals:
         _signal(spec, reader, expression, QuantityRef(0, 0, "", "", (), "", (expression.tree,)), expression.tree)
     for expression in drivers:
         if not isinstance(expression.tree, NameRef) or input_dimension(spec, expression.text) is None:
             reader.report(expression.where, f"this scene has no input {quoted(expression.text)}",
                           nearest(expression.text, inputs(spec)))
+    for signal, largest in amplitudes if spec.coordinates and len(reader.diagnostics) == before else ():
+        tree = NameRef(0, 0, next(iter(spec.coordinates)), 0) if signal is None else signal.tree
+        _number(spec, reader, largest, "amplitude", largest.tree, QuantityRef(0, 0, "", "", (), "", (tree,)))
 
 
 def _argument(spec, reader, expression, tree, kind, arg):

@@ -3,6 +3,7 @@
 from vibcli.analyses import OF_MODES
 from vibcli.report.keys import Key, documented
 from vibcli.report.sections.accelerations import ACCELERATIONS
+from vibcli.report.sections.backbone import KEY as BACKBONE
 from vibcli.report.sections.design_parameters import CHOSEN
 from vibcli.report.sections.equations_of_motion import ENERGY, EQUATIONS, MATRICES
 from vibcli.report.sections.equilibria import EQUILIBRIA, SEARCH
@@ -25,6 +26,6 @@ KEYS = dict(documented((
     Key("remark", "why a scene in letters, or one with a kink at rest, has no equilibrium, matrices and modes here, or "
         "one without inertia no modes, in words; absent otherwise"),
     MODES._replace(each=(*MODES.each, MEMBERS)), COUNT, DAMPED_MODES, MOTION, FREQUENCY_RESPONSE,
-    EQUIVALENTS,
+    EQUIVALENTS, BACKBONE,
     Key("insight", "only where `find` or --insight asks for it", of=insight(OF_MODES)), POLYNOMIAL,
     Key("cases", "{name: the same keys}, where the file has cases"))))

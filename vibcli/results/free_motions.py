@@ -1,10 +1,11 @@
 """Families of free motions about the equilibrium of a Problem, dampers and loads in time left out."""
 
+from collections.abc import Sequence
 from functools import cached_property
+from math import tau
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
+from vibcli.analyses.nonlinear.backbone import BackbonePoint
 from vibcli.analyses.nonlinear.family import FamilyOfMotions, NoSuchAmplitude, function_of_place
 from vibcli.analyses.nonlinear.period import has_potential, period_of
 from vibcli.analyses.nonlinear.well import Well
@@ -50,15 +51,25 @@ class FreeMotions:
                                "write backbone[1]")
         if not amplitude > 0:
             raise PhysicsError("an amplitude is positive", "as the amplitude tends to 0, ask for omega[1]")
-        ends = self._motion(tree, amplitude).ends
-        start = next((end for end in ends if not end.error), ends[1])
-        with_digits = self.problem.numeric.values(multiprecision())
-        period, error = period_of(self.family.well, self.scene, with_digits, (start.q, 0.0), ends)
-        return 2 * np.pi / period, error + 2.0**-52
+        period, error = self._period(self._motion(tree, amplitude).ends)
+        return tau / period, error + 2.0**-52
 
-    def _motion(self, tree, amplitude):
+    def _period(self, ends):
+        with_digits = self.problem.numeric.values(multiprecision())
+        return period_of(self.family.well, self.scene, with_digits, (ends[1].q, 0.0), ends)
+
+    def curve(self, tree: Any, amplitudes: "Sequence[float]") -> list[BackbonePoint]:
+        """Those of the first family with these amplitudes."""
+        signal = self._signal(tree)
+        return [self._point(self._motion(tree, amplitude, signal), amplitude) for amplitude in amplitudes]
+
+    def _point(self, motion, amplitude):
+        period, error = self._period(motion.ends)
+        return BackbonePoint(amplitude, tau / period, self.family.energy(motion), error + 2.0**-52)
+
+    def _motion(self, tree, amplitude, signal=None):
         try:
-            return self.family.motion(self._signal(tree), amplitude)
+            return self.family.motion(signal or self._signal(tree), amplitude)
         except NoSuchAmplitude as error:
             if error.largest is None:
                 raise

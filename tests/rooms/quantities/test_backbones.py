@@ -1,11 +1,14 @@
 """Frequencies of free motions by their amplitude, against elliptic integrals and what ends a family."""
 
+import json
+
 import mpmath
 import pytest
 from support.motions import problem
 
 from vibcli.api.values import given_expression
 from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.cli import run
 from vibcli.quantities.expression import measure
 
 DUFFING = """
@@ -98,3 +101,28 @@ def test_what_has_no_such_motion_is_refused(text, what, message):
 def test_what_is_asked_wrongly_is_told(what, message):
     with pytest.raises(SpecError, match=message):
         problem(DUFFING + f"answers: {{{what}: 1 rad/s}}\n")
+
+
+def test_a_curve_is_printed_drawn_and_in_the_json(tmp_path, capsys):
+    file = tmp_path / "duffing.yaml"
+    file.write_text("title: A block\n" + DUFFING + "find: [{backbone: {up_to: 20 cm}}]\n")
+    assert run(["frequencies", str(file), "--backbone", "--plot", "--save", str(tmp_path / "curve.svg")]) == 0
+    told = capsys.readouterr().out
+    assert "amplitude of x [m]" in told and "0.2 " in told and (tmp_path / "curve.svg").stat().st_size > 1000
+    assert run(["solve", str(file), "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)["backbone"]
+    assert found["signal"] == "x" and found["unit"] == "m" and len(found["points"]) == 10
+    last = found["points"][-1]
+    exact = asked(DUFFING, "backbone[1](x)(20 cm)")[0]
+    assert last["omega"] == pytest.approx(exact, rel=1e-15)
+    assert last["energy"] == pytest.approx(40 * 0.2**2 + 125 * 0.2**4, rel=1e-15)
+
+
+@pytest.mark.parametrize(("asked_for", "message"), [
+    ("{of: [x], up_to: 3 s}", "expected an amplitude of the signal before it, a length"),
+    ("{of: [z], up_to: 3 cm}", "no coordinate or signal 'z'"),
+    ("{of: [x]}", "up_to"),
+])
+def test_a_curve_that_is_asked_wrongly_is_told(asked_for, message):
+    with pytest.raises(SpecError, match=message):
+        problem(DUFFING + f"find: [{{backbone: {asked_for}}}]\n")

@@ -92,6 +92,12 @@ class FamilyOfMotions:
             raise NoSuchAmplitude(last and last.size / 2)
         return self._known(found)
 
+    def energy(self, motion: MotionOfFamily) -> float:
+        """E − V at the equilibrium."""
+        right = motion.ends[1].q
+        stops = np.array([self.bottom, *self.well.breaks(self.bottom, right), right])
+        return float(self.well.gain(stops[:-1], np.diff(stops), self.well.rounding(right)).value.sum())
+
     def _known(self, found):
         """Its ends as well as the amplitude tells them."""
         left, right = found.ends

@@ -21,6 +21,7 @@ SECTIONS = {
     "shares": ("shares", "what each element has of the energy of a mode"),
     "sensitivities": ("sensitivities", "how frequencies change with parameters"),
     "estimates": ("estimates", "estimates of Rayleigh and Dunkerley"),
+    "backbone": ("backbone", "the frequency of free motions by their amplitude"),
     "ritz": ("ritz", "bounds of frequencies by assumed shapes"),
     "schematic": ("illustrations", "the figure of the scene"),
     "force_diagrams": ("force_diagrams", "diagrams of the forces and moments within members at rest"),
