@@ -157,7 +157,7 @@ def _of_instant(signal, t, order):
     """The error of an instant between fronts by difference quotients, in the pace of its series there."""
     from vibcli.results.composed_errors import at_pace
 
-    if _at_front(signal, t):
+    if not t or _at_front(signal, t):
         return FRONT * t
     return at_pace(signal, t, order, N / float(_along(signal, 0.0, t).lengths[-1]))
 

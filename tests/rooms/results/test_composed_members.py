@@ -105,3 +105,9 @@ def test_steady_states_stand_beside_waves(struck):
     parts = [signal(struck.response, name).values(at) for name in ("rod.u(L)", "steady(rod.u(L))")]
     np.testing.assert_allclose(both.values(at), np.abs(parts[0] - parts[1]), rtol=1e-12)
     assert both.extreme(0.0, 2.0, 1)[1] >= both.values(np.linspace(0.0, 2.0, 999)).max() - 1e-12
+
+
+def test_instants_at_the_start_of_a_steady_state(struck):
+    size = signal(struck.response, "abs(steady(rod.u(L)))")
+    assert size.error_of_time(0.0) == 0.0
+    assert 0 < size.error_of_time(size.extreme(0.5, 1.5, 1)[0]) < 1e-6
