@@ -70,7 +70,8 @@ ELEMENT = Element(
     "without dampers, ΦᵀMΦ = 1, numbered as `omega[i]` is. It resists velocities, with `modal` and `caughey` those "
     "against what driven supports would give at rest. Full equations, forces of elements and reactions are without it. "
     "Responses of members with inertia are exact sums over all modes; beside dampers, drag and gyroscopic terms it is "
-    "`proportional` there, α and β standing in the differential equations, without motions in time where β is not 0.",
+    "`proportional` there, α and β standing in the differential equations, without motions in time where drag or "
+    "driven supports stand beside β.",
     {
         "modal": Field(OneOrMore(), "the ratio ζ of every mode, or a list of them by number, whose last holds for all "
                                     "that follow; what does not vibrate has none"),

@@ -122,7 +122,7 @@ class Configuration:
         """The FactoredSystem about the equilibrium, in floats that are correct but for their own rounding."""
         if self._linear_system is not None:
             return self._linear_system
-        found = self._without_given_damping()
+        found = self.without_given_damping()
         if self.spec.get("damping") is None:
             return found
         from vibcli.mechanics.given_damping import with_damping
@@ -136,7 +136,7 @@ class Configuration:
             return False
         from vibcli.mechanics.given_damping import coupled
 
-        return coupled(self.spec.get("damping"), self._without_given_damping())
+        return coupled(self.spec.get("damping"), self.without_given_damping())
 
     def damped_as_a_whole(self, elements: Any, moved: "Sequence[int] | None" = None):
         """Element data of members with `damping:` that stands beside what couples their modes; moved: those of their
@@ -157,7 +157,8 @@ class Configuration:
 
         return damping_of(self, digits)
 
-    def _without_given_damping(self):
+    def without_given_damping(self):
+        """The FactoredSystem about the equilibrium without what `damping:` adds."""
         from vibcli.mechanics.nonsmooth import require_smooth
 
         require_smooth(self)

@@ -27,9 +27,6 @@ class DampedModalResponse(ModalResponse):
         from vibcli.analyses.continuous.damped_series import swallowed
 
         matrix = self._transfer.matrix
-        if matrix.retardation:
-            raise NotByModes("damping in proportion to stiffness stands beside dampers or drag of members: modes "
-                             "without end creep", "ask for steady(…), or write `proportional: [alpha, 0 s]`")
         if any((part != part.T).any() for part in matrix.polynomial):
             raise NotByModes("forces that no potential gives couple the modes of members", "ask for steady(…)")
         self.problem.modal.modes.first(1)

@@ -47,13 +47,24 @@ def _by_modes(problem, waves=None):
             modes = ShakenModalResponse(problem, waves)
             modes.alone  # noqa: B018 - does it have such a motion?
         except CoupledModes:
-            from vibcli.results.damped_modal_response import DampedModalResponse
-
-            modes = DampedModalResponse(problem, waves)
-            modes.require()
+            modes = _by_coupled_modes(problem, waves)
     except NotByModes as reason:
         from vibcli.results.steady_response import SteadyResponse
 
         return SteadyResponse(problem, PhysicsError(
             f"the motion in time of this scene is not found: {reason.message}", reason.hint))
     return modes
+
+
+def _by_coupled_modes(problem, waves):
+    """By damped modes where these are all that moves, else by those without damping, which dampers couple."""
+    from vibcli.results.coupled_modal_response import CoupledModalResponse
+    from vibcli.results.damped_modal_response import DampedModalResponse
+
+    if any(placed.retardation for placed in problem.configuration.linear_system.pieces):
+        modes = CoupledModalResponse(problem, waves)
+        modes.alone  # noqa: B018 - does it have such a motion?
+        return modes
+    found = DampedModalResponse(problem, waves)
+    found.require()
+    return found

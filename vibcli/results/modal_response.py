@@ -32,7 +32,7 @@ class ModalResponse(ResponseOfMembers):
     @cached_property
     def alone(self):
         """The ModalMotion of the first modes under the excitation."""
-        count = FEWEST if self.rests else FIRST
+        count = FEWEST if self.rests else self._first
         while True:
             try:
                 return self.motion(count)
@@ -42,6 +42,11 @@ class ModalResponse(ResponseOfMembers):
                 count //= 2
                 if count < FEWEST:
                     raise
+
+    @property
+    def _first(self):
+        """So many modes are counted at first."""
+        return FIRST
 
     @cached_property
     def most(self) -> int:
