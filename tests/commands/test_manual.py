@@ -340,7 +340,7 @@ def test_the_schema_accepts_what_is_right(path, validator):
     "bodies: {a: {mass: 1, slide: x, turn: phi}}",
     "bodies: {a: {shape: disk, mass: 1}}",
     "bodies: {a: {mass: 1, pin: {at: O}}}",
-    "bodies: {a: {mass: 1, move: [x, y]}}",
+    "bodies: {a: {mass: 1, move: [x]}}",
     "bodies: {a: {mass: 1, roll: {surface: floor}}}",
     "bodies: {1a: {mass: 1, slide: x}}",
     "bodies: {a: {parts: []}}",

@@ -60,12 +60,12 @@ ELEMENT = Element(
                      "sides"),
     },
     exclusive=(("k", "torsion"), ("k", "law"), ("between", "stretch"), ("free_length", "preload"),
-               ("free_length", "stretch"), ("free_length", "torsion"), ("law", "preload"), ("gap", "preload")),
+               ("free_length", "stretch"), ("free_length", "torsion"), ("gap", "preload")),
     needs=(("k", "torsion", "law"), ("between", "stretch")),
     settle=_settle,
     instead={"series": "k: k1*k2/(k1 + k2)", "parallel": "write two springs with the same ends, or k: k1 + k2"},
     example="preloaded_spring",
-    signals={"stretch": ("m", "rad"), "force": ("N", "N*m"), "energy": ("J", "J")},
+    signals={"stretch": ("m", "rad"), "deflection": ("m", "rad"), "force": ("N", "N*m"), "energy": ("J", "J")},
 )
 
 
@@ -90,7 +90,11 @@ def build(record: "Record", scene: Any) -> None:
     if stretch is None:
         return
     if "preload" in record and "stretch" in record:
-        preload = preload - k * scene.at_drawn(stretch)[0]  # the tension as drawn, where the stretch need not be zero
+        drawn, = scene.at_drawn(stretch)        # which need not be zero; the preload is the tension there
+        if k is None:
+            stretch = stretch - drawn
+        else:
+            preload = preload - k * drawn
     _add(record, scene, k, preload, stretch)
 
 
@@ -107,13 +111,33 @@ def _add(record, scene, k, preload, stretch):
         energy = scene.integrated(law, d, record["law"].where)
         if energy is None:
             return
-        if ("acts" in record or "gap" in record) and scene.number(*substitute([law], {d: zero})):
-            scene.report(record["law"].where, f"the law of '{record.name}' begins with a force at d = 0",
-                         "a one-sided law starts from zero force; a cable under load has a `preload`")
+        if ("acts" in record or "gap" in record) and not _begins_softly(record, scene, law, d):
             return
+        if "preload" in record:
+            from vibcli.elements.preloaded_law import undeformed
+
+            before = undeformed(record, scene, law, d, preload)
+            if before is None:
+                return
+            stretch = stretch + before
     if "acts" in record or "gap" in record:
         energy = sum((substitute([energy], {d: u})[0] for u in _beyond_the_gap(record, scene, d)), zero)
     scene.add_law(stretch, d, energy)
+
+
+def _begins_softly(record, scene, law, d):
+    """Does a one-sided law start from zero force, with a preload of the sense in which it acts? If not, it is
+    reported."""
+    if scene.number(*substitute([law], {d: scene.table.zero})):
+        scene.report(record["law"].where, f"the law of '{record.name}' begins with a force at d = 0",
+                     "a one-sided law starts from zero force; a cable under load has a `preload`")
+        return False
+    side = {"tension": 1, "compression": -1}.get(record.get("acts"))
+    if "preload" in record and side and scene.number(scene.lower(record["preload"])) * side < 0:
+        scene.report(record.place("preload"), f"'{record.name}' acts in {record['acts']} alone: it bears no such "
+                     "preload", "mind the sign: tension is positive")
+        return False
+    return True
 
 
 def _beyond_the_gap(record, scene, d):

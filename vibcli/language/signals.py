@@ -27,6 +27,7 @@ ABOUT = (
     ("P.x, P.y", "displacement of a point from where it is drawn; of a body, that of its mass centre"),
     ("B.angle", "turn of a body"),
     ("s.stretch, s.force", "stretch of a spring since the drawn position, and its tension (of torsion its moment)"),
+    ("s.deflection", "stretch of a spring from its undeformed state, whatever its preload: the d of its law"),
     ("s.energy", "energy stored in a spring, tension²/(2k)"),
     ("d.force, d.power", "force of a damper, positive as it lengthens, and the power that it dissipates"),
     ("i.stretch, i.force", "stretch of an inerter since the drawn position, and its force, positive as its lengthening "

@@ -98,7 +98,8 @@ class Configuration:
             residual = equilibrium.relative_residual(numeric.drawn_numbers)
             found = equilibrium.Equilibrium(numeric.drawn_floats, True, residual)
         else:
-            found = equilibrium.find_equilibrium(numeric, numeric.start())
+            steep = self.system.is_steep_as_drawn
+            found = equilibrium.find_equilibrium(numeric, numeric.beside_drawn() if steep else numeric.start())
         if found.drawn or self.system.is_linear:
             return found
         from vibcli.mechanics.equilibrium.degenerate import sharpened

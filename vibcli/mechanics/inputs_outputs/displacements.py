@@ -7,6 +7,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.language.document.document import Scalar
 from vibcli.language.reader import Expression, Reference
 from vibcli.language.signal_names import LEFT_OF, SignalName, signal_name
+from vibcli.scene.energy_terms import Spring
 from vibcli.symbolic.parser import parse
 
 if TYPE_CHECKING:
@@ -15,7 +16,8 @@ if TYPE_CHECKING:
 
 
 def displacement(scene: "Scene", text: str) -> "Node | None":
-    """The node of a coordinate, or of a place, turn or stretch as displaced from where it is drawn; None of a force."""
+    """The node of a coordinate, or of a place, turn or stretch as displaced from where it is drawn, or of a
+    deflection; None of a force."""
     if text in scene.spec.coordinates:
         return scene.symbol(text)
     name, part, *_ = signal_name(text)
@@ -33,6 +35,8 @@ def displacement(scene: "Scene", text: str) -> "Node | None":
     if part == "stretch":
         drawn, = scene.at_drawn(_stretch(scene, scene.terms_of(name, undriven=True)))
         return _stretch(scene, scene.terms_of(name)) - drawn
+    if part == "deflection":
+        return _deflection(scene, scene.terms_of(name))
     return None
 
 
@@ -92,6 +96,16 @@ def _lumped(body, part):
         raise PhysicsError(f"'{body.name}' moves along one axis and has no place: it has no {part}",
                            f"ask for {body.name}.x, or say where it is drawn with `at: [x, y]`")
     return node
+
+
+def _deflection(scene, terms):
+    """The stretch of a spring from its undeformed state: of a linear one N/k as drawn and what came since."""
+    if len(terms) == 1 and isinstance(terms[0], Spring):
+        if terms[0].weight.is_zero:
+            raise PhysicsError(f"'{terms[0].owner}' has no stiffness: nothing tells where it is undeformed",
+                               f"ask for {terms[0].owner}.stretch")
+        return terms[0].s + terms[0].offset / terms[0].weight
+    return _stretch(scene, terms)
 
 
 def _stretch(scene, terms):
