@@ -48,7 +48,7 @@ class CoupledModalResponse(ModalResponse):
             raise NotByModes("damping in proportion to stiffness stands beside drag of members: modes without end "
                              "creep", "ask for steady(…), or write `proportional: [alpha, 0 s]`")
         if self._inputs:
-            raise NotByModes("supports are driven beside dampers and damping in proportion to stiffness",
+            raise NotByModes("supports are driven beside dampers and `damping:` of members",
                              "ask for steady(…), or write `proportional: [alpha, 0 s]`")
         return found
 

@@ -61,7 +61,9 @@ def _by_coupled_modes(problem, waves):
     from vibcli.results.coupled_modal_response import CoupledModalResponse
     from vibcli.results.damped_modal_response import DampedModalResponse
 
-    if any(placed.retardation for placed in problem.configuration.linear_system.pieces):
+    given = problem.spec.get("damping")
+    rated = given is not None and "proportional" not in given
+    if rated or any(placed.retardation for placed in problem.configuration.linear_system.pieces):
         modes = CoupledModalResponse(problem, waves)
         modes.alone  # noqa: B018 - does it have such a motion?
         return modes

@@ -26,7 +26,7 @@ class EstimatedMotion(ModalMotion):
 
     def bound(self, output: "LinearOutput", t: float, order: int = 0, modes: int | None = None) -> float:
         """What modes beyond those counted add, and how far half as many are off about that instant."""
-        times = np.maximum(t + 2 * np.pi / (self.slowest or 1.0) * INSTANTS, 0.0)
+        times = np.maximum(t + 2 * np.pi / (self.slowest or 1.0) * INSTANTS, t / 2)
         apart = self.values(output, times, order) - self.fewer.values(output, times, order)
         return super().bound(output, t, order, modes) + float(np.abs(apart).max())
 
