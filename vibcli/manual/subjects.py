@@ -114,9 +114,16 @@ def _at_an_instant(head):
     return [(f"{usage(head)}(2 s)", asked.about)] if asked is not None and asked.args == ("time",) else []
 
 
+def _of_products(head):
+    """The same of the form of a quantity that has an index, where it has none itself."""
+    asked = named(head + "[]")
+    return [] if asked is None or named(head).indices or not asked.indices[0].startswith("product") else [
+        (usage(head + "[]").replace("[][", "["), asked.about)]
+
+
 def quantities_table(catalogue: "Catalogue") -> list[list[str]]:
     rows = [row for head in FAMILIES for row in ((usage(head), named(head).about + _unit(named(head))),
-                                                 *_at_an_instant(head))]
+                                                 *_at_an_instant(head), *_of_products(head))]
     first = usage(next(head for head in FAMILIES if named(head).args))
     rows.insert([text for text, _ in rows].index(first), ("x(2 s)", named("value").about))
     lines = ["`answers` names a quantity and the value that it is expected to have; `vibcli check` compares them. "

@@ -19,6 +19,6 @@ FAMILIES = {
 }
 
 # what the same word means otherwise: with indices, with arguments, of a frequency response; "value" is that of x(2 s)
-FORMS = {"decrement[]": "damped", "rayleigh[]": "modal", "M()": "states", "C()": "states", "K()": "states",
-         "Q()": "states", "period()": "response", "phase(frf)": "frequency_response",
-         "value": "response"}
+FORMS = {"decrement[]": "damped", "rayleigh[]": "modal", "V[]": "expansions", "T[]": "expansions", "M()": "states",
+         "C()": "states", "K()": "states", "Q()": "states", "period()": "response",
+         "phase(frf)": "frequency_response", "value": "response"}
