@@ -18,6 +18,7 @@ class CoupledModalResponse(ModalResponse):
     """Small oscillations about the equilibrium. NotByModes where more than dampers at coordinates couples the modes."""
 
     WORDS = "small oscillations about the equilibrium, by coupled modes; what those left out add is estimated"
+    estimated = True
 
     @cached_property
     def most(self) -> int:

@@ -19,6 +19,7 @@ class DampedModalResponse(ModalResponse):
     """Small oscillations about the equilibrium. NotByModes where damped modes are not all that moves."""
 
     WORDS = "small oscillations about the equilibrium, by damped modes; what those left out add is estimated"
+    estimated = True
 
     def require(self) -> None:
         """NotByModes where the motion is not one of damped modes."""

@@ -21,6 +21,7 @@ class Response:
     """Until when a motion is looked at, and what drives it. KIND: small, full, prescribed, waves, modes or series."""
 
     WORDS: str
+    estimated = False       # are errors estimates of what modes left out add, and no bounds?
     lasting: Callable[[], float]
     known: float
 

@@ -15,6 +15,7 @@ class ShakenModalResponse(ModalResponse):
     """Small oscillations about the equilibrium; the displacements of supports are channels of their own, the last."""
 
     WORDS = "small oscillations about the equilibrium, by modes; what those left out add is estimated"
+    estimated = True
 
     @cached_property
     def _transfer(self):

@@ -212,10 +212,10 @@ def response_data(problem: "Problem", wanted: "Wanted") -> dict[str, Any]:
                          [] if alone else one.signal.leaps(end))
              for (one, *both), values in zip(ends, instants, strict=True)]
     missing = unknown(problem, wanted)
-    return data((*KNOWN, UNKNOWN), {
+    return data((*KNOWN, UNKNOWN, ESTIMATED), {
         "until": end, "initial": {} if alone else {**places, **{name + "'": v for name, v in speeds.items()}},
         "signals": found, "balance": motion.trajectory().balance.error if motion.KIND == "full" else None,
-        "unknown": missing and missing.message})
+        "unknown": missing and missing.message, "estimated": motion.estimated})
 
 
 def _values(problem, one, wanted, known):
@@ -269,5 +269,7 @@ KNOWN = (
     Key("balance", "what the energies of an integrated motion fail to balance by, relative to the largest; null of "
         "small oscillations, and of a motion that --digits follows by series"))
 UNKNOWN = Key("unknown", "null, or why the motion is known up to `until` alone, though more was asked for")
+ESTIMATED = Key("estimated", "true where errors of members by modes are estimates of what modes left out add, and no "
+                "bounds; those of travelling waves always are bounds")
 MOTION = Key("response", "of `vibcli response`, and where `find` asks: the motion in time; null where symbols have no "
-             "value", of=(UNKNOWN, *KNOWN))
+             "value", of=(UNKNOWN, *KNOWN, ESTIMATED))
