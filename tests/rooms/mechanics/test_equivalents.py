@@ -10,6 +10,8 @@ from support.scenes import problem, value
 
 from vibcli.api.reports import report, solution
 from vibcli.base.errors import PhysicsError
+from vibcli.cli import run
+from vibcli.results.equivalent_pair import with_pair
 
 PARTS = ("xx", "xy", "yy", "max", "min", "angle")
 FREE = "bodies: {p: {mass: 1 kg, at: [0 m, 0 m], move: [x, y, 0]}}\n"
@@ -260,3 +262,34 @@ def test_answers_bring_the_section_along():
     scene = problem(FREE + "springs: {s: {k: 3 N/m, between: [[1 m, 0 m], p]}}\n"
                            "answers: {'stiffness[p].max': 3 N/m}\n")
     assert "equivalents" in solution(scene)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_the_pair_that_is_drawn_resists_like_all(seed):
+    rng = random.Random(seed)
+    ends = [(rng.uniform(-2, 2), rng.uniform(-2, 2)) for _ in range(6)]
+    text = FREE + "springs:\n" + "".join(
+        f"  s{i}: {{k: {rng.uniform(9, 99)} N/m, between: [[{x} m, {y} m], p]}}\n" for i, (x, y) in enumerate(ends[:3])
+    ) + "dampers:\n" + "".join(
+        f"  d{i}: {{c: {rng.uniform(1, 9)} N*s/m, between: [p, [{x} m, {y} m]]}}\n"
+        for i, (x, y) in enumerate(ends[3:]))
+    all_, pair_ = problem(text), with_pair(problem(text), "p")
+    assert [len(pair_.spec.get(section)) for section in ("springs", "dampers")] == [2, 2]
+    for entry in ("K[x,x]", "K[x,y]", "K[y,y]", "C[x,x]", "C[x,y]", "C[y,y]"):
+        assert value(pair_, entry) == pytest.approx(value(all_, entry), abs=1e-11)
+
+
+@pytest.mark.parametrize("place, said", [("A", "does not move"), ("w", "no body or point"), ("q", "has no place")])
+def test_what_has_no_pair_to_draw_is_refused(place, said):
+    scene = problem(FREE[:-2] + ", q: {mass: 1 kg, slide: z}}\npoints: {A: [1 m, 0 m]}\n"
+                    "springs: {s: {k: 3 N/m, between: [A, p]}, t: {k: 3 N/m, between: [ground, q]}}\n")
+    with pytest.raises(PhysicsError, match=said):
+        with_pair(scene, place)
+
+
+def test_the_pair_is_drawn(tmp_path):
+    scene = tmp_path / "star.yaml"
+    scene.write_text(FREE + STAR, encoding="utf-8")
+    assert run(["draw", str(scene), "--equivalent", "p", "-o", str(tmp_path / "star.svg")]) == 0
+    assert b"<svg" in (tmp_path / "star.svg").read_bytes()
+    assert run(["draw", str(scene), "--equivalent", "p", "--mode", "1", "-o", str(tmp_path / "no.svg")]) == 2
