@@ -1,8 +1,8 @@
 """Tensions that balance each other without any load: what members that keep their length, links and ropes share in any
 proportion.
 
-The conditions Gₖ = 0 hold with forces λₖ along them. What Σ λₖ ∂Gₖ/∂q = 0 allows beside λ = 0 is self-stress (Pellegrino
-& Calladine 1986): statics leaves it open, and only a `preload` tells it, or a stiffness of what stretches.
+The conditions Gₖ = 0 hold with forces λₖ along them. What Σ λₖ ∂Gₖ/∂q = 0 allows beside λ = 0 is self-stress
+(Pellegrino & Calladine 1986): statics leaves it open, and only a `preload` tells it, or a stiffness of what stretches.
 """
 
 from collections.abc import Sequence
