@@ -139,6 +139,13 @@ class Configuration:
 
         return coupled(self.spec.get("damping"), self.without_given_damping())
 
+    @cached_property
+    def rated_beside_dampers(self) -> bool:
+        """Do modes of members have ratios beside dampers?"""
+        if self.spec.get("damping") is None or not self.scene.pieces or self.coupled:
+            return False
+        return any(self.without_given_damping().matrices()[1].values())
+
     def damped_as_a_whole(self, elements: Any, moved: "Sequence[int] | None" = None):
         """Element data of members with `damping:` that stands beside what couples their modes; moved: those of their
         coordinates that are displacements, where others are loads."""
