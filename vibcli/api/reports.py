@@ -181,6 +181,8 @@ def report(problem: "Problem", sections: Sequence[str], normalise: str = "first"
         made.append(section("Not found in letters", paragraph(f"{refusal.message}: {refusal.hint}", hang=0)))
     if isinstance(beside, NoEquilibrium):
         made.append(section("Equilibrium", paragraph(beside.message.replace("no equilibrium", "none", 1), hang=0)))
+    if isinstance(beside, Kinked) and "equilibrium" in sections and "equations" not in sections:
+        made.append(section("Equilibrium", paragraph(beside.message, hang=0)))
     if isinstance(beside, Inertless):
         made.append(section("Natural frequencies", paragraph("none: nothing in the scene has inertia", hang=0)))
     if digits is not None:

@@ -9,6 +9,7 @@ import pytest
 from scipy.optimize import brentq
 from support.scenes import problem, value
 
+from vibcli.api.reports import report, solution
 from vibcli.base.errors import PhysicsError
 
 SLIDE = "bodies: {p: {mass: 2 kg, slide: x}}\n"
@@ -103,3 +104,23 @@ def test_a_particle_moves_by_two_displacements():
     two, three = (problem(text.format(move)) for move in ("[x, y]", "[x, y, 0]"))
     assert list(two.scene.coordinates) == ["x", "y"]
     assert [value(two, f"omega[{i}]") for i in (1, 2)] == [value(three, f"omega[{i}]") for i in (1, 2)]
+
+
+JUMP = SLIDE + ("springs: {s: {law: 100 N*sign(d) + (5 N/m)*d, between: [ground, p]}}\n"
+                "forces: {F: {coordinate: x, value: LOAD N}}\n")
+
+
+@pytest.mark.parametrize("F", [30, -99, 0.1])
+def test_a_force_that_jumps_holds_what_is_within_it(F):
+    with pytest.raises(PhysicsError, match="where a force jumps"):
+        value(problem(JUMP.replace("LOAD", str(F))), "equilibrium[x]")
+
+
+def test_beyond_the_jump_it_rests_where_the_spring_balances():
+    assert value(problem(JUMP.replace("LOAD", "130")), "equilibrium[x]") == pytest.approx(6)
+    assert value(problem(JUMP.replace("LOAD", "-130")), "equilibrium[x]") == pytest.approx(-6)
+
+
+def test_a_report_says_where_it_rests():
+    scene = problem(JUMP.replace("LOAD", "30") + "find: [equilibrium]\n")
+    assert "the scene rests near x = 0" in str(report(scene, solution(scene)).sections)
