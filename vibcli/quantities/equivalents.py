@@ -83,7 +83,7 @@ def _size(problem, tree):
 
 
 def _of(what, word):
-    about = (f"{word} of the {what} that end at a place, there in equilibrium, their other ends held"
+    about = (f"{word} of the {what} that end at a place, without torsion, there in equilibrium, other ends held"
              + (", tensions included" if word == "stiffness" else "")
              + ": .max and .min of all directions, .angle of the largest in (−π/2, π/2] from +x, entries .xx, .xy, .yy")
     return Declaration(about, None, _value, ("place",), components=PARTS, dimension=_dimension, size=_size,
