@@ -193,7 +193,7 @@ def test_a_key_is_shown_in_every_element_that_has_it():
 
 def test_a_page_says_what_an_element_is_and_shows_a_scene():
     text = page("spring")
-    for part in ("spring — an entry of `springs`", "One or more of `k`, `torsion` or `law` is needed.",
+    for part in ("spring — an entry of `springs`", "One or more of `k`, `torsion`, `law`, `series` or",
                  "free_length  a length (m)", "A scene that runs (vibcli new preloaded_spring):", "  springs:\n"):
         assert part in text
 

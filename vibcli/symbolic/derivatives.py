@@ -70,6 +70,9 @@ def _inside(base, power):
 def _call(node):
     if not node.mask:
         return {}
+    if node.name in node.table.functions:
+        function = node.table.functions[node.name]
+        return _collect(node.table, [(arg, function.slope(node, i)) for i, arg in enumerate(node.args) if arg.mask])
     outer = _OUTER.get(node.name, _higher)(node, *node.args)
     return _collect(node.table, [(arg, slope) for arg, slope in zip(node.args, outer, strict=True) if arg.mask])
 
