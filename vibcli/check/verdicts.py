@@ -13,10 +13,9 @@ from vibcli.check.instances import Instances
 from vibcli.check.tolerance import EXACT, is_exact
 from vibcli.quantities.expression import lowered, measure
 from vibcli.quantities.matrices import coordinate_number
-from vibcli.quantities.quantity import EQUATION, OF_STATE, TRUTH, declared, kind_of
+from vibcli.quantities.quantity import EQUATION, OF_STATE, TRUTH, asked_in, declared, kind_of
 from vibcli.quantities.response import ALONG
 from vibcli.results.random_states import at_states, states
-from vibcli.symbolic.syntax import parts_of
 
 if TYPE_CHECKING:
     from vibcli.reader.sections.answer import Answer
@@ -105,7 +104,7 @@ def _number(problem, answer, head):
 
 def _estimated(problem, tree):
     """Is the error of what is asked, read off a motion in time, an estimate?"""
-    return any(problem.response_of(asked).estimated for asked in parts_of(tree).quantities if asked.head in ALONG)
+    return any(problem.response_of(asked).estimated for asked in asked_in(tree) if asked.head in ALONG)
 
 
 def _uncertain(verdict):

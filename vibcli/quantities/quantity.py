@@ -3,7 +3,7 @@
 Reading a scene loads declarations alone: what values are found by is imported where they are found.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from importlib import import_module
 from math import tau
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -129,6 +129,11 @@ def declared(tree: QuantityRef) -> Declaration:
 def quantity_of(spec: "Spec", tree: Any) -> Declaration | None:
     """The Declaration that a tree asks for; None of an expression of some, and of a chosen parameter."""
     return declared(tree) if isinstance(tree, QuantityRef) and not is_choice(spec, tree) else None
+
+
+def asked_in(tree: Any) -> "Sequence[QuantityRef]":
+    """The quantities that a tree asks for."""
+    return parts_of(tree).quantities
 
 
 def kind_of(spec: "Spec", tree: NameRef | QuantityRef | Sum) -> str | None:

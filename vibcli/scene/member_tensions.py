@@ -156,13 +156,13 @@ def _given(scene, names, rows, cuts):
     """{number of the condition: tension} of the members whose preload tells what statics leaves open."""
     from vibcli.scene.self_stress import pinned
 
-    numbers = [[scene.number(node) for node in row[:-1]] for row in rows]
+    numbers = [[scene.number(node) for node in row] for row in rows]
     kept = [k for k, name in enumerate(names) if not scene.members[name].stretching]
-    columns = [*kept, *range(len(names), len(numbers[0]) if numbers else 0)]
+    columns = [*kept, *range(len(names), len(numbers[0]) - 1 if numbers else 0)]
     if not kept or not numbers:
         return {}
     members = [scene.members[names[k]] for k in kept]
-    found = pinned(scene, members, [[row[k] for k in columns] for row in numbers])
+    found = pinned(scene, members, [[row[k] for k in columns] for row in numbers], [row[-1] for row in numbers])
     return {kept[k]: _of_last_piece(scene, members[k], cuts) for k in found}
 
 

@@ -17,17 +17,22 @@ if TYPE_CHECKING:
 OPEN = 1e-9         # of a unit vector of self-stress: less is rounding
 
 
-def pinned(scene: "Scene", members: "Sequence[Member]", slopes: "Sequence[Sequence[float]]") -> list[int]:
+def pinned(scene: "Scene", members: "Sequence[Member]", slopes: "Sequence[Sequence[float]]",
+           forces: "Sequence[float]") -> list[int]:
     """The numbers of those members whose preload settles what would be open. slopes: ∂Gₖ/∂q, a row to each coordinate,
-    a column to each member first and then to each constraint. SpecError where the tension of one is open still."""
+    a column to each member first and then to each constraint; forces: along each coordinate. SpecError where the
+    tension of one that carries something is open still."""
     import numpy as np
 
-    matrix, found = np.array(slopes, dtype=float).reshape(len(slopes), -1), []
+    matrix, found, carried = np.array(slopes, dtype=float).reshape(len(slopes), -1), [], list(forces)
     for k, member in enumerate(members):
         if "preload" in member.record and _open(matrix)[k]:
             found.append(k)
             matrix = np.vstack([matrix, np.eye(matrix.shape[1])[k]])
-    left = [member for member, is_open in zip(members, _open(matrix), strict=False) if is_open]
+            carried.append(scene.number(scene.lower(member.record["preload"])))
+    least = np.linalg.lstsq(matrix, np.array(carried), rcond=OPEN)[0]
+    loaded = np.abs(least) > OPEN * max(map(abs, carried))
+    left = [member for member, *both in zip(members, _open(matrix), loaded, strict=False) if all(both)]
     if left:
         _report(scene, left)
     return found
