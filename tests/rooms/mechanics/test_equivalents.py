@@ -2,14 +2,16 @@
 
 import random
 from math import atan2, cos, hypot, pi, radians, sin
+from textwrap import dedent
 
 import mpmath
 import pytest
 import sympy
 from support.scenes import problem, value
 
+import vibcli
 from vibcli.api.reports import report, solution
-from vibcli.base.errors import PhysicsError
+from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.cli import run
 from vibcli.results.equivalent_pair import with_pair
 
@@ -293,3 +295,15 @@ def test_the_pair_is_drawn(tmp_path):
     assert run(["draw", str(scene), "--equivalent", "p", "-o", str(tmp_path / "star.svg")]) == 0
     assert b"<svg" in (tmp_path / "star.svg").read_bytes()
     assert run(["draw", str(scene), "--equivalent", "p", "--mode", "1", "-o", str(tmp_path / "no.svg")]) == 2
+
+
+def test_an_equilibrium_that_is_not_found_in_letters_is_refused():
+    model = vibcli.loads(dedent("""
+        parameters: {k1: {unit: N/m}, k2: {unit: N/m}, m: {unit: kg}, g: 9.81 m/s^2}
+        gravity: g
+        bodies: {p: {mass: m, at: [0 m, 0 m], move: [x, y]}}
+        springs: {s: {k: k1, between: [[-1 m, 0 m], p]}, t: {k: k2, between: [[0.6 m, 0.8 m], p]}}
+    """))
+    for quantity in ("stiffness[p].max", "K[x, x]"):
+        with pytest.raises(NotInLetters):
+            _ = model[quantity]
