@@ -81,15 +81,20 @@ def in_letters(symbolic: "SymbolicSystem", which: str, variables: "Sequence[Node
 
 def about(scene: "Scene", which: str, place: "Mapping[str, Node]", variables: "Sequence[Node]",
           keep: Callable[[Powers], bool], order: int) -> "dict[Powers, Node]":
-    """{powers: node} about a place, {coordinate: node}."""
+    """{powers: node} of V or T about a place, {coordinate: node}, at t = 0."""
+    return expanded_about(scene, ENERGIES[which](scene), {**place, scene.time.name: scene.table.zero}, variables, keep,
+                          order, which)
+
+
+def expanded_about(scene: "Scene", node: "Node", place: "Mapping[str, Node]", variables: "Sequence[Node]",
+                   keep: Callable[[Powers], bool], order: int, which: str = "V") -> "dict[Powers, Node]":
+    """{powers: node} of an expression about a place, all else at rest there; `which`: of what a refusal tells."""
     arithmetic = NodeArithmetic(scene.table, list(Floats.functions))
-    node = ENERGIES[which](scene)
-    values = {**symbols_of(scene, [node]), **dict.fromkeys((v.name for v in scene.v), scene.table.zero),
-              scene.time.name: scene.table.zero, **place}
+    values = {**symbols_of([node]), **dict.fromkeys((v.name for v in scene.v), scene.table.zero), **place}
     return _expanded(scene, which, [node], arithmetic, values, variables, keep, order, side_in_letters)[0]
 
 
-def symbols_of(scene: "Scene", nodes: "Sequence[Node]") -> "dict[str, Node]":
+def symbols_of(nodes: "Sequence[Node]") -> "dict[str, Node]":
     """{name: itself} of the symbols in expressions."""
     from vibcli.symbolic.expression_graph import evaluable
 

@@ -1,6 +1,6 @@
 """Products of coordinates and their rates by which energies are expanded: x^2*y^2, x^2*x'^2."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.language.signals import coordinate_name
 from vibcli.symbolic.parser import parse
@@ -20,7 +20,8 @@ def powers_in(spec: "Spec", text: str) -> "dict[tuple[str, int], int] | None":
         return None
     found: dict[tuple[str, int], int] = {}
     for side, factor in tree.parts if isinstance(tree, Product) else ((1, tree),):
-        base, n = (factor.base, _whole(factor.exponent)) if isinstance(factor, Power) else (factor, 1)
+        base: Any = factor.base if isinstance(factor, Power) else factor
+        n = _whole(factor.exponent) if isinstance(factor, Power) else 1
         name = coordinate_name(spec, base.name) if isinstance(base, NameRef) and base.primes < 2 else None
         if name is None or not n or side != 1:
             return None

@@ -12,12 +12,12 @@ from vibcli.base.errors import Diagnostic, SpecError
 from vibcli.base.spelling import nearest
 from vibcli.elements import ELEMENTS
 from vibcli.language.document.document import Mapping, Scalar
-from vibcli.language.kinds import Choice, Kind, Text
+from vibcli.language.kinds import Kind, Text
 from vibcli.language.named_elements import Lazy, Named
 from vibcli.language.reader import MOST_PROBLEMS, Reader, TooManyErrors
 from vibcli.language.record_calls import RESERVED, own
 from vibcli.language.sections import NAMES as GIVEN
-from vibcli.language.sections import coordinates, equilibrium, gravity, initial
+from vibcli.language.sections import coordinates, equilibrium, gravity, initial, motion
 from vibcli.language.spec import MEMBERS, Spec
 from vibcli.reader.sections import NAMES as ASKED
 from vibcli.reader.sections import answer, find
@@ -70,9 +70,7 @@ SECTIONS = {
     **{section: (_kind(name, section), about) for name, (section, about) in ELEMENTS.items() if section is not None},
     "equilibrium": (equilibrium.KIND, GIVEN["equilibrium"]),
     "initial": (initial.KIND, GIVEN["initial"]),
-    "motion": (Choice("small", "full"), "what motions in time are: `small` oscillations in closed form, the default "
-               "about an equilibrium, or those of the `full` equations, integrated. Scenes with nonlinear "
-               "laws must say which"),
+    "motion": (motion.KIND, motion.ABOUT),
     "find": (find.QUESTIONS, ASKED["find"]),
     "choose": (Named(Lazy("choose", "reader.sections"), "a mapping from parameters to conditions", ("pi", "t")),
                ASKED["choose"]),

@@ -5,6 +5,7 @@ from itertools import chain, count
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError
+from vibcli.language.sections.motion import IN_FULL
 from vibcli.report.blocks import (
     Line,
     Name,
@@ -41,8 +42,8 @@ def response_in_letters(problem: "Problem", names: Iterable) -> Iterator[Section
     """Sections of the steady state of signals, {text}, and of the motion of one coordinate from its start."""
     from vibcli.analyses.closed_form.powers_of_time import are_powers
 
-    if problem.spec.get("motion") == "full":
-        raise NotInLetters("motions of the full equations are found in numbers",
+    if problem.spec.get("motion") in IN_FULL:
+        raise NotInLetters("motions that are integrated are found in numbers",
                            "give the parameters values with --set")
     problem.require_no_members()
     driven, names = bool(problem.scene.timed and problem.symbolic.excitation), list(names)

@@ -1,0 +1,31 @@
+"""What motions in time are: small, full, or those of equations that are expanded to the third order."""
+
+from typing import Any
+
+from vibcli.language.document.document import Scalar
+from vibcli.language.kinds import Choice, Kind, OneOf
+
+EXPANDED = "expanded"       # what {order: 3} is read as
+IN_FULL = "full", EXPANDED  # motions that are integrated
+_WANTS = "{order: 3}"
+
+
+class _Order(Kind):
+    wants = _WANTS
+
+    def read(self, node: Any, reader: Any):
+        value = node.entries["order"][1] if set(node.entries) == {"order"} else None
+        if not isinstance(value, Scalar) or value.text != "3":
+            return reader.expected(node, _WANTS, "equations are expanded to the third order alone")
+        return EXPANDED
+
+    def schema(self):
+        return {"type": "object", "properties": {"order": {"const": 3}}, "required": ["order"],
+                "additionalProperties": False}
+
+
+_WORDS = Choice("small", "full")
+KIND = OneOf(f"{_WORDS.wants} or {_WANTS}", scalar=_WORDS, mapping=_Order())
+ABOUT = ("what motions in time are: `small` oscillations in closed form, the default about an equilibrium, or those of "
+         "the `full` equations, integrated; `{order: 3}`: those of the equations expanded to the third order in the "
+         "deviations from equilibrium. Scenes with nonlinear laws must say which")
