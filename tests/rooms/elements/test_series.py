@@ -8,6 +8,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import vibcli
+from vibcli.cli import run
 
 UNITS = {"m": "kg", "k1": "N/m", "k2": "N/m", "g": "N/m^3", "P": "N", "c1": "N*s/m", "c2": "N*s^2/m^2"}
 VALUES = {"m": 2.0, "k1": 300.0, "k2": 200.0, "g": 5e4, "P": 40.0, "c1": 3.0, "c2": 5.0}
@@ -126,3 +127,12 @@ def test_parts_share_a_preload():
     assert model["equilibrium[x]"].value == pytest.approx(after - before + 10 / 300, rel=1e-12)
     assert model["equilibrium[s.deflection]"].value == pytest.approx(after + 40 / 300, rel=1e-12)
     assert model["equilibrium[s.stretch.2]"].value == pytest.approx(after - before, rel=1e-12)
+
+
+def test_more_digits_of_such_a_motion_are_refused(tmp_path, capsys):
+    path = tmp_path / "scene.yaml"
+    path.write_text("bodies: {a: {mass: 2 kg, slide: x}}\nsprings:\n  s:\n    series: [{k: 3 N/m}, {law: 2 N/m*d + 3 "
+                    "N/m^3*d^3}]\n    stretch: x\nmotion: full\ninitial: {x: 0.1 m}\n")
+    assert run(["response", str(path), "--digits", "20"]) == 4
+    assert "the inner equilibrium of 's' is solved in floats along a motion" in capsys.readouterr().err
+    assert run(["draw", str(path), "-o", str(tmp_path / "scene.svg")]) == 0
