@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import PhysicsError
 from vibcli.results.full_response import FullResponse
 from vibcli.symbolic.rationals import fraction_of
+from vibcli.symbolic.syntax import parts_of
 
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
@@ -64,6 +65,13 @@ class ExpandedResponse(FullResponse):
 
             self._trajectory = known_motion(self.expanded, until, self.problem.initial.given)
         return self._trajectory
+
+    def signal(self, tree: Any):
+        """The signal of a tree: a function of places, velocities and accelerations, and of forces of elements."""
+        if any(name in ("T", "V", "Phi") for name, *_ in parts_of(tree).names):
+            raise PhysicsError("energies along a motion of the expanded equations are not told",
+                               "ask for them with motion: full, or for their factors, as in V[x^2]")
+        return super().signal(tree)
 
     def forces(self, wanted: Mapping[str, str], places: Any, trajectory: Any):
         raise PhysicsError("forces of supports and constraints are not those of the expanded equations",

@@ -4,7 +4,7 @@ import mpmath
 import pytest
 from support.scenes import problem, value
 
-from vibcli.base.errors import SpecError
+from vibcli.base.errors import PhysicsError, SpecError
 
 BEAD = """
 parameters: {{m: 2 kg, k: 300 N/m, g3: 500 N/m^3, l: 0.5 m, N: 20 N, A: 0.2 m}}
@@ -48,3 +48,8 @@ def test_loads_that_follow_the_motion_are_expanded_too():
 def test_other_orders_are_refused():
     with pytest.raises(SpecError, match="expanded to the third order alone"):
         problem(BEAD.format(motion="{order: 5}"))
+
+
+def test_energies_along_the_motion_are_refused():
+    with pytest.raises(PhysicsError, match="energies along a motion of the expanded equations are not told"):
+        value(problem(BEAD.format(motion="{order: 3}")), "V(1 s)")
