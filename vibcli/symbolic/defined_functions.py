@@ -24,6 +24,7 @@ class DefinedFunction:
 
     name: str
     symbol: str
+    bends = False       # has it no derivatives of all orders somewhere?
 
     def at(self, *args: "float | mpmath.mpf") -> "float | mpmath.mpf":
         """The value for floats or mpmath numbers; NaN where there is none."""

@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 
     from vibcli.symbolic.node import Node
 
+BENT = "abs", "sign", "max", "min", "ramp", "step", "power"
+
 
 class PartLaw(NamedTuple):
     """The force F(x) of a part and its energy V(x), expressions of one symbol x."""
@@ -195,6 +197,8 @@ class FunctionOfSeries(DefinedFunction):
     def __init__(self, parts: SeriesOfLaws):
         self.parts, self.name = parts, f"{parts.name}.{self.kind}"
         self.templates: dict[int, Node] = {}
+        inner = parts.table.functions.values()
+        self.bends = not parts.table.called.isdisjoint(BENT) or any(function.bends for function in inner)
 
     @property
     def symbol(self) -> str:

@@ -136,3 +136,16 @@ def test_more_digits_of_such_a_motion_are_refused(tmp_path, capsys):
     assert run(["response", str(path), "--digits", "20"]) == 4
     assert "the inner equilibrium of 's' is solved in floats along a motion" in capsys.readouterr().err
     assert run(["draw", str(path), "-o", str(tmp_path / "scene.svg")]) == 0
+
+
+def test_the_expansion_of_its_energy():
+    place, bodies = {"between": ["ground", "block"]}, {"block": {"mass": "m", "slide": "x"}}
+    values = {"m": "2 kg", "k": "800 N/m", "g": "3e5 N/m^3"}
+    model = vibcli.load({"parameters": values, "bodies": bodies,
+                         "springs": {"s": {"series": [{"k": "k"}, {"law": "k*d + g*d^3"}], **place}}})
+    assert model["V[x^2]"].value == pytest.approx(200, rel=1e-14)
+    assert model["V[x^4]"].value == pytest.approx(3e5 / 64, rel=1e-14)      # F = k x/2 + g x³/16 − …
+    bent = vibcli.load({"parameters": values, "bodies": bodies,
+                        "springs": {"s": {"series": [{"k": "k"}, {"law": "k*d + g*d*abs(d)*1 m"}], **place}}})
+    with pytest.raises(vibcli.PhysicsError, match="a kink of V_s"):
+        bent["V[x^4]"]
