@@ -9,6 +9,7 @@ from scipy.optimize import brentq
 
 import vibcli
 from vibcli.cli import run
+from vibcli.drawing.symbols.spring import between
 
 UNITS = {"m": "kg", "k1": "N/m", "k2": "N/m", "g": "N/m^3", "P": "N", "c1": "N*s/m", "c2": "N*s^2/m^2"}
 VALUES = {"m": 2.0, "k1": 300.0, "k2": 200.0, "g": 5e4, "P": 40.0, "c1": 3.0, "c2": 5.0}
@@ -149,3 +150,10 @@ def test_the_expansion_of_its_energy():
                         "springs": {"s": {"series": [{"k": "k"}, {"law": "k*d + g*d*abs(d)*1 m"}], **place}}})
     with pytest.raises(vibcli.PhysicsError, match="a kink of V_s"):
         bent["V[x^4]"]
+
+
+def test_parts_in_series_are_drawn_in_a_row():
+    row = between({"series": [{"k": 1}, {"k": 2}, {"series": [{"k": 3}, {"k": 4}]}]}, (0.0, 0.0), (120.0, 0.0), 120.0)
+    springs = [shape for shape in row if getattr(shape, "role", None) == "spring" or "spring" in shape]
+    assert len(springs) == 4 and len(row) > 4
+    assert [spring.points[0][0] for spring in springs] == [0.0, 40.0, 80.0, 100.0]
