@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
+from vibcli.quantities.index_kinds import HIGHEST
 from vibcli.quantities.products import powers_in
 from vibcli.quantities.quantity import Declaration, measured, unit
 
@@ -18,7 +19,7 @@ def _asked(problem, tree):
 
     scene = problem.scene
     require_expandable(scene.resting)
-    found = powers_in(problem.spec, tree.indices[0])
+    found = powers_in(problem.spec, tree.indices[0], HIGHEST)
     for name, _ in found:
         if name not in scene.coordinates:
             raise PhysicsError(f"'{name}' follows from the other coordinates by the constraints: energies are expanded "
@@ -46,7 +47,7 @@ def _in_letters(problem, tree):
 def _dimension(spec: "Spec", tree: "QuantityRef") -> Any:
     """Energy over the product."""
     found = units.ENERGY
-    for (name, primes), n in powers_in(spec, tree.indices[0]).items():
+    for (name, primes), n in powers_in(spec, tree.indices[0], HIGHEST).items():
         found = units.times(units.times(found, spec.dimensions.of(name), -n), units.TIME, n * primes)
     return found
 

@@ -9,10 +9,8 @@ from vibcli.symbolic.syntax import ExpressionError, NameRef, Number, Power, Prod
 if TYPE_CHECKING:
     from vibcli.language.spec import Spec
 
-HIGHEST = 8         # order of a product
 
-
-def powers_in(spec: "Spec", text: str) -> "dict[tuple[str, int], int] | None":
+def powers_in(spec: "Spec", text: str, highest: int) -> "dict[tuple[str, int], int] | None":
     """{(coordinate, primes): power} of a product; None of what is none, or of too high an order."""
     try:
         tree = parse(text)
@@ -26,7 +24,7 @@ def powers_in(spec: "Spec", text: str) -> "dict[tuple[str, int], int] | None":
         if name is None or not n or side != 1:
             return None
         found[name, base.primes] = found.get((name, base.primes), 0) + n
-    return found if sum(found.values()) <= HIGHEST else None
+    return found if sum(found.values()) <= highest else None
 
 
 def _whole(tree):
@@ -35,7 +33,7 @@ def _whole(tree):
     return int(tree.value) if good else None
 
 
-def is_product(spec: "Spec", text: str, rates: bool = False) -> bool:
+def is_product(spec: "Spec", text: str, highest: int, rates: bool = False) -> bool:
     """Is it one, of coordinates alone unless with `rates`?"""
-    found = powers_in(spec, text)
+    found = powers_in(spec, text, highest)
     return found is not None and (rates or not any(primes for _, primes in found))
