@@ -13,7 +13,7 @@ from vibcli.mechanics.energies import kinetic, potential
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import is_zero, textbook
 from vibcli.symbolic.running_errors import Rounded, RunningErrors, error_in, number_in
-from vibcli.symbolic.truncated_polynomials import NodeArithmetic, NotSmooth, Polynomials, sign
+from vibcli.symbolic.truncated_polynomials import NodeArithmetic, NoDerivative, Polynomials, sign
 
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
@@ -128,7 +128,7 @@ def _expanded(scene, which, nodes, arithmetic, values, variables, keep, order, s
     polynomials |= {x.name: ring.variable(i, values[x.name]) for i, x in enumerate(variables)}
     try:
         return [found.terms for found in evaluate(nodes, ring, polynomials)]
-    except NotSmooth as cause:
+    except NoDerivative as cause:
         raise _kinked(scene, which, ring, polynomials, cause) from None
     except KeyError as unknown:
         raise PhysicsError(f"{unknown.args[0]} has no expansion here", "ask for K[x, x] and for motions in full"
@@ -159,6 +159,6 @@ def _place(spec, owner):
 def _is_kinked(node, ring, polynomials):
     try:
         evaluate([node], ring, polynomials)
-    except NotSmooth:
+    except NoDerivative:
         return True
     return False

@@ -22,7 +22,7 @@ from vibcli.symbolic.running_errors import error_in, number_in
 Powers = tuple[int, ...]
 
 
-class NotSmooth(ArithmeticError):
+class NoDerivative(ArithmeticError):
     """A function has no derivative of the order that is wanted at the place; `name`: of the function, "power" of a
     root."""
 
@@ -108,7 +108,7 @@ class Polynomials:
         if e.denominator == 1 and e > 0:
             return self._whole(u, int(e))
         if self.side(u0) == 0:
-            raise NotSmooth("power")
+            raise NoDerivative("power")
         coefficients, inverse = [self.inner.power(u0, e)], self.inner.power(u0, -1)
         for k in range(1, self.order + 1):
             coefficients.append(coefficients[-1] * self.inner.number(Fraction(e - k + 1) / k) * inverse)
@@ -165,7 +165,7 @@ class Polynomials:
         if side is None:
             raise NotInLetters(f"the sign of what {name} is of is found in numbers", "give values with --set")
         if side == 0:
-            raise NotSmooth(name)
+            raise NoDerivative(name)
         zero = self.number(0)
         if name in ("min", "max"):
             return args[0] if (side > 0) == (name == "max") else args[1]
