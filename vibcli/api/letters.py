@@ -4,7 +4,6 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.inverse.symbolic_quantity_conditions import quantity_in_letters, response_of, size_of
-from vibcli.language.sections.motion import EXPANDED
 from vibcli.quantities.expression import lowered
 from vibcli.quantities.matrices import coordinate_number
 from vibcli.quantities.quantity import declared
@@ -37,7 +36,7 @@ def state_function(problem: "Problem", tree: QuantityRef) -> "Node":
         return problem.symbolic.energies[tree.head]
     if tree.head == "Q":
         return declared(tree).symbolic(problem, tree)
-    if tree.head == "motion" and problem.spec.get("motion") == EXPANDED:
+    if tree.head == "motion" and problem.spec.expanded:
         return declared(tree).symbolic(problem, tree)
     i = coordinate_number(problem, tree.indices[0])
     equations, name = problem.symbolic.equations, problem.scene.coordinates[i]

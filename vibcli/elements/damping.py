@@ -5,7 +5,6 @@ from typing import TYPE_CHECKING, Any
 from vibcli.language.document.document import Mapping, Sequence
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Kind, Many, Quantity
-from vibcli.language.sections.motion import IN_FULL
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
@@ -90,7 +89,7 @@ ELEMENT = Element(
 
 def build(record: "Record", scene: Any) -> None:
     """Checks the ratios and factors, and that the motion is small."""
-    if scene.spec.get("motion") in IN_FULL:
+    if scene.spec.in_full:
         scene.report(record.where, "damping by modes belongs to small oscillations",
                      "leave `motion:` out, or write the dampers one by one under dampers")
     for given in (record.get("modal") or (), (record.get("caughey") or {}).values(), record.get("proportional") or ()):

@@ -19,7 +19,6 @@ from vibcli.elements.member_pieces import add_pieces, pieces_of, preload_of
 from vibcli.elements.member_places import ROUNDING, places_of
 from vibcli.elements.member_segments import segments_of
 from vibcli.language.named_elements import load
-from vibcli.language.sections.motion import IN_FULL
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -168,7 +167,7 @@ def built(name: str, scene: Any) -> Member | None:
 
 def _built(name, kind, record, scene):
     before = len(scene.diagnostics)
-    if scene.spec.get("motion") in IN_FULL:
+    if scene.spec.in_full:
         scene.report(record.where, f"'{name}' is linear about its drawn line: its motions are small ones",
                      "leave out `motion:`")
     line = line_of(record, scene)

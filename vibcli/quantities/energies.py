@@ -1,7 +1,6 @@
 """Energies and equations of motion: functions of coordinates and velocities, compared as such."""
 
 from vibcli.base.errors import PhysicsError
-from vibcli.language.sections.motion import EXPANDED
 from vibcli.quantities.matrices import coordinate_number
 from vibcli.quantities.quantity import EQUATION, FUNCTION, Declaration
 
@@ -16,7 +15,7 @@ def _motion(problem, tree):
     from vibcli.mechanics.lagrange import equation_of
 
     _require_no_damping(problem)
-    if problem.spec.get("motion") == EXPANDED:
+    if problem.spec.expanded:
         from vibcli.results.expanded_response import scene_expanded
         from vibcli.symbolic.normal_form import textbook
 

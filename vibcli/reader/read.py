@@ -17,7 +17,7 @@ from vibcli.language.named_elements import Lazy, Named
 from vibcli.language.reader import MOST_PROBLEMS, Reader, TooManyErrors
 from vibcli.language.record_calls import RESERVED, own
 from vibcli.language.sections import NAMES as GIVEN
-from vibcli.language.sections import coordinates, equilibrium, gravity, initial, motion
+from vibcli.language.sections import coordinates, equilibrium, gravity, initial
 from vibcli.language.spec import MEMBERS, Spec
 from vibcli.reader.sections import NAMES as ASKED
 from vibcli.reader.sections import answer, find
@@ -70,7 +70,10 @@ SECTIONS = {
     **{section: (_kind(name, section), about) for name, (section, about) in ELEMENTS.items() if section is not None},
     "equilibrium": (equilibrium.KIND, GIVEN["equilibrium"]),
     "initial": (initial.KIND, GIVEN["initial"]),
-    "motion": (motion.KIND, motion.ABOUT),
+    "motion": (Lazy("motion", "language.sections"), (
+        "what motions in time are: `small` oscillations in closed form, the default about an equilibrium, or those of "
+        "the `full` equations, integrated; `{order: 3}`: those of the equations expanded to the third order in the "
+        "deviations from equilibrium. Scenes with nonlinear laws must say which")),
     "find": (find.QUESTIONS, ASKED["find"]),
     "choose": (Named(Lazy("choose", "reader.sections"), "a mapping from parameters to conditions", ("pi", "t")),
                ASKED["choose"]),

@@ -5,7 +5,6 @@ from typing import TYPE_CHECKING
 
 from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 from vibcli.base.errors import PhysicsError
-from vibcli.language.sections.motion import IN_FULL
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
@@ -16,7 +15,7 @@ def members_in_time(problem: "Problem") -> "SmallResponse":
     """The response of a scene whose members vibrate."""
     from vibcli.results.wave_response import WaveResponse
 
-    if problem.spec.get("motion") in IN_FULL:
+    if problem.spec.in_full:
         raise PhysicsError("members are linear about their drawn line: the full equations of this scene are not found",
                            "write motion: small")
     waves = WaveResponse(problem)

@@ -13,7 +13,6 @@ from vibcli.analyses import OF_MODES
 from vibcli.analyses.modal.modal_analysis import ModalAnalysis
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.base.stage import Stage
-from vibcli.language.sections.motion import EXPANDED, IN_FULL
 from vibcli.mechanics.configuration import Configuration
 from vibcli.mechanics.numeric_system import NumericSystem
 from vibcli.mechanics.symbolic_system import SymbolicSystem
@@ -167,7 +166,7 @@ class Problem:
             from vibcli.results.members_in_time import members_in_time
 
             return members_in_time(self)
-        if kind == EXPANDED:
+        if self.spec.expanded:
             from vibcli.results.expanded_response import ExpandedResponse
 
             return ExpandedResponse(self)
@@ -195,7 +194,7 @@ class Problem:
         from vibcli.results.steady_response import SteadyResponse
 
         kind = self.spec.get("motion")
-        if kind in IN_FULL or (kind is None and self.scene.laws):
+        if self.spec.in_full or (kind is None and self.scene.laws):
             return None
         found = SteadyResponse(self, PhysicsError("this is not found of small oscillations of members",
                                                   "ask for max(x), min(x) or values in time"))

@@ -4,9 +4,8 @@ from typing import Any
 
 from vibcli.language.document.document import Scalar
 from vibcli.language.kinds import Choice, Kind, OneOf
+from vibcli.language.spec import EXPANDED
 
-EXPANDED = "expanded"       # what {order: 3} is read as
-IN_FULL = "full", EXPANDED  # motions that are integrated
 _WANTS = "{order: 3}"
 
 
@@ -25,7 +24,4 @@ class _Order(Kind):
 
 
 _WORDS = Choice("small", "full")
-KIND = OneOf(f"{_WORDS.wants} or {_WANTS}", scalar=_WORDS, mapping=_Order())
-ABOUT = ("what motions in time are: `small` oscillations in closed form, the default about an equilibrium, or those of "
-         "the `full` equations, integrated; `{order: 3}`: those of the equations expanded to the third order in the "
-         "deviations from equilibrium. Scenes with nonlinear laws must say which")
+ELEMENT = OneOf(f"{_WORDS.wants} or {_WANTS}", scalar=_WORDS, mapping=_Order())

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import NotInLetters, PhysicsError, Unknown
 from vibcli.base.units import TIME, times
 from vibcli.language.sections.initial import FIELDS, let_go
-from vibcli.language.sections.motion import EXPANDED
 from vibcli.notation.numbers import figure, supported, with_unit
 from vibcli.reader.sections.find import RESPONSE
 from vibcli.report import blocks
@@ -52,7 +51,7 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
         from vibcli.report.sections.integration import integration
 
         yield from integration(motion.trajectory())
-        if problem.spec.get("motion") == EXPANDED:
+        if problem.spec.expanded:
             from vibcli.report.sections.expanded_motion import periods
 
             yield from periods(problem, motion)

@@ -5,7 +5,6 @@ from itertools import chain, count
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError
-from vibcli.language.sections.motion import IN_FULL
 from vibcli.report.blocks import (
     Line,
     Name,
@@ -42,7 +41,7 @@ def response_in_letters(problem: "Problem", names: Iterable) -> Iterator[Section
     """Sections of the steady state of signals, {text}, and of the motion of one coordinate from its start."""
     from vibcli.analyses.closed_form.powers_of_time import are_powers
 
-    if problem.spec.get("motion") in IN_FULL:
+    if problem.spec.in_full:
         raise NotInLetters("motions that are integrated are found in numbers",
                            "give the parameters values with --set")
     problem.require_no_members()
