@@ -139,7 +139,7 @@ class Polynomials:
             if not any(u.moving.terms for u in args):
                 return self.still(self.inner.called(function)(*constants))
             if function.bends or any(u.moving.terms for u in args[1:]):
-                raise NotSmooth(function.symbol)
+                raise NoDerivative(function.symbol)
             table = Table(functions={function.name: function})
             symbols = [table.variable(f"u{i}") for i in range(len(args))]
             nodes = [table.call(function.name, *symbols)]

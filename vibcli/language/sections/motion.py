@@ -24,4 +24,4 @@ class _Order(Kind):
 
 
 _WORDS = Choice("small", "full")
-ELEMENT = OneOf(f"{_WORDS.wants} or {_WANTS}", scalar=_WORDS, mapping=_Order())
+KIND = OneOf(f"{_WORDS.wants} or {_WANTS}", scalar=_WORDS, mapping=_Order())
