@@ -25,7 +25,7 @@ def with_pair(problem: "Problem", place: str) -> "Problem":
     from vibcli.mechanics.equivalents import equivalent, share_axes
 
     if problem.numeric.has_free_symbols:
-        require_values(problem.scene.parameters, "--equivalent")
+        require_values(problem.scene.parameters, "a picture of the equivalent pair")
     spec, scene = problem.spec, problem.scene.resting
     if place in scene.bodies and scene.bodies[place].frame is None:
         raise PhysicsError(f"'{place}' has no place", "say where it is drawn with `at: [x, y]`")

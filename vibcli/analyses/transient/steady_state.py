@@ -71,7 +71,11 @@ def phasor(motion: "LinearMotion", s: complex, force: np.ndarray) -> np.ndarray:
     """Q of q = Re(Q e^{st}) under the forces Re(F e^{st})."""
     if not any(_meets(node, s) or (block.half and _meets(node.conjugate(), s))
                for block in motion.blocks for node in block.nodes):
-        return np.linalg.solve(s * s * motion.M + s * motion.C + motion.K, force.astype(complex))
+        try:
+            return np.linalg.solve(s * s * motion.M + s * motion.C + motion.K, force.astype(complex))
+        except np.linalg.LinAlgError:
+            raise PhysicsError("the steady state is not determined: at the frequency of a load nothing holds some of "
+                               "what moves", "hold it, or give it inertia") from None
     total = np.zeros(len(force), complex)
     if motion.system is not None:
         total += motion.system.follow @ force
