@@ -15,7 +15,7 @@ APART = {"body.clamp", "clamp.at", "clamp.carrier", "scene.inerters", "inerter.b
          "roll.flat", "turn.carrier", "turn.by", "ritz.shapes", "backbone.of", "backbone.up_to", "request.backbone",
          "spring.series", "spring.parallel", "damper.series", "damper.parallel", "spring_part.k", "spring_part.law",
          "spring_part.torsion", "spring_part.series", "spring_part.parallel", "damper_part.c", "damper_part.law",
-         "damper_part.torsion", "damper_part.series", "damper_part.parallel"}      # not drawn: tests of their own compare them
+         "damper_part.torsion", "damper_part.series", "damper_part.parallel"}     # not drawn: other tests compare them
 
 
 @pytest.fixture(scope="module")
