@@ -103,10 +103,12 @@ def same_function(pairs, up_to_factor=False, up_to_constant=False, rtol=1e-8):
 
 def agrees(problem, answer, found):
     """Does an answer of a numeric problem agree with what its derivation found?"""
-    head = answer.asked.tree.head if isinstance(answer.asked.tree, QuantityRef) else None
+    tree = answer.asked.tree
+    head = tree.head if isinstance(tree, QuantityRef) else None
+    of_state = head in ("equation", "motion") or (head in ("T", "V", "Phi") and not tree.indices)
     if head == "stable":
         return found == (answer.expected.text == "true")
-    if head in ("T", "V", "Phi", "equation", "motion"):
+    if of_state:
         return same_function(sampled(problem, answer, head, found), up_to_factor=head in ("equation", "motion"),
                              up_to_constant=head == "V")
     expected = float(number(answer.expected.tree, problem.numeric.floats))

@@ -45,6 +45,16 @@ def test_frequencies_in_numbers(two_degrees):
     assert names <= {"numpy", "mpmath"}
 
 
+def test_springs_in_series_need_no_heavy_package_but_numpy(tmp_path):
+    path = tmp_path / "series.yaml"
+    path.write_text("parameters: {m: 2 kg, k: 800 N/m, g: 3 N/m^3}\nbodies: {a: {mass: m, slide: x}}\n"
+                    "springs:\n  s: {series: [{k: k}, {law: k*d + g*d^3}], between: [ground, a]}\n"
+                    "forces: {load: {at: a, force: 20 N}}\nfind: [equations, equilibrium, frequencies]\n")
+    code, names = modules("solve", path)
+    assert code == 0
+    assert names <= {"numpy", "mpmath"}
+
+
 @pytest.mark.parametrize("stem", ["cantilever", "cantilever_with_tip_mass"])
 def test_frequencies_of_members_need_no_part_of_numpy_that_is_not_there_at_once(stem):
     code, names = imported("frequencies", PROBLEMS / "8_continuous" / f"{stem}.yaml")

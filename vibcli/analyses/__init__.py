@@ -19,6 +19,8 @@ FIND = {
     "accelerations": "accelerations from rest in the drawn position and the forces of ropes, links, other constraints "
                      "and supports then, as expressions; no equilibrium is needed",
     "reactions": "forces in equilibrium: of ropes, links, gears and other constraints, and of supports on bodies",
+    "equivalents": "where several springs, or dampers, end at one place that moves: the perpendicular pair that "
+                   "resists like them, and whether springs and dampers share their axes",
     "response": "the motion in time: where it starts, its free part, its steady state, its extremes; "
                 "`{response: {of: [x, s.force], until: 2 s}}` says which signals, and until when",
     "frequency_response": "amplitude and phase over the frequency, resonances and antiresonances; "
@@ -31,6 +33,8 @@ FIND = {
                  "only where it is asked for",
     "ritz": "`{ritz: {shapes: [{x1: 1, x2: 2}]}}`: upper bounds of the lowest natural frequencies by assumed shapes, "
             "beside the exact values: Rayleigh's quotient of one shape, Ritz's method of several; in numbers",
+    "backbone": "`{backbone: {of: [x], up_to: 10 cm}}`: how the frequency of free motions about the equilibrium hangs "
+                "on their amplitude, exactly; in numbers, of one degree of freedom",
 }
 ANALYSES = {        # file, what a mapping with particulars says, how it is written where the word alone says too little
     "response": ("transient/response", "which signals of the motion in time, and until when", None),
@@ -41,5 +45,7 @@ ANALYSES = {        # file, what a mapping with particulars says, how it is writ
     "estimates": ("modal/estimates", None, None),
     "ritz": ("modal/ritz", "bounds of the lowest natural frequencies by assumed shapes",
              "{ritz: {shapes: [{x1: 1, x2: 2}]}}"),
+    "backbone": ("nonlinear/backbone", "how the frequency of free motions hangs on the amplitude of a signal",
+                 "{backbone: {of: [x], up_to: 10 cm}}"),
 }
 OF_MODES = tuple(word for word, row in ANALYSES.items() if row[0].startswith("modal/"))

@@ -36,6 +36,8 @@ def state_function(problem: "Problem", tree: QuantityRef) -> "Node":
         return problem.symbolic.energies[tree.head]
     if tree.head == "Q":
         return declared(tree).symbolic(problem, tree)
+    if tree.head == "motion" and problem.spec.expanded:
+        return declared(tree).symbolic(problem, tree)
     i = coordinate_number(problem, tree.indices[0])
     equations, name = problem.symbolic.equations, problem.scene.coordinates[i]
     if tree.head == "motion" and equations.full:

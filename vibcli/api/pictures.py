@@ -29,6 +29,14 @@ class SceneDrawing(NamedTuple):
         return cls(draw_mode(settled(problem), mode, both))
 
     @classmethod
+    def of_equivalent(cls, problem: "Problem", place: str) -> "SceneDrawing":
+        """The scene with the pair that resists like the springs, and the dampers, that end at a place."""
+        from vibcli.drawing.drawing import draw
+        from vibcli.results.equivalent_pair import with_pair
+
+        return cls(draw(with_pair(settled(problem), place)))
+
+    @classmethod
     def of_forces(cls, problem: "Problem", which: "WhichForces") -> "SceneDrawing":
         """Diagrams of forces and moments within members, below the scene."""
         from vibcli.report.sections.force_diagrams import force_drawing

@@ -23,17 +23,24 @@ FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",),
 
 def solution(problem: "Problem", insight: bool = False) -> Sequence[str]:
     """The sections of the solution of a scene: all that is cheap, or what its `find` asks for."""
-    wanted = problem.spec.get("find")
+    wanted, beside = problem.spec.get("find"), ("equivalents",) * _asks_equivalents(problem.spec)
     if wanted is None and problem.scene.held:
         return STATICS
     if wanted is None:
-        return EVERYTHING + INSIGHT * insight
-    asked = {"given", "chosen", "coordinates", *INSIGHT * insight} | {s for word in wanted for s in FOUND_BY[word]}
+        return EVERYTHING + beside + INSIGHT * insight
+    asked = {"given", "chosen", "coordinates", *beside, *INSIGHT * insight}
+    asked |= {s for word in wanted for s in FOUND_BY[word]}
     if wanted.about(MODES) is not None:
         asked |= {"frequencies", "damping", "modes"}
     if problem.scene.held and "equations" in asked:
         asked = asked - set(FOUND_BY["equations"]) | set(STATICS)
     return [s for s in EVERYTHING + ON_REQUEST if s in asked]
+
+
+def _asks_equivalents(spec):
+    """Do answers ask for what springs or dampers at one place resist with?"""
+    return any(tree.head in ("stiffness", "damping") and tree.component
+               for answer in spec.answers for tree in answer.asked.parts.quantities)
 
 
 def derivation(problem: "Problem") -> Sequence[str]:
@@ -88,6 +95,10 @@ def data(problem: "Problem", parts: Sequence[str], normalise: str, digits: int |
 
         if "accelerations" in problem.spec.get("find", ()) or falls(problem):
             found |= keys.data([ACCELERATIONS], problem)
+    if "equivalents" in sections:
+        from vibcli.report.sections.equivalents import KEY
+
+        found |= keys.data([KEY], problem)
     if asked := [word for word in sections if word in RESPONSES]:
         from vibcli.report.sections import frequency_response, response
 
@@ -96,6 +107,10 @@ def data(problem: "Problem", parts: Sequence[str], normalise: str, digits: int |
             beside = word not in parts and problem.numeric.has_free_symbols
             write = response.response_data if word == "response" else frequency_response.frequency_response_data
             found[word] = None if beside else write(problem, wanted or Wanted())
+    if "backbone" in sections:
+        from vibcli.report.sections.backbone import KEY
+
+        found |= keys.data([KEY], problem)
     if words := [word for word in sections if word in OF_MODES]:
         found["insight"] = _insight(problem, words, sections)
     return found
@@ -166,6 +181,8 @@ def report(problem: "Problem", sections: Sequence[str], normalise: str = "first"
         made.append(section("Not found in letters", paragraph(f"{refusal.message}: {refusal.hint}", hang=0)))
     if isinstance(beside, NoEquilibrium):
         made.append(section("Equilibrium", paragraph(beside.message.replace("no equilibrium", "none", 1), hang=0)))
+    if isinstance(beside, Kinked) and "equilibrium" in sections and "equations" not in sections:
+        made.append(section("Equilibrium", paragraph(beside.message, hang=0)))
     if isinstance(beside, Inertless):
         made.append(section("Natural frequencies", paragraph("none: nothing in the scene has inertia", hang=0)))
     if digits is not None:

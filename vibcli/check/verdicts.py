@@ -13,7 +13,8 @@ from vibcli.check.instances import Instances
 from vibcli.check.tolerance import EXACT, is_exact
 from vibcli.quantities.expression import lowered, measure
 from vibcli.quantities.matrices import coordinate_number
-from vibcli.quantities.quantity import EQUATION, OF_STATE, TRUTH, declared, kind_of
+from vibcli.quantities.quantity import EQUATION, OF_STATE, TRUTH, asked_in, declared, kind_of
+from vibcli.quantities.response import ALONG
 from vibcli.results.random_states import at_states, states
 
 if TYPE_CHECKING:
@@ -26,8 +27,8 @@ ROUNDING = 1e-13
 class Verdict(NamedTuple):
     """One answer compared: expected and found (numbers or None), whether they agree (None where that is uncertain), and
     a remark (then what is known); the refusal of a scene that has no such answer, or does not know it so well; error:
-    an absolute bound of what is found, None where nothing is measured; digits: expected and found, where floats do not
-    tell them apart."""
+    an absolute bound of what is found, None where nothing is measured, `estimated` where it is an estimate; digits:
+    expected and found, where floats do not tell them apart."""
 
     answer: "Answer"
     agrees: bool | None
@@ -38,6 +39,7 @@ class Verdict(NamedTuple):
     refusal: PhysicsError | None = None
     error: float | None = None
     digits: tuple[str, str] | None = None
+    estimated: bool = False
 
 
 def check(problem: "Problem") -> list[Verdict]:
@@ -95,8 +97,14 @@ def _number(problem, answer, head):
     found = compared(problem, answer)
     differs = found.agrees is False and found.digits is None
     remark = likely_mistake(head, found.expected, found.found) if differs else None
-    verdict = Verdict(answer, found.agrees, found.expected, found.found, remark, error=found.error, digits=found.digits)
+    verdict = Verdict(answer, found.agrees, found.expected, found.found, remark, error=found.error, digits=found.digits,
+                      estimated=_estimated(problem, answer.asked.tree))
     return _uncertain(verdict) if found.agrees is None else verdict
+
+
+def _estimated(problem, tree):
+    """Is the error of what is asked, read off a motion in time, an estimate?"""
+    return any(problem.response_of(asked).estimated for asked in asked_in(tree) if asked.head in ALONG)
 
 
 def _uncertain(verdict):

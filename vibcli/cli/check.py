@@ -120,10 +120,14 @@ def _print(file, verdicts, quiet, failed):
     click.echo(file + ("" if verdicts else "  (not checked)" if failed else "  (no answers)"))
     for verdict in shown:
         if verdict.agrees:
-            click.echo("  " + click.style("✓", fg="green") + f" {_name(verdict)}")
+            click.echo("  " + click.style("✓", fg="green") + f" {_name(verdict)}{_estimate(verdict)}")
             continue
         where = verdict.answer.expected.where
-        click.echo(f"  {_mark(verdict)} {_name(verdict)}:{_said(verdict)}  [line {where.line}]")
+        click.echo(f"  {_mark(verdict)} {_name(verdict)}:{_said(verdict)}{_estimate(verdict)}  [line {where.line}]")
+
+
+def _estimate(verdict):
+    return "  (its error is estimated)" if verdict.estimated else ""
 
 
 def _mark(verdict):
@@ -151,7 +155,7 @@ def _values(*values):
 def _data(verdict):
     return {"answer": verdict.answer.asked.text, "case": verdict.case, "line": verdict.answer.expected.where.line,
             "agrees": verdict.agrees, "expected": verdict.expected, "found": verdict.found, "error": verdict.error,
-            "remark": verdict.remark}
+            "estimated": verdict.estimated, "remark": verdict.remark}
 
 
 def _summary(counts):

@@ -17,6 +17,8 @@ SUFFIXES = (".png", ".svg", ".pdf")
 @click.option("--mode", "index", type=click.IntRange(1), metavar="I",
               help="The shape of mode I over the scene at rest.")
 @click.option("--both", is_flag=True, help="With --mode: displaced the other way as well, dashed.")
+@click.option("--equivalent", "place", metavar="P", help="The perpendicular pair of springs, and of dampers, that "
+              "resists like those that end at the body or point P, in their stead.")
 @click.option("--diagrams", is_flag=True, help="Forces and moments within members along each, below the scene: in "
               "equilibrium, with --mode those of a mode.")
 @click.option("--at", "instant", metavar="TIME", help="With --diagrams: those of the motion at this instant, as 2.5 or "
@@ -24,16 +26,21 @@ SUFFIXES = (".png", ".svg", ".pdf")
 @click.option("--amplitudes", is_flag=True, help="With --diagrams: amplitudes of the steady state.")
 @click.option("--plot", is_flag=True, help="With --diagrams: in the terminal; a file is written where -o names one.")
 def command(file: str, settings: Sequence[Any], case: str | None, output: str | None, force: bool, patience: int,
-            index: int | None, both: bool, diagrams: bool, instant: str | None, amplitudes: bool, plot: bool) -> None:
+            index: int | None, both: bool, place: str | None, diagrams: bool, instant: str | None, amplitudes: bool,
+            plot: bool) -> None:
     """The scene as a textbook figure, a mode shape on it, or diagrams of the forces and moments within its members:
     png, svg or pdf by the suffix of the file."""
-    _refuse(index, both, diagrams, {"--at": instant, "--amplitudes": amplitudes, "--plot": plot})
+    _refuse(index, both, place, diagrams, {"--at": instant, "--amplitudes": amplitudes, "--plot": plot})
     at = None if instant is None else float(size(instant, "--at", "s", INSTANT, exact=True))
     problem = one(load(file, settings, patience), case)
     path = None if plot and output is None else target(file, output, SUFFIXES, force, case, "diagrams" * diagrams,
-                                                       f"mode{index}" if index else None)
+                                                       f"mode{index}" if index else None,
+                                                       place and f"equivalent_{place}")
     from vibcli.api.pictures import SceneDrawing
 
+    if place is not None:
+        write(path, SceneDrawing.of_equivalent(problem, place).data(path.suffix[1:].lower()), force)
+        return
     if not diagrams:
         write(path, SceneDrawing.of(problem, index, both).data(path.suffix[1:].lower()), force)
         return
@@ -47,8 +54,10 @@ def command(file: str, settings: Sequence[Any], case: str | None, output: str | 
         show_curves(True, (), force, "", lambda: force_figure(problem, which))
 
 
-def _refuse(index, both, diagrams, further):
+def _refuse(index, both, place, diagrams, further):
     """A usage error where options do not go together."""
+    if place is not None and (index is not None or both or diagrams):
+        raise click.UsageError("--equivalent stands alone")
     if both and (index is None or diagrams):
         raise click.UsageError("--both does not go with --diagrams" if diagrams else "--both belongs to --mode")
     idle = next((option for option, given in further.items() if given), None)

@@ -21,12 +21,14 @@ PICTURES = (".png", ".svg", ".pdf")
 @number_options
 @click.option("--modes", "count", type=click.IntRange(1, 10_000), metavar="N",
               help="Only the lowest N modes; of members, which have modes without end, N where few are told.")
-@click.option("--plot", is_flag=True, help="Plot the eigenvalues in the complex plane, in the terminal.")
+@click.option("--backbone", is_flag=True, help="How the frequency of free motions hangs on their amplitude, as the "
+              "file asks: find: [{backbone: {of: [x], up_to: 10 cm}}].")
+@click.option("--plot", is_flag=True, help="Plot the eigenvalues in the complex plane, or that curve, in the terminal.")
 @click.option("--save", "saves", multiple=True, metavar="FILE", type=FILE,
               help="Write that picture (.png, .svg, .pdf).")
 def command(file: str, settings: Sequence[str], case: Any, as_json: bool, patience: int, timings: bool,
-            digits: int | None, normalise: str, count: int | None, plot: bool, saves: Sequence[str],
-            **report: Any) -> int:
+            digits: int | None, normalise: str, count: int | None, backbone: bool, plot: bool,
+            saves: Sequence[str], **report: Any) -> int:
     """Equilibrium, natural frequencies, damping and mode shapes."""
     refuse_targets(saves, report["force"], PICTURES)
     if plot and as_json:
@@ -34,10 +36,10 @@ def command(file: str, settings: Sequence[str], case: Any, as_json: bool, patien
     output = output_of(file, as_json, **report)
     wanted = Wanted() if count is None else _lowest(count)
     problems = cases_to_show(chosen(load(file, settings, patience), case), saves)
-    return print_scenes(problems, lambda problem: ("chosen", "equilibrium", "frequencies", "damping",
-                                                              "modes"),
-                        output, timings, digits, normalise, ("frequencies",),
-                        wanted=wanted, curves=lambda problem: _shown(problem, wanted, plot, saves, report["force"]))
+    sections = ("chosen", "equilibrium", *(("backbone",) if backbone else ("frequencies", "damping", "modes")))
+    return print_scenes(problems, lambda problem: sections, output, timings, digits, normalise, ("frequencies",),
+                        wanted=wanted,
+                        curves=lambda problem: _shown(problem, wanted, backbone, plot, saves, report["force"]))
 
 
 def _lowest(count):
@@ -46,10 +48,15 @@ def _lowest(count):
     return Wanted(modes=lowest(count))
 
 
-def _shown(problem, wanted, plot, saves, force):
+def _shown(problem, wanted, backbone, plot, saves, force):
     if not (plot or saves):
         return
-    from vibcli.report.sections.sampled_series import eigenvalue_figure
+    if backbone:
+        from vibcli.report.sections.backbone import curve_figure
 
-    figure = eigenvalue_figure(problem, wanted)
+        figure = curve_figure(problem)
+    else:
+        from vibcli.report.sections.sampled_series import eigenvalue_figure
+
+        figure = eigenvalue_figure(problem, wanted)
     show_curves(plot, saves, force, problem.spec.get("title") or "", lambda: figure)

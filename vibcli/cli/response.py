@@ -69,7 +69,7 @@ def refuse_parts(problem: "Problem", parts: Sequence[str]) -> None:
     """PhysicsError, before anything is integrated, where a motion has no such parts."""
     from vibcli.base.errors import PhysicsError
 
-    if parts and problem.spec.get("motion") == "full":
+    if parts and problem.spec.in_full:
         raise PhysicsError(f"a motion that is integrated has no {parts[0]} part that is found",
                            f"leave --{parts[0]} out")
 

@@ -19,6 +19,8 @@ ELEMENTS = {
     "shaft": ("shafts", "elastic shafts, about their axis"),
     "beam": ("beams", "slender beams that bend"),
     "string": ("strings", "strings under tension"),
+    "spring_part": (None, "what springs in series or parallel consist of"),
+    "damper_part": (None, "what dampers in series or parallel consist of"),
     "spring": ("springs", "a spring between two ends"),
     "damper": ("dampers", "a damper between two ends"),
     "inerter": ("inerters", "an inerter between two ends"),

@@ -45,7 +45,7 @@ PART = Element("part", "One of several shapes welded into a body.",
                settle=body_checks.part, example="welded_parts")
 ROUND = tuple(shape for shape, sizes in NEEDS.items() if "radius" in sizes)
 CLOSE = 1e-9
-MOTIONS = tuple(name for name, (section, _) in ELEMENTS.items() if section is None)
+MOTIONS = tuple(name for name, (section, _) in ELEMENTS.items() if section is None and not name.endswith("_part"))
 ELEMENT = Element(
     "body",
     "A rigid body or particle: its shape and mass, where it is drawn, and the one key that says how it may move; "

@@ -5,14 +5,21 @@ from typing import TYPE_CHECKING, Any
 from vibcli.elements import ends
 from vibcli.elements.torsion import Torsion, settle_torsion
 from vibcli.language.fields import Element, Field
-from vibcli.language.kinds import ENDS, Quantity
+from vibcli.language.kinds import ENDS, Many, Quantity
+from vibcli.language.named_elements import Lazy
 from vibcli.symbolic.rationals import HALF
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
 
+PARTS = "series", "parallel"
+
 
 def _settle(record, reader):
+    if any(key in record for key in PARTS):
+        from vibcli.elements.series import settle_parts
+
+        settle_parts(record, reader)
     settle_torsion(record, reader, ("law", "friction", "breakaway"), "v", rate=True)
     if "breakaway" in record and "friction" not in record:
         reader.report(record.place("breakaway"), "'breakaway' goes with 'friction'", "write `friction:` too")
@@ -32,13 +39,16 @@ ELEMENT = Element(
         "friction": Field(Quantity(), "the size of its dry friction, as in mu*N, which acts against the "
                               "motion; at rest it is what holds, up to that size"),
         "breakaway": Field(Quantity(), "the largest friction at rest, where it is more than `friction`"),
+        "series": Field(Many(Lazy("damper_part"), 2, named="a list of two parts or more"),
+                        "its parts one behind the other, which share the force: [{c: c1}, {c: c2}]"),
+        "parallel": Field(Many(Lazy("damper_part"), 2, named="a list of two parts or more"),
+                          "its parts side by side, which share the deflection; nested in `series` or alone"),
         "between": Field(ENDS, "its two ends [A, B]"),
         "stretch": Field(Quantity(), "its deflection as an expression of the coordinates, instead of two ends"),
     },
-    exclusive=(("c", "torsion"), ("c", "law"), ("between", "stretch")),
-    needs=(("c", "torsion", "law", "friction"), ("between", "stretch")),
+    exclusive=(("c", "torsion"), ("c", "law", *PARTS), ("friction", *PARTS), ("between", "stretch")),
+    needs=(("c", "torsion", "law", "friction", *PARTS), ("between", "stretch")),
     settle=_settle,
-    instead={"series": "c: c1*c2/(c1 + c2)", "parallel": "write two dampers with the same ends, or c: c1 + c2"},
     example="mass_spring_damper",
     signals={"stretch": ("m", "rad"), "force": ("N", "N*m"), "power": ("W", "W")},
 )
@@ -47,6 +57,9 @@ ELEMENT = Element(
 def build(record: "Record", scene: Any) -> None:
     """Add the dissipation function of a damper to the scene."""
     torsion = record.get("torsion")
+    if any(key in record for key in PARTS):
+        _build_parts(record, scene)
+        return
     given = record.get("c", torsion)
     c = None if given in (None, True) else scene.lower(given)
     stretch = ends.stretch(record, scene, torsion is not None)
@@ -68,6 +81,21 @@ def build(record: "Record", scene: Any) -> None:
         energy = energy + friction * scene.table.call("abs", v)
         bound = _bound(record, scene, friction)
     scene.add_law(stretch, v, energy, damper=True, bound=bound)
+
+
+def _build_parts(record, scene):
+    """Parts in series or in parallel, whose rates add up."""
+    from vibcli.elements.composition import composed, stiffness
+
+    v = scene.table.variable("the rate")
+    part, stretch = composed(record, scene, v, record.name), ends.stretch(record, scene, "torsion" in record)
+    if part is None or stretch is None:
+        return
+    c = stiffness(part, v)
+    if c is not None:
+        scene.add_damper(c, stretch)
+    else:
+        scene.add_law(stretch, v, part.energy, damper=True)
 
 
 def _bound(record, scene, friction):

@@ -69,8 +69,10 @@ ELEMENT = Element(
     "Damping of the small oscillations as a whole, added to what dampers do: C = M Φ diag(2 ζ ω) Φᵀ M, Φ the modes "
     "without dampers, ΦᵀMΦ = 1, numbered as `omega[i]` is. It resists velocities, with `modal` and `caughey` those "
     "against what driven supports would give at rest. Full equations, forces of elements and reactions are without it. "
-    "Responses of members with inertia are exact sums over all modes; beside dampers, drag and gyroscopic terms it is "
-    "`proportional` there, α and β standing in the differential equations, without motions in time where β is not 0.",
+    "Responses of members with inertia are exact sums over all modes. Beside their dampers `modal` and `caughey` give "
+    "frequency responses and steady states, exact too, and motions in time under loads, without damped modes; beside "
+    "drag and gyroscopic terms `proportional` alone is taken. Beside whatever else damps members α and β stand in the "
+    "differential equations, without motions in time where drag or driven supports stand beside β.",
     {
         "modal": Field(OneOrMore(), "the ratio ζ of every mode, or a list of them by number, whose last holds for all "
                                     "that follow; what does not vibrate has none"),
@@ -87,9 +89,9 @@ ELEMENT = Element(
 
 def build(record: "Record", scene: Any) -> None:
     """Checks the ratios and factors, and that the motion is small."""
-    if scene.spec.get("motion") == "full":
+    if scene.spec.in_full:
         scene.report(record.where, "damping by modes belongs to small oscillations",
-                     "leave `motion: full` out, or write the dampers one by one under dampers")
+                     "leave `motion:` out, or write the dampers one by one under dampers")
     for given in (record.get("modal") or (), (record.get("caughey") or {}).values(), record.get("proportional") or ()):
         for expression in given:
             if scene.number(scene.lower(expression)) < 0:

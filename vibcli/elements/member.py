@@ -167,9 +167,9 @@ def built(name: str, scene: Any) -> Member | None:
 
 def _built(name, kind, record, scene):
     before = len(scene.diagnostics)
-    if scene.spec.get("motion") == "full":
+    if scene.spec.in_full:
         scene.report(record.where, f"'{name}' is linear about its drawn line: its motions are small ones",
-                     "leave out `motion: full`")
+                     "leave out `motion:`")
     line = line_of(record, scene)
     segments = segments_of(record, kind, line, scene)
     places = places_of(name, record, segments, scene)

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING, Any
 
-from vibcli.language.document.document import Sequence
+from vibcli.language.document.document import Scalar, Sequence
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import BODY, Kind, MotionField
 
@@ -14,17 +14,17 @@ _LENGTH, _ANGLE = MotionField("m"), MotionField("rad")
 
 
 class _Displacements(Kind):
-    wants = "three displacements [x, y, phi]"
+    wants = "displacements [x, y, phi], or [x, y] of what does not turn"
 
     def read(self, node: Any, reader: Any):
-        if not isinstance(node, Sequence) or len(node.items) != 3:
-            return reader.expected(node, self.wants, "of a body that does not turn, phi is 0")
-        kinds = (_LENGTH, _LENGTH, _ANGLE)
-        values = [kind.read(item, reader) for kind, item in zip(kinds, node.items, strict=True)]
+        if not isinstance(node, Sequence) or len(node.items) not in (2, 3):
+            return reader.expected(node, self.wants)
+        items = [*node.items, Scalar("0", node.where)][:3]
+        values = [kind.read(item, reader) for kind, item in zip((_LENGTH, _LENGTH, _ANGLE), items, strict=True)]
         return None if any(value is None for value in values) else values
 
     def schema(self):
-        return {"type": "array", "items": _LENGTH.schema(), "minItems": 3, "maxItems": 3}
+        return {"type": "array", "items": _LENGTH.schema(), "minItems": 2, "maxItems": 3}
 
 
 ELEMENT = Element(
@@ -32,7 +32,8 @@ ELEMENT = Element(
     "General plane motion: the displacement of the body's mass centre in x and y and its rotation, each a coordinate "
     "or an expression of coordinates, counted from the drawn position.",
     {
-        "by": Field(_Displacements(), "displacement of the mass centre and rotation; 0 what is held", required=True),
+        "by": Field(_Displacements(), "displacement of the mass centre and rotation; 0 what is held; [x, y] of a "
+                    "particle", required=True),
         "carrier": Field(BODY, "the body relative to which it moves; axes and angle turn with it"),
     },
     short="by",

@@ -10,12 +10,15 @@ from typing import TYPE_CHECKING, Any
 from vibcli.elements import ends
 from vibcli.elements.torsion import Torsion, settle_torsion
 from vibcli.language.fields import Element, Field
-from vibcli.language.kinds import ENDS, Choice, Kind, Quantity
+from vibcli.language.kinds import ENDS, Choice, Kind, Many, Quantity
+from vibcli.language.named_elements import Lazy
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.rationals import HALF
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
+
+PARTS = "series", "parallel"
 
 
 class _Preload(Kind):
@@ -33,6 +36,10 @@ class _Preload(Kind):
 
 
 def _settle(record, reader):
+    if any(key in record for key in PARTS):
+        from vibcli.elements.series import settle_parts
+
+        settle_parts(record, reader)
     settle_torsion(record, reader, ("preload", "law"), "d", rate=False)
     if "acts" in record and record.get("preload") == "static":
         reader.report(record.place("preload"), "a one-sided spring has no static preload", "give its tension as drawn")
@@ -49,6 +56,10 @@ ELEMENT = Element(
         "torsion": Field(Torsion("N*m"), "its torsional stiffness, moment per radian; `true` beside a law"),
         "law": Field(Quantity(), "its tension as a function of the deflection d, as in k*d + k3*d^3; d means this only "
                      "inside a law"),
+        "series": Field(Many(Lazy("spring_part"), 2, named="a list of two parts or more"),
+                        "its parts one behind the other, which share the force: [{k: k1}, {k: k2}]"),
+        "parallel": Field(Many(Lazy("spring_part"), 2, named="a list of two parts or more"),
+                          "its parts side by side, which share the deflection; nested in `series` or alone"),
         "between": Field(ENDS, "its two ends [A, B]; the stretch grows as B leaves A"),
         "stretch": Field(Quantity(), "the deflection as an expression of the coordinates, instead of two ends"),
         "free_length": Field(Quantity("m"), "its length when undeformed"),
@@ -59,61 +70,119 @@ ELEMENT = Element(
         "gap": Field(Quantity(), "how far the stretch goes before it acts; without `acts`, that much play to both "
                      "sides"),
     },
-    exclusive=(("k", "torsion"), ("k", "law"), ("between", "stretch"), ("free_length", "preload"),
-               ("free_length", "stretch"), ("free_length", "torsion"), ("law", "preload"), ("gap", "preload")),
-    needs=(("k", "torsion", "law"), ("between", "stretch")),
+    exclusive=(("k", "torsion"), ("k", "law", *PARTS), ("between", "stretch"), ("free_length", "preload"),
+               ("free_length", "stretch"), ("free_length", "torsion"), ("gap", "preload")),
+    needs=(("k", "torsion", "law", *PARTS), ("between", "stretch")),
     settle=_settle,
-    instead={"series": "k: k1*k2/(k1 + k2)", "parallel": "write two springs with the same ends, or k: k1 + k2"},
     example="preloaded_spring",
-    signals={"stretch": ("m", "rad"), "force": ("N", "N*m"), "energy": ("J", "J")},
+    signals={"stretch": ("m", "rad"), "deflection": ("m", "rad"), "force": ("N", "N*m"), "energy": ("J", "J")},
 )
 
 
 def build(record: "Record", scene: Any) -> None:
     """Add the potential energy of a spring to the scene."""
-    torsion = "torsion" in record
-    nonlinear = any(key in record for key in ("law", "acts", "gap"))
-    k = None if "law" in record else scene.lower(record["torsion" if torsion else "k"])
+    torsion, d = "torsion" in record, scene.table.variable("the deflection")
+    found = _stiffness_or_law(record, scene, d)
+    if found is None:
+        return
+    k, *_ = found
     preload = _preload(record, scene)
     if "free_length" in record and "between" in record:
         free = scene.positive(record["free_length"], "the free length", zero=True)
         dx, dy = ends.span(record, scene)
         if dx is None or ends.moving(record, scene, dx if dx.mask else dy) is None:
             return
-        if free.is_zero and not nonlinear:
+        if free.is_zero and k is not None and not ("acts" in record or "gap" in record):
             scene.add_spring(k, preload, dx)
             scene.add_spring(k, preload, dy)
         elif (length := ends.length(record, scene, dx, dy)) is not None:
-            _add(record, scene, k, preload, length - free)
+            _add(record, scene, found, preload, length - free)
         return
     stretch = ends.stretch(record, scene, torsion)
     if stretch is None:
         return
     if "preload" in record and "stretch" in record:
-        preload = preload - k * scene.at_drawn(stretch)[0]  # the tension as drawn, where the stretch need not be zero
-    _add(record, scene, k, preload, stretch)
+        drawn, = scene.at_drawn(stretch)        # which need not be zero; the preload is the tension there
+        if k is None:
+            stretch = stretch - drawn
+        else:
+            preload = preload - k * drawn
+    _add(record, scene, found, preload, stretch)
 
 
-def _add(record, scene, k, preload, stretch):
-    if k is not None and "acts" not in record and "gap" not in record:
-        scene.add_spring(k, preload, stretch)
-        return
-    d, zero = scene.table.variable("the deflection"), scene.table.zero
-    if k is not None:
-        energy = k * d * d * HALF
-        stretch = stretch + preload / k     # of a cable or stop under load: where its tension would vanish
-    else:
+def _stiffness_or_law(record, scene, d):
+    """(k or None, (force, energy) as functions of d or None, its parts if it has any); None where it was reported as
+    wrong."""
+    if "law" in record:
         law = scene.lower(record["law"], ("d", d))
         energy = scene.integrated(law, d, record["law"].where)
-        if energy is None:
+        return None if energy is None else (None, (law, energy), None)
+    if not any(key in record for key in PARTS):
+        return scene.lower(record["torsion" if "torsion" in record else "k"]), None, None
+    from vibcli.elements.composition import composed, stiffness
+
+    parts = composed(record, scene, d, record.name)
+    return None if parts is None else (stiffness(parts, d), parts[:2], parts)
+
+
+def _add(record, scene, found, preload, stretch):
+    k, law, parts = found
+    d, one_sided = scene.table.variable("the deflection"), "acts" in record or "gap" in record
+    if one_sided and k is not None:
+        stretch = stretch + preload / k     # of a cable or stop under load: where its tension would vanish
+    if k is None:
+        if one_sided and not _begins_softly(record, scene, law[0], d):
             return
-        if ("acts" in record or "gap" in record) and scene.number(*substitute([law], {d: zero})):
-            scene.report(record["law"].where, f"the law of '{record.name}' begins with a force at d = 0",
-                         "a one-sided law starts from zero force; a cable under load has a `preload`")
+        before = _undeformed(record, scene, found, d, preload)
+        if before is None:
             return
-    if "acts" in record or "gap" in record:
-        energy = sum((substitute([energy], {d: u})[0] for u in _beyond_the_gap(record, scene, d)), zero)
-    scene.add_law(stretch, d, energy)
+        stretch = stretch + before
+    taken = _beyond_the_gap(record, scene, d) if one_sided else [d]
+    if parts is not None:
+        _add_parts(scene, parts, d, substitute([scene.table.total(taken)], {d: stretch})[0])
+    if k is not None and not one_sided:
+        scene.add_spring(k, preload, stretch)
+        return
+    energy = k * d * d * HALF if k is not None else law[1]
+    scene.add_law(stretch, d, scene.table.total([substitute([energy], {d: u})[0] for u in taken]))
+
+
+def _undeformed(record, scene, found, d, preload):
+    """The deflection as drawn of a law, or of parts that share a tension; None where it was reported."""
+    if preload.is_zero:
+        return preload
+    _, (force, _), parts = found
+    if parts is not None:
+        from vibcli.elements.composition import deflection_under
+
+        return deflection_under(record, scene, parts, d, preload)
+    from vibcli.elements.preloaded_law import undeformed
+
+    return undeformed(record, scene, force, d, preload)
+
+
+def _add_parts(scene, parts, d, deflection):
+    """The stretches of the parts, which may be asked for."""
+    from vibcli.elements.composition import inner_deflections
+
+    for path, node in inner_deflections(parts, d):
+        scene.add_inner_stretch(path, substitute([node], {d: deflection})[0])
+
+
+def _begins_softly(record, scene, law, d):
+    """Does a one-sided law start from zero force, with a preload of the sense in which it acts? If not, it is
+    reported."""
+    if scene.number(*substitute([law], {d: scene.table.zero})):
+        where = record["law"].where if "law" in record else record.where
+        scene.report(where, f"the law of '{record.name}' begins with a force at d = 0",
+                     "a one-sided law starts from zero force; a cable under load has a `preload`")
+        return False
+    side = {"tension": 1, "compression": -1}.get(record.get("acts"))
+    if "preload" in record and side and scene.number(scene.lower(record["preload"])) * side < 0:
+        scene.report(record.place("preload"), f"'{record.name}' acts in {record['acts']} alone: it bears no such "
+                     "preload", "mind the sign: tension is positive")
+        return False
+    return True
 
 
 def _beyond_the_gap(record, scene, d):

@@ -37,7 +37,7 @@ def settle_torsion(record: Record, reader: Reader, forces: Sequence[str], local:
             reader.measured(record, key, force, said=True)
     if "law" in record:
         reader.name_within(record["law"], local, f"{length}/s" if rate else length)
-    said = [key for key in ("law", "friction") if key in record]
+    said = [key for key in ("law", "friction", "series", "parallel") if key in record]
     if record.get("torsion") is True and not said:
         reader.report(record.place("torsion"), "`torsion: true` stands beside what says how large the moment is",
                       "write torsion: with its coefficient" + (", or a law" if not rate else ", a law or friction"))

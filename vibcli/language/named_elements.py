@@ -36,6 +36,19 @@ class Lazy(NamedTuple):
         return self.module.ELEMENT.read(node, reader, *named)
 
 
+class LazyKind(NamedTuple):
+    """A kind of value by its room and the name of its file, imported when a scene first uses it."""
+
+    name: str
+    room: str
+
+    def __getattr__(self, attribute: str) -> Callable | str:
+        return getattr(load(self.name, self.room).KIND, attribute)
+
+    def read(self, node: Any, reader: Any):
+        return load(self.name, self.room).KIND.read(node, reader)
+
+
 class Named(NamedTuple):
     """A mapping from names, chosen by the writer, to elements of one kind."""
 

@@ -27,6 +27,8 @@ ABOUT = (
     ("P.x, P.y", "displacement of a point from where it is drawn; of a body, that of its mass centre"),
     ("B.angle", "turn of a body"),
     ("s.stretch, s.force", "stretch of a spring since the drawn position, and its tension (of torsion its moment)"),
+    ("s.deflection", "stretch of a spring from its undeformed state, whatever its preload: the d of its law"),
+    ("s.stretch.2", "that of the second part of a spring in series, s.stretch.3.1 of the first one within the third"),
     ("s.energy", "energy stored in a spring, tension²/(2k)"),
     ("d.force, d.power", "force of a damper, positive as it lengthens, and the power that it dissipates"),
     ("i.stretch, i.force", "stretch of an inerter since the drawn position, and its force, positive as its lengthening "
@@ -81,13 +83,21 @@ def _parts(spec, name):
         return GROUND
     record = spec.connection(name)
     if record is not None:
-        return {part: pair["torsion" in record] for part, pair in record.element.signals.items()}
+        units = {part: pair["torsion" in record] for part, pair in record.element.signals.items()}
+        inner = _inner(record) if "energy" in units else []
+        return units | {f"stretch.{path}": units["stretch"] for path in inner}
     record = (spec.get("forces") or {}).get(name)
     if record is not None:
         return {"power": "W"} | {key: unit for key, unit in LOAD.items() if key in record
                                  and not isinstance(record[key], list)}
     record = (spec.get("constraints") or {}).get(name, ())
     return {part: "N" for kind, parts in FORCES.items() if kind in record for part in parts}
+
+
+def _inner(record):
+    """The numbers of the parts of what consists of several, 2 or 3.1 of nested ones."""
+    parts = record.get("series") or record.get("parallel") or ()
+    return [f"{i + 1}{rest}" for i, part in enumerate(parts) for rest in ("", *("." + path for path in _inner(part)))]
 
 
 def _signals_of(spec, record, parts):

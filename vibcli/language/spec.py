@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 from vibcli.base.units import Dimensions
 from vibcli.language.reader import Record
 
+EXPANDED = "expanded"       # motions of the equations to the third order, {order: 3}
 MEMBERS = ("bars", "shafts", "beams", "strings")        # the sections of continuous members
 
 
@@ -30,6 +31,16 @@ class Spec(NamedTuple):
     dimensions: Dimensions | None = None
     free_numbers: bool | str = False
     asked_dimension: Callable | None = None
+
+    @property
+    def in_full(self) -> bool:
+        """Are its motions integrated, of equations that are not those of small oscillations?"""
+        return self.get("motion") in ("full", EXPANDED)
+
+    @property
+    def expanded(self) -> bool:
+        """Are they those of the equations expanded to the third order?"""
+        return self.get("motion") == EXPANDED
 
     @classmethod
     def of(cls, file: Any, sections: Any, named: Any) -> "Spec":

@@ -20,13 +20,13 @@ RESPONSE = [
          "followed by travelling waves, exact but for rounding: f(t − x/c) + g(t + x/c) between what stands on them. "
          "Fronts stay sharp: at a front values in time are those after it, `--at` tells both, `max` and `min` look at "
          "both, files and plots hold the instant twice. Members start with fields, `initial: {rod.u: a*x/L, rod.u': "
-         "-v}`. Where the fronts multiply, as on pieces of many lengths, they are given up for "
-         "modes; `--patience` follows more."),
+         "-v}`. Where the fronts multiply, as on pieces of many lengths, values at instants "
+         "follow them as long as they stay few, and all else goes by modes; `--patience` follows more."),
         ("modes", "Beams, and members with foundation or drag, are followed "
          "by their first exact modes beside what loads do exactly: what is left out are free vibrations of higher "
          "modes, at most 2048 of a uniform beam being counted. Their bound is part of the error of each value: 1e-10 "
          "of the largest displacement of a beam where it is cheap, far more of moments, most of shears, which are "
-         "refused where the bound is infinite, as after a blow or a force that lets go."),
+         "refused where the bound is infinite, as after a blow or a force that lets go where nothing has mass."),
         ("damped modes", "Where dampers, or drag that differs by mass from place to place, couple the modes of "
          "members, the same sum runs over damped modes, each with its own complex frequency, as many of them as the "
          "argument principle counts in a circle. A mode that is damped critically is refused, and a damper of "

@@ -103,7 +103,9 @@ def usage(head: str) -> str:
     text = f"{head}[{joined.join(letters)}]" if head != "node" else f"{head}[{letters[0]}][{', '.join(letters[1:])}]"
     if asked.spare:
         text = f"{head}[{joined.join(letters[:-asked.spare])}], {text}"
-    return ", ".join(f"{text}.{a}" for a in asked.components) if asked.components != ("",) else text
+    if asked.components == ("",):
+        return text
+    return ", ".join(f"{text}.{a}" for a in asked.components[:2]) + ", …" * (len(asked.components) > 2)
 
 
 def _at_an_instant(head):
@@ -112,9 +114,16 @@ def _at_an_instant(head):
     return [(f"{usage(head)}(2 s)", asked.about)] if asked is not None and asked.args == ("time",) else []
 
 
+def _of_products(head):
+    """The same of the form of a quantity that has an index, where it has none itself."""
+    asked = named(head + "[]")
+    return [] if asked is None or named(head).indices or not asked.indices[0].startswith("product") else [
+        (usage(head + "[]").replace("[][", "["), asked.about)]
+
+
 def quantities_table(catalogue: "Catalogue") -> list[list[str]]:
     rows = [row for head in FAMILIES for row in ((usage(head), named(head).about + _unit(named(head))),
-                                                 *_at_an_instant(head))]
+                                                 *_at_an_instant(head), *_of_products(head))]
     first = usage(next(head for head in FAMILIES if named(head).args))
     rows.insert([text for text, _ in rows].index(first), ("x(2 s)", named("value").about))
     lines = ["`answers` names a quantity and the value that it is expected to have; `vibcli check` compares them. "

@@ -98,7 +98,8 @@ class Configuration:
             residual = equilibrium.relative_residual(numeric.drawn_numbers)
             found = equilibrium.Equilibrium(numeric.drawn_floats, True, residual)
         else:
-            found = equilibrium.find_equilibrium(numeric, numeric.start())
+            steep = self.system.is_steep_as_drawn
+            found = equilibrium.find_equilibrium(numeric, numeric.beside_drawn() if steep else numeric.start())
         if found.drawn or self.system.is_linear:
             return found
         from vibcli.mechanics.equilibrium.degenerate import sharpened
@@ -122,7 +123,7 @@ class Configuration:
         """The FactoredSystem about the equilibrium, in floats that are correct but for their own rounding."""
         if self._linear_system is not None:
             return self._linear_system
-        found = self._without_given_damping()
+        found = self.without_given_damping()
         if self.spec.get("damping") is None:
             return found
         from vibcli.mechanics.given_damping import with_damping
@@ -136,7 +137,14 @@ class Configuration:
             return False
         from vibcli.mechanics.given_damping import coupled
 
-        return coupled(self.spec.get("damping"), self._without_given_damping())
+        return coupled(self.spec.get("damping"), self.without_given_damping())
+
+    @cached_property
+    def rated_beside_dampers(self) -> bool:
+        """Do modes of members have ratios beside dampers?"""
+        if self.spec.get("damping") is None or not self.scene.pieces or self.coupled:
+            return False
+        return any(self.without_given_damping().matrices()[1].values())
 
     def damped_as_a_whole(self, elements: Any, moved: "Sequence[int] | None" = None):
         """Element data of members with `damping:` that stands beside what couples their modes; moved: those of their
@@ -157,7 +165,8 @@ class Configuration:
 
         return damping_of(self, digits)
 
-    def _without_given_damping(self):
+    def without_given_damping(self):
+        """The FactoredSystem about the equilibrium without what `damping:` adds."""
         from vibcli.mechanics.nonsmooth import require_smooth
 
         require_smooth(self)

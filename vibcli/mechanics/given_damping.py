@@ -88,19 +88,19 @@ def given_numbers(configuration: "Configuration", arithmetic: Any = None) -> "di
 
 
 def coupled(record: "Record", elements: Any) -> bool:
-    """Does anything couple the modes of members with inertia, which `damping:` damps each by itself elsewhere?
-    PhysicsError where that is not found."""
+    """Does damping in proportion stand beside what couples the modes of members with inertia? PhysicsError where
+    `damping:` is not found; ratios of modes stand beside dampers at places alone."""
     if not any(placed.piece.inertia for placed in elements.pieces):
         raise PhysicsError("members with drag and without inertia are not damped as a whole",
                            "take `damping:` out, or give the members inertia")
-    coupling = {"dampers": elements.dampers or elements.C or elements.drag,
-                "drag": any(placed.piece.drag for placed in elements.pieces), "gyroscopic": any(elements.G.values())}
-    found = " and ".join(name for name, acts in coupling.items() if acts)
-    if found and "proportional" not in record:
-        out = "" if coupling["gyroscopic"] else f", or take the {found} out and give the modes higher ratios"
-        raise PhysicsError("ratios of modes of members are found where no dampers, drag or gyroscopic terms act "
-                           "besides", "write `proportional: [alpha, beta]`" + out)
-    return bool(found)
+    drag, turning = any(placed.piece.drag for placed in elements.pieces), any(elements.G.values())
+    if "proportional" in record:
+        return bool(drag or turning or elements.dampers or elements.C or elements.drag)
+    if drag or turning or elements.drag:
+        out = "" if turning or elements.drag else ", or take the drag out and give the modes higher ratios"
+        raise PhysicsError("ratios of modes of members are found where no drag and no gyroscopic terms act besides",
+                           "write `proportional: [alpha, beta]`" + out)
+    return False
 
 
 def as_a_whole(configuration: "Configuration", elements: Any, moved: "Sequence[int] | None") -> Any:

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.system import MechanicalSystem
     from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 SIDES = {"sign": (-1, 1), "step": (0, 1)}     # values on both sides of a vanishing argument
 KINKED = ("abs", "min", "max", "ramp", *SIDES)
@@ -29,7 +30,7 @@ def require_smooth(configuration: "Configuration") -> None:
     bends = [second for slope in gradient(V).values() for second in gradient(slope).values()]
     for node in [term.s for term in terms] + [term.weight for term in scene.forces] + list(scene.energies.values()):
         for part in (node, *gradient(node).values(), *(bends if node is V else ())):
-            if _jumps(configuration, part):
+            if jumps(configuration, part):
                 raise Kinked("abs, sign, min, max, step or ramp has a kink in the equilibrium: there are no small "
                              "oscillations about it", HINT)
 
@@ -40,7 +41,7 @@ def require_unheld(system: "MechanicalSystem") -> None:
         raise Kinked("dry friction has a kink at rest: there are no small oscillations", HINT)
 
 
-def _jumps(configuration, node):
+def jumps(configuration: "Configuration", node: "Node") -> bool:
     """Has an expression two values at the equilibrium, one to each side of a vanishing argument of sign or step?"""
     time = configuration.scene.time.mask
     turns = [part for part in reachable([node]) if part.name in SIDES and part.mask & ~time]

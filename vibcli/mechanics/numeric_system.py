@@ -5,7 +5,7 @@ from functools import cached_property
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import PhysicsError
+from vibcli.base.errors import Kinked, PhysicsError
 from vibcli.base.stage import Costs
 from vibcli.symbolic.evaluation import Floats, evaluate
 
@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from vibcli.mechanics.numeric_linearisation import Numbers
     from vibcli.mechanics.system import MechanicalSystem
     from vibcli.scene.scene import Scene
+
+LOST, BESIDE = 1e-12, 1e-3      # relative: rounding of what is left of forces; of the size of the figure
 
 
 class NumericSystem:
@@ -91,9 +93,26 @@ class NumericSystem:
         from vibcli.mechanics.equilibrium.equilibrium import is_balanced
         from vibcli.mechanics.numeric_linearisation import in_numbers
 
-        form = self.system.linearisation_at_reference
+        try:
+            form = self.system.linearisation_at_reference
+        except Kinked:          # the slope of a force is infinite there
+            if not any(self.left_as_drawn):
+                raise
+            return None
         numbers = in_numbers(form, Floats, self.floats, self.rational)
         return numbers if is_balanced(numbers, len(form.curved) + len(form.residual) + 2) else None
+
+    @property
+    def left_as_drawn(self) -> list[float]:
+        """What is left of the forces along each coordinate in the drawn position; 0 where that may be rounding."""
+        found = [evaluate(terms, Floats, self.floats) for terms in self.system.drawn_residual]
+        return [sum(terms) if abs(sum(terms)) > LOST * sum(map(abs, terms)) else 0.0 for terms in found]
+
+    def beside_drawn(self) -> dict[str, float]:
+        """The drawn position moved a little the way that its forces drive it: where their slopes may be finite."""
+        pushes = dict(zip(self.scene.coordinates, self.left_as_drawn, strict=True))
+        return {name: x - BESIDE * self.size_along(name) * ((pushes.get(name, 0) > 0) - (pushes.get(name, 0) < 0))
+                for name, x in self.drawn_floats.items()}
 
     def start(self) -> dict[str, float]:
         """The position from which the equilibrium is searched: as drawn but for what is named."""

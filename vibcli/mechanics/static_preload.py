@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.autonomous import steady
 from vibcli.mechanics.linearisation import at_position, residual_terms
-from vibcli.mechanics.linearise import linearise
+from vibcli.mechanics.linearise import linearise, row_of
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import textbook
@@ -28,7 +28,7 @@ def settle_static_preloads(scene: "Scene") -> "tuple[Scene, dict[str, Node]]":
     unknowns = [node for node, _ in scene.static_preloads]
     vibrating = scene.vibrating
     form = at_position(steady(vibrating, linearise(vibrating)), vibrating.drawn_position)
-    columns = [_column(form, unknown) for unknown in unknowns]
+    columns = [_column(form, unknown, _row_of_law(vibrating, record)) for unknown, record in scene.static_preloads]
     sums = [scene.table.total(terms) for terms in residual_terms(form)]
     rest = substitute(sums, dict.fromkeys(unknowns, scene.table.zero))
     numbers = _floats(scene, [[column[i] for column in columns] + [rest[i]] for i in range(form.n)])
@@ -42,9 +42,16 @@ def settle_static_preloads(scene: "Scene") -> "tuple[Scene, dict[str, Node]]":
     return scene.with_preloads(values), {name: values[unknown] for name, unknown in zip(names, unknowns, strict=True)}
 
 
-def _column(form, unknown):
-    """∂r/∂N of one tension, by coordinate: r is linear in it."""
-    found = [form.table.zero] * form.n
+def _row_of_law(scene, record):
+    """∇s as drawn of a spring with a law; nothing of a linear one."""
+    number = {q: i for i, q in enumerate(scene.q)}
+    rows = [row_of(law.s, number) for law in scene.laws if law.owner == record.name]
+    return {i: substitute([slope], scene.drawn_position)[0] for row in rows for i, slope in row.items()}
+
+
+def _column(form, unknown, of_law):
+    """∂r/∂N of one tension, by coordinate: r is linear in it, for F(d₀(N)) = N of a law, too."""
+    found = [of_law.get(i, form.table.zero) for i in range(form.n)]
     for force, _, row in form.curved:
         share = _share(force, unknown)
         if not share.is_zero:
@@ -119,6 +126,8 @@ def _consistent(scene, numbers, tensions, names):
 def _harmless(scene, form, unknowns, columns, rows, picked, free):
     """A tension which the conditions leave open must not change the stiffness."""
     names = [record.name for _, record in scene.static_preloads]
+    if any("law" in record for _, record in scene.static_preloads):
+        raise _open(scene, names, free)
     shares = solve_linear([[columns[j][i] for j in picked] + [-columns[free][i]] for i in rows], scene.table.zero)
     total = {}
     for j, share in [(free, scene.table.one), *zip(picked, shares, strict=True)]:
@@ -129,9 +138,13 @@ def _harmless(scene, form, unknowns, columns, rows, picked, free):
     for terms in total.values():
         values = evaluate(terms, Floats, scene.sample)
         if abs(sum(values)) > LOOSE * sum(map(abs, values)):
-            raise PhysicsError(f"the conditions of equilibrium do not fix the preloads of {_listed(names)}, and the "
-                               "stiffness depends on them", "give the tension of one of them: `preload: 20 N`",
-                               scene.static_preloads[free][1].place("preload"))
+            raise _open(scene, names, free)
+
+
+def _open(scene, names, free):
+    return PhysicsError(f"the conditions of equilibrium do not fix the preloads of {_listed(names)}, and the stiffness "
+                        "depends on them", "give the tension of one of them: `preload: 20 N`",
+                        scene.static_preloads[free][1].place("preload"))
 
 
 def _listed(names):

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 NOTHING = 1e-12         # of what an argument is made of: zero but for rounding
 MOST_TOGETHER = 6
+SHARED, SLACK = 1e-10, 1e-6     # singular values of switches that hold the same thing; of what they cannot balance
 
 
 class Switching:
@@ -84,7 +85,7 @@ class Switching:
             g[k] = np.zeros(q.shape[1])
         held = self.rates(which, t, q, v, a0, g)
         slope = np.array([self.rates(which, t, q, v, a0 + turn, g) - held for turn in turned]).transpose(2, 1, 0)
-        sigma = np.linalg.solve(slope, -held.T[:, :, None])[:, :, 0].T
+        sigma = _balancing(slope, -held.T).T
         return a0 + sum(turn * s for turn, s in zip(turned, sigma, strict=True)), sigma
 
     def settled(self, t: float, q: np.ndarray, v: np.ndarray, before: Sequence[float] | None = None,
@@ -162,6 +163,27 @@ class Switching:
             if rates[0] < rates[1]:
                 found.append(k)
         return found
+
+
+def _balancing(slope, wanted):
+    """σ with slope·σ = wanted, at all instants: (instants, n, n) and (instants, n). Where several switches share in any
+    proportion what is wanted, so that σ is not unique, that with the least Σ |slopeₖₖ| σₖ². LinAlgError where there is
+    none."""
+    if slope.shape[-1] == 1:
+        if not np.all(slope):
+            raise np.linalg.LinAlgError
+        return wanted / slope[:, :, 0]
+    sizes = np.sqrt(np.abs(np.diagonal(slope, axis1=1, axis2=2)))
+    if not np.all(sizes):
+        return np.linalg.solve(slope, wanted[:, :, None])[:, :, 0]
+    scaled = slope / (sizes[:, :, None] * sizes[:, None, :])
+    u, s, v = np.linalg.svd(scaled)
+    part = np.einsum("tji,tj->ti", u, wanted / sizes)
+    alone = s > SHARED * s[:, :1]
+    if np.any(np.abs(np.where(alone, 0.0, part)) > SLACK * np.abs(part).max(axis=1, keepdims=True)):
+        raise np.linalg.LinAlgError
+    part = np.where(alone, part / np.where(alone, s, 1.0), 0.0)
+    return np.einsum("tji,tj->ti", v, part) / sizes
 
 
 def _rate(places, compiled, t, q, v, a, g):

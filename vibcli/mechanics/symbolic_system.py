@@ -94,6 +94,9 @@ class SymbolicSystem:
             return system.linearisation_at_reference if self.balanced_as_drawn else system.linearisation
         from vibcli.mechanics.linearisation import at_position
 
+        if self.equilibrium is None:
+            raise NotInLetters("the equilibrium of this nonlinear scene is not found in letters",
+                               "draw it in equilibrium, or give numbers with --set")
         return at_position(system.linearisation, self.equilibrium.position(system.linearisation))
 
     @cached_property

@@ -4,9 +4,10 @@ from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import PhysicsError, defined_as_drawn
+from vibcli.base.errors import Kinked, PhysicsError, defined_as_drawn
 from vibcli.base.stage import Costs, Stage
 from vibcli.base.work import Work
+from vibcli.symbolic.derivatives import substitute
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -155,6 +156,15 @@ class MechanicalSystem:
             defined_as_drawn(without_slope, scene)
 
     @cached_property
+    def is_steep_as_drawn(self) -> bool:
+        """Is the slope of a force infinite in the drawn position?"""
+        try:
+            self.linearisation_at_reference  # noqa: B018
+        except Kinked:
+            return True
+        return False
+
+    @cached_property
     def is_linear(self) -> bool:
         """Do the equations not depend on where the scene is linearised?"""
         form = self.linearisation
@@ -165,10 +175,15 @@ class MechanicalSystem:
 
     @cached_property
     def drawn_residual(self) -> "list[list[Node]]":
-        """The terms of each condition of equilibrium as drawn: lists of expressions."""
+        """The terms of each condition of equilibrium as drawn: lists of expressions; the slopes of forces may be
+        infinite there."""
         from vibcli.mechanics.linearisation import residual_terms
 
-        return residual_terms(self.linearisation_at_reference)
+        try:
+            return residual_terms(self.linearisation_at_reference)
+        except Kinked:
+            here = self.scene.vibrating.drawn_position
+            return [substitute(terms, here) for terms in residual_terms(self.linearisation)]
 
     @cached_property
     def potential(self):

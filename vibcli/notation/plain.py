@@ -138,6 +138,8 @@ class Notation:
         if node.name in PULSES or node.name in node.table.records:
             order = node.args[1].coefficient if len(node.args) > 1 else 0
             return self.function(node.name + "'" * order, [self.write(node.args[0], 0)])
+        if node.name in node.table.functions:
+            return self.symbol(node.table.functions[node.name].symbol) + self.brackets(self.write(node.args[0], 0))
         if len(node.args) == 1:
             return self.call(node.name, node.args[0], ONE)
         return self.function(node.name, [self.write(arg, 0) for arg in node.args])
@@ -146,7 +148,8 @@ class Notation:
     def bare(call: "Node") -> bool:
         """Does the argument of a function stand behind it without brackets?"""
         table = call.table
-        return call.args[0].op in ("symbol", "pi") and call.name not in PULSES and call.name not in table.records
+        return call.args[0].op in ("symbol", "pi") and not (
+            call.name in PULSES or call.name in table.records or call.name in table.functions)
 
     def factors(self, value: Fraction | int, args: "Sequence[tuple[Node, Fraction | int]]") -> tuple[Any, ...]:
         """(value, above, below, under the root above, below it): a rational and lists of (node, exponent)."""

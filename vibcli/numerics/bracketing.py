@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     import mpmath
 
 ROUNDS, SAME = 150, 2.0**-51
+NOTHING = 2.0**-80              # of an interval: a zero nearer to 0 than this is known well enough
 SECTIONS, GOLDEN = 90, 0.3819660112501051
 
 
@@ -19,9 +20,9 @@ def zeros_between(function: Callable, low: np.ndarray, high: np.ndarray) -> np.n
     Chords, each third step a halving; a chord that falls near an end is moved inwards, so that both ends close in.
     """
     low, high = low.copy(), high.copy()
-    at_low, at_high = function(low), function(high)
+    at_low, at_high, least = np.array(function(low)), np.array(function(high)), NOTHING * (high - low)
     for step in range(ROUNDS):
-        wide = np.flatnonzero(high - low > SAME * high)
+        wide = np.flatnonzero(high - low > np.maximum(SAME * np.maximum(np.abs(low), np.abs(high)), least))
         if not len(wide):
             break
         a, b, fa, fb = (part[wide] for part in (low, high, at_low, at_high))

@@ -7,6 +7,7 @@ FAMILIES = {
     **dict.fromkeys(("equilibrium", "Q", "stable", "equilibria"), "equilibrium"),
     **dict.fromkeys(("equation", "motion"), "energies"),
     **dict.fromkeys(("M", "C", "G", "K"), "matrices"),
+    **dict.fromkeys(("stiffness", "damping"), "equivalents"),
     **dict.fromkeys(("T", "V", "Phi"), "energies"),
     **dict.fromkeys(("mass", "J", "centre"), "bodies"),
     **dict.fromkeys(("amplitude", "phase", "max", "min", "argmax", "argmin", "mean", "rms", "final", "overshoot",
@@ -14,9 +15,10 @@ FAMILIES = {
                      "envelope"), "response"),
     **dict.fromkeys(("frf", "transmissibility", "peak", "antiresonance", "half_power", "fixed_point", "quality", "arg",
                      "re", "im", "modal_frf", "truncation"), "frequency_response"),
+    "backbone": "nonlinear",
 }
 
 # what the same word means otherwise: with indices, with arguments, of a frequency response; "value" is that of x(2 s)
-FORMS = {"decrement[]": "damped", "rayleigh[]": "modal", "M()": "states", "C()": "states", "K()": "states",
-         "Q()": "states", "period()": "response", "phase(frf)": "frequency_response",
-         "value": "response"}
+FORMS = {"decrement[]": "damped", "rayleigh[]": "modal", "V[]": "expansions", "T[]": "expansions", "M()": "states",
+         "C()": "states", "K()": "states", "Q()": "states", "period()": "response",
+         "phase(frf)": "frequency_response", "value": "response"}

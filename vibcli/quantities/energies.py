@@ -15,6 +15,11 @@ def _motion(problem, tree):
     from vibcli.mechanics.lagrange import equation_of
 
     _require_no_damping(problem)
+    if problem.spec.expanded:
+        from vibcli.results.expanded_response import scene_expanded
+        from vibcli.symbolic.normal_form import textbook
+
+        return textbook(equation_of(scene_expanded(problem), coordinate_number(problem, tree.indices[0])))
     return equation_of(problem.scene, coordinate_number(problem, tree.indices[0]))
 
 
@@ -33,7 +38,8 @@ def _scalar(about, unit):
 QUANTITIES = {
     "equation": Declaration("equation of small oscillations, the coordinates counted from equilibrium",
                             indices=("coordinate",), kind=EQUATION),
-    "motion": Declaration("full equation of motion", indices=("coordinate",), kind=EQUATION, symbolic=_motion),
+    "motion": Declaration("full equation of motion; with motion: {order: 3} the one that is expanded so",
+                          indices=("coordinate",), kind=EQUATION, symbolic=_motion),
     "T": _scalar("kinetic energy, as a function of coordinates and velocities", "J"),
     "V": _scalar("potential energy, up to a constant", "J"),
     "Phi": _scalar("dissipation function", "W"),

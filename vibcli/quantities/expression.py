@@ -39,7 +39,7 @@ def _argument(problem, kind, arg):
     """The value of an argument that is a number, of a complex one with its error; None of what is a function."""
     if kind == "complex":
         return measure(problem, arg)
-    return number_of(problem, arg) if kind in ("time", "Omega") else None
+    return number_of(problem, arg) if kind in ("time", "Omega", "amplitude") else None
 
 
 def value_of(problem: "Problem", expression: "Expression") -> tuple[float, float]:

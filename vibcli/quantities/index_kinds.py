@@ -59,6 +59,14 @@ def _is_signal(spec, index):
     return coordinate_name(spec, index) is not None or signal_dimension(spec, index) is not None
 
 
+HIGHEST = 8         # order of a product
+_PRODUCT = f"a product of order 1 to {HIGHEST} of coordinates"
+def _is_product(spec, index, rates):
+    from vibcli.quantities.products import is_product
+
+    return is_product(spec, index, HIGHEST, rates)
+
+
 INDICES = {
     "mode": IndexKind(lambda spec, index: [str(i + 1) for i in range(len(spec.coordinates))], _is_mode, "1", ("i",),
                       "mode"),
@@ -82,5 +90,9 @@ INDICES = {
     "body": _named("body", ("body",), "bodies"),
     "member": _named("member", ("member",), *MEMBERS),
     "shape": _free("a function of the place x", bool, "x^2")._replace(letters=("x^2",)),
+    "product": IndexKind(lambda spec, index: (), lambda spec, index: _is_product(spec, index, False), "x^2",
+                         ("x^2*y^2",), wants=_PRODUCT),
+    "product with rates": IndexKind(lambda spec, index: (), lambda spec, index: _is_product(spec, index, True),
+                                    "x^2*x'^2", ("x^2*x'^2",), wants=_PRODUCT + " and their rates"),
     "place": _named("place", ("O",), "bodies", "points"),
 }

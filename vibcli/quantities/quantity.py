@@ -3,12 +3,13 @@
 Reading a scene loads declarations alone: what values are found by is imported where they are found.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from importlib import import_module
 from math import tau
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.quantities import FAMILIES, FORMS
+from vibcli.symbolic.parser import IN_TWO_BRACKETS
 from vibcli.symbolic.running_errors import UNIT, error_in, number_in
 from vibcli.symbolic.syntax import NameRef, QuantityRef, Sum, parts_of
 
@@ -24,7 +25,7 @@ SIGNAL = "signal"       # the unit of a number of a signal: that of the signal
 NUMBER, COMPLEX, PERIOD, COUNT, TRUTH = "number", "complex", "period", "count", "truth"     # kinds of values
 OF_SIGNAL, FUNCTION, EQUATION = "signal", "function", "equation"        # a signal again; of coordinates and velocities
 LEAPING, OF_STATE = (COUNT, TRUTH), (FUNCTION, EQUATION)
-_ARGUMENTS = {"signal": "{x}", "time": "2 s", "Omega": "5 Hz", "response": "frf[{x}, {F}]",
+_ARGUMENTS = {"signal": "{x}", "time": "2 s", "amplitude": "10 cm", "Omega": "5 Hz", "response": "frf[{x}, {F}]",
               "complex": "frf[{x}, {F}](5 Hz)"}
 
 
@@ -130,6 +131,11 @@ def quantity_of(spec: "Spec", tree: Any) -> Declaration | None:
     return declared(tree) if isinstance(tree, QuantityRef) and not is_choice(spec, tree) else None
 
 
+def asked_in(tree: Any) -> "Sequence[QuantityRef]":
+    """The quantities that a tree asks for."""
+    return parts_of(tree).quantities
+
+
 def kind_of(spec: "Spec", tree: NameRef | QuantityRef | Sum) -> str | None:
     """The kind of the quantity that a tree asks for; None as above."""
     quantity = quantity_of(spec, tree)
@@ -162,7 +168,8 @@ def usage_of(head: str, quantity: Declaration, spec: "Spec | None" = None) -> st
         return next(iter(INDICES[kind].names(spec, "") if spec is not None else ()), INDICES[kind].sample)
 
     indices = ", ".join(map(sample, quantity.indices))
-    args = ", ".join(_ARGUMENTS[kind].format(x=sample("output"), F=sample("input")) for kind in quantity.args)
+    args = [_ARGUMENTS[kind].format(x=sample("output"), F=sample("input")) for kind in quantity.args]
+    args = (")(" if head in IN_TWO_BRACKETS else ", ").join(args)
     return head + (f"[{indices}]" if indices else "") + (f"({args})" if args else "") + (
         f".{quantity.components[0]}" if quantity.components[0] else "")
 

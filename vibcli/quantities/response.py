@@ -94,7 +94,7 @@ def at_instant(signal: Any, time: float) -> float:
 
 
 def _value(problem, tree, args):
-    signal = _signal(problem, tree)
+    signal = _signal(problem, tree).read_at(args[1])
     return at_instant(signal, args[1]), lambda: signal.error(args[1])
 
 

@@ -22,13 +22,18 @@ if TYPE_CHECKING:
 ANGLE = 0.7     # no phasor of an undamped scene is at right angles to it
 
 
-def _linear(problem, tree):
-    """The signal as a linear output of a small motion."""
+def _linear(problem, tree, harmonic=None):
+    """The signal as a linear output of a small motion; of members under loads with harmonics without end of one."""
     response = problem.response_of(tree)
-    signal = getattr(response, "kept_up", response).signal(tree.args[0])
+    response = getattr(response, "kept_up", response)
+    signal = (response if harmonic is None else _of_harmonic(response, harmonic)).signal(tree.args[0])
     if not isinstance(signal, LinearSignal):
         raise PhysicsError(f"'{tree.head}' is not found of {signal.KIND}", "ask for max(x), min(x) or values in time")
     return signal
+
+
+def _of_harmonic(response, number):
+    return response.of_harmonic(number) if response.KIND == "steady" else response
 
 
 def amplitude(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> "Measured":
@@ -60,7 +65,8 @@ def phase(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> "Meas
 
 
 def harmonic(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> "Measured":
-    signal, number = _linear(problem, tree), int(tree.indices[0])
+    number = int(tree.indices[0])
+    signal = _linear(problem, tree, number)
     if not signal_features.kept_up(signal):
         raise PhysicsError("no load that repeats itself drives this signal: it has no harmonics", "ask for max(x)")
     return abs(steady_features.harmonic(signal, number)), lambda: feature_errors.harmonic(signal, number)
@@ -69,13 +75,14 @@ def harmonic(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> "M
 def _over_a_period(which):
     """The mean or the rms of the steady state that loads keep up, else of the free vibrations that last."""
     def value(problem, tree, args):
-        signal = problem.response_of(tree).signal(tree.args[0])
+        signal = _of_harmonic(problem.response_of(tree), 0).signal(tree.args[0])
         if isinstance(signal, ComposedSignal | Envelope):
+            signal = problem.response_of(tree).signal(tree.args[0])
             from vibcli.results import composed_means
 
             found, error = getattr(composed_means, which)(signal)
             return found, lambda: error
-        signal = _linear(problem, tree)
+        signal = _linear(problem, tree, 0 if which == "mean" else None)
         free = not signal_features.kept_up(signal)
         found = getattr(signal_features, which)(signal) if free else getattr(signal.motion.steady, which)(
             signal.output)

@@ -65,7 +65,7 @@ def settle(spec: "Spec", reader: Reader) -> "Spec":
     if spec.get("find") and reader.sound and len(reader.diagnostics) == before:
         from vibcli.reader.quantity_check import check_questions
 
-        check_questions(spec, reader, *spec.get("find").signals)
+        check_questions(spec, reader, *spec.get("find").signals, spec.get("find").amplitudes)
     if spec.answers and reader.sound and len(reader.diagnostics) == before:
         from vibcli.reader.answer_check import checked
 

@@ -115,7 +115,8 @@ def arguments_fit(spec: "Spec", reader: "Reader", expression: "Expression", tree
         if head == VALUE:
             applied(reader, expression, tree)
         else:
-            reader.report(place, f"'{head}' takes one argument in round brackets, found {len(args) or 'none'}",
+            wanted = {1: "one argument in round brackets", 2: "a signal and a number, each in round brackets"}
+            reader.report(place, f"'{head}' takes {wanted[len(quantity.args)]}, found {len(args) or 'none'}",
                           f"write {usage_of(head, quantity, spec)}")
         return False
     kinds = zip(quantity.args, args, strict=False)
@@ -123,14 +124,18 @@ def arguments_fit(spec: "Spec", reader: "Reader", expression: "Expression", tree
 
 
 def check_questions(spec: "Spec", reader: "Reader", signals: "Sequence[Expression]",
-                    drivers: "Sequence[Expression]") -> None:
-    """Report what is wrong with the signals and inputs of `find`."""
+                    drivers: "Sequence[Expression]", amplitudes: "Sequence[tuple]" = ()) -> None:
+    """Report what is wrong with the signals and inputs of `find`, and with amplitudes of signals."""
+    before = len(reader.diagnostics)
     for expression in signals:
         _signal(spec, reader, expression, QuantityRef(0, 0, "", "", (), "", (expression.tree,)), expression.tree)
     for expression in drivers:
         if not isinstance(expression.tree, NameRef) or input_dimension(spec, expression.text) is None:
             reader.report(expression.where, f"this scene has no input {quoted(expression.text)}",
                           nearest(expression.text, inputs(spec)))
+    for signal, largest in amplitudes if spec.coordinates and len(reader.diagnostics) == before else ():
+        tree = NameRef(0, 0, next(iter(spec.coordinates)), 0) if signal is None else signal.tree
+        _number(spec, reader, largest, "amplitude", largest.tree, QuantityRef(0, 0, "", "", (), "", (tree,)))
 
 
 def _argument(spec, reader, expression, tree, kind, arg):
@@ -138,7 +143,7 @@ def _argument(spec, reader, expression, tree, kind, arg):
         return _signal(spec, reader, expression, tree, arg)
     if kind in ("response", "complex"):
         return _response(spec, reader, expression, tree, arg, wants_value=kind == "complex")
-    return _number(spec, reader, expression, kind, arg)
+    return _number(spec, reader, expression, kind, arg, tree)
 
 
 def _signal(spec, reader, expression, tree, arg):
@@ -218,8 +223,8 @@ def _response(spec, reader, expression, tree, arg, wants_value):
     return False
 
 
-def _number(spec, reader, expression, kind, arg):
-    """An instant, or a frequency in rad/s or Hz."""
+def _number(spec, reader, expression, kind, arg, tree):
+    """An instant, a frequency in rad/s or Hz, or an amplitude of the signal before it."""
     before = len(reader.diagnostics)
     for name, primes, start, end in parts_of(arg).names:
         if name in spec.parameters and not primes:
@@ -234,15 +239,26 @@ def _number(spec, reader, expression, kind, arg):
     found = _dimension(spec, reader, expression, arg)
     if found is False:
         return False
-    wanted, words = (units.TIME, "an instant (s)") if kind == "time" else (units.RATE, "a frequency (rad/s or Hz)")
+    wanted, words, example = _wanted(spec, reader, expression, kind, tree)
     bare = spec.free_numbers == ALL_NUMBERS or (
         spec.free_numbers and not any(part.units for part in parts_of(arg).numbers))
     if found is None or bare or spec.dimensions.equate(found, wanted):
         return _counted(spec, reader, expression, kind, arg)
     reader.report(expression.scalar.place(arg.start, arg.end - arg.start),
                   f"expected {words}, found {units.name(spec.dimensions.resolve(found))}",
-                  "write for example 2.5 s" if kind == "time" else "write for example 20 rad/s or 5 Hz")
+                  f"write for example {example}")
     return False
+
+
+def _wanted(spec, reader, expression, kind, tree):
+    """(dimension, what it is called, an example) of an argument that is a number."""
+    if kind == "time":
+        return units.TIME, "an instant (s)", "2.5 s"
+    if kind == "Omega":
+        return units.RATE, "a frequency (rad/s or Hz)", "20 rad/s or 5 Hz"
+    found = _dimension(spec, reader, expression, tree.args[0])
+    name = units.name(spec.dimensions.resolve(found))
+    return found, f"an amplitude of the signal before it, {name}", "10 cm of a length"
 
 
 def _counted(spec, reader, expression, kind, arg):
@@ -251,7 +267,7 @@ def _counted(spec, reader, expression, kind, arg):
     try:
         counter = cycles(spec, expression.text)
         count = counter.count(arg)
-        if kind == "time" or (kind != "signal" and left_over(count) not in (0, 1)):
+        if kind == "time" or (kind not in ("signal", "amplitude") and left_over(count) not in (0, 1)):
             counter.require_radians(arg)
     except ExpressionError as error:
         reader.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)

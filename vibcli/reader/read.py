@@ -12,8 +12,8 @@ from vibcli.base.errors import Diagnostic, SpecError
 from vibcli.base.spelling import nearest
 from vibcli.elements import ELEMENTS
 from vibcli.language.document.document import Mapping, Scalar
-from vibcli.language.kinds import Choice, Kind, Text
-from vibcli.language.named_elements import Lazy, Named
+from vibcli.language.kinds import Kind, Text
+from vibcli.language.named_elements import Lazy, LazyKind, Named
 from vibcli.language.reader import MOST_PROBLEMS, Reader, TooManyErrors
 from vibcli.language.record_calls import RESERVED, own
 from vibcli.language.sections import NAMES as GIVEN
@@ -70,9 +70,10 @@ SECTIONS = {
     **{section: (_kind(name, section), about) for name, (section, about) in ELEMENTS.items() if section is not None},
     "equilibrium": (equilibrium.KIND, GIVEN["equilibrium"]),
     "initial": (initial.KIND, GIVEN["initial"]),
-    "motion": (Choice("small", "full"), "what motions in time are: `small` oscillations in closed form, the default "
-               "about an equilibrium, or those of the `full` equations, integrated. Scenes with nonlinear "
-               "laws must say which"),
+    "motion": (LazyKind("motion", "language.sections"), (
+        "what motions in time are: `small` oscillations in closed form, the default about an equilibrium, or those of "
+        "the `full` equations, integrated; `{order: 3}`: those of the equations expanded to the third order in the "
+        "deviations from equilibrium. Scenes with nonlinear laws must say which")),
     "find": (find.QUESTIONS, ASKED["find"]),
     "choose": (Named(Lazy("choose", "reader.sections"), "a mapping from parameters to conditions", ("pi", "t")),
                ASKED["choose"]),

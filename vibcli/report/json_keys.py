@@ -3,10 +3,12 @@
 from vibcli.analyses import OF_MODES
 from vibcli.report.keys import Key, documented
 from vibcli.report.sections.accelerations import ACCELERATIONS
+from vibcli.report.sections.backbone import KEY as BACKBONE
 from vibcli.report.sections.design_parameters import CHOSEN
 from vibcli.report.sections.equations_of_motion import ENERGY, EQUATIONS, MATRICES
 from vibcli.report.sections.equilibria import EQUILIBRIA, SEARCH
 from vibcli.report.sections.equilibrium import EQUILIBRIUM, STICKING
+from vibcli.report.sections.equivalents import KEY as EQUIVALENTS
 from vibcli.report.sections.frequency_response import FREQUENCY_RESPONSE
 from vibcli.report.sections.insight import insight
 from vibcli.report.sections.member_modes import COUNT, MEMBERS
@@ -24,5 +26,6 @@ KEYS = dict(documented((
     Key("remark", "why a scene in letters, or one with a kink at rest, has no equilibrium, matrices and modes here, or "
         "one without inertia no modes, in words; absent otherwise"),
     MODES._replace(each=(*MODES.each, MEMBERS)), COUNT, DAMPED_MODES, MOTION, FREQUENCY_RESPONSE,
+    EQUIVALENTS, BACKBONE,
     Key("insight", "only where `find` or --insight asks for it", of=insight(OF_MODES)), POLYNOMIAL,
     Key("cases", "{name: the same keys}, where the file has cases"))))

@@ -4,11 +4,14 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from vibcli.results.signals import ComposedSignal
 
 ROUNDING = 2.0**-50
 STEP = 2.0**-20         # relative, of a difference
 WIDE = 2.0**10          # of a difference, in errors
+KINKED = 0.4            # of the second difference over twice the step, a quarter of which it is where nothing kinks
 SLOW = 2.0**-8          # of the time in which the fastest part turns by a radian
 
 
@@ -26,6 +29,18 @@ def propagated(function: Callable, values: Mapping[str, float], errors: Mapping[
         slope = max(abs(side - here) for side in sides) / step
         total += min(slope * off, 2 * max(near)) if max(near) > 64 * ROUNDING * abs(here) else slope * off
     return total + ROUNDING * abs(here)
+
+
+def spread(function: Callable, values: "Mapping[str, np.ndarray]", errors: "Mapping[str, np.ndarray]") -> "np.ndarray":
+    """How far function(values) may be off at many instants, where each of its values is off by its error."""
+    import numpy as np
+
+    here = function(values)
+    found = ROUNDING * np.abs(here)
+    for name, off in errors.items():
+        sides = [np.abs(function({**values, name: values[name] + way * off}) - here) for way in (1, -1)]
+        found = found + np.maximum(*sides)
+    return np.where(np.isnan(found), np.inf, found)
 
 
 def of_value(signal: "ComposedSignal", t: float) -> float:
@@ -48,17 +63,24 @@ def of_value(signal: "ComposedSignal", t: float) -> float:
 
 def of_instant(signal: "ComposedSignal", t: float, order: int) -> float:
     """Of an instant at which a composed signal passes zero (order 0) or is largest (1), by difference quotients."""
-    import numpy as np
-
     motions = [one.motion for one in signal.signals.values() if hasattr(one, "motion")]
     rates = [abs(node) for motion in motions for block in motion.blocks for node in block.nodes]
-    fastest = max(rates, default=0.0) or 1 / (t or 1.0)
+    return at_pace(signal, t, order, max(rates, default=0.0) or 1 / (t or 1.0))
+
+
+def at_pace(signal: "ComposedSignal", t: float, order: int, fastest: float) -> float:
+    """The same where the fastest part turns by so many radians in a second."""
+    import numpy as np
+
     step = SLOW / fastest
-    before, here, after = signal.values(np.array([max(t - step, 0.0), t, t + step]))
-    error, slope, bend = signal.error(t), (after - before) / (2 * step), (after - 2 * here + before) / step**2
+    at = t + step * np.array([-1.0, -0.5, 0.0, 0.5, 1.0])
+    first, before, here, after, last = signal.values(np.maximum(at, 0.0))
+    error, slope, bend = signal.error(t), (last - first) / (2 * step), (last - 2 * here + first) / step**2
     if order:
         if abs(slope) > 2 * abs(bend) * step or not bend:
             return ROUNDING * t
+        if abs(after - 2 * here + before) > KINKED * abs(last - 2 * here + first):
+            return 4 * error / (abs(bend) * step) + ROUNDING * t
         return 2 * fastest * error / abs(bend) + ROUNDING * t
     if abs(slope) > abs(bend) * step:
         return 2 * error / abs(slope) + ROUNDING * t

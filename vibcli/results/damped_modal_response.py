@@ -19,6 +19,7 @@ class DampedModalResponse(ModalResponse):
     """Small oscillations about the equilibrium. NotByModes where damped modes are not all that moves."""
 
     WORDS = "small oscillations about the equilibrium, by damped modes; what those left out add is estimated"
+    estimated = True
 
     def require(self) -> None:
         """NotByModes where the motion is not one of damped modes."""
@@ -27,9 +28,6 @@ class DampedModalResponse(ModalResponse):
         from vibcli.analyses.continuous.damped_series import swallowed
 
         matrix = self._transfer.matrix
-        if matrix.retardation:
-            raise NotByModes("damping in proportion to stiffness stands beside what couples the modes of members: "
-                             "modes without end creep", "ask for steady(…), or write `proportional: [alpha, 0 s]`")
         if any((part != part.T).any() for part in matrix.polynomial):
             raise NotByModes("forces that no potential gives couple the modes of members", "ask for steady(…)")
         self.problem.modal.modes.first(1)

@@ -85,7 +85,10 @@ def phase(signal: "LinearSignal") -> float:
 
 
 def harmonic(signal: "LinearSignal", number: int) -> float:
-    steady, Omega = signal.motion.steady, steady_features.fundamental(signal)
+    steady = signal.motion.steady
+    if steady.period is None and signal.motion.forcing.period is not None:     # of one harmonic alone
+        return sum(phasors(signal).values())
+    Omega = steady_features.fundamental(signal)
     if steady.period is not None:
         return steady_errors.of_harmonic(steady, signal.output, number)
     return sum(error for rate, error in phasors(signal).items()

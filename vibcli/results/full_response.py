@@ -188,7 +188,8 @@ class FullResponse(StatesInTime):
     def _exact_period(self):
         import mpmath
 
-        from vibcli.analyses.time_integration.period import DIGITS, exact_period
+        from vibcli.analyses.nonlinear.high_precision_period import DIGITS
+        from vibcli.analyses.nonlinear.period import exact_period
         from vibcli.symbolic.evaluation import multiprecision
 
         problem = self.problem

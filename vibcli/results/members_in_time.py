@@ -1,5 +1,5 @@
 """The motion in time of scenes with members: by travelling waves where these are exact and their fronts few,
-else by modes."""
+else by modes, values at early instants by waves nevertheless."""
 
 from typing import TYPE_CHECKING
 
@@ -15,41 +15,58 @@ def members_in_time(problem: "Problem") -> "SmallResponse":
     """The response of a scene whose members vibrate."""
     from vibcli.results.wave_response import WaveResponse
 
-    if problem.spec.get("motion") == "full":
+    if problem.spec.in_full:
         raise PhysicsError("members are linear about their drawn line: the full equations of this scene are not found",
                            "write motion: small")
     waves = WaveResponse(problem)
     try:
-        if waves.ends:
-            waves.alone.march.reach(waves.until)
-        else:
-            waves.alone  # noqa: B018 - is its motion one of waves?
+        waves.alone  # noqa: B018 - is its motion one of waves?
     except NotByWaves:
         return _by_modes(problem)
+    try:
+        if waves.ends:
+            waves.alone.march.reach(waves.until)
+    except NotByWaves:      # fronts are too many up to the end
+        found = _by_modes(problem, waves)
+        return waves if found.KIND == "steady" else found
     return waves
 
 
-def _by_modes(problem):
-    """The ModalResponse, or a response of which steady states alone are found."""
+def _by_modes(problem, waves=None):
+    """The ModalResponse, beside waves that are followed for a while, or a response of which steady states alone are
+    found."""
     from vibcli.results.modal_response import CoupledModes, ModalResponse, NotByModes, ShakenSupports
 
-    modes: ModalResponse = ModalResponse(problem)
+    modes: ModalResponse = ModalResponse(problem, waves)
     try:
         try:
             modes.alone  # noqa: B018 - is its motion one of modes by themselves?
         except ShakenSupports:
             from vibcli.results.shaken_modal_response import ShakenModalResponse
 
-            modes = ShakenModalResponse(problem)
+            modes = ShakenModalResponse(problem, waves)
             modes.alone  # noqa: B018 - does it have such a motion?
         except CoupledModes:
-            from vibcli.results.damped_modal_response import DampedModalResponse
-
-            modes = DampedModalResponse(problem)
-            modes.require()
+            modes = _by_coupled_modes(problem, waves)
     except NotByModes as reason:
         from vibcli.results.steady_response import SteadyResponse
 
         return SteadyResponse(problem, PhysicsError(
             f"the motion in time of this scene is not found: {reason.message}", reason.hint))
     return modes
+
+
+def _by_coupled_modes(problem, waves):
+    """By damped modes where these are all that moves, else by those without damping, which dampers couple."""
+    from vibcli.results.coupled_modal_response import CoupledModalResponse
+    from vibcli.results.damped_modal_response import DampedModalResponse
+
+    given = problem.spec.get("damping")
+    rated = given is not None and "proportional" not in given
+    if rated or any(placed.retardation for placed in problem.configuration.linear_system.pieces):
+        modes = CoupledModalResponse(problem, waves)
+        modes.alone  # noqa: B018 - does it have such a motion?
+        return modes
+    found = DampedModalResponse(problem, waves)
+    found.require()
+    return found

@@ -25,14 +25,14 @@ class ModalResponse(ResponseOfMembers):
 
     KIND, WORDS = "modes", "small oscillations about the equilibrium, by modes"
 
-    def __init__(self, problem: Any):
-        super().__init__(problem)
+    def __init__(self, problem: Any, waves: Any = None):
+        super().__init__(problem, waves)
         self._motions: dict[int, ModalMotion] = {}
 
     @cached_property
     def alone(self):
         """The ModalMotion of the first modes under the excitation."""
-        count = FEWEST if self.rests else FIRST
+        count = FEWEST if self.rests else self._first
         while True:
             try:
                 return self.motion(count)
@@ -42,6 +42,11 @@ class ModalResponse(ResponseOfMembers):
                 count //= 2
                 if count < FEWEST:
                     raise
+
+    @property
+    def _first(self):
+        """So many modes are counted at first."""
+        return FIRST
 
     @cached_property
     def most(self) -> int:
@@ -168,6 +173,8 @@ class ModalResponse(ResponseOfMembers):
             return self._given_damping(basis)
         rates = {placed.piece.drag / placed.piece.inertia for placed in self._transfer.pieces}
         most = max(rates)
+        if any(placed.retardation for placed in self.configuration.linear_system.pieces):
+            raise CoupledModes("damping in proportion to stiffness stands beside drag", "ask for steady(…)")
         if not most:
             return np.zeros(len(basis.squares))
         if most - min(rates) > 1e-14 * most or self.matrices[0].any():
@@ -272,15 +279,15 @@ class ModalResponse(ResponseOfMembers):
         from vibcli.results.modal_signals import ModalSignal
 
         motion, output = self._driven(constant, terms)
-        return ModalSignal(self._enough(motion, output), output)
+        return ModalSignal(self._enough(motion, output), output, source)
 
     def _composed(self, node, parts, source=()):
-        from vibcli.results.signals import ComposedSignal
+        from vibcli.results.composed_of_modes import ComposedOfModes
 
         if self._closing(node) is not None:
             raise PhysicsError("signals of loops that close are not found by modes", "ask for coordinates")
         signals = {symbol.name: self._one(part) for symbol, part in parts.items()}
-        return ComposedSignal(node, signals, self.values, self.problem.scene.time, None, self.problem.work)
+        return ComposedOfModes(node, signals, self.values, self.problem.scene.time, self.problem.work, source)
 
 
 class NotByModes(NotByWaves):

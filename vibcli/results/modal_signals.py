@@ -14,12 +14,15 @@ if TYPE_CHECKING:
 
 
 class ModalSignal(Signal):
-    """A linear output of a ModalMotion."""
+    """A linear output of a ModalMotion; asked: the response and the tree that it was asked as."""
 
     KIND = "a motion that is followed by modes of members"
 
-    def __init__(self, motion: "ModalMotion", output: "LinearOutput"):
-        self.modal, self.reads, self.work = motion, output, motion.work
+    def __init__(self, motion: "ModalMotion", output: "LinearOutput", asked: tuple = ()):
+        self.modal, self.reads, self.work, self.asked = motion, output, motion.work, asked
+
+    def read_at(self, t: float) -> Signal:
+        return by_waves(self, self.asked, t)
 
     def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
         self.require_bound(float(max(times, default=0.0)) if hasattr(times, "__len__") else float(times), order)
@@ -30,19 +33,25 @@ class ModalSignal(Signal):
         import numpy as np
 
         if np.isinf(self.modal.bound(self.reads, t, order)):
-            raise _without_bound()
+            raise without_bound()
 
     def error(self, t: float) -> float:
         import numpy as np
 
         return float(self.modal.errors(self.reads, np.array([t]))[0])
 
+    def off(self, times: "np.ndarray", end: float, modes: int) -> "np.ndarray":
+        """Bounds of the errors of its values by so many modes at instants up to an end."""
+        from vibcli.analyses.continuous.modal_search import off_along
+
+        return off_along(self.modal, self.reads, times, end, modes)
+
     def error_of_extreme(self, start: float, end: float, top: tuple[float, float], sense: int) -> float:
         from vibcli.analyses.continuous.modal_search import error_of_extreme
 
         found = error_of_extreme(self.modal, self.reads, start, end, top, sense)
         if found == inf:
-            raise _without_bound()
+            raise without_bound()
         return found
 
     def error_of_time(self, t: float) -> float:
@@ -79,7 +88,15 @@ class ModalSignal(Signal):
         raise PhysicsError(f"the limit of {self.KIND} is not found", "ask for its value at a late instant")
 
 
-def _without_bound():
+def by_waves(signal: Signal, asked: tuple, t: float) -> Signal:
+    """The same by waves where these are followed up to an instant."""
+    found = asked[0].by_waves(asked[1], t) if asked else None
+    return signal if found is None else found
+
+
+def without_bound() -> NoBound:
+    """Of a series that does not converge absolutely."""
     return NoBound("the series of this signal over all modes does not converge absolutely after what jumps here: "
                    "what the modes left out add to it has no bound",
-                   "ask for displacements, or let the load begin smoothly")
+                   "ask for displacements; loads that begin without a jump, or that act on a mass, leave less to the "
+                   "modes left out")

@@ -166,6 +166,10 @@ class Problem:
             from vibcli.results.members_in_time import members_in_time
 
             return members_in_time(self)
+        if self.spec.expanded:
+            from vibcli.results.expanded_response import ExpandedResponse
+
+            return ExpandedResponse(self)
         if kind == "full" and self.digits is not None:
             from vibcli.results.series_response import SeriesResponse
 
@@ -190,11 +194,18 @@ class Problem:
         from vibcli.results.steady_response import SteadyResponse
 
         kind = self.spec.get("motion")
-        if kind == "full" or (kind is None and self.scene.laws):
+        if self.spec.in_full or (kind is None and self.scene.laws):
             return None
         found = SteadyResponse(self, PhysicsError("this is not found of small oscillations of members",
                                                   "ask for max(x), min(x) or values in time"))
         return found if found.drives else None
+
+    @cached_property
+    def free_motions(self):
+        """Its FreeMotions."""
+        from vibcli.results.free_motions import FreeMotions
+
+        return FreeMotions(self)
 
     def require_no_members(self) -> None:
         """NotInLetters of motions in time, and at a frequency, of members that vibrate."""

@@ -20,11 +20,18 @@ LONGEST = 1e12      # seconds
 class Response:
     """Until when a motion is looked at, and what drives it. KIND: small, full, prescribed, waves, modes or series."""
 
+    WORDS: str
+    estimated = False       # are errors estimates of what modes left out add, and no bounds?
     lasting: Callable[[], float]
     known: float
 
     def __init__(self, problem: "Problem"):
         self.problem = problem
+
+    @property
+    def words(self) -> str:
+        """What kind of motion it is, and how it is found."""
+        return self.WORDS
 
     @property
     def ends(self) -> bool:

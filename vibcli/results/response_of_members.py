@@ -2,7 +2,7 @@
 that they start with, and signals of places between stations."""
 
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 from vibcli.analyses.excitation.linear_output import FieldPoint, LinearOutput
@@ -13,15 +13,36 @@ from vibcli.symbolic.rationals import fraction_of
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.forcing import Forcing
     from vibcli.mechanics.factored_system import PlacedPiece
+    from vibcli.results.problem import Problem
+    from vibcli.results.signal import Signal
     from vibcli.results.steady_response import SteadyResponse
     from vibcli.symbolic.node import Node
 
+EARLY = "; values at instants by travelling waves as long as their fronts stay few"
 CHECKED, SAME = 0.2, 1e-9       # where on a piece a parabola is checked, relative to its length, and how closely
 
 
 class ResponseOfMembers(SmallResponse):
     """Small oscillations of a scene whose members vibrate. `moved(direct)` gives its motion, read by LinearOutputs with
     FieldPoints; `matrices` leave the pieces out, which stand apart."""
+
+    def __init__(self, problem: "Problem", waves: "SmallResponse | None" = None):
+        super().__init__(problem)
+        self._waves = waves
+
+    @property
+    def words(self) -> str:
+        return self.WORDS + (EARLY if self._waves is not None else "")
+
+    def by_waves(self, tree: Any, t: float) -> "Signal | None":
+        """The signal of a tree by waves that are followed up to an instant; None where their fronts are too many."""
+        if self._waves is None:
+            return None
+        try:
+            self._waves.alone.march.reach(t)
+        except NotByWaves:
+            return None
+        return self._waves.signal(tree)
 
     @property
     def start(self):

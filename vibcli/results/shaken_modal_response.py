@@ -15,6 +15,7 @@ class ShakenModalResponse(ModalResponse):
     """Small oscillations about the equilibrium; the displacements of supports are channels of their own, the last."""
 
     WORDS = "small oscillations about the equilibrium, by modes; what those left out add is estimated"
+    estimated = True
 
     @cached_property
     def _transfer(self):
@@ -65,6 +66,8 @@ class ShakenModalResponse(ModalResponse):
         scene, nodes = self.problem.scene, list(self._inputs.values())
         known = {**self.problem.numeric.floats, scene.time.name: 0.0}
         start = np.array([evaluate(part, Floats, known) for part in (nodes, [scene.rate(node) for node in nodes])])
+        if not np.isfinite(start).all():
+            raise NotByModes("a support jumps at t = 0 beside `damping:` of members", "let it begin without a jump")
         return Shaking(np.array([g, r, m]), start)
 
     def _disturbed(self, basis, inputs, damping):

@@ -32,10 +32,27 @@ class Signal:
     values: Callable[..., "np.ndarray"]
     extreme: Callable[..., tuple[float, float]]
 
+    def read_at(self, t: float) -> "Signal":
+        """The same signal as its value at an instant is best found."""
+        return self
+
     def sampled(self, times: "np.ndarray") -> "np.ndarray":
         """Its values at ascending instants; where it leaps and an instant stands twice, before the leap and after
         it."""
         return self.values(times)
+
+    def values_before(self, times: "np.ndarray") -> "np.ndarray":
+        """Its values at instants, at a leap those before it."""
+        return self.values(times)
+
+    def fronts(self, end: float) -> "np.ndarray":
+        """The instants up to an end at which waves bring fronts, ascending."""
+        import numpy as np
+
+        return np.zeros(0)
+
+    def require_bounded(self, end: float) -> None:
+        """PhysicsError where it is infinite at an instant."""
 
     def leaps(self, end: float) -> list[tuple[float, float, float]]:
         """(t, value before, value after) of the fronts up to an end at which it leaps, as far as these are looked

@@ -48,7 +48,10 @@ def common(speeds: Sequence[float]) -> float | None:
 
 def harmonic(signal: "LinearSignal", number: int) -> complex:
     """The complex amplitude X of harmonic n of a periodic steady state."""
-    steady, Omega = signal.motion.steady, fundamental(signal)
+    steady = signal.motion.steady
+    if steady.period is None and signal.motion.forcing.period is not None:     # of one harmonic alone
+        return sum((X for _, X in harmonics(signal)), 0j)
+    Omega = fundamental(signal)
     if steady.period is not None:
         return steady.harmonic(signal.output, number)
     near = [X for speed, X in harmonics(signal) if abs(speed - number * Omega) <= COMMENSURATE * speed]

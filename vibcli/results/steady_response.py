@@ -6,6 +6,8 @@ from math import inf, tau
 from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.excitation.linear_output import LinearOutput
+from vibcli.analyses.transient.steady_errors import of_harmonic_forces
+from vibcli.analyses.transient.steady_state import harmonic_forces, resonance, steady_forcing
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signal_names import signal_name
 from vibcli.results.responses import SmallResponse
@@ -21,19 +23,25 @@ MOST = 10_000       # steps of a million products
 
 
 class SteadyResponse(SmallResponse):
-    """What loads keep up; `reason`: why nothing else is found."""
+    """What loads keep up; `reason`: why nothing else is found; `only`: of which harmonic of periodic loads alone."""
 
     KIND = "steady"
 
-    def __init__(self, problem: "Problem", reason: PhysicsError):
+    def __init__(self, problem: "Problem", reason: PhysicsError, only: int | None = None):
         super().__init__(problem)
-        self.reason = reason
+        self.reason, self.only = reason, only
         self._channels: dict[str, int] = {}
         self._harmonics: list[Harmonic] = []
 
     @property
     def start(self):
         return self.problem.initial.start
+
+    def of_harmonic(self, number: int) -> "SteadyResponse":
+        """What one harmonic of loads with harmonics without end keeps up, 0 of their mean; of all others it itself."""
+        if self.input_forcing.period is None:
+            return self
+        return SteadyResponse(self.problem, self.reason, number)
 
     @property
     def drives(self) -> bool:
@@ -83,8 +91,6 @@ class SteadyResponse(SmallResponse):
         from vibcli.analyses.frequency_response.evaluate import sampled
         from vibcli.analyses.frequency_response.member_system import MemberInput
         from vibcli.analyses.frequency_response.member_transfer import transfer_to
-        from vibcli.analyses.transient.steady_state import resonance
-
         found = [] if signal_name(text).primes else [Harmonic(channel, 0.0, self._at_rest(text), 0.0)]
         for number, waves in self.waves.items():
             curve = transfer_to(self.configuration, signal_name(text), MemberInput({number: 1.0}), 0,
@@ -94,7 +100,7 @@ class SteadyResponse(SmallResponse):
                 for (Omega, A), H, lost in zip(waves, values, resonant, strict=True):
                     if lost:
                         raise resonance(1j * Omega)
-                    size = abs(A) * (curve.error(Omega) + 1e-15 * abs(H))
+                    size = abs(A) * (curve.error(Omega) + 1e-15 * abs(H)) + self._lost[number] * abs(H)
                     found.append(Harmonic(channel, Omega, complex(H * A), size))
         return found
 
@@ -137,14 +143,11 @@ class SteadyResponse(SmallResponse):
     @cached_property
     def waves(self) -> dict[int, list[tuple[float, complex]]]:
         """{coordinate of an input: [(Ω, A)]} of what the inputs do in the end, Re Σ A e^{iΩt}."""
-        from vibcli.analyses.transient.steady_state import steady_forcing
-
         if self.problem.modal.modes.grow:
             raise PhysicsError("there is no steady state: the free motion grows", "the equilibrium is unstable")
         forcing, n = steady_forcing(self.input_forcing), self.configuration.with_inputs.n
         if forcing.period is not None:
-            raise PhysicsError("this load has harmonics without end: the steady state of members is found at single "
-                               "frequencies", "ask for abs(frf[…](Ω)) at those that matter")
+            return self._of_harmonic(forcing)
         found: dict[int, dict[float, complex]] = {}
         for wave in forcing.pieces[0].waves:
             if wave.power:
@@ -155,6 +158,24 @@ class SteadyResponse(SmallResponse):
             waves = found.setdefault(n + wave.channel, {})
             waves[rate] = waves.get(rate, 0.0) + A
         return {number: list(waves.items()) for number, waves in found.items()}
+
+    def _of_harmonic(self, forcing):
+        """The waves of one harmonic."""
+        if self.only is None:
+            raise PhysicsError("this load has harmonics without end: the steady state of members is found of one at a "
+                               "time", "ask for harmonic[1](…), harmonic[2](…) and so on of single signals, or for "
+                               "abs(frf[…](Ω))")
+        s, forces = harmonic_forces(forcing, self.only)
+        return {number: [(s.imag, complex(A) if self.only else float(A))]
+                for number, A in enumerate(forces, self.configuration.with_inputs.n) if A}
+
+    @cached_property
+    def _lost(self):
+        """{coordinate of an input: how far what it does may be off by rounding}."""
+        if self.only is None:
+            return dict.fromkeys(self.waves, 0.0)
+        lost = of_harmonic_forces(steady_forcing(self.input_forcing), self.only)
+        return dict(enumerate(lost.tolist(), self.configuration.with_inputs.n))
 
     @property
     def kept(self) -> "KeptUpMotion":

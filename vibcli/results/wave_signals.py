@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.numerics.chebyshev import N
 from vibcli.results.signal import Signal
 from vibcli.results.signals import ComposedSignal
 
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.travelling_waves_search import Stretches
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
+BENDING = "abs", "sign", "ramp", "step", "min", "max"
 FRONT = 1e-12       # relative: how far the instant of a front may be off
 
 
@@ -28,7 +30,6 @@ class WaveSignal(Signal):
         return self.waves.values(self.reads, times, order)
 
     def values_before(self, times: "np.ndarray") -> "np.ndarray":
-        """Its values at instants, at a front those before it."""
         return self.waves.values(self.reads, times, before=True)
 
     def sampled(self, times: "np.ndarray") -> "np.ndarray":
@@ -44,8 +45,10 @@ class WaveSignal(Signal):
         """The instants up to an end between which it is smooth, ascending."""
         return self.waves.breaks(self.reads, end)
 
+    def fronts(self, end: float) -> "np.ndarray":
+        return self.breaks(end)
+
     def require_bounded(self, end: float) -> None:
-        """PhysicsError where it is infinite at an instant."""
         self.waves.require_bounded(self.reads, end)
 
     def error(self, t: float) -> float:
@@ -57,17 +60,12 @@ class WaveSignal(Signal):
     def error_of_time(self, t: float) -> float:
         from vibcli.analyses.transient.instant_errors import of_top
 
-        return FRONT * t if self._bends(t) else of_top(self.waves, self.reads, t)
+        return FRONT * t if _at_front(self, t) else of_top(self.waves, self.reads, t)
 
     def error_of_zero(self, t: float) -> float:
         from vibcli.analyses.transient.instant_errors import of_passage
 
-        return FRONT * t if self._bends(t) else of_passage(self.waves, self.reads, t)
-
-    def _bends(self, t):
-        import numpy as np
-
-        return bool((np.abs(self.breaks(t) - t) <= FRONT * t).any())
+        return FRONT * t if _at_front(self, t) else of_passage(self.waves, self.reads, t)
 
     def extreme(self, start: float, end: float, sense: int) -> tuple[float, float]:
         """(instant, value) of the largest (sense 1) or smallest (−1) value, at a front that before it or after it."""
@@ -91,24 +89,36 @@ class WaveSignal(Signal):
 
 
 class ComposedOfWaves(ComposedSignal):
-    """A function of WaveSignals."""
+    """A function of WaveSignals, and of steady states perhaps."""
 
     KIND = "a signal composed of others that waves bring"
     signals: Any
 
-    def breaks(self, end: float) -> "np.ndarray":
-        """The instants up to an end between which it is smooth, ascending."""
+    def fronts(self, end: float) -> "np.ndarray":
         import numpy as np
 
-        return np.unique(np.concatenate([part.breaks(end) for part in self.signals.values()]))
+        return np.unique(np.concatenate([part.fronts(end) for part in self.signals.values()]))
+
+    def breaks(self, end: float) -> "np.ndarray":
+        """Those between which it is smooth itself, with what |x|, max(x, y) and the like bend at."""
+        import numpy as np
+
+        return np.unique(np.concatenate([self.fronts(end), *(part.zeros(0.0, end) for part in self._turning)]))
+
+    @property
+    def _turning(self):
+        """What is zero where a function within it bends."""
+        from vibcli.symbolic.expression_graph import reachable
+
+        calls = [node for node in reachable([self.node]) if node.op == "call" and node.name in BENDING]
+        return [ComposedOfWaves(node.args[0] - node.args[1] if len(node.args) > 1 else node.args[0], self.signals,
+                                self.floats, self.time, None, self.work) for node in calls]
 
     def require_bounded(self, end: float) -> None:
-        """PhysicsError where a part of it is infinite at an instant."""
         for part in self.signals.values():
             part.require_bounded(end)
 
     def values_before(self, times: "np.ndarray") -> "np.ndarray":
-        """Its values at instants, at a front those before it."""
         return self.composed(times, {name: part.values_before(times) for name, part in self.signals.items()})
 
     def sampled(self, times: "np.ndarray") -> "np.ndarray":
@@ -126,9 +136,30 @@ class ComposedOfWaves(ComposedSignal):
     def zeros(self, start: float, end: float) -> list[float]:
         return _zeros(self, start, end)
 
+    def error_of_time(self, t: float) -> float:
+        return _of_instant(self, t, 1)
+
+    def error_of_zero(self, t: float) -> float:
+        return _of_instant(self, t, 0)
+
     def final(self) -> float:
         """It is not found: waves are followed up to an instant."""
         raise PhysicsError(f"the limit of {self.KIND} is not found", "ask for its value at a late instant")
+
+
+def _at_front(signal, t):
+    import numpy as np
+
+    return bool((np.abs(signal.fronts(t) - t) <= FRONT * t).any())
+
+
+def _of_instant(signal, t, order):
+    """The error of an instant between fronts by difference quotients, in the pace of its series there."""
+    from vibcli.results.composed_errors import at_pace
+
+    if not t or _at_front(signal, t):
+        return FRONT * t
+    return at_pace(signal, t, order, N / float(_along(signal, 0.0, t).lengths[-1]))
 
 
 def _before(signal, t):
@@ -172,7 +203,7 @@ def _zeros(signal, start, end):
 def _leaps(signal, end):
     import numpy as np
 
-    at = signal.breaks(end)
+    at = signal.fronts(end)
     at = at[(at > 0) & (at <= end)]
     before, after = signal.values_before(at), signal.values(at)
     size = np.abs(after).max(initial=0.0)

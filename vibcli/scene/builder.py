@@ -12,7 +12,7 @@ from vibcli.language.parameters import Parameters
 from vibcli.language.reader import Expression, Record, Reference
 from vibcli.language.sections.initial import let_go
 from vibcli.scene.build_order import carriers_first
-from vibcli.scene.contents import Constraint, Contents
+from vibcli.scene.contents import Constraint, Contents, InnerStretch
 from vibcli.scene.coordinates import SceneCoordinates
 from vibcli.scene.displacements import Displacements, stays_bounded
 from vibcli.scene.energy_terms import AppliedLoad, Damper, Inerter, Inertia, Spring, Weight
@@ -219,6 +219,10 @@ class Builder:
 
         force = gradient(energy).get(x, self.table.zero)
         self.contents.laws.append(Law(self.owner, s, x, energy, force, damper, bound))
+
+    def add_inner_stretch(self, path: str, s: "Node") -> None:
+        """The stretch of a part of what consists of several."""
+        self.contents.inner_stretches.append(InnerStretch(self.owner, path, s))
 
     def static_preload(self, record: Record) -> "Node":
         """The unknown tension that keeps the drawn position in equilibrium, as a symbol `name.preload`."""

@@ -7,7 +7,8 @@ if TYPE_CHECKING:
     from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
-TERMS = ("inertias", "springs", "dampers", "weights", "forces", "laws", "constraints", "pieces", "spread_forces")
+TERMS = ("inertias", "springs", "dampers", "weights", "forces", "laws", "constraints", "pieces", "spread_forces",
+         "inner_stretches")
 
 
 class Constraint(NamedTuple):
@@ -41,6 +42,23 @@ class Constraint(NamedTuple):
         return self.name if self.form == "contact" else f"{name}.force{dot}{part}"
 
 
+class InnerStretch(NamedTuple):
+    """The stretch of a part of the spring `owner`, at `path`: 2, or 3.1 of nested parts."""
+
+    owner: str
+    path: str
+    s: Any
+
+    @property
+    def nodes(self) -> "list[Node]":
+        """The expressions of the coordinates that it is made of."""
+        return [self.s]
+
+    def over(self, new: "Mapping[Node, Node]") -> "InnerStretch":
+        """Itself with its stretch replaced, {node: node}."""
+        return self._replace(s=new[self.s])
+
+
 class Contents(NamedTuple):
     """`points`: {name: (drawn, present)}; `spread_loads`: SpreadLoads along members; `energies`: T, V and Φ that
     are written out, and the laws once they are settled; `static_preloads`: [(symbol, record)] of unknown
@@ -61,6 +79,7 @@ class Contents(NamedTuple):
     constraints: list
     pieces: list
     spread_forces: list
+    inner_stretches: list
     energies: dict
     matrices: dict
     static_preloads: list

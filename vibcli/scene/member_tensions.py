@@ -145,8 +145,32 @@ def _ties(scene, cuts):
         slopes = [gradient(node).get(q, scene.table.zero) for node in conditions]
         if q not in cuts and any(slopes):
             rows.append(scene.at_drawn(*slopes, force_along(scene, q)))
-    found = _solved(scene, rows, len(conditions))
+    given = _given(scene, list(gaps), rows, cuts)
+    for k, tension in given.items():
+        rows = [[*row[:k], scene.table.zero, *row[k + 1:-1], row[-1] - row[k] * tension] for row in rows]
+    found = _solved(scene, rows, len(conditions)) | given
     return {name: textbook(found.get(k, scene.table.zero)) for k, name in enumerate(gaps)}
+
+
+def _given(scene, names, rows, cuts):
+    """{number of the condition: tension} of the members whose preload tells what statics leaves open."""
+    from vibcli.scene.self_stress import pinned
+
+    numbers = [[scene.number(node) for node in row] for row in rows]
+    kept = [k for k, name in enumerate(names) if not scene.members[name].stretching]
+    columns = [*kept, *range(len(names), len(numbers[0]) - 1 if numbers else 0)]
+    if not kept or not numbers:
+        return {}
+    members = [scene.members[names[k]] for k in kept]
+    found = pinned(scene, members, [[row[k] for k in columns] for row in numbers], [row[-1] for row in numbers])
+    return {kept[k]: _of_last_piece(scene, members[k], cuts) for k in found}
+
+
+def _of_last_piece(scene, member, cuts):
+    """The tension of the last piece of a member whose preload is that of the first."""
+    within = [substitute([force_along(scene, t)], cuts)[0] for t in member.stretches[1:-1]]
+    return scene.lower(member.record["preload"]) - scene.table.total(
+        [textbook(scene.at_drawn(node)[0]) for node in within])
 
 
 def _solved(scene, rows, count):

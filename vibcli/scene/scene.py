@@ -98,7 +98,7 @@ class Scene:
         self.distance, self.height_of = expressions.distance, expressions.height_of
         (self.gravity, self.bodies, self.points, self.members, self.spread_loads, self.inertias, self.springs,
          self.dampers, self.weights, self.forces, self.laws, self.constraints, self.pieces, self.spread_forces,
-         self.energies, self.matrices, self.static_preloads, self.shaken) = contents
+         self.inner_stretches, self.energies, self.matrices, self.static_preloads, self.shaken) = contents
         places = Places(self.spec, expressions, self.bodies, self.points, self.members)
         self.frame, self.place, self.place_of, self.rim = places.frame, places.place, places.place_of, places.rim
         self.extent, self.unit_of = places.extent, places.unit_of

@@ -11,6 +11,7 @@ from vibcli.symbolic.rationals import HALF
 if TYPE_CHECKING:
     from fractions import Fraction
 
+    from vibcli.symbolic.defined_functions import DefinedFunction
     from vibcli.symbolic.sampled_functions import Samples
 
 
@@ -26,6 +27,10 @@ class Arrays:
     @staticmethod
     def record(name: str, samples: "Samples") -> Callable:
         return samples.on_arrays
+
+    @staticmethod
+    def called(function: "DefinedFunction") -> Callable:
+        return function.on_arrays
 
     @staticmethod
     def number(value: "Fraction | int") -> float:

@@ -53,13 +53,26 @@ def _sum(node):
 
 def _product(node):
     table = node.table
-    return _collect(table, [(base, table.scaled(table.product((node, ONE), (base, -ONE)), power))
+    return _collect(table, [(_inside(base, power), table.scaled(table.product((node, ONE), (base, -ONE)), power))
                             for base, power in node.args if base.mask])
+
+
+def _inside(base, power):
+    """What is differentiated of a factor: of max(u, 0)ⁿ, min(u, 0)ⁿ, ramp(u)ⁿ with n > 1, which are smooth and whose
+    slopes n max(u, 0)ⁿ⁻¹ u′ … vanish where they do, it is u."""
+    if power > 1 and base.op == "call" and base.name in ("max", "min", "ramp"):
+        args = [arg for arg in base.args if not arg.is_zero]
+        if len(args) == 1:
+            return args[0]
+    return base
 
 
 def _call(node):
     if not node.mask:
         return {}
+    if node.name in node.table.functions:
+        function = node.table.functions[node.name]
+        return _collect(node.table, [(arg, function.slope(node, i)) for i, arg in enumerate(node.args) if arg.mask])
     outer = _OUTER.get(node.name, _higher)(node, *node.args)
     return _collect(node.table, [(arg, slope) for arg, slope in zip(node.args, outer, strict=True) if arg.mask])
 

@@ -4,7 +4,7 @@ Forward-mode automatic differentiation over any arithmetic of evaluate.py. What 
 a plain number of that arithmetic, so a Dual is met only where there is a derivative.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.rationals import HALF, ONE
@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
     import mpmath
 
+    from vibcli.symbolic.defined_functions import DefinedFunction
     from vibcli.symbolic.interval_arithmetic import Interval
 
 
@@ -86,6 +87,17 @@ class Duals:
 
         def at(u, order):
             return dual(plain(value(u), order), plain(value(u), order + 1) * slope(u))
+        return at
+
+    def called(self, function: "DefinedFunction") -> Callable:
+        from vibcli.symbolic.defined_functions import slopes_at
+
+        plain = self.inner.called(function)
+
+        def at(*args):
+            values, moving = [value(x) for x in args], [i for i, x in enumerate(args) if x.__class__ is Dual]
+            steep = slopes_at(function, self.inner, values, moving)
+            return dual(plain(*values), sum(by * slope(args[i]) for by, i in zip(steep, moving, strict=True)))
         return at
 
     def _function(self, name):

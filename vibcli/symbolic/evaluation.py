@@ -16,6 +16,7 @@ from vibcli.symbolic.rationals import HALF, ONE, bits, exact_root
 if TYPE_CHECKING:
     import sympy
 
+    from vibcli.symbolic.defined_functions import DefinedFunction
     from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
     from vibcli.symbolic.sampled_functions import Samples
@@ -51,6 +52,8 @@ def evaluate(nodes: "Sequence[Node]", arithmetic: Any, values: Any) -> list[Any]
         elif node.name in node.table.records:
             order = node.args[1].coefficient if len(node.args) > 1 else 0
             done[node] = arithmetic.record(node.name, node.table.records[node.name])(done[node.args[0]], order)
+        elif node.name in node.table.functions:
+            done[node] = arithmetic.called(node.table.functions[node.name])(*[done[arg] for arg in node.args])
         else:
             done[node] = functions[node.name](*[done[arg] for arg in node.args])
     return [done[node] for node in nodes]
@@ -105,6 +108,10 @@ class Floats:
     def record(name: str, samples: "Samples") -> Callable:
         return samples.at
 
+    @staticmethod
+    def called(function: "DefinedFunction") -> Callable:
+        return function.at
+
 
 class Rationals:
     """Exact rationals; whatever is irrational raises Irrational."""
@@ -122,6 +129,10 @@ class Rationals:
 
     @classmethod
     def record(cls, name: str, samples: Sequence[dict[str, float]]):
+        raise cls.Irrational
+
+    @classmethod
+    def called(cls, function: "DefinedFunction"):
         raise cls.Irrational
 
     @classmethod
@@ -152,7 +163,7 @@ def multiprecision():
         pi, ordered = +mpmath.mp.pi, True
         isfinite = staticmethod(mpmath.isfinite)
 
-        record = staticmethod(Floats.record)
+        record, called = staticmethod(Floats.record), staticmethod(Floats.called)
 
         @staticmethod
         def number(value):
@@ -188,6 +199,10 @@ def sympy_arithmetic():
             return sympy.Function(name, real=True)
 
         @staticmethod
+        def called(function):
+            return sympy.Function(function.name, real=True)
+
+        @staticmethod
         def power(base, exponent):
             return sympy.Pow(base, sympy.Rational(exponent.numerator, exponent.denominator))
 
@@ -213,6 +228,6 @@ def from_sympy(table: "Table", expression: "sympy.Basic", symbols: "Mapping[symp
     if expression.is_NumberSymbol and str(expression) == "pi":
         return table.pi
     name = {"Abs": "abs", "Min": "min", "Max": "max"}.get(expression.func.__name__, expression.func.__name__)
-    if name not in Floats.functions and name not in table.records:
+    if name not in Floats.functions and name not in table.records and name not in table.functions:
         raise ValueError(f"no {name} here")
     return table.call(name, *(from_sympy(table, part, symbols) for part in expression.args))

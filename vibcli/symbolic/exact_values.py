@@ -38,6 +38,8 @@ def folded(table: "Table", name: str, args: "Sequence[Node]") -> "Node | None":
         return table.number({"max": max, "min": min}[name](arg.coefficient for arg in args))
     if name in table.records and args[0].is_zero and table.records[name].times[0] >= 0:
         return table.zero
+    if name in table.functions:
+        return table.functions[name].folded(table, args)
     if name in _ODD and _turns_positive(args[0]):
         return -table.call(name, -args[0])
     if name in _EVEN and _turns_positive(args[0]):

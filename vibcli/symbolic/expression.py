@@ -7,11 +7,14 @@ within BITS; parameters are leaves. Every walk is iterative, because a node is a
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.exact_values import folded
 from vibcli.symbolic.node import Node
 from vibcli.symbolic.rationals import BITS, HALF, ONE, ZERO, bits, exact, rational_power, square_part
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.defined_functions import DefinedFunction
 
 
 class Table:
@@ -21,13 +24,14 @@ class Table:
 
     time: Node
 
-    def __init__(self, records: dict[Any, Any] | None = None, squares_at_sample: bool = False):
-        """`records`: {name: samples} of functions of the time."""
+    def __init__(self, records: dict[Any, Any] | None = None, squares_at_sample: bool = False,
+                 functions: "dict[str, DefinedFunction] | None" = None):
+        """`records`: {name: samples} of functions of the time; `functions`: {name: DefinedFunction}."""
         self._nodes = {}
         self._count = 0
         self.variables, self.called = [], set()
         self.sample, self._signs, self.squares_at_sample = None, {}, squares_at_sample
-        self.time, self.records = None, records or {}
+        self.time, self.records, self.functions = None, records or {}, functions or {}
         self.positive, self.definitions = set(), {}
         self.zero, self.one = self.number(ZERO), self.number(ONE)
         self.pi = self._make("pi", (), ONE, 0, "pi")

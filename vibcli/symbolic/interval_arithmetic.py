@@ -14,6 +14,8 @@ from vibcli.symbolic.rationals import HALF
 if TYPE_CHECKING:
     from fractions import Fraction
 
+    from vibcli.symbolic.defined_functions import DefinedFunction
+
 PAD = 2.0**-50      # relative error allowed to NumPy's functions
 FARTHEST = 1e8      # of an angle whose turn is still known
 
@@ -166,6 +168,10 @@ class Intervals:
     @staticmethod
     def record(name: str, samples: Sequence[dict[str, float]]):
         raise KeyError(name)
+
+    @staticmethod
+    def called(function: "DefinedFunction"):
+        raise KeyError(function.name)
 
     functions = {
         "sin": _sin, "cos": _cos, "tan": lambda u: _sin(u) * inverse(_cos(u)), "cosh": _cosh, "acos": _acos,

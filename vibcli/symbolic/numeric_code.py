@@ -8,7 +8,7 @@ What bends or jumps with the motion is smooth while its switches σ stay as they
     step u = (1 + σ)/2             ramp u = (1 + σ) u/2
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
@@ -32,14 +32,14 @@ LONGEST = 40            # terms on one line
 class Source:
     """Lines of assignments to slots that compute expressions, given {symbol: slot} and the values of parameters.
     switches: {argument: slot} of the sign of each argument, to which unknown ones are added; None: |u|, sign u, min,
-    max and pulses are what they are. records: {name: slot} of the sampled functions that are called. constants: {node:
-    value} of what is known already. changed: what each constant is written as instead, None: itself."""
+    max and pulses are what they are. called: {name: (slot, function)} of the records and defined functions. constants:
+    {node: value} of what is known already. changed: what each constant is written as instead, None: itself."""
 
     def __init__(self, slots: "Mapping[Node, str]", floats: Mapping[str, float], switches: "dict[Node, str] | None",
                  constants: "Mapping[Node, float] | Sequence[Any]" = (),
                  changed: Callable[[float], float] | None = None):
         self.slots, self.floats, self.switches, self.changed = dict(slots), floats, switches, changed
-        self.lines, self.constants, self.records = [], dict(constants), {}
+        self.lines, self.constants, self.called = [], dict(constants), {}
 
     def add(self, nodes: Any) -> list[str]:
         """Write what computes the nodes; their slots or constants are returned as texts."""
@@ -97,9 +97,11 @@ class Source:
         args = [self.text(arg) for arg in node.args]
         if self.switches is not None and node.name in SWITCHED:
             return self._bent(node, args)
-        if node.name in node.table.records:
-            record = self.records.setdefault(node.name, f"r{len(self.records)}")
-            return f"{record}({','.join(args)})"
+        table = node.table
+        called = table.records.get(node.name) or table.functions.get(node.name)
+        if called is not None:
+            slot, _ = self.called.setdefault(node.name, (f"r{len(self.called)}", called.on_arrays))
+            return f"{slot}({','.join(args)})"
         return f"{NUMPY.get(node.name, node.name)}({','.join(args)})"
 
     def _bent(self, node, args):
@@ -167,14 +169,14 @@ def _powers(slot, exponent, bent=False):
     return [f"{size}**{float(exponent)!r}"]
 
 
-def function(head: str, lines: Sequence[str], result: str, records: Sequence[Any] = ()) -> Callable:
-    """The function of a text made of slots; NumPy's functions act on floats and arrays. `records`: (slot, function)."""
+def function(head: str, lines: Sequence[str], result: str, called: Iterable[Any] = ()) -> Callable:
+    """The function of a text made of slots; NumPy's functions act on floats and arrays. `called`: (slot, function)."""
     import numpy as np
 
     from vibcli.symbolic.discontinuous_functions import on_arrays
 
     space = {NUMPY.get(name, name): getattr(np, NUMPY.get(name, name)) for name in (*PLAIN, "sqrt", "nan")}
-    space.update(on_arrays(), **dict(records))
+    space.update(on_arrays(), **dict(called))
     body = "".join(f"    {line}\n" for line in lines)
     exec(compile(f"def f({head}):\n{body}    return {result}\n", "<motion>", "exec"), space)  # slots and floats only
     return space["f"]
@@ -193,8 +195,7 @@ class Compiled:
         outer = _outermost([part for part in below if part.mask == time.mask and part is not time], below, nodes)
         early = Source({time: "t"}, floats, None, changed=changed)
         prepared = _tuple(early.add(outer))
-        records = [(slot, scene.table.records[name].on_arrays) for name, slot in early.records.items()]
-        self.prepared = function("t", early.lines, prepared, records)
+        self.prepared = function("t", early.lines, prepared, early.called.values())
         slots = {time: "t", **{node: f"c{i}" for i, node in enumerate(outer)}}
         slots |= {node: f"{kind}{i}" for kind, symbols in (("q", scene.q), ("v", scene.v))
                   for i, node in enumerate(symbols)}
@@ -206,7 +207,7 @@ class Compiled:
         if switches:
             head.append(f"{_tuple(switches.values())}=g[:{len(switches)}]")
         self.count, self.work = len(nodes), len(late.lines)
-        self._evaluate = function("t,q,v,g,c", head + late.lines, _tuple(result))
+        self._evaluate = function("t,q,v,g,c", head + late.lines, _tuple(result), late.called.values())
 
     def __call__(self, t: "np.ndarray", q: Any, v: "np.ndarray", g: "Sequence[float | np.ndarray] | np.ndarray" = (),
                  c: Any = None) -> "tuple[float | np.ndarray, ...]":

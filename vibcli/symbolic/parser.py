@@ -23,6 +23,7 @@ FUNCTIONS = {"sin": 1, "cos": 1, "tan": 1, "asin": 1, "acos": 1, "atan": 1, "ata
              "ramp": 1, "impulse": 1, "square": 1, "sawtooth": 1}
 OF_SIGNALS = ("abs", "amplitude", "arg", "argmax", "argmin", "beat_period", "decrement", "envelope", "final", "im",
               "max", "mean", "min", "overshoot", "period", "phase", "re", "rms", "steady", "transient")
+IN_TWO_BRACKETS = ("backbone",)     # quantities of a signal and of a number: backbone[1](x)(10 cm)
 VALUE = "value"         # the head of x(2 s), and of what is written like a function and is none
 GREEK = dict(zip("αβγδεζηθικλμνξοπρστυφχψωΓΔΘΛΞΠΣΦΨΩϕϑϵ", (
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigma tau upsilon phi "
@@ -252,7 +253,9 @@ class _Parser:
             self.at = match.end()
         if self.text.startswith("[", self.at):
             raise ExpressionError(self.at, 1, "this index is not closed or empty", "write it as omega[1] or J[disc, O]")
-        args = self.arguments(depth) if self.text.startswith("(", self.at) else ()
+        args = self.arguments(depth) if self.text.startswith("(", self.at) else []
+        if head in IN_TWO_BRACKETS and self.text.startswith("(", self.at):
+            args += self.arguments(depth)
         component = self.component()
         return QuantityRef(start, self.at, self.text[start:self.at], head, tuple(indices), component, tuple(args),
                            alone=len(last) == 1)

@@ -8,7 +8,12 @@ Sums, products and powers are bounded rigorously, other functions to first order
 
 from fractions import Fraction
 from math import inf
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from vibcli.symbolic.defined_functions import DefinedFunction
 
 UNIT = 2.0**-52     # one ulp of a float, twice the error of one operation
 GENTLE = ("abs", "ramp", "min", "max")      # of which the slope is at most 1
@@ -88,6 +93,20 @@ class RunningErrors:
         def call(u, order):
             steep = abs(at(number_in(u), order + 1)) if error_in(u) else 0
             return Rounded(at(number_in(u), order), steep * error_in(u), self.unit)
+        return call
+
+    def called(self, function: "DefinedFunction") -> "Callable":
+        from vibcli.symbolic.defined_functions import slopes_at
+
+        plain = self.inner.called(function)
+
+        def call(*args):
+            values = [number_in(x) for x in args]
+            found, error = plain(*values), 0
+            for steep, x in zip(slopes_at(function, self.inner, values, range(len(args))), args, strict=True):
+                error = error + abs(steep) * (error_in(x) + 4 * self.unit * abs(number_in(x)))
+            error = error + 4 * self.unit * abs(found)
+            return Rounded(found, error if error == error else inf, self.unit)
         return call
 
     def _function(self, name):

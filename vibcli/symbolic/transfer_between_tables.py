@@ -1,12 +1,13 @@
 """Expressions of one table written again in another."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.expression_graph import evaluable
 
 if TYPE_CHECKING:
+    from vibcli.symbolic.defined_functions import DefinedFunction
     from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
@@ -22,8 +23,25 @@ class _Nodes:
         self.table.records[name] = samples
         return lambda u, order: self.table.call(name, u, *([self.number(order)] if order else []))
 
+    def called(self, function: "DefinedFunction") -> Callable:
+        self.table.functions[function.name] = function
+        return lambda *args: self.table.call(function.name, *args)
+
     def __getitem__(self, name: str) -> Callable:
         return self.table.power if name == "power" else lambda *args: self.table.call(name, *args)
+
+
+class _PlainNodes(_Nodes):
+    """The same, with what symbols stand for written out."""
+
+    def __init__(self, table: "Table"):
+        super().__init__(table)
+        del self.defined
+
+
+def written_in(table: "Table", nodes: "Sequence[Node]", values: "Mapping[str, Node]") -> "list[Node]":
+    """The nodes as those of `table`, {name of a symbol: node there} being what its symbols become."""
+    return evaluate(nodes, _PlainNodes(table), values)
 
 
 def copied(nodes: "Sequence[Node]", table: "Table") -> "list[Node]":

@@ -9,8 +9,8 @@ import pytest
 from support.motions import duffing_period, problem
 from support.scenes import number
 
+from vibcli.analyses.nonlinear.period import exact_period
 from vibcli.analyses.time_integration.integrate import simulate
-from vibcli.analyses.time_integration.period import exact_period
 from vibcli.base.errors import PhysicsError
 from vibcli.cli import run
 from vibcli.symbolic.antiderivatives import from_zero

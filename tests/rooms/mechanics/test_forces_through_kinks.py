@@ -6,6 +6,7 @@ import pytest
 from support.scenes import problem
 
 from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.switching import _balancing
 from vibcli.symbolic.parser import parse
 
 G, END = 9.81, 3.0
@@ -113,3 +114,14 @@ def test_friction_that_two_share_in_any_proportion_is_refused():
     value, _ = motion(text, rubs)
     with pytest.raises(PhysicsError, match="statics alone does not fix"):
         value("bar.force")
+
+
+def test_frictions_that_hold_the_same_thing_share_what_they_hold():
+    """By their sizes: each then has the same part of its bound, whatever rounding makes of a matrix without inverse."""
+    for noise in (0.0, 1e-16, -1e-16):
+        slope = np.array([[[2.0, 6.0], [2.0, 6.0 + 6 * noise]]])
+        sigma, = _balancing(slope, np.array([[4.0, 4.0]]))
+        assert sigma == pytest.approx([0.5, 0.5], rel=1e-12)
+    assert _balancing(np.array([[[2.0, 1.0], [1.0, 3.0]]]), np.array([[5.0, 5.0]]))[0] == pytest.approx([2.0, 1.0])
+    with pytest.raises(np.linalg.LinAlgError):
+        _balancing(np.array([[[2.0, 6.0], [2.0, 6.0]]]), np.array([[4.0, 5.0]]))

@@ -101,19 +101,31 @@ class Disturbances:
         channels = modes.inputs.shape[1]
         self.times = np.array([segment.start for segment in segments])
         orders = (_rows_of_waves if creeping else _orders)(segments, self.damping)
-        self.sizes = np.zeros((len(segments), HIGHEST + 1, len(POWERS)))
-        if orders is None:
-            self.sizes[:] = inf
-            return
-        bends, struck = _ends_of_waves(segments, channels, orders, start.held, modes.highest) if creeping else _bends(
-            segments, channels, orders, start.held)
-        active = np.flatnonzero(bends.any(axis=(0, 1)) | struck.any(axis=0))
-        sums = modes.load_sums(active.tolist()) if len(active) else {}
-        for power, among in sums.items():
-            self._add(power, among, modes.begins[active] < power, bends[..., active], struck[:, active])
-        self.sizes[0, 2:4] += start.spread
+        self._spread, self._sizes, self._loads = start.spread, {}, None
+        if orders is not None:
+            self._loads = _ends_of_waves(segments, channels, orders, start.held, modes.highest) if creeping else _bends(
+                segments, channels, orders, start.held)
 
-    def _add(self, power, sums, finite, bends, struck):
+    def sizes(self, part: int) -> np.ndarray:
+        """How far what begins with each segment sets one of the UncoupledParts in motion, (segments, powers of 1/ω,
+        POWERS)."""
+        if part not in self._sizes:
+            self._sizes[part] = self._of_part(part)
+        return self._sizes[part]
+
+    def _of_part(self, part):
+        found = np.zeros((len(self.times), HIGHEST + 1, len(POWERS)))
+        if self._loads is None:
+            return found + inf
+        bends, struck = self._loads
+        active = np.flatnonzero((bends.any(axis=(0, 1)) | struck.any(axis=0)) & self.modes.felt_by(part))
+        sums = self.modes.load_sums(active.tolist()) if len(active) else {}
+        for power, among in sums.items():
+            self._add(found, power, among, self.modes.begins[active] < power, bends[..., active], struck[:, active])
+        found[0, 2:4] += self._spread
+        return found
+
+    def _add(self, sizes, power, sums, finite, bends, struck):
         at, damping = POWERS.index(power), self.damping
         terms = damping.terms(bends.shape[1])
         beyond = (bends[..., ~finite] != 0).any(axis=-1)
@@ -122,23 +134,26 @@ class Disturbances:
             h = min(2 + m, HIGHEST) if damping.creeping is None else 2 + (m == 1 and damping.creeping == inf)
             rest = 0 if damping.creeping is not None else 2 + m - h
             if term:
-                self.sizes[:, h, at] += term * damping.highest**-rest * grown[:, m]
-        self.sizes[:, 1, at] += np.where((struck[:, ~finite] != 0).any(axis=-1), inf, size_of(struck, sums))
+                sizes[:, h, at] += term * damping.highest**-rest * grown[:, m]
+        sizes[:, 1, at] += np.where((struck[:, ~finite] != 0).any(axis=-1), inf, size_of(struck, sums))
 
     def bound(self, output: "LinearOutput", t: float, order: int = 0) -> float:
         """Of what modes that are not counted add to the order-th rate of an output at an instant."""
+        return sum(self._of(part, own, t, order) for part, own in self.modes.parts.split(output))
+
+    def _of(self, part, output, t, order):
         found = inf
         for gained in (0, GAINED) if self.damping.even else (0,):
-            sizes = self._until(t, gained)
+            sizes = self._until(self.sizes(part), t, gained)
             found = min(found, sum(self._of_rate(output, rate, rate + order, sizes, gained) for rate in range(3)))
         return found
 
-    def _until(self, t, gained):
+    def _until(self, sizes, t, gained):
         """Σ of sizes up to an instant, (powers of 1/ω, POWERS); of so many powers more where modes are damped evenly,
         as e^{−ζωτ} ≤ e^{−ζΩτ/2} (2q/(e ζτω))^q."""
         count, damping = max(1, int(np.searchsorted(self.times, t, side="right"))), self.damping
         if not damping.fading:
-            return self.sizes[:count].sum(axis=0)
+            return sizes[:count].sum(axis=0)
         tau = np.maximum(t - self.times[:count], 0.0)
         if gained:
             with np.errstate(divide="ignore"):
@@ -146,7 +161,7 @@ class Disturbances:
         else:
             left = np.minimum(np.exp(-damping.fading * tau), 1 / damping.grown)
         with np.errstate(invalid="ignore"):
-            each = np.where(self.sizes[:count] == 0, 0.0, damping.grown * left[:, None, None] * self.sizes[:count])
+            each = np.where(sizes[:count] == 0, 0.0, damping.grown * left[:, None, None] * sizes[:count])
         return np.nan_to_num(each, nan=inf, posinf=inf).sum(axis=0)
 
     def _of_rate(self, output, own, rate, sizes, gained):

@@ -51,6 +51,12 @@ class MemberDamping(NamedTuple):
         square = omega**2 if mode.growth_rate is None else -mode.growth_rate**2
         return sum(a * square**k for k, a in enumerate(self.series))
 
+    def of_squares(self, squares: Any) -> Any:
+        """c of modes of these ω² beyond those with ratios of their own."""
+        if self.ratios:
+            return 2 * float(self.ratios[-1]) * squares**0.5
+        return sum((float(a) * squares**k for k, a in enumerate(self.series)), 0 * squares)
+
     def spread(self, mode: "Mode") -> float:
         """How many times as large as c the terms are that it is added from."""
         terms = [float(a) * float(mode.omega or 0.0)**(2 * k) for k, a in enumerate(self.series)]

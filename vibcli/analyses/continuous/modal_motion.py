@@ -19,6 +19,8 @@ from vibcli.base.work import Work
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.complex_modes import ComplexModes
+    from vibcli.analyses.continuous.coupled_modes import TiedModes
+    from vibcli.analyses.continuous.coupled_transfer import CoupledTransfer
     from vibcli.analyses.continuous.damped_transfer import DampedTransfer
     from vibcli.analyses.continuous.disturbances import Disturbances
     from vibcli.analyses.continuous.exact_transfer import ExactTransfer
@@ -48,7 +50,8 @@ class ModalMotion:
     """Of RealModes or ComplexModes under a Forcing whose channels are those of an ExactTransfer, which knows their
     damping; reads: the Forcing whose channels outputs read."""
 
-    def __init__(self, modes: "RealModes | ComplexModes", transfer: "ExactTransfer | DampedTransfer",
+    def __init__(self, modes: "RealModes | ComplexModes | TiedModes",
+                 transfer: "ExactTransfer | DampedTransfer | CoupledTransfer",
                  forcing: "Forcing", work: Work | None = None, reads: "Forcing | None" = None):
         self.modes, self.transfer, self.forcing, self.work = modes, transfer, forcing, work or Work()
         self.reads = forcing if reads is None else reads

@@ -9,6 +9,8 @@ import numpy as np
 from vibcli.analyses.continuous.modal_grid import divided
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from vibcli.analyses.continuous.modal_motion import ModalMotion
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
@@ -19,6 +21,7 @@ NARROW = 40                     # sections of the last search
 LEVEL = 1e-12                   # of its size: what varies by less is at rest
 NEAR = 1e-10                    # of an extreme: a bound that is near enough
 WINDOWS, HALVES = 8, 40         # stretches whose beginnings are looked at apart, and times that these are halved
+OCTAVES = 24                    # of a stretch, at which bounds are looked at
 ALIKE = 0.99                    # of a bound: no smaller
 
 
@@ -29,12 +32,12 @@ def extreme(motion: "ModalMotion", output: "LinearOutput", start: float, end: fl
         if np.ptp(values) + 2 * rest <= LEVEL * np.abs(values).max():
             return np.arange(len(cells)) == 0
         tops = (sense * values).max(axis=1)
-        return tops + BENT * _bends(cells, values) >= tops.max() - 2 * rest
+        return tops + BENT * bends(cells, values) >= tops.max() - 2 * rest
 
     cells = _searched(motion, output, start, end, high)
     values = sense * motion.values(output, cells)
     best = cells[np.argsort(-values.max(axis=1))[:4]]
-    times = [_top(motion, output, low, high, sense) for low, high in best]
+    times = [top_between(lambda t: sense * motion.values(output, t), low, high) for low, high in best]
     found = sense * motion.values(output, np.array(times))
     return float(times[int(np.argmax(found))]), float(sense * found.max())
 
@@ -63,7 +66,7 @@ def zeros(motion: "ModalMotion", output: "LinearOutput", start: float, end: floa
         if np.abs(values).max() + rest == 0:
             return np.zeros(len(cells), bool)
         passes = values[:, 0] * values[:, 1] <= 0
-        return passes | (np.abs(values).min(axis=1) <= BENT * _bends(cells, values) + rest)
+        return passes | (np.abs(values).min(axis=1) <= BENT * bends(cells, values) + rest)
 
     cells = _searched(motion, output, start, end, near)
     if not len(cells):
@@ -81,28 +84,43 @@ def zeros(motion: "ModalMotion", output: "LinearOutput", start: float, end: floa
 
 
 def width_of_top(motion: "ModalMotion", output: "LinearOutput", t: float, sense: int) -> float:
-    """δ, within which an extreme lies: a step away, on both sides, the value is less by more than its errors, or, at an
-    end of the time that is asked, on one side less and on the other more."""
-    doubt, value = 4 * float(motion.errors(output, np.array([t]))[0]), float(motion.values(output, np.array([t]))[0])
-    away = 1e-12 * t
-    while 0 < away < t:
-        beside = motion.values(output, np.array([t - away, t + away]))
-        less = sense * (value - beside)
-        if (less > doubt).any() and (np.abs(less) > doubt).all():
-            return away
-        away *= 2
-    return t
+    """δ, within which an extreme lies."""
+    return width_about(lambda at: motion.values(output, at), _error_at(motion, output, t), t, sense)
 
 
 def width_of_zero(motion: "ModalMotion", output: "LinearOutput", t: float) -> float:
-    """δ, within which a zero lies: a step away the value has one sign or the other for certain."""
-    doubt, away = 2 * float(motion.errors(output, np.array([t]))[0]), 1e-15 * t
+    """δ, within which a zero lies."""
+    return width_about(lambda at: motion.values(output, at), _error_at(motion, output, t), t, 0)
+
+
+def _error_at(motion, output, t):
+    return float(motion.errors(output, np.array([t]))[0])
+
+
+def width_about(curve: "Callable[[np.ndarray], np.ndarray]", error: float, t: float, sense: int) -> float:
+    """δ, within which an extreme (sense ±1) or a zero (0) lies: of an extreme, a step away, on both sides, the value is
+    less by more than its errors, or, at an end of the time that is asked, on one side less and on the other more; of a
+    zero it has one sign and the other for certain."""
+    away, value = (1e-12 if sense else 1e-15) * t, float(curve(np.array([t]))[0])
     while 0 < away < t:
-        before, after = motion.values(output, np.array([t - away, t + away])).tolist()
-        if before * after < 0 and min(abs(before), abs(after)) > doubt:
+        beside = curve(np.array([t - away, t + away]))
+        less = sense * (value - beside)
+        if (less > 4 * error).any() and (np.abs(less) > 4 * error).all() if sense else (
+                beside.prod() < 0 and np.abs(beside).min() > 2 * error):
             return away
         away *= 2
     return t
+
+
+def off_along(motion: "ModalMotion", output: "LinearOutput", times: np.ndarray, end: float, modes: int) -> np.ndarray:
+    """Bounds of the errors of values by so many modes at instants up to an end: what modes left out add never grows on
+    a stretch, so that it is looked at where stretches begin and, of few, at instants on them, each twice as far on."""
+    spans = [(low, high) for low, high in _spans(motion, end) if high > low] or [(0.0, end)]
+    octaves = 2.0 ** -np.arange(OCTAVES if len(spans) <= WINDOWS else 0)
+    begins = np.unique([t for low, high in spans for t in (low, *(low + (high - low) * octaves[1:]))])
+    rounding = float(motion.errors(output, np.array([end]))[0]) - motion.bound(output, end)
+    found = np.array([motion.bound(output, t, modes=modes) for t in begins])
+    return found[np.maximum(np.searchsorted(begins, times, side="right") - 1, 0)] + rounding
 
 
 def _searched(motion, output, start, end, chosen):
@@ -142,7 +160,7 @@ def _reached(motion, output, stretch, window, top):
     cells = divided(np.array([window]), motion, output, count)
     values = sense * motion.values(output, cells, modes=count)
     rest = motion.bound(output, window[0]) + motion.left(output, stretch, window[0], count)
-    return float((values.max(axis=1) + BENT * _bends(cells, values)).max()) + rest - value
+    return float((values.max(axis=1) + BENT * bends(cells, values)).max()) + rest - value
 
 
 def _spans(motion, end):
@@ -156,7 +174,7 @@ def _beginnings(motion, end):
     return [stretch.start for stretch in motion.stretches(end) if stretch.start <= end]
 
 
-def _bends(cells, values):
+def bends(cells: np.ndarray, values: np.ndarray) -> np.ndarray:
     """How far the second differences beside each cell lie from zero; those at a gap count with the widest."""
     if len(cells) < 3:
         return np.full(len(cells), np.ptp(values))
@@ -165,11 +183,11 @@ def _bends(cells, values):
     return width * np.maximum(np.append(inner, inner[-1]), np.append(inner[0], inner))
 
 
-def _top(motion, output, low, high, sense):
+def top_between(curve: "Callable[[np.ndarray], np.ndarray]", low: float, high: float) -> float:
     """The place of the largest value between two, by sections; at a flat top by the parabola through its shoulders."""
     for _ in range(NARROW):
         places = np.linspace(low, high, 9)
-        values = sense * motion.values(output, places)
+        values = curve(places)
         at = int(np.argmax(values))
         low, high = places[max(at - 1, 0)], places[min(at + 1, 8)]
         if np.ptp(values) <= 1e-9 * np.abs(values).max():

@@ -39,7 +39,9 @@ class RealModes:
         states = states_of(squares[at], damping[at], np.append(inputs[at], unit, axis=1), eta[at], rate[at])
         states, weights = states._replace(modes=at[states.modes], inputs=states.inputs[:, :-1]), states.inputs[:, -1]
         self.states = states if shaking is None else shaking.shaken(states, weights)
-        self.rigid_inputs, self.rigid_start = inputs[self.rigid], np.array([eta[self.rigid], rate[self.rigid]])
+        supports = self.states.inputs.shape[1] - inputs.shape[1]
+        self.rigid_inputs = np.pad(inputs[self.rigid], ((0, 0), (0, supports)))
+        self.rigid_start = np.array([eta[self.rigid], rate[self.rigid]])
         self.left_out = _left_out(squares, damping, creeping)
         slow = float(np.max(states.rates.real[len(at) // 2:len(at)], initial=-np.inf))
         self.fading = min(max(slow, -self.left_out[1]), 0.0)

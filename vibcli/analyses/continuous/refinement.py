@@ -13,7 +13,8 @@ from vibcli.analyses.continuous.piece_groups import held_by
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.system import ContinuousSystem
 
-PARTS = 0.5, 0.4375, 0.390625, 0.359375, 0.328125, 0.296875, 0.265625, 0.234375
+PARTS = (0.5, 0.4375, 0.390625, 0.359375, 0.328125, 0.296875, 0.265625, 0.234375,
+         1.5 - 5**0.5 / 2, 2**0.5 - 1, 2 - 3**0.5)      # the last where nodes of modes divide a piece evenly
 NEAR = 2.0 ** -np.array([1, 2, 3, 4, 5, 6, 7, 8, 9, 11, 13, 18, 23])    # relative distances of poles looked for in z
 CLEAR = 1 / 16      # a piece without a pole as near as that stays whole,
 AMONG = 1 / 4       # and one whose poles are closer together, where the n-th is about 2/n from the next

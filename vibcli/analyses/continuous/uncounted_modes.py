@@ -3,7 +3,8 @@
     Σ |cₙ| |bₙ|/ωₙʰ ≤ √(Σ cₙ²/ωₙ²ᵖ) √(Σ bₙ²/ωₙ^(2h−2p))      over n > N, for any p
 
 c being what is read of a mode, b/ωʰ how far a load sets it in motion; both sums are known from exact motions without
-modes. They are finite where 2p > (2k + 1)/m·2: of waves ω ~ β^(m/2), of which a k-th derivative is read.
+modes. They are finite where 2p > (2k + 1)/m·2: of waves ω ~ β^(m/2), of which a k-th derivative is read. Of coordinates
+with mass they are so at p = 0, Σ φ φᵀ = M⁻¹ over all modes, as of loads along members (Parseval).
 """
 
 from collections.abc import Sequence
@@ -13,6 +14,7 @@ import numpy as np
 
 from vibcli.analyses.continuous.divided_pieces import divided_at
 from vibcli.analyses.continuous.tail_sums import grid, tail_sum, without_first
+from vibcli.analyses.continuous.uncoupled_parts import uncoupled_parts
 from vibcli.analyses.continuous.unit_responses import UnitLoads, motions_squared, overlaps
 from vibcli.numerics.pieces.loads import LoadForm
 
@@ -23,8 +25,10 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import FieldPoint, LinearOutput
     from vibcli.mechanics.factored_system import PlacedPiece
 
-POWERS = 0.0, 0.5, 0.75, 1.0, 1.5, 2.0      # of ω², by which sums over b are divided
+POWERS = 0.0, 0.375, 0.5, 0.625, 0.75, 1.0, 1.5, 2.0      # of ω², by which sums over b are divided
 ROUNDING = 1e-12    # of a sum of squares
+MASSIVE = -1.0      # of coordinates with mass and loads along members: below all POWERS
+SINGULAR = 1e-10    # of the largest mass that coordinates have together: what is none
 INSIDE, BESIDE = 1e-12, 1e-4    # of a length: how near to an end is at the end, and beside it
 
 
@@ -38,21 +42,32 @@ class UncountedModes:
         self.pieces = [one._replace(piece=one.piece._replace(drag=0.0)) for one in basis.placed]
         self.highest = float(np.sqrt(np.abs(basis.squares).max(initial=0.0)))
         self.driven, self.sigma = list(driven), grid(self.highest)
-        self._reads: dict[Any, list[tuple[int, np.ndarray, float]]] = {}
+        self._reads: dict[Any, list[tuple[int, np.ndarray, float, float]]] = {}
         self._sizes: dict[Any, float] = {}
+        self.parts = uncoupled_parts(K, M, self.pieces, basis.shapes)
+        self.inverse = inverse_where_massive(M)
         self.begins = np.array([self._begin(i) for i in range(len(K))] + [
             begins_at(self._order(one), self._order(one) - 1 - one.end % (self._order(one) // 2)) for one in driven] + [
-                -1.0 for _ in spread])
-        self.spread = np.zeros((len(spread), len(spread)))
+                MASSIVE for _ in spread])
+        self.spread, self._along = np.zeros((len(spread), len(spread))), list(spread)
         for one in self.pieces:
             forms = [drive.on(one) or LoadForm(()) for drive in spread]
             self.spread += overlaps(forms) / one.piece.inertia
+
+    def felt_by(self, part: int) -> np.ndarray:
+        """Which channels act on one of the parts, (channels,)."""
+        own = [one for one, number in zip(self.pieces, self.parts.pieces, strict=True) if number == part]
+        return np.array([*(number == part for number in self.parts.coordinates),
+                         *(self.parts.pieces[one.piece] == part for one in self.driven),
+                         *(any(drive.on(one) is not None for one in own) for drive in self._along)], bool)
 
     def _order(self, drive):
         return self.pieces[drive.piece].piece.order
 
     def _begin(self, coordinate):
         """The power from which on Σ φ²/ω²ᵖ of a coordinate is finite."""
+        if self.inverse[coordinate, coordinate]:
+            return MASSIVE
         return max((begins_at(one.piece.order, end % (one.piece.order // 2)) for one in self.pieces
                     for end, row in enumerate(one.rows) if row.get(coordinate)), default=0.0)
 
@@ -77,9 +92,12 @@ class UncountedModes:
     def _block(self, R, power, nodes, along, chosen):
         found, finite = np.zeros((len(chosen),) * 2), self.begins[nodes] < power
         at = np.flatnonzero(np.isin(chosen, nodes[finite]))
-        if len(at):
+        if len(at) and power:
             left = R[:, finite][:, :, finite]
             found[np.ix_(at, at)] = self.sums(left, power, float(self.begins[nodes[finite]].max()))
+        elif len(at):
+            known = self.inputs[:, nodes[finite]]
+            found[np.ix_(at, at)] = left_of_squares(self.inverse[np.ix_(nodes[finite], nodes[finite])], known.T @ known)
         at = np.flatnonzero(np.isin(chosen, along))
         spread, known = along - len(self.begins) + len(self.spread), self.inputs[:, along]
         left = left_of_squares(self.spread[np.ix_(spread, spread)], known.T @ known)
@@ -95,34 +113,54 @@ class UncountedModes:
 
     def sums(self, R: np.ndarray, power: float, begins: float) -> np.ndarray:
         """Σ c cᵀ/ω²ᵖ."""
-        return tail_sum(R, self.sigma, self.highest, power, begins)
+        return tail_sum(R, self.sigma, self.highest, power, max(begins, 0.0))
 
     def reach(self, output: "LinearOutput", power: float, rate: int) -> float:
         """√(Σ c²/ω²ᵖ) of what an output reads of the rate-th rates of modes."""
         key = _key(output), power, rate
         if key not in self._sizes:
-            self._sizes[key] = sum(float(np.sqrt(self.sums(R, power, begins)[0, 0])) for own, R, begins in self._read(
-                output) if own == rate)
+            self._sizes[key] = sum(float(np.sqrt(self.sums(R, power, begins)[0, 0] if power > 0 else square if not power
+                                                 else np.inf)) for own, R, begins, square in self._read(output)
+                                   if own == rate)
         return self._sizes[key]
 
     def reads(self, output: "LinearOutput", rate: int) -> bool:
         """Does an output read the rate-th rates of modes?"""
-        return any(own == rate for own, _, _ in self._read(output))
+        return any(own == rate for own, *_ in self._read(output))
 
     def _read(self, output):
-        """[(rate, R, power from which on sums are finite)] of the parts of an output."""
+        """[(rate, R, power from which on sums are finite, Σ c² or inf)] of the parts of an output."""
         key = _key(output)
         if key not in self._reads:
             found = []
             for rate, part in enumerate((output.q, output.v, output.a)):
                 if any(part.values()):
                     row = np.array([part.get(i, 0.0) for i in range(len(self.K))])
-                    R = self.left(self.pieces, UnitLoads(row[:, None], {}), (self.basis.shapes.T @ row)[:, None])
-                    found.append((rate, R, max(self.begins[i] for i, x in part.items() if x)))
-            found += [(place.rates, self._at_place(place) * x**2, begins_at(
-                self.pieces[place.piece].piece.order, place.along)) for place, x in output.places.items() if x]
+                    first = self.basis.shapes.T @ row
+                    R = self.left(self.pieces, UnitLoads(row[:, None], {}), first[:, None])
+                    found.append((rate, R, max(self.begins[i] for i, x in part.items() if x), self._square(row, first)))
+            found += [(place.rates, self._at_place(place) * x**2, begins_at(self.pieces[place.piece].piece.order,
+                                                                            place.along), self._at_end(place) * x**2)
+                      for place, x in output.places.items() if x]
             self._reads[key] = found
         return self._reads[key]
+
+    def _square(self, row, first):
+        """Σ c² of coordinates, inf where one has no mass."""
+        if any(x and not self.inverse[i, i] for i, x in enumerate(row)):
+            return np.inf
+        return float(left_of_squares(row @ self.inverse @ row, first @ first))
+
+    def _at_end(self, place: "FieldPoint"):
+        """Σ c² of u or of a slope at an end of a piece, inf within it, or where nothing there has mass."""
+        one, length = self.pieces[place.piece], self.pieces[place.piece].piece.length
+        half = one.piece.order // 2
+        if place.along >= half or INSIDE * length < place.x < (1 - INSIDE) * length:
+            return np.inf
+        row = np.zeros(len(self.K))
+        for i, x in one.rows[place.along + (half if place.x > length / 2 else 0)].items():
+            row[i] = x
+        return self._square(row, self.basis.field(place.piece, place.x, place.along))
 
     def _at_place(self, place: "FieldPoint"):
         """R of u or of a derivative within a piece. Next to an end, where a part would be too stiff beside all else,
@@ -170,6 +208,22 @@ def left_of_squares(total: Any, known: Any) -> Any:
     found = total * (1 + ROUNDING) - known
     return np.where(np.eye(len(found)), np.maximum(found, ROUNDING * total), found) if np.ndim(found) else max(
         found, ROUNDING * total)
+
+
+def inverse_where_massive(M: np.ndarray) -> np.ndarray:
+    """M⁻¹ of the coordinates that have mass, of those that it couples together; of all others 0."""
+    found, left = np.zeros(np.shape(M)), set(range(len(M)))
+    while left:
+        group, fresh = set(), {left.pop()}
+        while fresh:
+            group |= fresh
+            fresh = {int(j) for i in fresh for j in np.flatnonzero(M[i])} - group
+        left -= group
+        at = np.ix_(*[sorted(group)] * 2)
+        values, vectors = np.linalg.eigh(M[at])
+        if values[0] > SINGULAR * values[-1]:
+            found[at] = (vectors / values) @ vectors.T
+    return found
 
 
 def begins_at(order: int, along: int) -> float:

@@ -154,7 +154,8 @@ class DampedMemberTransfer(FrequencyResponseFunction):
         return self.still
 
     def with_damper(self, other: Any, c: float) -> "FrequencyResponseFunction":
-        raise PhysicsError("dampers beside `damping:` of members are not found", "take `damping:` out")
+        raise PhysicsError("what a damper changes of responses beside ratios of modes of members is not found",
+                           "take `damping:` out, or ask for the response itself")
 
     def felt(self, other: Any) -> float:
         return self.with_damper(other, 1.0).pace

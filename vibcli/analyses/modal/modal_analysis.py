@@ -94,6 +94,10 @@ class ModalAnalysis:
 
     def _rated(self, modes, damping, digits=None):
         """The damped modes of members whose modes are damped each by itself."""
+        if self.configuration.rated_beside_dampers:
+            from vibcli.analyses.continuous.rated_modes import NotTold
+
+            return Modes((), NotTold())
         from vibcli.analyses.continuous.rated_modes import RatedModes
 
         return Modes((), RatedModes(modes, damping, digits), self.solved)
@@ -202,6 +206,8 @@ class ModalAnalysis:
 
     def _rated_to(self, digits):
         """The damped modes of members whose modes are damped each by itself, to so many digits."""
+        if self.configuration.rated_beside_dampers:
+            return self.damped
         from mpmath import mp
 
         from vibcli.analyses.continuous.member_damping import member_damping

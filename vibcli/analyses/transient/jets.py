@@ -7,10 +7,14 @@ curvature has no bound; at a jump the slope has none either.
 import math
 from collections.abc import Callable, Sequence
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.symbolic.interval_arithmetic import Interval, Intervals, exact, inverse
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.defined_functions import DefinedFunction
 
 ONE, TWO = exact(1.0), exact(2.0)
 SIN, COS, TAN, ATAN, SIGN, STEP = (Intervals.functions[name] for name in ("sin", "cos", "tan", "atan", "sign", "step"))
@@ -159,6 +163,10 @@ class Jets:
     @staticmethod
     def record(name: str, samples: Sequence[dict[str, float]]):
         raise KeyError(name)
+
+    @staticmethod
+    def called(function: "DefinedFunction"):
+        raise KeyError(function.name)
 
     functions: dict[str, Callable] = {
         "sin": _smooth(lambda u: (SIN(u), COS(u), exact(-1.0) * SIN(u))),

@@ -13,6 +13,7 @@ import numpy as np
 from vibcli.analyses.transient.data_errors import DATA
 
 if TYPE_CHECKING:
+    from vibcli.analyses.excitation.forcing import Forcing
     from vibcli.analyses.excitation.linear_output import LinearOutput
     from vibcli.analyses.transient.data_errors import DataErrors
     from vibcli.analyses.transient.linear_response import LinearMotion, SteadyMotion
@@ -96,11 +97,16 @@ def _of_constant(motion, output):
 
 
 def of_harmonic(motion: "SteadyMotion", output: "LinearOutput", n: int) -> float:
-    """|δX| of a harmonic under periodic forcing: that of its force is in proportion to the integral of its size."""
-    from vibcli.analyses.excitation.forcing import Segment
+    """|δX| of a harmonic under periodic forcing."""
     from vibcli.analyses.transient.steady_state import harmonic
 
-    forcing, wave = motion.forcing, harmonic(motion, motion.forcing, n)
+    return of_output(motion, output, harmonic(motion, motion.forcing, n), of_harmonic_forces(motion.forcing, n))
+
+
+def of_harmonic_forces(forcing: "Forcing", n: int) -> np.ndarray:
+    """|δF| of the forces of a harmonic, in proportion to the integral of their size."""
+    from vibcli.analyses.excitation.forcing import Segment
+
     size = np.zeros(forcing.channels)
     for piece, after in pairwise([*forcing.pieces, Segment(forcing.period)]):
         length = after.start - piece.start
@@ -109,8 +115,7 @@ def of_harmonic(motion: "SteadyMotion", output: "LinearOutput", n: int) -> float
         for part in piece.waves:
             grown = math.exp(max(0.0, part.exponent.real * length))
             size[part.channel] += abs(part.coefficient) * length ** (part.power + 1) * grown
-    off = 2 / forcing.period * size * EPSILON * (16 + 4 * abs(wave[0]) * forcing.period)
-    return of_output(motion, output, wave, off)
+    return 2 / forcing.period * size * EPSILON * (16 + 8 * math.pi * n)
 
 
 def of_repeating(motion: "LinearMotion", steady: "SteadyMotion") -> tuple[np.ndarray, np.ndarray]:

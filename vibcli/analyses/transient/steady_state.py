@@ -71,7 +71,11 @@ def phasor(motion: "LinearMotion", s: complex, force: np.ndarray) -> np.ndarray:
     """Q of q = Re(Q e^{st}) under the forces Re(F e^{st})."""
     if not any(_meets(node, s) or (block.half and _meets(node.conjugate(), s))
                for block in motion.blocks for node in block.nodes):
-        return np.linalg.solve(s * s * motion.M + s * motion.C + motion.K, force.astype(complex))
+        try:
+            return np.linalg.solve(s * s * motion.M + s * motion.C + motion.K, force.astype(complex))
+        except np.linalg.LinAlgError:
+            raise PhysicsError("the steady state is not determined: at the frequency of a load nothing holds some of "
+                               "what moves", "hold it, or give it inertia") from None
     total = np.zeros(len(force), complex)
     if motion.system is not None:
         total += motion.system.follow @ force
@@ -167,7 +171,13 @@ def growth(B: np.ndarray, t: float) -> np.ndarray:
 
 
 def harmonic(motion: "SteadyMotion", forcing: Forcing, n: int) -> tuple[complex, np.ndarray, np.ndarray]:
-    """(s, Q, F) of the n-th harmonic of periodic forcing: F = (2/T) ∫ f e^{−st} dt over a period, s = 2πin/T."""
+    """(s, Q, F) of the n-th harmonic of periodic forcing."""
+    s, row = harmonic_forces(forcing, n)
+    return s, phasor(motion, s, row[:len(motion.M)]), row
+
+
+def harmonic_forces(forcing: Forcing, n: int) -> tuple[complex, np.ndarray]:
+    """(s, F) of the n-th harmonic of periodic forcing: F = (2/T) ∫ f e^{−st} dt over a period, s = 2πin/T."""
     s = complex(0, math.tau * n / forcing.period)
     row = np.zeros(forcing.channels, complex)
     for piece, after in zip(forcing.pieces, [*forcing.pieces[1:], Segment(forcing.period)], strict=True):
@@ -179,8 +189,7 @@ def harmonic(motion: "SteadyMotion", forcing: Forcing, n: int) -> tuple[complex,
                 nodes = (0j, *[complex(exponent) - s] * (wave.power + 1))
                 row[wave.channel] += c * turn * math.factorial(wave.power) * differences(nodes, length)[0]
     row /= forcing.period * (1 if n else 2)
-    row = row if n else row.real
-    return s, phasor(motion, s, row[:len(motion.M)]), row
+    return s, row if n else row.real
 
 
 def mean_square(motion: "SteadyMotion", output: "LinearOutput", start: float, end: float) -> float:

@@ -15,6 +15,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.symbolic.evaluation import Floats
 
 if TYPE_CHECKING:
+    from vibcli.symbolic.defined_functions import DefinedFunction
     from vibcli.symbolic.sampled_functions import Samples
 
 SAME = 1e-12        # distance of frequencies that are one, relative to the largest
@@ -91,6 +92,10 @@ class WaveSums:
     @staticmethod
     def record(name: str, samples: "Samples") -> Callable:
         return _of_constants(samples.at)
+
+    @staticmethod
+    def called(function: "DefinedFunction") -> Callable:
+        return _of_constants(function.at)
 
     @staticmethod
     def power(base: "WaveSum | float", exponent: Fraction) -> "WaveSum | float":

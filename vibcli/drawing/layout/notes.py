@@ -31,9 +31,10 @@ def of(stage: "Scenery") -> "list[tuple[Run, ...]]":
     found = []
     for record in spec.connections:
         if "stretch" in record and record.name not in shown:
-            field = next(record[key] for key in (*symbol(record).NAMED_BY, "law", "friction")
-                         if hasattr(record.get(key), "tree"))
-            found.append(_note(f"{record.name}: ", scene, (field, " on "), (record["stretch"], "")))
+            fields = [record[key] for key in (*symbol(record).NAMED_BY, "law", "friction")
+                      if hasattr(record.get(key), "tree")]
+            what = [(field, " on ") for field in fields[:1]]    # none of what consists of parts
+            found.append(_note(f"{record.name}: ", scene, *what, (record["stretch"], "")))
     found += [_tie(record, stage.sketch) for record in spec.connections if _unplaced(record, stage.sketch)]
     for name, record in (spec.get("forces") or {}).items():
         if "value" in record:

@@ -18,7 +18,14 @@ SHAFT, SPIRAL = 2.4, 12.5      # half the thickness of a shaft, the radius of a 
 
 def between(record: "Record", start: tuple[float, float], end: tuple[float, float],
             drawn: float) -> list[Polygon | Polyline]:
-    """A zigzag; an elastic shaft from the side where it is twisted."""
+    """A zigzag; an elastic shaft from the side where it is twisted; of parts in series one behind the other."""
+    parts: Any = () if "torsion" in record else record.get("series", ())
+    if parts:
+        at, share = plane.along(start, end), plane.distance(start, end) / len(parts)
+        rows: list[Any] = [between(part, at(i * share), at((i + 1) * share), drawn / len(parts))
+                           for i, part in enumerate(parts)]
+        dots: list[Any] = [support.dot(at(i * share)) for i in range(1, len(parts))]
+        return [shape for row in (*rows, *dots) for shape in row]
     return _shaft(start, end) if "torsion" in record else _zigzag(start, end, drawn)
 
 

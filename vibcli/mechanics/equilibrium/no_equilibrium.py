@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from vibcli.base.errors import NoEquilibrium, PhysicsError
+from vibcli.base.errors import Kinked, NoEquilibrium, PhysicsError
 
 if TYPE_CHECKING:
     import numpy as np
@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from vibcli.mechanics.equilibrium.equilibrium import EnergyDescent
 
 ALONE = ", or ask for what needs none: find: [accelerations]"
-FAR = 1e6      # of the size of the figure
+FAR, BESIDE = 1e6, 1e-6      # of the size of the figure
 JUMPS = ("abs", "sign", "min", "max", "step", "ramp")
 
 
@@ -30,6 +30,9 @@ def unbounded(search: "EnergyDescent", q: "np.ndarray") -> PhysicsError:
                             "or draw the scene nearer to its equilibrium")
     if search.scene.table.called.intersection(JUMPS) and np.all(np.abs(q) <= FAR * search.scale):
         here = ", ".join(f"{other} = {value:.6g}" for other, value in search.named_plainly(q).items())
+        if _is_held(search, q):
+            return Kinked(f"the scene rests near {here}, where a force jumps: it is driven back there from both sides, "
+                          "and no small oscillations are about it", "follow the motion with motion: full")
         return PhysicsError(f"the search for the equilibrium ends near {here}, where forces that jump leave none "
                             "that is smooth", "round the kink off, or follow the motion with motion: full")
     if search.undefined:
@@ -42,6 +45,14 @@ def unbounded(search: "EnergyDescent", q: "np.ndarray") -> PhysicsError:
         f"no equilibrium is reached from the {_origin(search)}: nothing holds '{name}', {why} along it",
         "add the spring or support that carries the load, or start elsewhere with `equilibrium:`" + ALONE,
         search.numeric.spec.origin(name).where)
+
+
+def _is_held(search, q):
+    """Is one coordinate driven back to a place from both sides, by forces that have a potential?"""
+    if len(q) != 1 or not search.numeric.system.conservative:
+        return False
+    sides = [search.defined(q + side * BESIDE * search.scale) for side in (-1, 1)]
+    return None not in sides and sides[0].residual[0] < 0 < sides[1].residual[0]
 
 
 def _origin(search):

@@ -7,6 +7,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.language.document.document import Scalar
 from vibcli.language.reader import Expression, Reference
 from vibcli.language.signal_names import LEFT_OF, SignalName, signal_name
+from vibcli.scene.energy_terms import Spring
 from vibcli.symbolic.parser import parse
 
 if TYPE_CHECKING:
@@ -15,7 +16,8 @@ if TYPE_CHECKING:
 
 
 def displacement(scene: "Scene", text: str) -> "Node | None":
-    """The node of a coordinate, or of a place, turn or stretch as displaced from where it is drawn; None of a force."""
+    """The node of a coordinate, or of a place, turn or stretch as displaced from where it is drawn, or of a
+    deflection; None of a force."""
     if text in scene.spec.coordinates:
         return scene.symbol(text)
     name, part, *_ = signal_name(text)
@@ -30,9 +32,11 @@ def displacement(scene: "Scene", text: str) -> "Node | None":
         return place["xy".index(part)] - drawn["xy".index(part)]
     if part == "angle":
         return scene.bodies[name].frame.angle
-    if part == "stretch":
-        drawn, = scene.at_drawn(_stretch(scene, scene.terms_of(name, undriven=True)))
-        return _stretch(scene, scene.terms_of(name)) - drawn
+    if part.partition(".")[0] == "stretch":
+        drawn, = scene.at_drawn(_stretch(scene, name, part, undriven=True))
+        return _stretch(scene, name, part) - drawn
+    if part == "deflection":
+        return _deflection(scene, name)
     return None
 
 
@@ -94,7 +98,27 @@ def _lumped(body, part):
     return node
 
 
-def _stretch(scene, terms):
+def _deflection(scene, name):
+    """The stretch of a spring from its undeformed state: of a linear one N/k as drawn and what came since."""
+    terms = scene.terms_of(name)
+    if len(terms) == 1 and isinstance(terms[0], Spring):
+        if terms[0].weight.is_zero:
+            raise PhysicsError(f"'{terms[0].owner}' has no stiffness: nothing tells where it is undeformed",
+                               f"ask for {terms[0].owner}.stretch")
+        return terms[0].s + terms[0].offset / terms[0].weight
+    return _stretch(scene, name, "stretch")
+
+
+def _stretch(scene, name, part, undriven=False):
+    path = signal_name(f"{name}.{part}").axis
+    if path:
+        inner = scene.undriven("inner_stretches") if undriven else scene.inner_stretches
+        found = next((term.s for term in inner if (term.owner, term.path) == (name, path)), None)
+        if found is None:
+            raise PhysicsError(f"the parts of '{name}' have no stretch of their own: it has no free length",
+                               f"ask for {name}.stretch")
+        return found
+    terms = scene.terms_of(name, undriven=undriven)
     if len(terms) == 1:
         return terms[0].s
     square = scene.table.sum(*((term.s * term.s, 1) for term in terms))   # of a spring without free length

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
 SEARCH, RESPONSE, FREQUENCY_RESPONSE, MODES = "equilibria", "response", "frequency_response", "modes"
 RESPONSES = (RESPONSE, FREQUENCY_RESPONSE)
+BACKBONE = "backbone"
 INSIGHT = tuple(word for word in OF_MODES if ANALYSES[word][1] is None)      # what needs no particulars
 ALWAYS = ("equations", "energies", "equilibrium", "frequencies", "modes", "damping", "virtual_work",
           "accelerations")
@@ -79,9 +80,15 @@ class Questions(list):
         return self.about(RESPONSE)
 
     @property
+    def amplitudes(self) -> "list[tuple[Expression | None, Expression]]":
+        """The signals, None where it is the coordinate, whose amplitudes are asked, and the largest of these."""
+        record = self.about(BACKBONE)
+        return [] if record is None else [(next(iter(record.get("of", ())), None), record["up_to"])]
+
+    @property
     def signals(self) -> "tuple[list[Expression], list[Expression]]":
         """The expressions of all signals asked, and the inputs."""
-        records = [record for record in map(self.about, (RESPONSE, FREQUENCY_RESPONSE)) if record is not None]
+        records = [record for record in map(self.about, (*RESPONSES, BACKBONE)) if record is not None]
         return ([signal for record in records for signal in record.get("of", ())],
                 [record["to"] for record in records if "to" in record])
 

@@ -88,11 +88,12 @@ def _middle(problem, name):
 
 def signals_asked(problem: "Problem", given: "Sequence[Expression]" = ()) -> list[RequestedSignal]:
     """The Asked signals of a motion in time."""
-    return [RequestedSignal(text, tree, _dimension(problem, tree), problem.response.signal(tree))
+    return [RequestedSignal(text, tree, dimension_of(problem, tree), problem.response.signal(tree))
             for text, tree in trees_asked(problem, RESPONSE, given)]
 
 
-def _dimension(problem, tree):
+def dimension_of(problem: "Problem", tree: "NameRef | Sum") -> dict:
+    """The dimension of a signal, {} of a pure number."""
     return problem.spec.dimensions.resolve(checker(problem.spec).dimension(tree) or {})
 
 

@@ -44,13 +44,17 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
     motion, asked = problem.response, signals_asked(problem, report.wanted.signals)
     _require_quick(problem, asked, report.wanted)
     if motion.KIND == "prescribed":
-        yield from section(f"Motion in time ({motion.WORDS})", paragraph("nothing moves freely"))
+        yield from section(f"Motion in time ({motion.words})", paragraph("nothing moves freely"))
     else:
         yield from _start(problem, motion, _drive(problem, motion) if motion.KIND in ("small", "steady") else ())
     if motion.KIND == "full":
         from vibcli.report.sections.integration import integration
 
         yield from integration(motion.trajectory())
+        if problem.spec.expanded:
+            from vibcli.report.sections.expanded_motion import periods
+
+            yield from periods(problem, motion)
     elif motion.KIND in ("small", "steady"):
         from vibcli.report.sections.formulas import formulas
         from vibcli.report.sections.vibrations import beats, free_vibration
@@ -134,8 +138,9 @@ def value_at(problem: "Problem", one: RequestedSignal, t: "Fraction", digits: in
     if digits is None:
         from vibcli.results.escalation import value_of_signal
 
-        value, error = value_of_signal(one.signal, t)
-        text, before = supported(value, error, 12), one.signal.before(float(t))
+        signal = one.signal.read_at(float(t))
+        value, error = value_of_signal(signal, t)
+        text, before = supported(value, error, 12), signal.before(float(t))
         return text if before is None else f"{text} (before {supported(before, error, 12)})"
     return precise_text(one.signal.precise(t, digits), digits)
 
@@ -162,7 +167,7 @@ def _start(problem, motion, drive):
         parts += ["   (as drawn: no equilibrium is reached)"]
     force = let_go(problem.spec)
     parts += [f", where {force} lets go"] if force else []
-    yield from section(f"Motion in time ({motion.WORDS})", paragraph("from ", *(parts or ["rest"])), *drive)
+    yield from section(f"Motion in time ({motion.words})", paragraph("from ", *(parts or ["rest"])), *drive)
 
 
 def _drive(problem, motion):
@@ -211,10 +216,10 @@ def response_data(problem: "Problem", wanted: "Wanted") -> dict[str, Any]:
                          [] if alone else one.signal.leaps(end))
              for (one, *both), values in zip(ends, instants, strict=True)]
     missing = unknown(problem, wanted)
-    return data((*KNOWN, UNKNOWN), {
+    return data((*KNOWN, UNKNOWN, ESTIMATED), {
         "until": end, "initial": {} if alone else {**places, **{name + "'": v for name, v in speeds.items()}},
         "signals": found, "balance": motion.trajectory().balance.error if motion.KIND == "full" else None,
-        "unknown": missing and missing.message})
+        "unknown": missing and missing.message, "estimated": motion.estimated})
 
 
 def _values(problem, one, wanted, known):
@@ -226,7 +231,7 @@ def _values(problem, one, wanted, known):
             return None
         if wanted.digits is not None:
             return value_at(problem, one, t, wanted.digits)
-        return if_known(lambda: value_of_signal(one.signal, t)[0], lambda _: None)
+        return if_known(lambda: value_of_signal(one.signal.read_at(float(t)), t)[0], lambda _: None)
 
     return [(t, value(t)) for _, t in wanted.at]
 
@@ -268,5 +273,7 @@ KNOWN = (
     Key("balance", "what the energies of an integrated motion fail to balance by, relative to the largest; null of "
         "small oscillations, and of a motion that --digits follows by series"))
 UNKNOWN = Key("unknown", "null, or why the motion is known up to `until` alone, though more was asked for")
+ESTIMATED = Key("estimated", "true where errors of members by modes are estimates of what modes left out add, and no "
+                "bounds; those of travelling waves always are bounds")
 MOTION = Key("response", "of `vibcli response`, and where `find` asks: the motion in time; null where symbols have no "
-             "value", of=(UNKNOWN, *KNOWN))
+             "value", of=(UNKNOWN, *KNOWN, ESTIMATED))

@@ -41,8 +41,8 @@ def response_in_letters(problem: "Problem", names: Iterable) -> Iterator[Section
     """Sections of the steady state of signals, {text}, and of the motion of one coordinate from its start."""
     from vibcli.analyses.closed_form.powers_of_time import are_powers
 
-    if problem.spec.get("motion") == "full":
-        raise NotInLetters("motions of the full equations are found in numbers",
+    if problem.spec.in_full:
+        raise NotInLetters("motions that are integrated are found in numbers",
                            "give the parameters values with --set")
     problem.require_no_members()
     driven, names = bool(problem.scene.timed and problem.symbolic.excitation), list(names)

@@ -206,7 +206,7 @@ def test_motions_from_the_start_are_those_in_numbers(c, driven):
     ((FORCED % "sin").replace("F0*sin(Omega*t)", "F0*sin(Omega*t) + F0*sin(2*Omega*t)"), "one harmonic"),
     ((FORCED % "sin").replace("F0*sin(Omega*t)", "F0*step(t - 1 s) + F0*sin(Omega*t)"), "sin\\(Omega"),
     (ABSORBER.replace("F0*sin(Omega*t)", "F0").replace(", Omega: ", ""), "one degree"),
-    (FREE + "    motion: full\n", "full equations")])
+    (FREE + "    motion: full\n", "motions that are integrated")])
 def test_what_is_not_known_is_refused(scene, words):
     report = Report(problem(scene))
     report.add("response")

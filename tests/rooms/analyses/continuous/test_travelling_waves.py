@@ -70,7 +70,7 @@ def test_matched_damper_ends_the_motion(length, tension, inertia):
         for along in (0, 1):
             place = LinearOutput(places={FieldPoint(0, x, along): 1.0})
             found = motion.values(place, end * np.array([0.4, 1.0, 1.5, 7.3]))
-            assert not found[1:].any()
+            assert np.abs(found[1:]).max() <= 4e-16 * 0.01 * (sqrt(tension / inertia) / length if along else 1.0)
             assert found[0] or not (x or along)
 
 

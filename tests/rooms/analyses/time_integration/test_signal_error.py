@@ -8,6 +8,7 @@ from support.motions import AT_THE_TOP, PENDULUM, duffing_period, problem
 
 from vibcli.analyses.time_integration.integrate import known_motion
 from vibcli.analyses.time_integration.level_crossings import extreme
+from vibcli.analyses.time_integration.rounded_data import DIRECTIONS, STEP, ChangeOfData
 from vibcli.api.values import given_expression
 from vibcli.plots.response import of_response
 from vibcli.quantities.expression import measure
@@ -36,13 +37,12 @@ def test_a_period_that_is_searched_and_a_passage_are_as_near_as_they_say():
     assert abs((instant / true) % 1 - 0.5) * true / instant <= error < 1e-7
 
 
-def test_data_that_are_exact_leave_less_to_be_off():
-    """g and the amplitude as binary fractions, beside decimals next to them."""
-    def error(given):
-        return measured(problem("motion: full\n" + given), "phi(40 s)")[1]
-
-    exact = PENDULUM.replace("0.8 m", "0.5 m").replace("9.81", "9.8125") + "initial: {phi: 1}\n"
-    assert error(exact) < error(exact.replace("0.5 m", "0.50001 m")) < 1e-9
+@pytest.mark.parametrize("seed", range(DIRECTIONS))
+def test_data_that_are_exact_are_not_changed(seed):
+    """Binary fractions, beside decimals next to them."""
+    change = ChangeOfData(seed)
+    assert [change(x) for x in (0.5, 9.8125, -9e5)] == [0.5, 9.8125, -9e5]
+    assert all(0 < abs(change(x) / x - 1) < 2 * STEP for x in (0.50001, 9.81, -9.1e-5))
 
 
 def test_only_what_parts_exponentially_is_told_to_do_so():

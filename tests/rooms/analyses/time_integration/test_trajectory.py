@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from support.motions import DOUBLE, FOUR_BAR, PENDULUM, pendulum, problem
 
+from vibcli.analyses.nonlinear.period import exact_period
 from vibcli.analyses.time_integration.integrate import simulate
 from vibcli.analyses.time_integration.level_crossings import extreme, passages
-from vibcli.analyses.time_integration.period import exact_period
 from vibcli.base.errors import PhysicsError
 from vibcli.symbolic import numeric_code
 

@@ -5,26 +5,34 @@ does not. T = 2 ∫ √(m/(2(E − V))) dq is found by the double exponential ru
 
     q = q₂ − (q₂ − q₁)/(1 + e^{π sinh u})          dq/du = (q₂ − q₁) (π/4) cosh u / cosh²(½π sinh u)
 
-on each side of the bottom of the well: it stands roots at the ends and what is steep or flat near them. The step is
-halved until nothing changes.
+on each piece between the places where V bends or is stationary: it stands roots at the ends and what is steep or flat
+near them. The step is halved until nothing changes.
 """
 
 from collections.abc import Mapping
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.energies import effective_potential
 from vibcli.mechanics.equations_of_motion import dynamics
+from vibcli.numerics.root_finding import last_place
 from vibcli.symbolic.evaluation import evaluate, multiprecision
 
 if TYPE_CHECKING:
     import mpmath
 
+    from vibcli.analyses.nonlinear.turning_points import TurningPoint
+    from vibcli.analyses.nonlinear.well import Well
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
 DIGITS, SHOWN = 60, 1e-15
 FARTHEST, HALVINGS = 4.2, 12        # of u: beyond it the ends are nearer than 10⁻⁴⁴ of the way
+STEPS, SECANTS = 60, 40
+NEAR = 2.0**-50
+LOST = ("this motion does not come back: nothing turns it round", "ask for its value at a time")
+ROUNDING = 1e-14
 
 
 class Energies:
@@ -45,14 +53,16 @@ class Energies:
             return False
         return True
 
-    def gain(self, start: "mpmath.mpf", end: "mpmath.mpf") -> "mpmath.mpf":
-        """V(end) − V(start), nan where one of them is no real number."""
-        import mpmath
-
+    def left(self, energy: "mpmath.mpf", q: "mpmath.mpf") -> "mpmath.mpf":
+        """E − V; negative where V is no real number."""
         try:
-            return self(end)[0] - self(start)[0]
+            return energy - self(q)[0]
         except (ValueError, ArithmeticError):
-            return mpmath.nan
+            return -1
+
+    def of(self, node: "Node", q: "mpmath.mpf") -> "mpmath.mpf":
+        """The value of an expression of q."""
+        return evaluate([node], self.arithmetic, {**self.known, self.name: q})[0]
 
     def __call__(self, q: "mpmath.mpf") -> "list[mpmath.mpf]":
         """(V, m); ArithmeticError where they are no real numbers there."""
@@ -62,6 +72,67 @@ class Energies:
         if not all(mpmath.isfinite(x) and not mpmath.im(x) for x in found):
             raise ArithmeticError
         return [mpmath.re(x) for x in found]
+
+
+def precise_period(energies: Energies, well: "Well", start: "tuple[Any, Any]",
+                   ends: "tuple[TurningPoint, TurningPoint]") -> tuple[float, float] | None:
+    """(period, relative error) of the motion from a start (q, v) between turning points that floats know; None where V
+    is not known in letters."""
+    import mpmath
+
+    with mpmath.workdps(DIGITS):
+        q, v = map(mpmath.mpf, start)
+        if not energies.known_at(q):
+            return None
+        level, m = energies(q)
+        energy = level + m * v**2 / 2
+        stops = [_end(energies, well, energy, q, v, end, side) for end, side in zip(ends, (-1, 1), strict=True)]
+        places = sorted(_kink(energies, well, place) for place in well.breaks(*map(float, stops)))
+        stops[1:1] = [place for place in places if stops[0] < place < stops[1]]
+        return float(2 * sum(time_between(energies, energy, *piece) for piece in pairwise(stops))), ROUNDING
+
+
+def _end(energies, well, energy, q, v, end, side):
+    """A turning point to more digits, looked for from where floats have it; PhysicsError where there is none."""
+    import mpmath
+
+    if not v and end.q == float(q) and not end.error:
+        return q
+    inner = outer = mpmath.mpf(end.q)
+    step = mpmath.mpf(max(end.error, NEAR * abs(end.q), 1e-300))
+    for _ in range(STEPS):
+        if energies.left(energy, inner) > 0:
+            break
+        inner -= side * step
+        step *= 2
+    step = mpmath.mpf(max(end.error, NEAR * abs(end.q), 1e-300))
+    for _ in range(STEPS):
+        if energies.left(energy, outer) <= 0:
+            return last_place(lambda x: energies.left(energy, x) > 0, inner, outer)[1]
+        if side * well.force_at(float(outer)) <= 0:
+            break
+        outer += side * step
+        step *= 2
+    raise PhysicsError(*LOST)
+
+
+def _kink(energies, well, place):
+    """A place where V bends, to more digits; where it is stationary as it is."""
+    import mpmath
+
+    for u in well.bends:
+        x, y = mpmath.mpf(place), mpmath.mpf(place) * (1 + mpmath.mpf(2) ** -40) + mpmath.mpf(2) ** -1000
+        at_x, at_y = energies.of(u, x), energies.of(u, y)
+        slope = (at_y - at_x) / (y - x)
+        if not slope or abs(at_x / slope) > 2.0**-40 * abs(place):
+            continue
+        for _ in range(SECANTS):
+            if not at_x or at_x == at_y:
+                break
+            x, y = x - at_x * (y - x) / (at_y - at_x), x
+            at_x, at_y = energies.of(u, x), at_x
+        return x
+    return mpmath.mpf(place)
 
 
 def time_between(energies: Any, energy: "Node", left: Any, right: Any):

@@ -1,0 +1,32 @@
+"""Where the errors of motions by modes are estimates and no bounds, `check` and the data of responses say so."""
+
+import json
+
+import pytest
+
+from vibcli.cli import run
+
+ARM = """
+parameters: {L: 1.2 m, EI: 2400 N*m^2, mu: 3 kg/m}
+beams: {arm: {length: L, EI: EI, mass_per_length: mu, left: clamped, right: RIGHT}}
+initial: {arm.u: 1 mm*(x/L)^2}
+damping: {proportional: [1 s^-1, 0.001 s]}
+answers:
+  max(arm.u(L)): {value: 1 mm, rtol: 1 %}
+  omega[1]: {value: 69.0593 rad/s, rtol: 1 %}
+"""
+
+
+@pytest.mark.parametrize("right, estimated", [("{c: 3 N*s/m}", True), ("free", False)])
+def test_only_errors_that_are_estimates_are_said_to_be(tmp_path, capsys, right, estimated):
+    path = tmp_path / "arm.yaml"
+    path.write_text(ARM.replace("RIGHT", right), encoding="utf-8")
+    assert run(["check", str(path)]) == 0
+    largest, omega = (line for line in capsys.readouterr().out.splitlines() if "✓" in line)
+    assert ("error is estimated" in largest) == estimated
+    assert "error is estimated" not in omega
+    assert run(["check", str(path), "--json"]) == 0
+    largest, omega = json.loads(capsys.readouterr().out)[0]["answers"]
+    assert largest["estimated"] == estimated and not omega["estimated"]
+    assert run(["response", str(path), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["response"]["estimated"] == estimated

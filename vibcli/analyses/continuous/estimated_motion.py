@@ -1,0 +1,34 @@
+"""A motion by modes that dampers couple: what this coupling leaves of it is estimated by half as many modes."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from vibcli.analyses.continuous.modal_motion import ModalMotion
+
+if TYPE_CHECKING:
+    from vibcli.analyses.continuous.coupled_modes import TiedModes
+    from vibcli.analyses.excitation.forcing import Forcing
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+
+INSTANTS = np.linspace(-0.5, 0.5, 9)    # in periods of the slowest mode, about the one that is asked for
+
+
+class EstimatedMotion(ModalMotion):
+    """Of TiedModes; fewer: the same by half as many modes. bound: an estimate."""
+
+    def __init__(self, modes: "TiedModes", *parts: Any, fewer: ModalMotion):
+        super().__init__(modes, *parts)
+        self.tied, self.fewer, self._parts = modes, fewer, parts
+
+    def under(self, forcing: "Forcing") -> "EstimatedMotion":
+        return EstimatedMotion(self.tied, *self._parts[:3], forcing, fewer=self.fewer.under(forcing))
+
+    def bound(self, output: "LinearOutput", t: float, order: int = 0, modes: int | None = None) -> float:
+        """What modes beyond those counted add, and how far half as many are off about that instant."""
+        times = np.maximum(t + 2 * np.pi / (self.slowest or 1.0) * INSTANTS, t / 2)
+        apart = self.values(output, times, order) - self.fewer.values(output, times, order)
+        return super().bound(output, t, order, modes) + float(np.abs(apart).max())
+
+    def _amplitudes(self, read, stretch):
+        return self.tied.amplitudes(read.output, read.order, stretch.free)

@@ -1,0 +1,29 @@
+"""The backbone curve: the angular frequency of free motions over their amplitude."""
+
+from typing import NamedTuple
+
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import Many, Quantity
+from vibcli.language.signal_kinds import SignalField
+
+ELEMENT = Element(
+    "backbone",
+    "How the frequency of free motions about the equilibrium hangs on their amplitude, which is half the range of a "
+    "signal. Dampers and loads in time are left out. Each motion is found from its energy by quadrature, not from an "
+    "expansion; the family ends where a motion passes a top of the potential energy.",
+    {
+        "of": Field(Many(SignalField(), 1, 1, "a list of one signal"), "the signal; the coordinate if left out"),
+        "up_to": Field(Quantity(), "the largest amplitude of that signal", required=True),
+    },
+    example="swing_by_amplitude",
+)
+
+
+class BackbonePoint(NamedTuple):
+    """A free motion: the amplitude of the signal, ω [rad/s], its energy above that of the equilibrium [J] and the bound
+    of the relative error of ω."""
+
+    amplitude: float
+    omega: float
+    energy: float
+    error: float

@@ -1,0 +1,160 @@
+"""The family of free motions of one conservative degree of freedom about an equilibrium, one for each amplitude.
+
+The amplitude of a signal is half its range in the motion. The family ends at the separatrix, where the motion comes
+to rest on a top of V.
+"""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from vibcli.analyses.nonlinear.turning_points import TurningPoint, turning_point
+from vibcli.analyses.nonlinear.well import EPS, GRID, Well
+from vibcli.base.errors import PhysicsError
+from vibcli.numerics.bracketing import maxima_between
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
+
+STEPS, DOUBLINGS = 60, 60
+SMALL = 2.0**-20        # of the scale of a place: so far the forces next to an equilibrium are looked at
+TOUCHES = 2.0**-40      # of the largest force: less is none
+
+
+class MotionOfFamily(NamedTuple):
+    """A motion by its turning points, and the range of a signal in it; `at_ends`: is an extreme of the signal reached
+    at the left one, and at the right one?"""
+
+    ends: tuple[TurningPoint, TurningPoint]
+    size: float
+    at_ends: tuple[bool, bool]
+
+
+class NoSuchAmplitude(PhysicsError):
+    """No motion of a family has an amplitude; `largest`: what the amplitudes tend to, None where it is not known."""
+
+    def __init__(self, largest: float | None):
+        super().__init__("no free motion about this equilibrium has this amplitude", "ask for a smaller one")
+        self.largest = largest
+
+
+class FamilyOfMotions:
+    """`bottom`: the equilibrium; unit: a length of the size of the scene."""
+
+    def __init__(self, well: Well, bottom: float, unit: float):
+        self.well, self.bottom = well, bottom
+        self.unit = max(abs(bottom), unit)
+        for side in (-1, 1):
+            place = bottom + side * SMALL * self.unit
+            force, size = well.force_at(place), well.rounding(place)[1]
+            if side * force < -size:
+                raise PhysicsError("this equilibrium is not stable: there are no free vibrations about it",
+                                   "ask about another one, by its number as last index")
+
+    def motion(self, signal: Callable, amplitude: float) -> MotionOfFamily:
+        """The motion in which a signal, a function of arrays of places, has an amplitude; NoSuchAmplitude where none
+        has."""
+        wanted = 2 * amplitude
+        low, high, place, found = self.bottom, None, None, None
+        step = min(self.unit, amplitude) if amplitude < self.unit else self.unit
+        for _ in range(DOUBLINGS):
+            place = self.bottom + step
+            found = self._range(signal, place)
+            if found is None or found.size >= wanted:
+                high = place
+                break
+            low, step = place, 2 * step
+        if high is None:
+            raise NoSuchAmplitude(None)
+        return self._solved(signal, wanted, low, high, found)
+
+    def _solved(self, signal, wanted, low, high, found):
+        """The motion between two right ends, by Newton's steps that halve where they leave the bracket."""
+        place = high
+        for _ in range(STEPS):
+            if found is None or found.size > wanted:
+                high = place
+            else:
+                low = place
+            trial = 0.5 * (low + high)
+            if found is not None:
+                slope = self._growth(signal, found)
+                newton = place - (found.size - wanted) / slope if slope else trial
+                if abs(newton - place) <= 2 * EPS * abs(newton - self.bottom) or found.size == wanted:
+                    return self._known(found)
+                trial = newton if low < newton < high else trial
+            if trial in (low, high):
+                break
+            place, found = trial, self._range(signal, trial)
+        if found is None or abs(found.size - wanted) > 1e-12 * wanted:
+            last = self._range(signal, low)
+            raise NoSuchAmplitude(last and last.size / 2)
+        return self._known(found)
+
+    def energy(self, motion: MotionOfFamily) -> float:
+        """E − V at the equilibrium."""
+        right = motion.ends[1].q
+        stops = np.array([self.bottom, *self.well.breaks(self.bottom, right), right])
+        return float(self.well.gain(stops[:-1], np.diff(stops), self.well.rounding(right)).value.sum())
+
+    def _known(self, found):
+        """Its ends as well as the amplitude tells them."""
+        left, right = found.ends
+        slack = 2 * EPS * (right.q - left.q)
+        return found._replace(ends=tuple(end._replace(error=end.error + slack) for end in (left, right)))
+
+    def _range(self, signal, right):
+        """That of the motion that comes to rest there; None where it is none of the family."""
+        if not self._climbs(self.bottom, right, 1):
+            return None
+        try:
+            left = turning_point(self.well, right, 0.0, -1)
+        except PhysicsError:
+            return None
+        if left.q >= self.bottom or not self._climbs(left.q, self.bottom, -1):
+            return None
+        most, least = (_most(signal, left.q, right, sense) for sense in (1, -1))
+        return MotionOfFamily((left, TurningPoint(right, 0.0)), most[0] + least[0],
+                     (-1 in (most[1], least[1]), 1 in (most[1], least[1])))
+
+    def _climbs(self, low, high, side):
+        """Does V only rise as it leaves the bottom?"""
+        force = side * self.well.force(np.linspace(low, high, GRID))
+        return bool(np.all(force >= -TOUCHES * np.abs(force).max())) and bool(force[0 if side < 0 else -1] > 0)
+
+    def _growth(self, signal, found):
+        """How the range grows with the right end."""
+        left, right = (end.q for end in found.ends)
+        step = 1e-6 * (right - left)
+        values = signal(np.array([left, left + step, right - step, right]))
+        slopes = np.abs([values[1] - values[0], values[3] - values[2]]) / step * found.at_ends
+        at_left = self.well.force_at(left)
+        return float(slopes[1] + slopes[0] * abs(self.well.force_at(right) / at_left)) if at_left else 0.0
+
+
+def _most(signal, low, high, sense):
+    """(the largest value of a signal, or of its negative, between two places, -1, 0 or 1: at the left one, on the way,
+    at the right one)."""
+    places = np.linspace(low, high, GRID)
+    values = sense * signal(places)
+    i = int(values.argmax())
+    if 0 < i < GRID - 1:
+        top = maxima_between(lambda q: sense * signal(q), places[i - 1:i], places[i + 1:i + 2])
+        return float(sense * signal(np.atleast_1d(top))[0]), 0
+    return float(values[i]), 1 if i else -1
+
+
+def function_of_place(well: Well, compiled: Callable, node: "Node") -> Callable:
+    """The signal of an expression of the coordinate, as a function of arrays of places; PhysicsError where the speed is
+    in it."""
+    if node.mask & ~well.q.mask:
+        raise PhysicsError("the amplitude of a family of free motions is that of a displacement or a spring's force",
+                           "ask for a function of the places alone, without rates")
+
+    def values(q):
+        flat = q.ravel()
+        found, = compiled(np.zeros(flat.size), flat.reshape(1, -1), np.zeros((1, flat.size)))
+        return np.broadcast_to(found, flat.shape).reshape(q.shape)
+
+    return values

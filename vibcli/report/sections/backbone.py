@@ -1,0 +1,99 @@
+"""How the frequency of free motions hangs on their amplitude."""
+
+from math import tau
+from typing import TYPE_CHECKING
+
+from vibcli.base.errors import PhysicsError
+from vibcli.notation.numbers import figure
+from vibcli.quantities.expression import number_of
+from vibcli.report.blocks import TableBlock, paragraph, section
+from vibcli.report.keys import Key
+from vibcli.report.sections.insight import require_numbers
+from vibcli.report.sections.parameters import unit
+from vibcli.report.sections.requested_signals import dimension_of, symbol, trees_asked
+
+if TYPE_CHECKING:
+    from vibcli.plots.figure import Figure
+    from vibcli.report.document import Report
+    from vibcli.results.problem import Problem
+
+WORD, ROWS, POINTS = "backbone", 10, 101
+
+
+def _asked(problem):
+    """(text, tree, unit, largest amplitude) of the signal whose amplitude is asked for."""
+    require_numbers(problem, WORD)
+    find = problem.spec.get("find")
+    record = find.about(WORD) if find is not None else None
+    if record is None:
+        raise PhysicsError("it is not known up to which amplitude the backbone curve goes",
+                           "ask with find: [{backbone: {of: [" + problem.scene.coordinates[0] + "], up_to: 10 cm}}]")
+    (text, tree), *_ = trees_asked(problem, WORD)
+    return text, tree, unit(dimension_of(problem, tree)), number_of(problem, record["up_to"].tree)
+
+
+def backbone(problem: "Problem", _: "Report"):
+    text, tree, of, most = _asked(problem)
+    points = problem.free_motions.curve(tree, [most * k / ROWS for k in range(1, ROWS + 1)])
+    small = _small(problem)
+    head = (f"amplitude of {symbol(text)}" + f" [{of}]" * bool(of), "ω [rad/s]", "f [Hz]", "T [s]", "ω/ω₁",
+            "energy [J]", "relative error ≤")
+    rows = [(figure(one.amplitude), figure(one.omega, one.error), figure(one.omega / tau, one.error),
+             figure(tau / one.omega, one.error), figure(one.omega / small) if small else "–", figure(one.energy),
+             f"{one.error:.1g}") for one in points]
+    told = "The amplitude is half the range of the signal; the energy is counted from the equilibrium."
+    left = [name for name in ("dampers", "damping") if problem.spec.get(name)]
+    yield from section(
+        "Free motions by their amplitude (backbone curve)", TableBlock(head, tuple(rows)), paragraph(told),
+        paragraph("The dampers are left out.") if left else None,
+        paragraph(f"Small vibrations have ω₁ = {figure(small)} rad/s.") if small else paragraph(
+            "There are no small vibrations about the equilibrium to compare with."))
+
+
+def _small(problem):
+    """ω of small vibrations; None where they have none."""
+    try:
+        mode = problem.modal.modes.first(1)[0]
+    except PhysicsError:
+        return None
+    return float(mode.omega) if mode.omega else None
+
+
+def curve_figure(problem: "Problem") -> "Figure":
+    """The amplitude over ω, as backbone curves are drawn."""
+    from vibcli.plots.figure import Curve, Figure, Panel
+    from vibcli.plots.prefixes import labelled, readable
+
+    text, tree, of, most = _asked(problem)
+    points = problem.free_motions.curve(tree, [most * k / (POINTS - 1) for k in range(1, POINTS)])
+    factor, readable_unit = readable(most, of)
+    small = _small(problem)
+    start = [(0.0, small)] if small else []
+    y, x = zip(*start, *((one.amplitude * factor, one.omega) for one in points), strict=True)
+    guide = [Curve("", (small, small), (0.0, y[-1]), "guide", ("", "ω₁"))] if small else []
+    panel = Panel(labelled("ω", "rad/s"), labelled(f"amplitude of {symbol(text)}", readable_unit),
+                  curves=(*guide, Curve("", x, y)), x_range=_around(x), y_range=(0.0, 1.05 * y[-1]))
+    return Figure(problem.spec.get("title") or "", (panel,))
+
+
+def _around(values):
+    """A range with some room on both sides."""
+    low, high = min(values), max(values)
+    room = 0.06 * (high - low) or 0.1 * high
+    return low - room, high + room
+
+
+def _found(problem):
+    text, tree, of, most = _asked(problem)
+    points = problem.free_motions.curve(tree, [most * k / ROWS for k in range(1, ROWS + 1)])
+    return KEY.row(text, of, [dict(one._asdict()) for one in points])
+
+
+KEY = Key(WORD, "frequency of free motions by their amplitude", _found, of=(
+    Key("signal", "the signal whose amplitude counts"),
+    Key("unit", "its unit"),
+    Key("points", "a list, one entry to each amplitude", each=(
+        Key("amplitude", "half the range of the signal"),
+        Key("omega", "angular frequency [rad/s]"),
+        Key("energy", "energy above that of the equilibrium [J]"),
+        Key("error", "bound of the relative error of omega")))))

@@ -1,0 +1,95 @@
+"""Functions of signals of motions by modes: searched as these are, first by few modes, then by more, with what is left
+out of each part; the bounds of their extremes hold over the whole of the time that is searched."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from vibcli.analyses.continuous.modal_grid import divided
+from vibcli.analyses.continuous.modal_search import BENT, LEVELS, MOST, bends, top_between, width_about
+from vibcli.results.composed_errors import spread
+from vibcli.results.modal_signals import ModalSignal, by_waves, without_bound
+from vibcli.results.signal import Signal
+from vibcli.results.signals import ComposedSignal
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from vibcli.base.work import Work
+    from vibcli.symbolic.node import Node
+
+CANDIDATES = 4          # cells that are searched for the top
+
+
+class ComposedOfModes(ComposedSignal):
+    """A function of ModalSignals and perhaps of others."""
+
+    KIND = "a signal composed of others of a motion that is followed by modes of members"
+    signals: Any
+    _cells: "dict[tuple, tuple[np.ndarray, np.ndarray, np.ndarray]] | None" = None
+
+    def __init__(self, node: "Node", signals: "Mapping[str, Any]", floats: "Mapping[str, Any]", time: "Node",
+                 work: "Work | None" = None, asked: tuple = ()):
+        super().__init__(node, signals, floats, time, None, work)
+        self._asked = asked
+
+    def read_at(self, t: float) -> Signal:
+        return by_waves(self, self._asked, t)
+
+    def error_of_time(self, t: float) -> float:
+        near = self.values(np.array([t * (1 - 1e-6), t, t * (1 + 1e-6)]))
+        return width_about(self.values, self.error(t), t, 1 if 2 * near[1] >= near[0] + near[2] else -1)
+
+    def error_of_zero(self, t: float) -> float:
+        return width_about(self.values, self.error(t), t, 0)
+
+    def extreme(self, start: Any, end: float, sense: int) -> tuple[float, float]:
+        if self._others:
+            return super().extreme(start, end, sense)
+        for part in self.signals.values():
+            part.require_bound(start)
+        cells, values, _ = self._searched(start, end, sense)
+        best = cells[np.argsort(-values.max(axis=1))[:CANDIDATES]]
+        times = np.array([top_between(lambda t: sense * self.values(t), low, high) for low, high in best])
+        found = sense * self.values(times)
+        return float(times[int(np.argmax(found))]), float(sense * found.max())
+
+    def error_of_extreme(self, start: float, end: float, top: tuple[float, float], sense: int) -> float:
+        if self._others:
+            return self.error(top[0])
+        cells, values, off = self._searched(start, end, sense)
+        highest = float((values + off).max() + (BENT * bends(cells, values)).max())
+        if not np.isfinite(highest):
+            raise without_bound()
+        return max(self.error(top[0]), highest - sense * top[1])
+
+    @property
+    def _others(self):
+        """Does it hold the time by itself, or signals of other kinds?"""
+        return bool(self.node.mask & self.time.mask) or not all(
+            isinstance(part, ModalSignal) for part in self.signals.values())
+
+    def _searched(self, start, end, sense):
+        """The cells that may hold the extreme, the values at their ends in that sense, and how far these may be off."""
+        if self._cells is None:
+            self._cells = {}
+        if (start, end, sense) not in self._cells:
+            self._cells[start, end, sense] = self._found(start, end, sense)
+        return self._cells[start, end, sense]
+
+    def _found(self, start, end, sense):
+        cells, total = np.array([[start, end]]), max(part.modal.count for part in self.signals.values())
+        with self.work.task("the search along a motion by modes", MOST) as task:
+            for count in [*(level for level in LEVELS if level < total), total]:
+                for part in self.signals.values():
+                    cells = divided(cells, part.modal, part.reads, count)
+                task.step(steps=len(self.signals) * len(cells) * count / 1e5)
+                known = {name: part.modal.values(part.reads, cells, modes=count)
+                         for name, part in self.signals.items()}
+                values = self.composed(cells, known)
+                off = spread(lambda parts, at=cells: self.composed(at, parts), known,
+                             {name: part.off(cells, end, count) for name, part in self.signals.items()})
+                tops = sense * values
+                chosen = (tops + off).max(axis=1) + BENT * bends(cells, values) >= (tops - off).max()
+                cells, values, off = cells[chosen], tops[chosen], off[chosen]
+        return cells, values, off

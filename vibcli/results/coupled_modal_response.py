@@ -1,0 +1,111 @@
+"""The motion in time of scenes with members whose modes `damping:` damps while dampers couple them: by the modes
+without damping, as many as are counted, beside what loads do exactly."""
+
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from vibcli.results.modal_response import ModalResponse, NotByModes
+
+if TYPE_CHECKING:
+    from vibcli.analyses.continuous.modal_motion import ModalMotion
+
+FEWEST, MOST = 32, 256      # modes
+NOISE = 1e-8        # rounding of eigenvalues, of the lowest: a sum over all modes is not better
+EPSILON = 2.0**-52
+
+
+class CoupledModalResponse(ModalResponse):
+    """Small oscillations about the equilibrium. NotByModes where more than dampers at coordinates couples the modes."""
+
+    WORDS = "small oscillations about the equilibrium, by coupled modes; what those left out add is estimated"
+    estimated = True
+
+    @cached_property
+    def most(self) -> int:
+        count = FEWEST
+        while count < MOST and self._noise(2 * count) <= NOISE:
+            count *= 2
+        return count
+
+    @property
+    def _first(self):
+        return self.most if self.most < 2 * FEWEST else 2 * FEWEST
+
+    def _noise(self, count):
+        """What rounding leaves of the lowest of so many coupled modes."""
+        vibrating = [mode for mode in self.problem.modal.modes.first(count) if mode.omega]
+        if not vibrating:
+            return 0.0
+        last, omega = vibrating[-1], float(vibrating[0].omega)
+        return EPSILON * max(float(last.omega), float(self._given.rate(last))) / omega
+
+    @cached_property
+    def _elements(self):
+        """Element data without `damping:`."""
+        found = self.configuration.without_given_damping()
+        if found.G:
+            raise NotByModes("gyroscopic terms couple the modes of members", "ask for steady(…)")
+        if any(placed.piece.drag for placed in found.pieces):
+            raise NotByModes("damping in proportion to stiffness stands beside drag of members: modes without end "
+                             "creep", "ask for steady(…), or write `proportional: [alpha, 0 s]`")
+        if self._inputs:
+            raise NotByModes("supports are driven beside dampers and `damping:` of members",
+                             "ask for steady(…), or write `proportional: [alpha, 0 s]`")
+        return found
+
+    @cached_property
+    def _exact(self):
+        import numpy as np
+
+        from vibcli.analyses.continuous.exact_transfer import ExactTransfer
+
+        M, C, _, K = self._elements.with_parts(pieces=()).arrays()
+        pieces = [one._replace(piece=one.piece._make(float(x) for x in one.piece)) for one in self._elements.pieces]
+        if not all(one.piece.inertia for one in pieces):
+            raise NotByModes("a piece of a member without mass has drag", "give it mass, or take the drag out")
+        return ExactTransfer(np.array([K, 0 * C, M]), pieces, (), self.spread_drives)
+
+    @cached_property
+    def _dampers(self):
+        from vibcli.analyses.continuous.coupled_transfer import Dampers
+
+        C = self._elements.with_parts(pieces=()).arrays()[1]
+        if (C != C.T).any():
+            raise NotByModes("forces that no potential gives couple the modes of members", "ask for steady(…)")
+        return Dampers(C)
+
+    @cached_property
+    def _given(self):
+        """The MemberDamping."""
+        from vibcli.analyses.continuous.member_damping import member_damping
+        from vibcli.symbolic.evaluation import Floats
+
+        return member_damping(self.configuration, self.problem.modal.modes, Floats)
+
+    @cached_property
+    def _transfer(self):
+        from vibcli.analyses.continuous.coupled_transfer import CoupledTransfer
+        from vibcli.analyses.continuous.damped_transfer import DampedTransfer
+
+        return CoupledTransfer(DampedTransfer(self._exact, self.problem.modal.modes, self._given), self._dampers)
+
+    def _found(self, count) -> "ModalMotion":
+        from vibcli.analyses.continuous.estimated_motion import EstimatedMotion
+        from vibcli.analyses.continuous.modal_motion import ModalMotion
+
+        parts = self._transfer, self._forces, self.problem.work
+        return EstimatedMotion(self._modes(count), *parts, fewer=ModalMotion(self._modes(count // 2), *parts))
+
+    def _modes(self, count):
+        """The TiedModes of so many."""
+        import numpy as np
+
+        from vibcli.analyses.continuous.coupled_modes import FollowingShapes, TiedModes
+        from vibcli.analyses.continuous.mode_basis import ModeBasis
+
+        modes, given = self.problem.modal.modes.first(count), self._given
+        basis = ModeBasis(modes, self._elements.pieces)
+        inputs = self._felt(basis)
+        damping = np.array([float(given.rate(mode)) for mode in modes])
+        following = FollowingShapes(basis, inputs, self._exact, self._dampers)
+        return TiedModes(basis, inputs, self._start(basis), (damping, given.of_squares), following, given.creeps)

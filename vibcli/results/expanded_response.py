@@ -1,0 +1,94 @@
+"""The motion of the equations expanded to the third order, integrated; what is read off it are functions of its places
+and velocities."""
+
+from collections.abc import Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base.errors import PhysicsError
+from vibcli.results.full_response import FullResponse
+from vibcli.symbolic.rationals import fraction_of
+from vibcli.symbolic.syntax import parts_of
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.results.problem import Problem
+    from vibcli.scene.scene import Scene
+
+
+def scene_expanded(problem: "Problem") -> "Scene":
+    """The scene of a Problem with its equations expanded about the equilibrium, which is in letters where parameters
+    have no values."""
+    from vibcli.mechanics.expanded_scene import expanded_scene
+
+    scene = problem.scene
+    if problem.numeric.has_free_symbols:
+        return expanded_scene(scene, problem.symbolic.equilibrium_position)
+    found = problem.configuration.equilibrium
+    return expanded_scene(scene, {q.name: scene.drawn[q] if found.drawn else scene.table.number(
+        fraction_of(found.values[q.name])) for q in scene.q})
+
+
+class ExpandedResponse(FullResponse):
+    """That of a Problem about its equilibrium."""
+
+    WORDS = "equations to the third order in the deviations from equilibrium, integrated"
+
+    def __init__(self, problem: "Problem"):
+        super().__init__(problem)
+        if problem.digits is not None:
+            raise PhysicsError("motions of expanded equations are found in the digits of floats",
+                               "leave --digits out, or ask for motion: full")
+
+    @cached_property
+    def expanded(self) -> "Configuration":
+        """The system whose equations are expanded, at the same equilibrium."""
+        from vibcli.mechanics.configuration import Configuration
+        from vibcli.mechanics.expanded_system import ExpandedSystem
+        from vibcli.mechanics.numeric_system import NumericSystem
+
+        configuration = self.problem.configuration
+        system = ExpandedSystem(configuration.system, scene_expanded(self.problem))
+        return Configuration(NumericSystem(system, configuration.numeric.given), configuration.equilibrium)
+
+    @cached_property
+    def full(self) -> FullResponse:
+        """The motion of the full equations from the same start."""
+        return FullResponse(self.problem)
+
+    def trajectory(self, until: Any = None):
+        """The Trajectory up to an instant at least, to the end asked for if none is given."""
+        until = self.until if until is None else until
+        found = self._trajectory
+        if found is None or (found.until < until and not found.reason):
+            from vibcli.analyses.time_integration.integrate import known_motion
+
+            self._trajectory = known_motion(self.expanded, until, self.problem.initial.given)
+        return self._trajectory
+
+    def signal(self, tree: Any):
+        """The signal of a tree: a function of places, velocities and accelerations, and of forces of elements."""
+        if any(name in ("T", "V", "Phi") for name, *_ in parts_of(tree).names):
+            raise PhysicsError("energies along a motion of the expanded equations are not told",
+                               "ask for them with motion: full, or for their factors, as in V[x^2]")
+        return super().signal(tree)
+
+    def forces(self, wanted: Mapping[str, str], places: Any, trajectory: Any):
+        raise PhysicsError("forces of supports and constraints are not those of the expanded equations",
+                           "ask for them with motion: full")
+
+    @property
+    def precise(self):
+        raise PhysicsError("motions of expanded equations are found in the digits of floats",
+                           "leave --digits out, or ask for motion: full")
+
+    @cached_property
+    def _exact_period(self):
+        from vibcli.analyses.nonlinear.period import exact_period
+
+        if len(self.problem.scene.coordinates) != 1:
+            return None
+        self._require_start()
+        places, speeds = self.problem.initial.start
+        (q,), (v,) = places.values(), speeds.values()
+        return exact_period(self.expanded.scene, self.problem.numeric.floats, q, v)

@@ -1,0 +1,56 @@
+"""Functions that an expression calls by a name of its table, `table.functions`, which elements of a scene define.
+
+Their arguments are all that they depend on, so that they are functions in the sense of the algebra. Their slopes are
+expressions again, which may call them: derivatives of any order follow.
+"""
+
+from typing import TYPE_CHECKING, Any
+
+from vibcli.symbolic.evaluation import evaluate
+from vibcli.symbolic.expression import Table
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    import mpmath
+    import numpy as np
+
+    from vibcli.symbolic.node import Node
+
+
+class DefinedFunction:
+    """A function f(u, …) that is called `name`, and written as `symbol` of its first argument: the others are numbers
+    and parameters that stay as they are."""
+
+    name: str
+    symbol: str
+    bends = False       # has it no derivatives of all orders somewhere?
+
+    def at(self, *args: "float | mpmath.mpf") -> "float | mpmath.mpf":
+        """The value for floats or mpmath numbers; NaN where there is none."""
+        raise NotImplementedError
+
+    def on_arrays(self, *args: "float | np.ndarray") -> "np.ndarray":
+        """The values for arrays, or some of them floats."""
+        raise NotImplementedError
+
+    def slope(self, node: "Node", i: int) -> "Node":
+        """∂f/∂uᵢ of a call `node`, in its table."""
+        raise NotImplementedError
+
+    def folded(self, _table: Table, _args: "Sequence[Node]") -> "Node | None":
+        """The simpler node that a call equals exactly, or None."""
+        return None
+
+    def positive_where(self, _node: "Node", _x: "Node") -> "list[Node] | None":
+        """What has to be positive, free of x, so that a call is for all x but single ones; None where nothing tells."""
+        return None
+
+
+def slopes_at(function: DefinedFunction, arithmetic: Any, args: "Sequence[Any]", wanted: "Sequence[int]") -> list[Any]:
+    """∂f/∂uᵢ of each i wanted, in the numbers of an arithmetic."""
+    table = Table(functions={function.name: function})
+    symbols = [table.variable(f"u{i}") for i in range(len(args))]
+    call = table.call(function.name, *symbols)
+    values = {symbol.name: arg for symbol, arg in zip(symbols, args, strict=True)}
+    return evaluate([function.slope(call, i) for i in wanted], arithmetic, values)
