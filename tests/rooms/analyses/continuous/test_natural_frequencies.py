@@ -153,3 +153,21 @@ def test_random_members_have_as_many_frequencies_as_their_finite_elements():
         exact = squares_by_finite_elements(system, 6)
         found = [0.0 if mode.rigid else -mode.growth_rate**2 if mode.growth_rate else mode.omega**2 for mode in modes]
         assert found == pytest.approx(exact, rel=1e-2, abs=1e-7 * exact[-1])
+
+
+def star(bars):
+    """Bars alike, each clamped at one end and joined to the others at the other: all of (n + ½)π once, nπ repeated."""
+    return FactoredSystem(1, [], pieces=[placed(bar(), {}, {0: 1.0}) for _ in range(bars)])
+
+
+def test_a_frequency_found_in_more_digits_is_rounded_once():
+    modes = NaturalModes(star(3)).numbered(40, 48)
+    with mpmath.workdps(40):
+        for mode in modes:
+            exact = mpmath.pi * ((mode.index - 1) // 3 + (mpmath.mpf(0.5) if mode.index % 3 == 1 else 1))
+            assert abs(mpmath.mpf(mode.omega) / exact - 1) <= mode.error < 1e-14
+
+
+def test_some_of_many_repeated_frequencies():
+    modes = NaturalModes(star(6)).numbered(3, 5)
+    assert all(abs(mode.omega / math.pi - 1) <= mode.error < 1e-14 for mode in modes)
