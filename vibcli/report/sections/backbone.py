@@ -4,7 +4,7 @@ from math import tau
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
-from vibcli.notation.numbers import figure
+from vibcli.notation.numbers import figure, rounded_up
 from vibcli.quantities.expression import number_of
 from vibcli.report.blocks import TableBlock, paragraph, section
 from vibcli.report.keys import Key
@@ -40,7 +40,7 @@ def backbone(problem: "Problem", _: "Report"):
             "energy [J]", "relative error ≤")
     rows = [(figure(one.amplitude), figure(one.omega, one.error), figure(one.omega / tau, one.error),
              figure(tau / one.omega, one.error), figure(one.omega / small) if small else "–", figure(one.energy),
-             f"{one.error:.1g}") for one in points]
+             figure(rounded_up(one.error), digits=1)) for one in points]
     told = "The amplitude is half the range of the signal; the energy is counted from the equilibrium."
     left = [name for name in ("dampers", "damping") if problem.spec.get(name)]
     yield from section(
