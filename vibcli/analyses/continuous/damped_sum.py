@@ -34,7 +34,7 @@ STEP, REACH = 0.1, 45.0     # of u, and how far from the middle it goes
 HIGHEST, ALIKE = 0.8, 0.05      # ratio up to which P and Q are well apart; distance from 1 below which they are not
 AT_ONCE = 256       # values of s beside all of η
 SMALL = 1e-14       # of a natural frequency: an s at rest
-UNIT, ROUGH = 2.0**-52, 4096.0     # roundings of means about ζ
+UNIT, ROUGH, PARTS = 2.0**-52, 4096.0, 16.0     # roundings of means about ζ, of each partial fraction
 POLISHED = 3        # steps of Newton's method
 LOW, TERMS = 0.1, 8     # of that circle, where the series of so many terms is
 CIRCLE, SHARE, CLOSE = 24, 0.25, 1e-6       # points about a pole or ζ, radius over the next pole's distance, closest
@@ -69,7 +69,9 @@ class DampedSum:
 
     @property
     def rounding(self) -> float:
-        """How many roundings of H the sum with ratios brings, by and by."""
+        """How many roundings of H the sum brings, by and by."""
+        if not self.damping.ratios:
+            return PARTS * len(self.damping.series)
         last = ROUGH if self.zeta > HIGHEST else np.exp(-2 * np.pi * np.arccos(self.zeta) / STEP) / UNIT
         return 1 + 64 * len(self.damping.ratios) + last
 
