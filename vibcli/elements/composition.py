@@ -8,10 +8,10 @@ c = (Σ cᵢ^(−1/n))^(−n);  of N equal laws F(x/N);  of others the inner equ
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.elements.faults_in_series import not_in_series
-from vibcli.elements.power_law import power_of
 from vibcli.elements.series import KEYS
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import evaluable
+from vibcli.symbolic.power_law import power_of
 from vibcli.symbolic.rationals import HALF
 from vibcli.symbolic.rising import rises_where
 from vibcli.symbolic.series_of_laws import PartLaw, SeriesOfLaws

@@ -148,7 +148,7 @@ def test_the_expansion_of_its_energy():
     assert model["V[x^4]"].value == pytest.approx(3e5 / 64, rel=1e-14)      # F = k x/2 + g x³/16 − …
     bent = vibcli.load({"parameters": values, "bodies": bodies,
                         "springs": {"s": {"series": [{"k": "k"}, {"law": "k*d + g*d*abs(d)*1 m"}], **place}}})
-    with pytest.raises(vibcli.PhysicsError, match="a kink of V_s"):
+    with pytest.raises(vibcli.PhysicsError, match="a kink of abs"):
         bent["V[x^4]"]
 
 
