@@ -67,7 +67,7 @@ class RatedExpansion:
     def _expand(self):
         s = self._circle(self.eigenvalues)
         whole = self._sum.at(s)
-        self.series = _coefficients(s, whole - self._one_by_one(s))
+        self.series = _coefficients(s / self.radius, whole - self._one_by_one(s))
         rounding = SURER * self._sum.rounding * UNIT
         self.lost = rounding * abs(self.U.T @ abs(np.moveaxis(whole, -1, 0))).max()
 
@@ -80,13 +80,13 @@ class RatedExpansion:
 
     @cached_property
     def _power_sums(self):
-        """Σ ψ ψᵀ/ω²⁺ᵏ over all others, (TERMS, r, r): from H with a ratio ζ of all modes, Σ Uₖ(−ζ) sᵏ/ω²⁺ᵏ."""
+        """Σ ψ ψᵀ Rᵏ/ω²⁺ᵏ over all others, (TERMS, r, r): from H with a ratio ζ of all modes, Σ Uₖ(−ζ) sᵏ/ω²⁺ᵏ."""
         zeta = float(np.cos(ANGLE))
         s = self._circle(self.omega * np.exp(1j * (np.pi - ANGLE)))
         whole = DampedSum(MemberDamping((zeta,)), self._modes, lambda sigma: np.einsum(
             "ir,isk->rsk", self.U, self._plain(sigma))).at(s)
         q = self.omega[:, None]**2 + 2 * zeta * self.omega[:, None] * s + s * s
-        found = _coefficients(s, whole - np.einsum("am,bm,mk->abk", self.psi, self.psi, 1 / q))
+        found = _coefficients(s / self.radius, whole - np.einsum("am,bm,mk->abk", self.psi, self.psi, 1 / q))
         k = np.arange(TERMS)
         return found / ((-1.0)**k * np.sin((k + 1) * ANGLE) / np.sin(ANGLE))[:, None, None]
 
@@ -97,19 +97,20 @@ class RatedExpansion:
         k = np.arange(TERMS)
         pairs = np.outer(g, g.conj()).real
         inside = k[:, None] + k < TERMS - 2
-        return float((pairs[inside] * sums[(k[:, None] + k + 2)[inside]]).sum())
+        return float((pairs[inside] * sums[(k[:, None] + k + 2)[inside]]).sum()) / self.radius**2
 
     def _terms(self, s):
-        """gₖ(s)."""
+        """gₖ(s)/Rᵏ."""
+        R = self.radius
         g = np.zeros(TERMS, complex)
         if self._damping.ratios:
-            g[0], g[1] = 1.0, -2 * float(self._damping.ratios[-1]) * s
+            g[0], g[1] = 1.0, -2 * float(self._damping.ratios[-1]) * s / R
             for k in range(2, TERMS):
-                g[k] = g[1] * g[k - 1] - s * s * g[k - 2]
+                g[k] = g[1] * g[k - 1] - (s / R)**2 * g[k - 2]
             return g
         a, b = (*map(float, self._damping.series), 0.0)[:2]
         k = np.arange(TERMS // 2)
-        g[::2] = (-s * (s + a) / (1 + b * s))**k / (1 + b * s)
+        g[::2] = (-s * (s + a) / (1 + b * s) / R**2)**k / (1 + b * s)
         return g
 
     def _look_beside(self):
@@ -128,9 +129,9 @@ class RatedExpansion:
 
     def smooth(self, s: np.ndarray, slope: bool = False) -> np.ndarray:
         """What all others answer, or its derivative, (n, r, N)."""
-        series, s = self.series, np.asarray(s, complex)
+        series, s = self.series, np.asarray(s, complex) / self.radius
         if slope:
-            series = self.series[1:] * np.arange(1, len(self.series))[:, None, None]
+            series = self.series[1:] * np.arange(1, len(self.series))[:, None, None] / self.radius
         return np.einsum("kir,kn->irn", series, s ** np.arange(len(series))[:, None])
 
     def at(self, s: np.ndarray) -> np.ndarray:

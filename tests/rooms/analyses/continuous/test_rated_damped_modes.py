@@ -80,6 +80,14 @@ def test_two_terms_of_a_series_are_proportional_damping():
         assert complex(mode.eigenvalue) == pytest.approx(complex(known.eigenvalue), rel=1e-12)
 
 
+def test_units_are_arbitrary():
+    stiff = BAR.replace("EA: 1 N", "EA: 1e18 N").replace("N*s/m", "GN*s/m").format(zeta="2 %", c="0.3")
+    plain = BAR.format(zeta="2 %", c="0.3")
+    one, other = (problem(scene).modal.damped.numbered(1, 2)[1] for scene in (stiff, plain))
+    assert complex(one.eigenvalue) == pytest.approx(1e9 * complex(other.eigenvalue), rel=1e-12)
+    assert abs(one.shape[0]) == pytest.approx(abs(other.shape[0]), rel=1e-12)
+
+
 def test_shapes_have_unit_modal_mass():
     mode = problem(BAR.format(zeta="0.5", c="1.5")).modal.damped.numbered(2, 2)[0]
     s, omega = complex(mode.eigenvalue), (np.arange(20000) + 0.5) * np.pi
