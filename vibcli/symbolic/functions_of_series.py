@@ -76,7 +76,9 @@ class FunctionOfSeries(DefinedFunction):
 
     def at(self, *args: "float | mpmath.mpf") -> "float | mpmath.mpf":
         if any(hasattr(arg, "_mpf_") for arg in args):
-            return self.from_parts(self.parts.precisely(args), args, multiprecision())[0]
+            deflections, force = self.parts.precisely(args)
+            found = self.from_parts(InnerState(deflections[:, 0], force[0]), args, multiprecision())
+            return found.item() if hasattr(found, "item") else found
         return float(self.on_arrays(*args))
 
     def on_arrays(self, *args: "float | np.ndarray") -> "np.ndarray":

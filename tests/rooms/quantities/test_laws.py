@@ -7,10 +7,21 @@ import pytest
 import sympy
 
 import vibcli
+from vibcli.cli import run
 
 UNITS = {"m": "kg", "k1": "N/m", "k2": "N/m", "g": "N/m^3", "h": "N/m^5", "q": "N/m^2", "D": "m", "c1": "N*s/m",
          "c2": "N*s^3/m^3", "kappa": "N*m"}
 VALUES = {"m": 2, "k1": 300, "k2": 200, "g": 50000, "h": 3000000, "q": 1000, "D": 0.1, "c1": 3, "c2": 5, "kappa": 30}
+NESTED = """
+bodies: {block: {mass: 1 kg, slide: x}}
+springs:
+  s:
+    series:
+      - {k: 500 N/m}
+      - parallel: [{law: 9e4 N/m^3*d^3}, {series: [{k: 500 N/m}, {law: 500 N/m*d + 9e4 N/m^3*d^3}]}]
+    between: [ground, block]
+forces: {pull: {at: block, force: 20 N}}
+"""
 CHAIN = [{"k": "k1"}, {"law": "k2*d + g*d^3"}]
 
 
@@ -82,6 +93,17 @@ def test_cardanos_formula():
         text = str(found.expression).replace("^", "**").replace("(1/3)", "(mpf(1)/3)")
         exact = inner(mpmath.mpf("0.1"), lambda d: 200 * d + 50000 * d**3)
         assert abs(eval(text, {**values, "D": mpmath.mpf("0.1")}) / exact - 1) < 1e-25
+
+
+def test_more_digits_of_a_nested_chain(tmp_path, capsys):
+    (tmp_path / "chain.yaml").write_text(NESTED)
+    assert run(["frequencies", "--digits", "25", str(tmp_path / "chain.yaml")]) == 0
+    with mpmath.workdps(40):
+        e = mpmath.findroot(lambda e: 500 * e + 9e4 * e**3 + 9e4 * (2 * e + 180 * e**3)**3 - 20, 0.02)
+        pair, inside = 2 * e + 180 * e**3, 500 + 3 * 9e4 * e**2
+        beside = 1 / (1 / mpmath.mpf(500) + 1 / inside) + 3 * 9e4 * pair**2
+        omega = mpmath.sqrt(1 / (1 / mpmath.mpf(500) + 1 / beside))
+        assert mpmath.nstr(omega, 24) in capsys.readouterr().out
 
 
 def test_equal_duffing_springs_and_powers():
