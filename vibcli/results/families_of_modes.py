@@ -45,9 +45,7 @@ class FamiliesOfModes:
             found = family.motions(amplitudes)
         except EndOfFamily as error:
             raise PhysicsError(f"{error.message}: family {number} is followed up to "
-                               f"{amplitude_told(self.problem, tree, error.largest)}",
-                               "beyond that motions pass a top of V or bend where forces do, or the family turns back"
-                               ) from None
+                               f"{amplitude_told(self.problem, tree, error.largest)}", error.hint) from None
         points = [BackbonePoint(one.amplitude, one.motion.w * family.balance.scale, family.balance.energy(one.motion),
                                 one.error) for one in found]
         return Backbone(points, self._told(tree, family, found, number))

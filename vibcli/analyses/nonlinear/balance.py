@@ -14,9 +14,9 @@ from vibcli.analyses.nonlinear.free_equations import FreeEquations
 from vibcli.analyses.nonlinear.harmonics import CosineMotion, cosines
 
 STEPS = 8
-CLOSE, LAST = 1e-7, 1e-12           # relative changes: the next step is the last one, none is needed
+CLOSE, LAST = 1e-5, 1e-10           # relative changes: the next step is the last one, none is needed
 SAFE = 2.0
-PLACES = (0.0, 0.3, 0.7, 1.0)       # of the way, where rounding is looked at
+PLACES = (0.0, 0.4, 1.0)       # of the way, where rounding is looked at
 
 
 class ClosingCondition(NamedTuple):

@@ -43,10 +43,10 @@ class _State(NamedTuple):
 
 
 class EndOfFamily(PhysicsError):
-    """A family is not followed to an amplitude; `largest`: the last that was found."""
+    """A family is not followed to an amplitude; `largest`: that which was reached."""
 
-    def __init__(self, largest: float):
-        super().__init__("no free motion of this family with this amplitude is found", "ask for a smaller one")
+    def __init__(self, largest: float, why: str):
+        super().__init__("no free motion of this family with this amplitude is found", why)
         self.largest = largest
 
 
@@ -84,7 +84,20 @@ class FamilyOfMode:
             if step < SHORTEST or (found and state.amplitude < 0.5 * wanted[0]):
                 break
             self._require_movement(state)
-        raise EndOfFamily(largest)
+        raise EndOfFamily(largest, self._why(state, step))
+
+    def _why(self, state, step):
+        """Why a family is not followed beyond a state."""
+        if step >= SHORTEST:
+            return "the family turns back before: ask for a smaller amplitude"
+        if self.equations.bent:
+            return ("forces of this scene bend or jump: harmonics of motions across that fall off slowly, and the "
+                    "family is not followed; ask for a smaller amplitude, or for period(x) of a motion from `initial`")
+        count = len(state.motion.a) - 1
+        if 2 * count >= self.most:
+            return (f"beyond that the motions need more than {count} harmonics, as next to a top of V, where forces "
+                    "bend, or in internal resonances: ask for a smaller amplitude")
+        return "beyond that the family bends too sharply to be followed: ask for a smaller amplitude"
 
     def _require_movement(self, state):
         size = state.motion.size

@@ -17,7 +17,8 @@ from vibcli.mechanics.energies import effective_potential
 from vibcli.mechanics.equations_of_motion import dynamics
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.numeric_code import Compiled
+from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.numeric_code import SWITCHED, Compiled
 from vibcli.symbolic.running_errors import Rounded, RunningErrors, error_in
 
 if TYPE_CHECKING:
@@ -40,7 +41,8 @@ class Slopes(NamedTuple):
 
 
 class FreeEquations:
-    """Those of a scene about the equilibrium `rest`; `omegas` ascending and `shapes` Φ of its small vibrations."""
+    """Those of a scene about the equilibrium `rest`; `omegas` ascending and `shapes` Φ of its small vibrations.
+    `bent`: is |u|, min … in them?"""
 
     def __init__(self, scene: "Scene", floats: Mapping[str, float], rest: np.ndarray):
         self.scene, self.floats, self.n, self.rest = scene, floats, len(scene.q), rest
@@ -57,6 +59,7 @@ class FreeEquations:
         self._sloped = Compiled(scene, floats, None,
                                 [*self.entries, *self.h, *(slope for *_, slope in moved), *by_q, *by_v])
         self._potential = Compiled(scene, floats, None, [effective_potential(scene)])
+        self.bent = any(part.op == "call" and part.name in SWITCHED for part in reachable(parts.nodes()))
         self.omegas, self.shapes = self._small_vibrations()
 
     def _small_vibrations(self):
