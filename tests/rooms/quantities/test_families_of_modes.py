@@ -36,6 +36,13 @@ parameters: {m: 1 kg, k: 40 N/m, c: 9 N/m, b: 300 N/m^3}
 bodies: {left: {mass: m, slide: x}, right: {mass: 2*m, slide: y}}
 springs: {s: {law: k*d - b*d^3, between: [ground, left]}, t: {k: c, between: [left, right]}}
 """
+TURNING = """
+parameters: {m: 1 kg, k: 50 N/m, b: 300 N/m^3, W: 2 rad/s}
+coordinates: {x: a place, y: a place}
+energies:
+  T: m*((x' - W*y)^2 + (y' + W*x)^2)/2
+  V: k*(x^2 + 2*y^2)/2 + b*x^4/4
+"""
 
 
 def asked(text, what):
@@ -101,6 +108,7 @@ def test_dampers_are_left_out():
     (PAIR.replace("c: 1.3 N/m", "c: 20 N/m"), "backbone[1](x)(1 m)", "mode 2 has 3 times the frequency of mode 1"),
     (PAIR + "forces: {p: {at: left, force: (1 N)*sin((2 rad/s)*t)}}\n", "backbone[1](x)(1 m)", "no potential"),
     (TRUSS, "backbone[1](x)(1 m)", "family 1 is followed up to 0.37.* more than 64 harmonics"),
+    (TURNING, "backbone[1](x)(10 cm)", "turn with the sense of the motion"),
     (TRUSS.replace("- b*d^3", "+ b*(1 m^3)*sign(d)"), "backbone[1](x)(1 m)", "bend or jump at the equilibrium"),
 ])
 def test_what_has_no_such_motion_is_refused(text, what, message):

@@ -74,6 +74,8 @@ class HarmonicBalance:
         block = J[:-1, :-1].reshape(cells + 1, n, cells + 1, n)
         for part, basis, factor in ((found.mass, table.bend, motion.w**2), (found.stiffness, table.value, 1.0),
                                     (found.damping, table.slope, motion.w)):
+            if basis is table.slope and not part.any():
+                continue
             grown = (factor * part).transpose(2, 0, 1)[:, :, None, :] * basis.T[:, None, :, None]
             if basis is table.bend:
                 block[...] = grown
