@@ -4,7 +4,7 @@
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
-from vibcli.base.errors import NotInLetters
+from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.quantities.index_kinds import power_of_deflection
 from vibcli.quantities.quantity import Declaration, measured, unit
 from vibcli.quantities.signal_dimensions import deflection_dimension, output_dimension
@@ -42,12 +42,17 @@ def _in_digits(problem, find):
 
 def _force(problem, tree, args):
     from vibcli.quantities.expression import argument_in
+    from vibcli.symbolic.running_errors import number_in
 
     law = _characteristic(problem, tree)
 
     def find():
         arithmetic, values = _numbers(problem)
-        return law.at(arithmetic, values, argument_in(problem, tree.args[0], arithmetic, values))
+        force = law.at(arithmetic, values, argument_in(problem, tree.args[0], arithmetic, values))
+        if not abs(number_in(force)) < float("inf"):
+            raise PhysicsError(f"'{tree.indices[0]}' has no force at this deflection: its law is not defined there",
+                               "a law from a table goes on beyond its ends with beyond: linear")
+        return force
     return _in_digits(problem, find)
 
 
@@ -57,7 +62,7 @@ def _force_in_letters(problem, tree):
 
     found = _characteristic(problem, tree).in_letters(argument_in_letters(problem, tree.args[0]))
     if any(part.op == "call" and part.name in part.table.functions for part in reachable([found])):
-        raise NotInLetters("the inner equilibrium of these parts is found in numbers",
+        raise NotInLetters("this force, of parts in series or from a table, is found in numbers",
                            "give the parameters values with --set")
     return found
 

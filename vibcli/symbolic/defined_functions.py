@@ -25,6 +25,8 @@ class DefinedFunction:
 
     name: str
     symbol: str
+    about: str          # what it is, for a message
+    ends = False        # has it no value beyond some argument?
 
     def at(self, *args: "float | mpmath.mpf") -> "float | mpmath.mpf":
         """The value for floats or mpmath numbers; NaN where there is none."""
@@ -44,6 +46,15 @@ class DefinedFunction:
             nodes.append(gradient(nodes[-1]).get(symbols[0], table.zero) / k)
         values = {symbol.name: c for symbol, c in zip(symbols, args, strict=True)}
         return evaluate(nodes, ring.inner, values)
+
+    def on_senses(self, args: "Sequence[float | np.ndarray]",
+                  _senses: "Sequence[float | np.ndarray]") -> "np.ndarray":
+        """The values for arrays where each of `kinks` has a sense, ±1; smooth beyond its zero, where that is known."""
+        return self.on_arrays(*args)
+
+    def kinks(self, _node: "Node") -> "Sequence[Node]":
+        """What vanishes where a call bends or jumps, in its table."""
+        return ()
 
     def slope(self, node: "Node", i: int) -> "Node":
         """∂f/∂uᵢ of a call `node`, in its table."""

@@ -42,6 +42,7 @@ class FunctionOfSeries(DefinedFunction):
 
     def __init__(self, parts: "SeriesOfLaws"):
         self.parts, self.name = parts, f"{parts.name}.{self.kind}"
+        self.about = f"the inner equilibrium of '{parts.name.partition('.')[0]}' is solved in floats along a motion"
         self.templates: dict[int, Node] = {}
 
     @property
