@@ -287,4 +287,5 @@ def _piled_up(beta):
 def _undecided(radius):
     return PhysicsError(f"the number of damped modes with |λ| < {radius:.4g} 1/s is not certain"
                         if radius else "the damped modes are not told from one another",
-                        "a damper may be so near √(Nμ) that hardly a wave comes back; ask for frequency responses")
+                        "modes may be too near one another, or a damper near √(Nμ) swallow nearly all waves; ask for "
+                        "frequency responses")
