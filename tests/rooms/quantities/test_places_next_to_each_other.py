@@ -62,4 +62,22 @@ def test_frequency_response(apart, Omega):
         exact = deflection(apart, mpmath.mpc(0, Omega))
         found, error = measured(scene(apart), f"frf[wing.u(0.5 m), drive]({Omega} rad/s)")
         assert abs(found - exact) <= error * abs(exact)
-        assert error < 1e-9 and abs(found / exact - 1) < (1e-9 if apart == "1e-3" else 2e-16)
+        assert error < 1e-11
+
+
+@pytest.mark.parametrize("apart", ["0.01", "1e-6"])
+def test_steady_state(apart):
+    with mpmath.workdps(40):
+        exact = abs(deflection(apart, mpmath.mpc(0, 10)))
+        found, error = measured(scene(apart), "amplitude(wing.u(0.5 m))")
+        assert abs(found - exact) <= error * exact and error < 1e-9
+
+
+@pytest.mark.parametrize("apart", ["0.01", "1e-6"])
+def test_peak(apart):
+    with mpmath.workdps(40):
+        one = scene(apart)
+        value, error = measured(one, "peak[1](frf[wing.u(0.5 m), drive]).value")
+        place = mpf(measured(one, "peak[1](frf[wing.u(0.5 m), drive]).Omega")[0])
+        exact, *beside = (abs(deflection(apart, mpmath.mpc(0, place * (1 + off)))) for off in (0, -1e-6, 1e-6))
+        assert abs(value - exact) <= 2 * error * exact + 1e-12 * exact and max(beside) < exact

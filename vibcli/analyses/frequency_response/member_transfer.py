@@ -79,6 +79,8 @@ def _still(configuration: "Configuration", signal: "SignalName", given: MemberIn
         output = MemberOutput((row.q, row.v, row.a))
         if modal.member_damping is not None:
             output, order = _of_displacements(output, order)
-    system = MemberSystem(dynamic_matrix(elements, pieces, size, spread_inputs(configuration, given.weights)),
-                          range(opened.n, n), given, output)
+    inputs = range(opened.n, n)
+    kept = inputs if modal.member_damping is None else None
+    system = MemberSystem(dynamic_matrix(elements, pieces, size, spread_inputs(configuration, given.weights), kept),
+                          inputs, given, output)
     return MemberTransfer(system, Marks(modal, system.shared()), order)
