@@ -12,8 +12,7 @@ ELEMENT = Element(
     "How the frequency of free motions about the equilibrium hangs on their amplitude, which is half the range of a "
     "signal. Dampers are left out. With one degree of freedom each motion is found from its energy by "
     "quadrature; with several as a sum of harmonics that obey the equations of motion, followed from a mode of small "
-    "vibrations. None is found from an expansion; the family ends where a motion passes a top of the potential "
-    "energy.",
+    "vibrations. No expansion is used; the family ends where a motion passes a top of the potential energy.",
     {
         "of": Field(Many(SignalField(), 1, 1, "a list of one signal"), "the signal; the coordinate if left out"),
         "up_to": Field(Quantity(), "the largest amplitude of that signal", required=True),
