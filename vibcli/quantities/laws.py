@@ -58,10 +58,10 @@ def _force(problem, tree, args):
 
 def _force_in_letters(problem, tree):
     from vibcli.quantities.expression import argument_in_letters
-    from vibcli.symbolic.expression_graph import reachable
+    from vibcli.symbolic.expression_graph import called_functions
 
     found = _characteristic(problem, tree).in_letters(argument_in_letters(problem, tree.args[0]))
-    if any(part.op == "call" and part.name in part.table.functions for part in reachable([found])):
+    if called_functions([found]):
         raise NotInLetters("this force, of parts in series or from a table, is found in numbers",
                            "give the parameters values with --set")
     return found
