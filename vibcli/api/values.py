@@ -109,7 +109,7 @@ def _measured(problem, tree):
 
 def _rounding(problem, tree):
     """What a number of a motion that is found in closed form may be off where it is zero: by the size of its signal."""
-    if not tree.args or FAMILIES.get(tree.head) == "frequency_response" or (
+    if not tree.args or FAMILIES.get(tree.head) in ("frequency_response", "laws") or (
             problem.response_of(tree).KIND == "full"):
         return 0.0
     with suppress(PhysicsError):

@@ -72,6 +72,10 @@ class Unknown(PhysicsError):
     """Of what is asked for a part is known, and stands: the rest is not."""
 
 
+class LostDigits(PhysicsError):
+    """Floats lose all digits of an answer, which more digits may find."""
+
+
 class NotInLetters(PhysicsError):
     """There is such an answer, but it is not found in letters: a remark where other answers stand beside it."""
 

@@ -8,10 +8,11 @@ c = (Σ cᵢ^(−1/n))^(−n);  of N equal laws F(x/N);  of others the inner equ
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.elements.faults_in_series import not_in_series
-from vibcli.elements.power_law import power_of
+from vibcli.elements.force_laws import force_and_energy
 from vibcli.elements.series import KEYS
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import evaluable
+from vibcli.symbolic.power_law import power_of
 from vibcli.symbolic.rationals import HALF
 from vibcli.symbolic.rising import rises_where
 from vibcli.symbolic.series_of_laws import PartLaw, SeriesOfLaws
@@ -53,9 +54,8 @@ def composed(record: "Record", scene: Any, x: "Node", name: str) -> Component | 
             return _in_series(parts, record[key], scene, x, name)
     if "law" in record:
         local = "v" if "c" in record.element.fields else "d"
-        law = scene.lower(record["law"], (local, x))
-        energy = scene.integrated(law, x, record["law"].where)
-        return None if energy is None else Component(law, energy)
+        found = force_and_energy(record, scene, local, x, name)
+        return None if found is None else Component(*found)
     key = next(key for key in ("k", "c", "torsion") if key in record)
     k = scene.positive(record[key], f"'{key}' of a part of '{name.partition('.')[0]}'")
     if not scene.number(k) > 0:

@@ -6,7 +6,7 @@ from vibcli.elements import ends
 from vibcli.elements.torsion import Torsion, settle_torsion
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import ENDS, Many, Quantity
-from vibcli.language.named_elements import Lazy
+from vibcli.language.named_elements import Lazy, LazyKind
 from vibcli.symbolic.rationals import HALF
 
 if TYPE_CHECKING:
@@ -34,8 +34,10 @@ ELEMENT = Element(
         "c": Field(Quantity("N*s/m"), "its coefficient, force per speed"),
         "torsion": Field(Torsion("N*m*s"), "its torsional coefficient, moment per angular speed; `true` beside a law "
                          "or friction"),
-        "law": Field(Quantity(), "its force as a function of the rate v of its length, as in c*v*abs(v); v means this "
-                     "only inside a law"),
+        "law": Field(LazyKind("law_table", "language.sections"),
+                     "its force as a function of the rate v of its length, as in c*v*abs(v) (v means this only inside "
+                     "a law), or a table: points, or {table: a file or points, columns: [1, 2], units: [m/s, N], "
+                     "beyond: linear}"),
         "friction": Field(Quantity(), "the size of its dry friction, as in mu*N, which acts against the "
                               "motion; at rest it is what holds, up to that size"),
         "breakaway": Field(Quantity(), "the largest friction at rest, where it is more than `friction`"),
@@ -71,10 +73,12 @@ def build(record: "Record", scene: Any) -> None:
     v = scene.table.variable("the rate")
     energy = scene.table.zero if c is None else c * v * v * HALF
     if "law" in record:
-        found = scene.integrated(scene.lower(record["law"], ("v", v)), v, record["law"].where)
+        from vibcli.elements.force_laws import force_and_energy
+
+        found = force_and_energy(record, scene, "v", v, record.name)
         if found is None:
             return
-        energy = energy + found
+        energy = energy + found[1]
     bound = None
     if "friction" in record:
         friction = scene.positive(record["friction"], "the friction")

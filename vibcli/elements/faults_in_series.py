@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.symbolic.derivatives import gradient, substitute
-from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.expression_graph import called_functions, reachable
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
@@ -30,9 +30,12 @@ def not_in_series(force: "Node", x: "Node", scene: Any, rises: bool, unit: str) 
         if sides:
             return Fault("jumps", "inner equilibria are found of parts whose force is continuous: put a body between")
         return Fault("begins with a force at zero deflection", "its law counts from where it is undeformed")
+    called = called_functions([force])
+    if any(function.ends for function in called):
+        return Fault("ends where its table ends", "parts in series share every force: let it go on with beyond: linear")
     if rises:
         return None
-    end = _falls_beyond(force, x, scene)
+    end = None if called else _falls_beyond(force, x, scene)
     return Fault("is not shown to rise" if end is None else f"falls beyond {end:.6g} {unit}", RISES)
 
 

@@ -9,20 +9,18 @@
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from vibcli.symbolic.normal_form import TooLong, expanded, reduced
+from vibcli.symbolic.power_law import cubic_root, odd_powers
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
     from vibcli.symbolic.node import Node
-
-THIRD = Fraction(1, 3)
 
 
 def undeformed(record: "Record", scene: Any, law: "Node", d: "Node", tension: "Node") -> "Node | None":
     """The deflection d₀ with F(d₀) = N; None where it is not found, which is reported."""
     if tension.is_zero:
         return tension
-    powers = _odd_powers(law, d)
+    powers = odd_powers(law, d)
     degrees = sorted(powers or ())
     if len(degrees) == 1:
         ratio, n = tension / powers[degrees[0]], degrees[0]
@@ -40,29 +38,6 @@ def undeformed(record: "Record", scene: Any, law: "Node", d: "Node", tension: "N
 
 def _call(name, u):
     return u.table.call(name, u)
-
-
-def _odd_powers(law, d):
-    """{n: c} of a sum of c |d|ⁿ sign d; None of another law."""
-    try:
-        terms = reduced(expanded(law))
-    except (TooLong, ZeroDivisionError):
-        return None
-    table, found = law.table, {}
-    for monomial, value in terms.items():
-        degree, odd, fixed = 0, 0, []
-        for base, e in monomial:
-            if base is d or (base.name in ("abs", "sign") and base.args[0] is d):
-                degree += 0 if base.name == "sign" else e
-                odd += 0 if base.name == "abs" else e
-            elif base.mask & d.mask:
-                return None
-            else:
-                fixed.append((base, e))
-        if not (odd % 2 == 1 and degree > 0):
-            return None
-        found.setdefault(degree, []).append(table.product((table.number(value), 1), *fixed))
-    return {degree: table.total(parts) for degree, parts in found.items()}
 
 
 def _is_reached(record, scene, load, bend, degree):
@@ -90,8 +65,6 @@ def _quadratic(load, bend):
 def _cubic(scene, load, bend):
     table = load.table
     if scene.number(bend) > 0:
-        u = table.sqrt(27 * bend) * _call("abs", load) / 2
-        w = (u + table.sqrt(1 + u * u)) ** THIRD
-        return 3 * load / (w**2 + 1 + w**-2)
+        return cubic_root(load, bend)
     root = table.sqrt(-3 * bend)
     return 2 * _call("sin", _call("asin", load * root * Fraction(3, 2)) / 3) / root

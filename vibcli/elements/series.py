@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from vibcli.elements.torsion import Torsion, settle_torsion
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Many, Quantity
-from vibcli.language.named_elements import Lazy
+from vibcli.language.named_elements import Lazy, LazyKind
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Reader, Record
@@ -34,7 +34,7 @@ def part_element(whole: str, key: str, about: str, unit: str, turning: str) -> E
     return Element(f"part of a {whole}", f"A part of a {whole} that consists of several, in series or in parallel.", {
         key: Field(Quantity(unit), about),
         "torsion": Field(Torsion(turning), f"its torsional coefficient, where the {whole} turns; `true` beside a law"),
-        "law": Field(Quantity(), law),
+        "law": Field(LazyKind("law_table", "language.sections"), law + ", or a table of points"),
         "series": Field(inner, SERIES),
         "parallel": Field(inner, PARALLEL),
     }, example=f"{whole}s_in_series", exclusive=((key, "torsion"), (key, "law", *KEYS)),

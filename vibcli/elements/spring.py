@@ -11,7 +11,7 @@ from vibcli.elements import ends
 from vibcli.elements.torsion import Torsion, settle_torsion
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import ENDS, Choice, Kind, Many, Quantity
-from vibcli.language.named_elements import Lazy
+from vibcli.language.named_elements import Lazy, LazyKind
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.rationals import HALF
 
@@ -54,8 +54,10 @@ ELEMENT = Element(
     {
         "k": Field(Quantity("N/m"), "its stiffness, force per length"),
         "torsion": Field(Torsion("N*m"), "its torsional stiffness, moment per radian; `true` beside a law"),
-        "law": Field(Quantity(), "its tension as a function of the deflection d, as in k*d + k3*d^3; d means this only "
-                     "inside a law"),
+        "law": Field(LazyKind("law_table", "language.sections"),
+                     "its tension as a function of the deflection d, as in k*d + k3*d^3 (d means this only inside a "
+                     "law), or a table: points, or {table: a file or points, columns: [1, 2], units: [mm, N], beyond: "
+                     "linear}"),
         "series": Field(Many(Lazy("spring_part"), 2, named="a list of two parts or more"),
                         "its parts one behind the other, which share the force: [{k: k1}, {k: k2}]"),
         "parallel": Field(Many(Lazy("spring_part"), 2, named="a list of two parts or more"),
@@ -114,9 +116,10 @@ def _stiffness_or_law(record, scene, d):
     """(k or None, (force, energy) as functions of d or None, its parts if it has any); None where it was reported as
     wrong."""
     if "law" in record:
-        law = scene.lower(record["law"], ("d", d))
-        energy = scene.integrated(law, d, record["law"].where)
-        return None if energy is None else (None, (law, energy), None)
+        from vibcli.elements.force_laws import force_and_energy
+
+        found = force_and_energy(record, scene, "d", d, record.name)
+        return None if found is None else (None, found, None)
     if not any(key in record for key in PARTS):
         return scene.lower(record["torsion" if "torsion" in record else "k"]), None, None
     from vibcli.elements.composition import composed, stiffness

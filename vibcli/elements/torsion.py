@@ -36,7 +36,11 @@ def settle_torsion(record: Record, reader: Reader, forces: Sequence[str], local:
         if isinstance(record.get(key), Expression):
             reader.measured(record, key, force, said=True)
     if "law" in record:
-        reader.name_within(record["law"], local, f"{length}/s" if rate else length)
+        argument = f"{length}/s" if rate else length
+        if isinstance(record["law"], Expression):
+            reader.name_within(record["law"], local, argument)
+        else:
+            record["law"].check(reader, local, argument, force)
     said = [key for key in ("law", "friction", "series", "parallel") if key in record]
     if record.get("torsion") is True and not said:
         reader.report(record.place("torsion"), "`torsion: true` stands beside what says how large the moment is",

@@ -8,6 +8,7 @@ from vibcli.inverse.conditions import HOLDS, balance, misfit
 from vibcli.inverse.solution import Solution
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.equations.univariate import depends
+from vibcli.symbolic.expression_graph import called_functions
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ def forms_of(problem: "Problem", rest: "Problem", nodes: "Sequence[Node | None]"
     held = dict(zip(held, substitute(list(held.values()), found), strict=True))
     found = dict(zip(found, substitute(list(found.values()), held), strict=True))
     forms = {node.name: textbook(form) for node, form in {**found, **held}.items()}
-    known = {name: form for name, form in forms.items() if not depends(form, unknown)}
+    known = {name: form for name, form in forms.items() if not (depends(form, unknown) or called_functions([form]))}
     return {name: known.get(name) for name in problem.spec.choices}
 
 

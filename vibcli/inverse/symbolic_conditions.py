@@ -16,6 +16,7 @@ from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.equations.elimination import solve_equations
 from vibcli.symbolic.equations.univariate import Candidates, depends, polynomial, solve_equation
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression_graph import called_functions
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.quadratic_roots import determinant
 from vibcli.symbolic.rationals import ONE, ZERO
@@ -112,6 +113,8 @@ def balanced(problem: "Problem") -> "dict[str, Node] | None":
                            f"choose no more than {len(lines)} for equilibrium" if lines else
                            "no force that acts in the drawn position depends on it", problem.spec.choices[free].where)
     found = solve_linear([[rows[i][j] for j in picked] + [-rows[i][-1]] for i in lines], scene.table.zero)
+    if called_functions(found):
+        return None
     return {names[j]: textbook(node) for j, node in zip(picked, found, strict=True)}
 
 

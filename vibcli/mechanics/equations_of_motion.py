@@ -38,9 +38,10 @@ class Dynamics(NamedTuple):
         return [*self.M.values(), *self.h, *self.slopes.values(), *self.bends]
 
 
-def dynamics(scene: "Scene", redundant: Sequence[Any] = ()) -> Dynamics:
-    """The Dynamics of a scene; `redundant`: names of constraints which follow from the others."""
-    M, h = _from_terms(scene)
+def dynamics(scene: "Scene", redundant: Sequence[Any] = (), undamped: bool = False) -> Dynamics:
+    """The Dynamics of a scene; `redundant`: names of constraints which follow from the others; undamped: Φ is left
+    out."""
+    M, h = _from_terms(scene, undamped)
     if len(scene.q) <= SIMPLIFIED and not scene.laws:
         shorter = {pair: textbook(node) for pair, node in M.items()}, [textbook(node) for node in h]
         M, h = min((M, h), shorter, key=lambda form: len(reachable([*form[0].values(), *form[1]])))
@@ -60,7 +61,7 @@ def drift(scene: "Scene", rate: "Node"):
     return scene.table.total(slopes[x] * scene.speeds[x] for x in (*scene.q, scene.time) if x in slopes)
 
 
-def _from_terms(scene):
+def _from_terms(scene, undamped):
     number = {q: i for i, q in enumerate(scene.q)}
     entries, forces = {}, [[] for _ in scene.q]
     for term in scene.inertias:
@@ -72,8 +73,8 @@ def _from_terms(scene):
                 if i <= j:
                     entries.setdefault((i, j), []).append(term.weight * x * y)
     _written_out(scene, entries, forces)
-    V, Phi = potential(scene), dissipation(scene)
     zero = scene.table.zero
+    V, Phi = potential(scene), zero if undamped else dissipation(scene)
     for i, (q, v) in enumerate(zip(scene.q, scene.v, strict=True)):
         forces[i] += [gradient(V).get(q, zero), gradient(Phi).get(v, zero), gyroscopic(scene, i)]
         forces[i] += [-(term.weight * gradient(term.s)[q]) for term in scene.forces if q in gradient(term.s)]

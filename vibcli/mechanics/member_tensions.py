@@ -51,12 +51,19 @@ def _of_cuts(members, configuration):
     forces, ties, size = _cut_open(configuration)
     found = []
     for member in members:
-        start, *drawn = evaluate([_preload(member, configuration.scene), *(tension for tension, _ in member.tensions)],
-                                 Floats, configuration.at_rest)
-        tie = ties.get(member.name, drawn[-1] if member.tie is not None else None)
+        nodes = [_preload(member, configuration.scene), _last(member, configuration.scene)]
+        start, last, *drawn = evaluate([*nodes, *(tension for tension, _ in member.tensions)],
+                                       Floats, configuration.at_rest)
+        tie = ties.get(member.name, last if member.tie is not None else None)
         pieces = along_pieces(forces[member.name], tie, start, 0.0)
         found.append(TensionAtRest(member, [x + 0.0 for x in pieces], drawn, size))
     return found
+
+
+def _last(member, scene):
+    """The tension of the last piece that is given, or that statics finds: of a string that is pressed too."""
+    given = member.name in (scene.setting.variant.tensions or {})
+    return member.tensions[-1][0] if given or member.tie is None else member.tie
 
 
 def _preload(member, scene):

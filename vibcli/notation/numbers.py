@@ -24,10 +24,20 @@ def figure(value: float | None, error: float = 0.0, digits: int = SHOWN) -> str:
     return "0" if text in ("-0", "0") else text.replace("e+0", "e").replace("e-0", "e-").replace("e+", "e")
 
 
+def rounded_up(bound: float, digits: int = 1) -> float:
+    """The least number of so many significant digits that is not below a bound: 1.11e-16 → 2e-16, as bounds are
+    printed."""
+    near = f"{bound:.{digits - 1}e}"
+    if not float(near) < bound:
+        return float(near)
+    number, power = near.split("e")
+    return float(f"{int(number.replace('.', '')) + 1}e{int(power) - digits + 1}")
+
+
 def supported(value: float, error: float, digits: int = SHOWN) -> str:
     """A number with the digits that its absolute error allows; where that is all of it, how far it may be from 0."""
     if error >= 0.5 * abs(value) and error > 0 and value:
-        return f"0 ± {figure(abs(value) + error, digits=1)}"
+        return f"0 ± {figure(rounded_up(abs(value) + error), digits=1)}"
     return figure(value, error / abs(value) if value else 0.0, digits)
 
 

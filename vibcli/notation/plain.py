@@ -211,7 +211,7 @@ class Plain(Notation):
     def divisors(self, below: "Sequence[tuple[Node, int]]") -> list[str]:
         """The factors below a line; a quotient has brackets: x/(y/z) is not x/y/z."""
         texts = [self.powered(base, e, False) for base, e in below]
-        return [self.brackets(text) if base.op == "product" and "/" in text else text
+        return [self.brackets(text) if base.op in ("product", "number") and "/" in text else text
                 for (base, _), text in zip(below, texts, strict=True)]
 
     def call(self, name: str, arg: "Node", exponent: int) -> str:

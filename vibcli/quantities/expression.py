@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from math import inf, isfinite, tau
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
+from vibcli.base.errors import Diagnostic, NotInLetters, PhysicsError, SpecError
 from vibcli.quantities.cycle_count import counts_cycles
 from vibcli.quantities.quantity import ROUNDING, about_which, declared, is_choice
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
@@ -87,6 +87,23 @@ def _real(value, expression, finite):
 def evaluated(problem: "Problem", expression: "Expression", values: Mapping[str, float]) -> float:
     """An expression, given {parameter, or quantity as it is written: value}."""
     return evaluate([lowered(expression, problem.scene.table, _symbols(problem.scene))], Floats, values)[0]
+
+
+def argument_in(problem: "Problem", tree: Any, arithmetic: Any, values: Mapping[str, Any]) -> Any:
+    """The value of an argument in an arithmetic of numbers with bounds."""
+    values = dict(values)
+    for quantity in parts_of(tree).quantities:
+        value, error = measure(problem, quantity)
+        values[quantity.text] = Rounded(value, error * abs(value), arithmetic.unit)
+    return evaluate([lower(tree, problem.scene.table, _symbols(problem.scene))], arithmetic, values)[0]
+
+
+def argument_in_letters(problem: "Problem", tree: Any) -> "Node":
+    """The same in letters."""
+    if parts_of(tree).quantities:
+        raise NotInLetters("what is asked at another quantity is found in numbers",
+                           "give the parameters values with --set")
+    return lower(tree, problem.scene.table, _symbols(problem.scene))
 
 
 def _symbols(scene):

@@ -4,9 +4,9 @@ import cmath
 from math import pi, tau
 
 from vibcli.base import units
-from vibcli.base.errors import PhysicsError
+from vibcli.base.errors import LostDigits, PhysicsError
 from vibcli.quantities.dimensions import checker
-from vibcli.quantities.precise_numbers import settled_on_curve, settled_response
+from vibcli.quantities.precise_numbers import found_response, settled_on_curve, settled_response
 from vibcli.quantities.quantity import COMPLEX, ROUNDING, Declaration, one
 from vibcli.quantities.signal_dimensions import input_dimension, output_dimension
 
@@ -22,7 +22,10 @@ def wrapped(angle: float) -> float:
 def _frf(problem, tree, args):
     if not tree.args:
         raise PhysicsError(f"'{tree.text}' is a function of frequency", f"write {tree.text}(5 Hz)")
-    found, error = problem.frequency_response(*tree.indices).at(args[0])
+    try:
+        found, error = problem.frequency_response(*tree.indices).at(args[0])
+    except LostDigits as refusal:
+        return found_response(problem, tree, refusal)
     return settled_response(problem, tree, found, error)
 
 

@@ -60,11 +60,20 @@ def _is_signal(spec, index):
 
 
 HIGHEST = 8         # order of a product
+HIGHEST_POWER = 12  # of a deflection
 _PRODUCT = f"a product of order 1 to {HIGHEST} of coordinates"
 def _is_product(spec, index, rates):
     from vibcli.quantities.products import is_product
 
     return is_product(spec, index, HIGHEST, rates)
+
+
+def power_of_deflection(index: str) -> tuple[str, int] | None:
+    """(d or v, n) of d, d^3, v^2 …; None of anything else."""
+    letter, hat, n = (part.strip() for part in index.partition("^"))
+    if letter not in ("d", "v") or (hat and not _whole(n)):
+        return None
+    return (letter, int(n or 1)) if int(n or 1) <= HIGHEST_POWER else None
 
 
 INDICES = {
@@ -94,5 +103,8 @@ INDICES = {
                          ("x^2*y^2",), wants=_PRODUCT),
     "product with rates": IndexKind(lambda spec, index: (), lambda spec, index: _is_product(spec, index, True),
                                     "x^2*x'^2", ("x^2*x'^2",), wants=_PRODUCT + " and their rates"),
+    "spring or damper": _named("spring or damper", ("s",), "springs", "dampers")._replace(sample="s"),
+    "power": _free(f"a power of the deflection, d to d^{HIGHEST_POWER}, of a damper v to v^{HIGHEST_POWER},",
+                   lambda index: power_of_deflection(index) is not None, "d^3")._replace(letters=("d^3",)),
     "place": _named("place", ("O",), "bodies", "points"),
 }

@@ -3,6 +3,7 @@ what a number may be off by."""
 
 from collections.abc import Sequence
 from contextlib import suppress
+from math import inf
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
@@ -50,6 +51,15 @@ def settled_response(problem: "Problem", tree: "QuantityRef", found: complex, er
     digits are asked for."""
     value, error = _on_curve("response", problem, tree, error)
     return (found, error) if value is None else (complex(value) if problem.digits is None else value, error)
+
+
+def found_response(problem: "Problem", tree: "QuantityRef", refusal: PhysicsError) -> tuple[Any, float]:
+    """The same of one that floats do not find, whose refusal is what is said where more digits do not find it either.
+    """
+    value, error = _on_curve("response", problem, tree, inf)
+    if value is None:
+        raise refusal
+    return (complex(value) if problem.digits is None else value), error
 
 
 def settled_on_curve(problem: "Problem", tree: "QuantityRef", found: float, error: float) -> tuple[Any, float]:

@@ -25,8 +25,8 @@ SIGNAL = "signal"       # the unit of a number of a signal: that of the signal
 NUMBER, COMPLEX, PERIOD, COUNT, TRUTH = "number", "complex", "period", "count", "truth"     # kinds of values
 OF_SIGNAL, FUNCTION, EQUATION = "signal", "function", "equation"        # a signal again; of coordinates and velocities
 LEAPING, OF_STATE = (COUNT, TRUTH), (FUNCTION, EQUATION)
-_ARGUMENTS = {"signal": "{x}", "time": "2 s", "amplitude": "10 cm", "Omega": "5 Hz", "response": "frf[{x}, {F}]",
-              "complex": "frf[{x}, {F}](5 Hz)"}
+_ARGUMENTS = {"signal": "{x}", "time": "2 s", "amplitude": "10 cm", "deflection": "2 cm", "Omega": "5 Hz",
+              "response": "frf[{x}, {F}]", "complex": "frf[{x}, {F}](5 Hz)"}
 
 
 def as_asked(problem: "Problem", x: Any) -> Any:

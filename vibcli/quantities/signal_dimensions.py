@@ -1,6 +1,6 @@
 """Names of signals and inputs of a scene, and what they measure."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.language.signal_names import signal_name
@@ -25,6 +25,12 @@ def output_dimension(spec: "Spec", text: str):
     if found is None and name in ENERGIES and name not in spec.parameters:
         found = units.parse_unit(ENERGIES[name]).dimension
     return None if found is None or primes > 2 else units.times(found, units.TIME, -primes)
+
+
+def deflection_dimension(spec: "Spec", name: str) -> Any:
+    """Of what the law of a spring counts, its deflection, or of a damper the rate of that."""
+    found = output_dimension(spec, name + ".stretch" + "'" * (name in (spec.get("dampers") or {})))
+    return units.LENGTH if found is None else found
 
 
 def inputs(spec: "Spec") -> list[str]:

@@ -13,7 +13,7 @@ from vibcli.quantities.cycle_count import cycles
 from vibcli.quantities.dimensions import checker
 from vibcli.quantities.index_kinds import INDICES
 from vibcli.quantities.quantity import ALL, COMPLEX, OF_SIGNAL, about_which, declared, is_choice, named, usage, usage_of
-from vibcli.quantities.signal_dimensions import input_dimension, inputs, output_dimension
+from vibcli.quantities.signal_dimensions import deflection_dimension, input_dimension, inputs, output_dimension
 from vibcli.symbolic.cycles import left_over
 from vibcli.symbolic.parser import VALUE
 from vibcli.symbolic.semantics import ALL_NUMBERS
@@ -59,6 +59,10 @@ def can_be_asked(spec: "Spec", reader: "Reader", expression: "Expression", tree:
     if not all(_index(spec, reader, place, kind, index) for kind, index in zip(kinds, indices, strict=True)):
         return False
     bodies = spec.get("bodies") or {}
+    if head == "law" and len(indices) == 2 and indices[1][0] != (letter := _law_letter(spec, indices[0])):
+        reader.report(place, f"the law of '{indices[0]}' is a function of {letter}",
+                      f"write law[{indices[0]}, {letter}{indices[1][1:]}]")
+        return False
     lumped = [name for name in indices if name in bodies and not {"at", "from", "parts"} & set(bodies[name].places)]
     if lumped and (head == "centre" or (head == "J" and len(indices) == 2)):
         reader.report(place, f"'{lumped[0]}' has no place", "say where it is drawn with `at: [x, y]`")
@@ -69,6 +73,11 @@ def can_be_asked(spec: "Spec", reader: "Reader", expression: "Expression", tree:
                       + f", or ask for J[{indices[0]}], its moment of inertia" * turns)
         return False
     return True
+
+
+def _law_letter(spec, name):
+    """What a law is a function of: the deflection d of a spring, the rate v of a damper."""
+    return "v" if name in (spec.get("dampers") or {}) else "d"
 
 
 def _index(spec, reader, place, kind, index):
@@ -256,6 +265,10 @@ def _wanted(spec, reader, expression, kind, tree):
         return units.TIME, "an instant (s)", "2.5 s"
     if kind == "Omega":
         return units.RATE, "a frequency (rad/s or Hz)", "20 rad/s or 5 Hz"
+    if kind == "deflection":
+        rate, found = _law_letter(spec, tree.indices[0]) == "v", deflection_dimension(spec, tree.indices[0])
+        unit = ("m" if found in (units.LENGTH, units.SPEED) else "rad") + "/s" * rate
+        return found, f"a {'rate of ' * rate}deflection ({unit})", f"0.1 {unit}"
     found = _dimension(spec, reader, expression, tree.args[0])
     name = units.name(spec.dimensions.resolve(found))
     return found, f"an amplitude of the signal before it, {name}", "10 cm of a length"
@@ -267,7 +280,7 @@ def _counted(spec, reader, expression, kind, arg):
     try:
         counter = cycles(spec, expression.text)
         count = counter.count(arg)
-        if kind == "time" or (kind not in ("signal", "amplitude") and left_over(count) not in (0, 1)):
+        if kind in ("time", "deflection") or (kind not in ("signal", "amplitude") and left_over(count) not in (0, 1)):
             counter.require_radians(arg)
     except ExpressionError as error:
         reader.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)

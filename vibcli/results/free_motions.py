@@ -5,36 +5,35 @@ from functools import cached_property
 from math import tau
 from typing import TYPE_CHECKING, Any
 
-from vibcli.analyses.nonlinear.backbone import BackbonePoint
+from vibcli.analyses.nonlinear.backbone import Backbone, BackbonePoint
 from vibcli.analyses.nonlinear.family import FamilyOfMotions, NoSuchAmplitude, function_of_place
-from vibcli.analyses.nonlinear.period import has_potential, period_of
+from vibcli.analyses.nonlinear.period import period_of
 from vibcli.analyses.nonlinear.well import Well
 from vibcli.base.errors import PhysicsError
-from vibcli.language.signals import signal_dimension
-from vibcli.notation.numbers import with_unit
+from vibcli.results.motion_signals import amplitude_told, node_of, require_families, require_positive
 from vibcli.symbolic.evaluation import multiprecision
 from vibcli.symbolic.numeric_code import Compiled
-from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 if TYPE_CHECKING:
+    from vibcli.results.families_of_modes import FamiliesOfModes
     from vibcli.results.problem import Problem
 
 
 class FreeMotions:
-    """Those of one degree of freedom; PhysicsError of other scenes."""
+    """Those of scenes whose forces have a potential; PhysicsError of others."""
 
     def __init__(self, problem: "Problem"):
         self.problem, self.scene = problem, problem.scene.resting
-        if problem.spec.members:
-            raise PhysicsError("members take part in small motions alone: their frequencies hang on no amplitude",
-                               "ask for omega[1]")
-        if len(self.scene.q) != 1:
-            raise PhysicsError("how a frequency hangs on the amplitude is found of one degree of freedom, and this "
-                               f"scene has {len(self.scene.q)}",
-                               "ask for period(x) of a motion from `initial`, with motion: full")
-        if not has_potential(self.scene):
-            raise PhysicsError("the forces of this scene have no potential: it has no family of free motions",
-                               "loads that follow the motion or change with time, and closed loops, are such")
+        require_families(problem)
+
+    @cached_property
+    def several(self) -> "FamiliesOfModes | None":
+        """Those of several degrees of freedom; None of one."""
+        if len(self.scene.q) == 1:
+            return None
+        from vibcli.results.families_of_modes import FamiliesOfModes
+
+        return FamiliesOfModes(self.problem)
 
     @cached_property
     def family(self) -> FamilyOfMotions:
@@ -46,11 +45,11 @@ class FreeMotions:
 
     def omega(self, number: int, tree: Any, amplitude: float) -> tuple[float, float]:
         """(angular frequency [rad/s], relative error) of the motion in which a signal has an amplitude."""
-        if number != 1:
-            raise PhysicsError(f"one degree of freedom has one family of free motions, found the index {number}",
-                               "write backbone[1]")
-        if not amplitude > 0:
-            raise PhysicsError("an amplitude is positive", "as the amplitude tends to 0, ask for omega[1]")
+        if self.several is not None:
+            point = self.several.curve(number, tree, [amplitude]).points[-1]
+            return point.omega, point.error
+        _require_first(number)
+        require_positive(amplitude)
         period, error = self._period(self._motion(tree, amplitude).ends)
         return tau / period, error + 2.0**-52
 
@@ -58,10 +57,14 @@ class FreeMotions:
         with_digits = self.problem.numeric.values(multiprecision())
         return period_of(self.family.well, self.scene, with_digits, (ends[1].q, 0.0), ends)
 
-    def curve(self, tree: Any, amplitudes: "Sequence[float]") -> list[BackbonePoint]:
-        """Those of the first family with these amplitudes."""
+    def curve(self, number: int, tree: Any, amplitudes: "Sequence[float]") -> Backbone:
+        """Those of a family, counted from 1, with these amplitudes."""
+        if self.several is not None:
+            return self.several.curve(number, tree, amplitudes)
+        _require_first(number)
         signal = self._signal(tree)
-        return [self._point(self._motion(tree, amplitude, signal), amplitude) for amplitude in amplitudes]
+        return Backbone([self._point(self._motion(tree, amplitude, signal), amplitude) for amplitude in amplitudes],
+                        None)
 
     def _point(self, motion, amplitude):
         period, error = self._period(motion.ends)
@@ -73,29 +76,16 @@ class FreeMotions:
         except NoSuchAmplitude as error:
             if error.largest is None:
                 raise
-            raise PhysicsError(f"{error.message}: they end at {self._told(tree, error.largest)}",
+            raise PhysicsError(f"{error.message}: they end at {amplitude_told(self.problem, tree, error.largest)}",
                                "beyond that a motion passes a top of V, or nothing turns it round") from None
 
-    def _told(self, tree, amplitude):
-        spec = self.problem.spec
-        known = isinstance(tree, NameRef) and not tree.primes
-        dimension = known and (spec.dimensions.of(tree.name) if tree.name in spec.coordinates else
-                               signal_dimension(spec, tree.name))
-        return with_unit(amplitude, dimension) if dimension else f"{amplitude:.6g} in SI units"
-
     def _signal(self, tree):
-        from vibcli.mechanics.signals import moving
-        from vibcli.symbolic.semantics import lower
-
-        system, table = self.problem.system, self.scene.table
-
-        def symbol(name, primes, part):
-            if isinstance(part, QuantityRef):
-                raise PhysicsError(f"'{part.text}' has no amplitude in a family of motions",
-                                   "ask for the amplitude of a coordinate, of a place or of a spring's force")
-            found = self.scene.parameters.nodes.get(name) if not primes else None
-            return found if found is not None else moving(system, name, primes)
-
-        node = lower(tree, table, symbol)
+        node = node_of(self.problem, tree)
         compiled = Compiled(self.scene, self.problem.numeric.floats, None, [node])
         return function_of_place(self.family.well, compiled, node)
+
+
+def _require_first(number):
+    if number != 1:
+        raise PhysicsError(f"one degree of freedom has one family of free motions, found the index {number}",
+                           "write backbone[1]")

@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 CONNECTIONS = ("springs", "dampers", "laws", "inertias")        # of the inertias those that exert a force
-BENT = ("abs", "sign", "min", "max", "step", "ramp")
 
 
 class Variant(NamedTuple):
@@ -199,11 +198,12 @@ class Scene:
 
     def law_switches(self) -> "tuple[dict[Node, str], dict[Node, Node]]":
         """({argument: owner}, {argument: σ₀}) of what bends or jumps in the laws."""
+        from vibcli.symbolic.kinks import kinks_at
+
         owners, bounds = {}, {}
         for law in self.laws:
             for part in reachable([law.potential(self)]):
-                if part.name in BENT and part.mask:
-                    u = part.args[0] - part.args[1] if part.name in ("min", "max") else part.args[0]
+                for u in kinks_at(part) if part.mask else ():
                     sign = self.table.call("sign", u)
                     if sign.op != "call":
                         sign = self.table.call("sign", -u)
@@ -211,6 +211,11 @@ class Scene:
                     if law.bound is not None:
                         bounds[sign.args[0]] = law.bound
         return owners, bounds
+
+    def tables_that_end(self) -> list[str]:
+        """The names of the laws that have no value beyond the ends of their tables."""
+        return list(dict.fromkeys(law.owner for law in self.laws for part in reachable([law.potential(self)])
+                                  if part.name in self.table.functions and self.table.functions[part.name].ends))
 
     def undriven(self, kind: str) -> "list[Term]":
         """Terms, or laws, as functions of the symbols of driven displacements, which are zero as drawn."""

@@ -6,6 +6,7 @@ expressions again, which may call them: derivatives of any order follow.
 
 from typing import TYPE_CHECKING, Any
 
+from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.expression import Table
 
@@ -24,7 +25,8 @@ class DefinedFunction:
 
     name: str
     symbol: str
-    bends = False       # has it no derivatives of all orders somewhere?
+    about: str          # what it is, for a message
+    ends = False        # has it no value beyond some argument?
 
     def at(self, *args: "float | mpmath.mpf") -> "float | mpmath.mpf":
         """The value for floats or mpmath numbers; NaN where there is none."""
@@ -33,6 +35,26 @@ class DefinedFunction:
     def on_arrays(self, *args: "float | np.ndarray") -> "np.ndarray":
         """The values for arrays, or some of them floats."""
         raise NotImplementedError
+
+    def coefficients(self, ring: Any, args: "Sequence[Any]") -> list[Any]:
+        """Those of its Taylor expansion by its first argument about numbers of the arithmetic inside truncated
+        polynomials, to their order; NoDerivative where there is none."""
+        table = Table(functions={self.name: self})
+        symbols = [table.variable(f"u{i}") for i in range(len(args))]
+        nodes = [table.call(self.name, *symbols)]
+        for k in range(1, ring.order + 1):
+            nodes.append(gradient(nodes[-1]).get(symbols[0], table.zero) / k)
+        values = {symbol.name: c for symbol, c in zip(symbols, args, strict=True)}
+        return evaluate(nodes, ring.inner, values)
+
+    def on_senses(self, args: "Sequence[float | np.ndarray]",
+                  _senses: "Sequence[float | np.ndarray]") -> "np.ndarray":
+        """The values for arrays where each of `kinks` has a sense, ±1; smooth beyond its zero, where that is known."""
+        return self.on_arrays(*args)
+
+    def kinks(self, _node: "Node") -> "Sequence[Node]":
+        """What vanishes where a call bends or jumps, in its table."""
+        return ()
 
     def slope(self, node: "Node", i: int) -> "Node":
         """∂f/∂uᵢ of a call `node`, in its table."""

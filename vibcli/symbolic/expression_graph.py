@@ -5,6 +5,7 @@ from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from vibcli.symbolic.defined_functions import DefinedFunction
     from vibcli.symbolic.node import Node
 
 _index = attrgetter("index")
@@ -33,3 +34,9 @@ def reachable(nodes: Any, known: "Mapping[Node, str] | Sequence[Any]" = ()) -> "
             elif node.op == "call":
                 pending.extend(node.args)
     return sorted(seen, key=_index)
+
+
+def called_functions(nodes: "Sequence[Node]") -> "list[DefinedFunction]":
+    """The functions that elements define and expressions call: they have no form in the language of scenes."""
+    return [part.table.functions[part.name] for part in reachable(nodes)
+            if part.op == "call" and part.name in part.table.functions]

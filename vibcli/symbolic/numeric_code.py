@@ -22,10 +22,10 @@ if TYPE_CHECKING:
 
     from vibcli.symbolic.node import Node
 
-SWITCHED = ("abs", "sign", "min", "max", "step", "ramp")
 NUMPY = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2", "min": "minimum", "max": "maximum"}
 PLAIN = ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "log", "power", "abs",
          "sign", "min", "max")
+SWITCHED = ("abs", "sign", "min", "max", "step", "ramp")
 LONGEST = 40            # terms on one line
 
 
@@ -99,6 +99,11 @@ class Source:
             return self._bent(node, args)
         table = node.table
         called = table.records.get(node.name) or table.functions.get(node.name)
+        kinks = table.functions[node.name].kinks(node) if self.switches is not None and (
+            node.name in table.functions) else ()
+        if kinks:
+            slot, _ = self.called.setdefault(node.name, (f"r{len(self.called)}", called.on_senses))
+            return f"{slot}(({','.join(args)},),({','.join(map(self._switch, kinks))},))"
         if called is not None:
             slot, _ = self.called.setdefault(node.name, (f"r{len(self.called)}", called.on_arrays))
             return f"{slot}({','.join(args)})"

@@ -1,20 +1,15 @@
-"""Parts in series as functions of their deflection D and of their parameters p: energy, force, stiffness and the inner
-deflections dᵢ, where Σ dᵢ = D and all forces Fᵢ(dᵢ, p) are one. With rᵢ = ∂dᵢ/∂D = Π_{j≠i} Fⱼ′ / Σₖ Π_{j≠k} Fⱼ′,
-
-    V = Σ Vᵢ       ∂V/∂D = F           ∂V/∂p = Σ ∂Vᵢ/∂p
-    F = Fᵢ(dᵢ)     ∂F/∂D = K           ∂F/∂p = Σ rᵢ ∂Fᵢ/∂p
-    K = Fᵢ′ rᵢ     ∂K/∂D = Σ rᵢ³ Fᵢ″    ∂K/∂p = Σ rᵢ² (∂Fᵢ′/∂p + Fᵢ″ ∂dᵢ/∂p)
-    dᵢ             ∂dᵢ/∂D = rᵢ         ∂dᵢ/∂p = (∂F/∂p − ∂Fᵢ/∂p)/Fᵢ′
+"""Parts in series, functions of their deflection D and of their parameters p: the inner deflections dᵢ, at which
+Σ dᵢ = D and all forces Fᵢ(dᵢ, p) are one, in floats and in more digits.
 
 All Fᵢ rise and vanish at 0, so that there is one inner equilibrium.
 """
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from vibcli.symbolic.defined_functions import DefinedFunction
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import evaluate, multiprecision
 from vibcli.symbolic.expression import Table
+from vibcli.symbolic.functions_of_series import Deflection, Energy, Force, InnerState, Stiffness
 from vibcli.symbolic.transfer_between_tables import written_in
 
 if TYPE_CHECKING:
@@ -24,8 +19,6 @@ if TYPE_CHECKING:
     import numpy as np
 
     from vibcli.symbolic.node import Node
-
-BENT = "abs", "sign", "max", "min", "ramp", "step", "power"
 
 
 class PartLaw(NamedTuple):
@@ -37,13 +30,6 @@ class PartLaw(NamedTuple):
     def over(self, x: "Node", u: "Node") -> "PartLaw":
         """Itself at the deflection u instead of x."""
         return PartLaw(*substitute(self, {x: u}))
-
-
-class InnerState(NamedTuple):
-    """Inner deflections, and the force."""
-
-    deflections: "np.ndarray"
-    force: "np.ndarray"
 
 
 class SeriesOfLaws:
@@ -185,136 +171,3 @@ class SeriesOfLaws:
         """Expressions of dᵢ and p in numbers."""
         return evaluate(nodes, arithmetic, {**self._values(args[1:]),
                                             **{d.name: x for d, x in zip(self.d, inner, strict=True)}})
-
-
-class FunctionOfSeries(DefinedFunction):
-    """One function of a SeriesOfLaws: `from_parts(solution, args, arithmetic)` is its value, `template(i)` its slope
-    by an argument as an expression of D, p and dᵢ."""
-
-    kind: Any
-    letter = ""
-
-    def __init__(self, parts: SeriesOfLaws):
-        self.parts, self.name = parts, f"{parts.name}.{self.kind}"
-        self.templates: dict[int, Node] = {}
-        inner = parts.table.functions.values()
-        self.bends = not parts.table.called.isdisjoint(BENT) or any(function.bends for function in inner)
-
-    @property
-    def symbol(self) -> str:
-        return f"{self.letter}_{self.name.removesuffix('.' + str(self.kind)).replace('.', '')}"
-
-    def template(self, i: int) -> "Node":
-        raise NotImplementedError
-
-    def from_parts(self, found: InnerState, args: "Sequence[Any]", arithmetic: Any) -> Any:
-        raise NotImplementedError
-
-    def slope(self, node: "Node", i: int) -> "Node":
-        if i not in self.templates:
-            self.templates[i] = self.template(i)
-        return self.parts.written(self.templates[i], node)
-
-    def at(self, *args: "float | mpmath.mpf") -> "float | mpmath.mpf":
-        if any(hasattr(arg, "_mpf_") for arg in args):
-            return self.from_parts(self.parts.precisely(args), args, multiprecision())[0]
-        return float(self.on_arrays(*args))
-
-    def on_arrays(self, *args: "float | np.ndarray") -> "np.ndarray":
-        from vibcli.symbolic.array_arithmetic import Arrays
-
-        return self.from_parts(self.parts.solution(args), args, Arrays)
-
-    def folded(self, table: Table, args: "Sequence[Node]") -> "Node | None":
-        return table.zero if args[0].is_zero else None
-
-
-class Energy(FunctionOfSeries):
-    """V(D) = Σ Vᵢ(dᵢ)."""
-
-    kind, letter = "energy", "V"
-
-    def template(self, i: int) -> "Node":
-        if i == 0:
-            return self.parts.calls[f"{self.parts.name}.force"]
-        p = self.parts.p[i - 1]
-        return self.parts.table.total([gradient(energy).get(p, self.parts.table.zero)
-                                       for energy in self.parts.energies])
-
-    def from_parts(self, found: InnerState, args: "Sequence[Any]", arithmetic: Any) -> Any:
-        return sum(self.parts.evaluated(self.parts.energies, args, arithmetic, found.deflections))
-
-
-class Force(FunctionOfSeries):
-    """F(D)."""
-
-    kind, letter = "force", "F"
-
-    def template(self, i: int) -> "Node":
-        if i == 0:
-            return self.parts.calls[f"{self.parts.name}.stiffness"]
-        return self.parts.force_by(self.parts.p[i - 1])
-
-    def from_parts(self, found: InnerState, args: "Sequence[Any]", arithmetic: Any) -> Any:
-        return found.force
-
-
-class Stiffness(FunctionOfSeries):
-    """K(D) = F′(D)."""
-
-    kind, letter = "stiffness", "K"
-
-    def template(self, i: int) -> "Node":
-        parts, table = self.parts, self.parts.table
-        bends = [gradient(slope) for slope in parts.stiffnesses]
-        if i == 0:
-            return table.total([parts.ratio(j) ** 3 * bends[j].get(d, table.zero) for j, d in enumerate(parts.d)])
-        p = parts.p[i - 1]
-        return table.total([parts.ratio(j) ** 2 * (
-            bends[j].get(p, table.zero) + bends[j].get(d, table.zero) * parts.deflection_by(j, p))
-            for j, d in enumerate(parts.d)])
-
-    def from_parts(self, found: InnerState, args: "Sequence[Any]", arithmetic: Any) -> Any:
-        import numpy as np
-
-        slopes = self.parts.evaluated(self.parts.stiffnesses, args, arithmetic, found.deflections)
-        with np.errstate(divide="ignore"):
-            soft = sum(slope == 0 for slope in slopes) > 0
-            give = sum(1 / np.where(slope == 0, slope + 1, slope) for slope in slopes)
-            return np.where(soft, 0 * give, 1 / give)
-
-    def positive_where(self, node: "Node", x: "Node") -> "list[Node] | None":
-        if any(arg.mask & x.mask for arg in node.args[1:]):
-            return None
-        return written_in(node.table, self.parts.positive, {p.name: arg for p, arg in zip(
-            self.parts.p, node.args[1:], strict=True)})
-
-    def folded(self, table: Table, args: "Sequence[Node]") -> "Node | None":
-        if not args[0].is_zero:
-            return None
-        parts = self.parts
-        values = dict(zip([p.name for p in parts.p], args[1:], strict=True)) | {d.name: table.zero for d in parts.d}
-        try:
-            slopes = written_in(table, parts.stiffnesses, values)
-            return table.zero if any(s.is_zero for s in slopes) else 1 / table.total([1 / s for s in slopes])
-        except ZeroDivisionError:
-            return None
-
-
-class Deflection(FunctionOfSeries):
-    """dᵢ(D)."""
-
-    def __init__(self, parts: SeriesOfLaws, i: int):
-        self.i, self.kind = i, i + 1
-        super().__init__(parts)
-
-    @property
-    def symbol(self) -> str:
-        return f"d_{self.name.replace('.', '')}"
-
-    def template(self, i: int) -> "Node":
-        return self.parts.deflection_by(self.i, self.parts.p[i - 1]) if i else self.parts.ratio(self.i)
-
-    def from_parts(self, found: InnerState, args: "Sequence[Any]", arithmetic: Any) -> Any:
-        return found.deflections[self.i]
-

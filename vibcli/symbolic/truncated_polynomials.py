@@ -133,20 +133,14 @@ class Polynomials:
         return lambda u, order: self.still(at(u.constant, order))
 
     def called(self, function: Any) -> Callable:
-        """A function of its first argument; NotSmooth where it bends, or where its parameters move."""
+        """A function of its first argument; NoDerivative where it has none, or where its parameters move."""
         def call(*args):
             constants = [u.constant for u in args]
             if not any(u.moving.terms for u in args):
                 return self.still(self.inner.called(function)(*constants))
-            if function.bends or any(u.moving.terms for u in args[1:]):
+            if any(u.moving.terms for u in args[1:]):
                 raise NoDerivative(function.symbol)
-            table = Table(functions={function.name: function})
-            symbols = [table.variable(f"u{i}") for i in range(len(args))]
-            nodes = [table.call(function.name, *symbols)]
-            for k in range(1, self.order + 1):
-                nodes.append(gradient(nodes[-1]).get(symbols[0], table.zero) / k)
-            values = {symbol.name: c for symbol, c in zip(symbols, constants, strict=True)}
-            return self._composed(evaluate(nodes, self.inner, values), args[0].moving)
+            return self._composed(function.coefficients(self, constants), args[0].moving)
         return call
 
     def _function(self, name):

@@ -148,7 +148,7 @@ def test_the_expansion_of_its_energy():
     assert model["V[x^4]"].value == pytest.approx(3e5 / 64, rel=1e-14)      # F = k x/2 + g x³/16 − …
     bent = vibcli.load({"parameters": values, "bodies": bodies,
                         "springs": {"s": {"series": [{"k": "k"}, {"law": "k*d + g*d*abs(d)*1 m"}], **place}}})
-    with pytest.raises(vibcli.PhysicsError, match="a kink of V_s"):
+    with pytest.raises(vibcli.PhysicsError, match="a kink of abs"):
         bent["V[x^4]"]
 
 
@@ -156,4 +156,18 @@ def test_parts_in_series_are_drawn_in_a_row():
     row = between({"series": [{"k": 1}, {"k": 2}, {"series": [{"k": 3}, {"k": 4}]}]}, (0.0, 0.0), (120.0, 0.0), 120.0)
     springs = [shape for shape in row if getattr(shape, "role", None) == "spring" or "spring" in shape]
     assert len(springs) == 4 and len(row) > 4
-    assert [spring.points[0][0] for spring in springs] == [0.0, 40.0, 80.0, 100.0]
+    assert [spring.points[0][0] for spring in springs] == [0.0, 30.0, 60.0, 90.0]
+
+
+def test_parts_side_by_side_have_rows_of_their_own():
+    from vibcli.drawing.symbols import damper
+    from vibcli.drawing.symbols.parts import ROW, offsets, rows
+
+    chain = {"series": [{"c": 1}, {"parallel": [{"c": 2}, {"series": [{"c": 3}, {"c": 4}]}]}]}
+    found = damper.between(chain, (0.0, 0.0), (160.0, 0.0), 160.0)
+    pistons = [shape.points for shape in found if getattr(shape, "width", None) == 1.8]
+    middles = [(x, (y1 + y2) / 2) for (x, y1), (_, y2) in pistons]
+    assert len(middles) == 4 and {round(y, 9) for _, y in middles} == {0.0, ROW / 2, -ROW / 2}
+    assert middles[0][0] < 160 / 3 < min(x for x, _ in middles[1:])
+    assert rows(chain) == 2 and offsets([{"c": 1}, chain], 20.0) == [18.0, -10.0]
+    assert offsets([{"k": 1}, {"k": 2}], 20.0) == [10.0, -10.0]

@@ -85,7 +85,7 @@ def test_dampers_are_left_out():
     (DUFFING, "backbone[1](x')(1 m/s)", "a displacement or a spring"),
     (DUFFING, "backbone[1](x)(0 m)", "positive"),
     ("bodies: {a: {mass: 1 kg, slide: x}, b: {mass: 1 kg, slide: y}}\nsprings: {s: {k: 5 N/m, between: [ground, a]}, "
-     "t: {law: (7 N/m^3)*d^3, between: [a, b]}}\n", "backbone[1](x)(1 m)", "one degree of freedom"),
+     "t: {law: (7 N/m^3)*d^3, between: [a, b]}}\n", "backbone[1](x)(1 m)", "without stiffness"),
 ])
 def test_what_has_no_such_motion_is_refused(text, what, message):
     with pytest.raises(PhysicsError, match=message):

@@ -324,3 +324,10 @@ def test_the_root_of_a_square_that_is_multiplied_out_has_no_root(seed):
         assert all(e.denominator == 1 for part in reachable([found]) if part.op == "product" for _, e in part.args)
         under = root(table.sum(*((factor * a, 1) for a in parts)), [point])
         assert evaluate([under], Floats, point)[0] == pytest.approx(size * value**0.5, rel=1e-12)
+
+
+def test_what_is_divided_by_a_long_fraction_is_read_back():
+    table = Table()
+    long = Fraction(7**70, 3**150)
+    text = language(table.parameter("x") / table.number(long))
+    assert number(parse(text), {"x": 1.0}) == pytest.approx(float(1 / long), rel=1e-12)

@@ -26,6 +26,8 @@ from vibcli.numerics.pieces.held_count import held_count
 from vibcli.numerics.pieces.retardation import retarded_reaction
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix, EvaluatedMatrix, PieceStack
 
 ARCS = 16           # of half a circle, to begin with
@@ -111,8 +113,16 @@ def _held_retarded(stack, radius):
 
 
 def _half_turns(matrix, path, arcs):
-    """By how many half turns arg det D changes along path(t), 0 ≤ t ≤ 1, from the real axis back to it."""
-    arguments = _arguments(matrix, path, arcs)
+    """Those of det D."""
+    return turned(lambda s, step: _phases(matrix, s, step), path, arcs, MOST if matrix.n > 1 else SINGLE)
+
+
+def turned(phases: "Callable[..., tuple[np.ndarray, np.ndarray]]", path: "Callable[[np.ndarray], np.ndarray]",
+           arcs: int, most: int) -> int | None:
+    """By how many half turns the argument of phases(s, step)[0] changes along path(t), 0 ≤ t ≤ 1, from the real axis
+    back to it; phases(s, step)[1] bounds what it changes by within so long a step. None where `most` arcs do not
+    tell."""
+    arguments = _arguments(phases, path, arcs, most)
     if arguments is None:
         return None
     steps = np.angle(arguments[1:] / arguments[:-1])
@@ -125,10 +135,10 @@ def _to_real(value):
     return angle - np.pi * np.rint(angle / np.pi)
 
 
-def _arguments(matrix, path, arcs):
-    """det D/|det D| at the middles of arcs, in order, between which it changes by less than half a turn."""
+def _arguments(phases, path, arcs, most):
+    """Values of size 1 at the middles of arcs, in order, between which it changes by less than half a turn."""
     ends = np.linspace(0, 1, arcs + 1)
-    low, high, most = ends[:-1], ends[1:], MOST if matrix.n > 1 else SINGLE
+    low, high = ends[:-1], ends[1:]
     places, values, spent = [np.zeros(0)], [np.zeros(0, complex)], 0
     while len(low):
         spent += len(low)
@@ -136,7 +146,7 @@ def _arguments(matrix, path, arcs):
             return None
         middle = (low + high) / 2
         s = path(middle)
-        phase, change = _phases(matrix, s, np.maximum(abs(path(high) - s), abs(s - path(low))))
+        phase, change = phases(s, np.maximum(abs(path(high) - s), abs(s - path(low))))
         good = change <= TURN
         places.append(middle[good])
         values.append(phase[good])

@@ -12,7 +12,8 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.system import ContinuousSystem
 
 LONGEST = 200       # steps down to where nothing grows as fast
-LADDER = 4.0        # steps in z up to where enough frequencies lie below
+LADDER = 4.0        # steps in z up to where enough frequencies lie below,
+RUNGS = 4           # so many at once where arrays cost no more than numbers
 SLACK = 1e4         # of counts that only have to part frequencies
 SWEEPS = 400
 SPLITS = 0.5, 0.382, 0.618, 0.45, 0.55      # where brackets are parted in turn, so that an unknown count is left
@@ -117,11 +118,17 @@ def reached(counts: KnownCounts, first: int, last: int) -> None:
             raise PhysicsError("what grows has no end: a coordinate without inertia has a negative stiffness",
                                "give what it moves a mass or inertia")
     while not len(counts.below) or counts.below.max() < last:
-        counts.add([top])
-        top *= LADDER
+        steps = RUNGS if _in_arrays(counts.system) else 1
+        counts.add([top * LADDER**k for k in range(steps)])
+        top *= LADDER**steps
     if last - first > 4 and counts.below.max() > last // 2:
         share = counts.system.numbers(np.linspace(0, 1, 3 * (last - first) + 1)[1:-1])
-        counts.add(max(counts.z) * share * share)
+        counts.add(counts.z[int(np.argmax(counts.below >= last))] * share * share)
+
+
+def _in_arrays(system):
+    """Are several counts as dear as one: doubles, and nothing that is summed one piece at a time?"""
+    return system.digits is None and not any(placed.piece.gradient for placed in system.pieces)
 
 
 def parted(counts: KnownCounts, indices: Any, finished: Any) -> dict[int, Bracket]:

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 EFFORTS = 1, 2, 4               # times as many estimates, in turn
 DECAYS = 0.0, 0.15, 0.5, 1.2    # of the distance of frequencies: Re λ of estimates
 BESIDE = 4                      # half turns of the waves beyond those that are wanted
+BESIDE_HELD = np.outer([0.04, 0.004], [1, 1j, -1, -1j]).ravel()     # of the distance of frequencies
 MOVES = 8                       # times that the range is moved or made wider
 ASIDE = np.pi / 4, 0.4, 0.2     # angles from the real axis
 GAPS = 6                        # between roots that are tried in turn for a circle
@@ -113,6 +114,8 @@ class FarModes:
         rays = np.geomspace(max(0.9 * float(line[0]), 0.9 * least), max(most, least), 4 * effort)
         starts = np.concatenate([*rows, *(-rays * np.exp(-1j * turn) for turn in (0.0, 0.3, 0.8))])
         within = inner_estimates(pieces, max(float(line[0]), least), most)
+        if effort > 1:      # where several pieces vibrate alike, roots lie beside the one with all their ends at rest
+            within = np.concatenate([within, *(within + part * apart.mean() for part in BESIDE_HELD)])
         found = np.concatenate([approached(self._divisions, starts[abs(starts) > 0.8 * least]),
                                 approached(self._inner, within)])
         found = distinct(found[(abs(found) > max(float(line[0]), least)) & (abs(found) < most)])
@@ -176,5 +179,5 @@ class FarModes:
 
 def _uncertain(radius):
     return PhysicsError(f"the number of damped modes with |λ| < {radius:.4g} 1/s is not certain",
-                        "a damper may be so near √(Nμ) that hardly a wave comes back; ask for lower modes, or for "
-                        "frequency responses")
+                        "modes may be too near one another, or a damper near √(Nμ) swallow nearly all waves; ask for "
+                        "lower modes, or for frequency responses")

@@ -185,7 +185,11 @@ def _solved(D, slope):
         return np.linalg.solve(D, slope)
     except np.linalg.LinAlgError:
         n = D.shape[-1]
-        return np.linalg.solve(D + UNIT * np.diag(np.arange(1.0, n + 1)), slope)
+        beside = D + UNIT * np.diag(np.arange(1.0, n + 1))
+    try:
+        return np.linalg.solve(beside, slope)
+    except np.linalg.LinAlgError:
+        return np.linalg.pinv(beside) @ slope
 
 
 def distinct(roots: np.ndarray) -> np.ndarray:

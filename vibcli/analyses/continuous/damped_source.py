@@ -35,17 +35,20 @@ RESTING = 1e-5              # of the radius: what is nearer to 0 is looked for t
 STILL = 1e-11       # of the largest component of a shape: what moves less rests
 BELOW = 0.9                 # of 1/β, where damped modes pile up
 NEAR, LOW = 60, 6   # modes that are found with all below them; those from which others are counted
+OVERLAP = 0.9               # of the known region: beyond that estimates are polished
 GAPS = 4                    # that are tried in turn for the circle
 
 
 class Region(NamedTuple):
-    """|λ| < radius holds `count` eigenvalues, conjugates counted, those of rigid motions too; its modes by |λ|."""
+    """|λ| < radius holds `count` eigenvalues, conjugates counted, those of rigid motions too; its modes by |λ|, and the
+    roots that they are of."""
 
     radius: float
     count: int      # type: ignore[assignment]
     modes: list[DampedMode]
     below: int = 0  # known without a count
     inner: float = 0.0
+    roots: tuple[DampedRoot, ...] = ()
 
 
 class DampedModes:
@@ -56,6 +59,7 @@ class DampedModes:
         self.whole, self.region, self.annuli = Whole(self.matrix), Region(0.0, 0, []), []
         beta = self.matrix.retardation
         self._limit, self._ended = BELOW / beta if beta else np.inf, False
+        self._too_far = np.inf      # a radius of too many estimates
         self._resting = [mode.shape for mode in natural().shown() if mode.rigid]
 
     def numbered(self, first: int, last: int) -> list[DampedMode]:
@@ -160,7 +164,7 @@ class DampedModes:
                 inside = [root for root in roots if abs(root.value) < circle]
                 rigid = self._at_rest(sizes[0] if sizes else circle) if count is not None else 0
                 if count is not None and count == rigid + sum(2 if root.value.imag else 1 for root in inside):
-                    return Region(circle, count, self._listed(inside))
+                    return Region(circle, count, self._listed(inside), roots=tuple(inside))
                 undecided = circle
             if not circles and effort == EFFORTS[-1]:
                 return None
@@ -169,24 +173,35 @@ class DampedModes:
         raise _undecided(undecided)
 
     def _roots(self, radius, effort):
-        """Polished roots from estimates within a radius."""
-        matrix, waves = self.matrix, []
-        for placed in matrix.pieces:
-            piece = placed.piece._make(np.array([float(x)]) for x in placed.piece)
-            kappa = piece.foundation - piece.inertia * (1.3 * radius)**2
-            waves.append(float(held_count(piece._replace(foundation=kappa), 0)[0]))
-        found = trial_eigenvalues(matrix, [int((2.5 * one + 14) * effort) for one in waves], radius)
-        if found is None:
-            raise PhysicsError("so many damped modes of members are not found", "ask for fewer, or lower ones")
-        least = RESTING * radius if self._resting else 0.0
+        """The known roots, and polished ones from estimates between the known region and a radius."""
+        found = self._estimates(radius, effort)
+        known, edge = self.region.roots, self.region.radius
+        least = max(RESTING * radius if self._resting else 0.0, OVERLAP * edge)
         near = sorted({complex(s) for s in found[(abs(found) < 1.2 * radius) & (abs(found) > least)]}, key=abs)
+        told = [root.value for root in known]
         points: list[complex] = []
         for s in near:
             root = approached(self.whole, s)
-            if root is not None and abs(root) > least and not any(abs(root - one) < ALIKE * abs(one) for one in points):
+            if root is not None and abs(root) > max(least, edge) and not any(
+                    abs(root - one) < ALIKE * abs(one) for one in told + points):
                 points.append(root)
         roots = [(s, _cleaned(root, self.matrix)) for s in points for root in roots_at(self.whole, s)]
-        return _distinct([(s, root) for s, root in roots if root.error < SURE and root.value.imag >= 0])
+        return [*known, *_distinct([(s, root) for s, root in roots if root.error < SURE and root.value.imag >= 0])]
+
+    def _estimates(self, radius, effort):
+        """Those of eigenvalues within a radius."""
+        waves = []
+        for placed in self.matrix.pieces:
+            piece = placed.piece._make(np.array([float(x)]) for x in placed.piece)
+            kappa = piece.foundation - piece.inertia * (1.3 * radius)**2
+            waves.append(float(held_count(piece._replace(foundation=kappa), 0)[0]))
+        found = None
+        if radius * effort < self._too_far:
+            found = trial_eigenvalues(self.matrix, [int((2.5 * one + 14) * effort) for one in waves], radius)
+        if found is None:
+            self._too_far = min(self._too_far, radius * effort)
+            raise PhysicsError("so many damped modes of members are not found", "ask for fewer, or lower ones")
+        return found
 
     def _held(self, radius):
         """The number of frequencies of held pieces within a radius, as a function."""
@@ -287,4 +302,5 @@ def _piled_up(beta):
 def _undecided(radius):
     return PhysicsError(f"the number of damped modes with |λ| < {radius:.4g} 1/s is not certain"
                         if radius else "the damped modes are not told from one another",
-                        "a damper may be so near √(Nμ) that hardly a wave comes back; ask for frequency responses")
+                        "modes may be too near one another, or a damper near √(Nμ) swallow nearly all waves; ask for "
+                        "frequency responses")

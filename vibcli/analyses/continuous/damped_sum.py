@@ -17,6 +17,7 @@ own change by R times what their fractions do.
 """
 
 from collections.abc import Callable
+from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -32,9 +33,9 @@ if TYPE_CHECKING:
 
 STEP, REACH = 0.1, 45.0     # of u, and how far from the middle it goes
 HIGHEST, ALIKE = 0.8, 0.05      # ratio up to which P and Q are well apart; distance from 1 below which they are not
-AT_ONCE = 256       # values of s beside all of η
+AT_ONCE, KEPT = 256, 6      # values of s beside all of η; how many such blocks of weights are kept
 SMALL = 1e-14       # of a natural frequency: an s at rest
-UNIT, ROUGH = 2.0**-52, 4096.0     # roundings of means about ζ
+UNIT, ROUGH, PARTS = 2.0**-52, 4096.0, 16.0     # roundings of means about ζ, of each partial fraction
 POLISHED = 3        # steps of Newton's method
 LOW, TERMS = 0.1, 8     # of that circle, where the series of so many terms is
 CIRCLE, SHARE, CLOSE = 24, 0.25, 1e-6       # points about a pole or ζ, radius over the next pole's distance, closest
@@ -62,14 +63,16 @@ class DampedSum:
                 raise PhysicsError("responses of members that are unstable are not found with modal damping",
                                    "write `proportional: [alpha, beta]`, or take `damping:` out")
             self.own = _own(damping, modes)
-            u = np.log(self.pace) + np.arange(-REACH, REACH, STEP)
-            self._u, self._eta = u, np.exp(u)
+            self._u = _grid(self.pace)
+            self._eta = np.exp(self._u)
             self._spread = self._squared()
             self._residues = [self._residue(one) for one in self.own]
 
     @property
     def rounding(self) -> float:
-        """How many roundings of H the sum with ratios brings, by and by."""
+        """How many roundings of H the sum brings, by and by."""
+        if not self.damping.ratios:
+            return PARTS * len(self.damping.series)
         last = ROUGH if self.zeta > HIGHEST else np.exp(-2 * np.pi * np.arccos(self.zeta) / STEP) / UNIT
         return 1 + 64 * len(self.damping.ratios) + last
 
@@ -122,9 +125,8 @@ class DampedSum:
         sine, turn, P, Q = _places(s, zeta)
         G_P, G_Q = self.G(P), self.G(Q)
         found = (turn * G_P - G_Q / turn) / (2j * sine) + (P * G_P - Q * G_Q) / (2 * s * sine)
-        A, B, eta = P * P, Q * Q, self._eta[:, None]
-        weight = (2 / np.pi) * STEP * eta / ((A - eta**2) * (B - eta**2))
-        integral = self._spread @ weight
+        A, B = P * P, Q * Q
+        integral = self._spread @ _weights(self.pace, complex(zeta), s.tobytes())
         for root, value, gap in ((P, G_P, B - A), (Q, G_Q, A - B)) if zeta else ():
             integral = integral - self._beside(root, -value * _right(root) / (np.pi * gap))
         return found + 2 * zeta * s * integral
@@ -151,6 +153,19 @@ class DampedSum:
         turn = SHARE * one.gap * np.exp(2j * np.pi * (np.arange(CIRCLE) + 0.5) / CIRCLE)
         sigma = 1j * one.omega + turn
         return np.real((self.G(sigma) * turn * 2j * one.omega).mean(axis=-1))
+
+
+def _grid(pace):
+    """u of the trapezoidal rule."""
+    return np.log(pace) + np.arange(-REACH, REACH, STEP)
+
+
+@lru_cache(KEPT)
+def _weights(pace, zeta, points):
+    """Those of η² G(η) at s of these bytes, (η, s): sums of several G are asked for at the same."""
+    P, Q = _places(np.frombuffer(points, complex), zeta)[2:]
+    eta = np.exp(_grid(pace))[:, None]
+    return (2 / np.pi) * STEP * eta / ((P * P - eta**2) * (Q * Q - eta**2))
 
 
 def fractions(series: "Sequence[float]", s: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:

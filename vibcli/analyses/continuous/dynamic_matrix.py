@@ -15,12 +15,14 @@ import numpy as np
 
 from vibcli.analyses.continuous.divided_pieces import divided_at
 from vibcli.analyses.continuous.leaving_waves import impedances, leaving, without_leaving
+from vibcli.analyses.continuous.short_pieces import relative_coordinates
 from vibcli.numerics.pieces.piece import Piece
+from vibcli.numerics.pieces.relative import in_relative_motions
 from vibcli.numerics.pieces.retardation import reaction_rate, retarded_reaction
 from vibcli.numerics.pieces.stiffness import stiffness, stiffness_and_slope
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Collection, Mapping, Sequence
 
     from vibcli.analyses.continuous.spread_drives import SpreadDrive
     from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
@@ -32,12 +34,13 @@ BLOCK = 2.0**17     # entries of the matrices that are held at once
 
 class PieceStack:
     """Pieces of one differential equation, evaluated together: their coefficients as columns; ends[p]: the rows
-    {coordinate: component} of the end values of piece p; numbers[p]: its place among all pieces; beta: retardations."""
+    {coordinate: component} of the end values of piece p, of short ones of u₀, θ₀, w, ψ; numbers[p]: its place among all
+    pieces; beta: retardations."""
 
-    __slots__ = ("beta", "ends", "numbers", "piece")
+    __slots__ = ("beta", "ends", "numbers", "piece", "short")
 
-    def __init__(self, placed: "Sequence[PlacedPiece]", numbers: "Sequence[int]"):
-        self.ends, self.numbers = [one.rows for one in placed], list(numbers)
+    def __init__(self, placed: "Sequence[PlacedPiece]", numbers: "Sequence[int]", ends: "Sequence[tuple]", short: bool):
+        self.ends, self.numbers, self.short = list(ends), list(numbers), short
         self.piece = Piece(*(np.array([[float(getattr(one.piece, name))] for one in placed]) for name in Piece._fields))
         self.beta = np.array([[float(one.retardation)] for one in placed])
 
@@ -45,9 +48,13 @@ class PieceStack:
         """(d, dd/ds if it is `steep`), each (m, m, pieces, N); real where s is imaginary and nothing drags."""
         piece, factor = self.piece, (1 + self.beta * s) if self.beta.any() else 1.0
         kappa = retarded_reaction(piece, s, self.beta)
-        if not steep:
+        if not steep and not self.short:
             return np.moveaxis(stiffness(piece, kappa), (-2, -1), (0, 1)) * factor, None
-        d, slope = (np.moveaxis(part, (-2, -1), (0, 1)) for part in stiffness_and_slope(piece, kappa))
+        found = stiffness_and_slope(piece, kappa)
+        found = in_relative_motions(piece, kappa, *found) if self.short else found
+        d, slope = (np.moveaxis(part, (-2, -1), (0, 1)) for part in found)
+        if not steep:
+            return d * factor, None
         slope = slope * reaction_rate(piece, s, self.beta) * factor
         return d * factor, slope + self.beta * d if self.beta.any() else slope
 
@@ -62,17 +69,26 @@ class PieceStack:
 
 class DynamicMatrix:
     """polynomial: K, C + G, M, (3, n, n), without what pieces are at rest; pieces: PlacedPieces; spread: {coordinate of
-    an input: SpreadDrive}."""
+    an input: SpreadDrive}; kept: where it is given, D is over the `relative` coordinates of short pieces, but for these
+    coordinates, and so are polynomial and the rows of pieces then."""
 
     def __init__(self, polynomial: np.ndarray, pieces: "Sequence[PlacedPiece]",
-                 spread: "Mapping[int, SpreadDrive] | None" = None):
-        self.polynomial, self.pieces, self.n = polynomial, list(pieces), polynomial.shape[-1]
-        self.spread = spread or {}
+                 spread: "Mapping[int, SpreadDrive] | None" = None, kept: "Collection[int] | None" = None):
+        self.n, self.spread, self.kept, self._given = polynomial.shape[-1], spread or {}, kept, (polynomial, pieces)
+        self.relative = relative_coordinates(pieces, kept) if kept is not None else None
+        short = self.relative.short if self.relative is not None else {}
+        if self.relative is not None and short:
+            T = self.relative.matrix(self.n)
+            polynomial = T.T @ polynomial @ T
+            pieces = [placed._replace(rows=ends) for placed, ends in zip(pieces, self.relative.ends, strict=True)]
+        self.polynomial, self.pieces = polynomial, list(pieces)
         alike = defaultdict(list)
         for number, placed in enumerate(self.pieces):
             piece = placed.piece
-            alike[piece.order, bool(piece.tension), bool(piece.gradient)].append(number)
-        self.stacks = [PieceStack([self.pieces[k] for k in numbers], numbers) for numbers in alike.values()]
+            alike[piece.order, bool(piece.tension), bool(piece.gradient), number in short].append(number)
+        self.stacks = [PieceStack([self.pieces[k] for k in numbers], numbers,
+                                  [short.get(k, self.pieces[k].rows) for k in numbers], kind[-1])
+                       for kind, numbers in alike.items()]
         self.impedances = [impedances(stack.piece, stack.beta) for stack in self.stacks]
 
     @cached_property
@@ -100,22 +116,32 @@ class DynamicMatrix:
 
     def divided(self, share: float) -> "DynamicMatrix":
         """The same with a free node within each piece."""
+        polynomial, whole = self._given
         pieces, n = [], self.n
-        for placed in self.pieces:
+        for placed in whole:
             parts = divided_at(placed, share * placed.piece.length, n)
             pieces += parts
             n += placed.piece.order // 2
-        return DynamicMatrix(_padded(self.polynomial, n), pieces, self.spread)
+        return DynamicMatrix(_padded(polynomial, n), pieces, self.spread, self.kept)
 
     def without_damping(self) -> "DynamicMatrix":
         """The same without dampers and drag, gyroscopic terms kept."""
-        K, C, M = self.polynomial
-        pieces = [placed._replace(piece=placed.piece._replace(drag=0.0), retardation=0) for placed in self.pieces]
-        return DynamicMatrix(np.array([K, (C - C.T) / 2, M]), pieces, self.spread)
+        (K, C, M), pieces = self._given
+        pieces = [placed._replace(piece=placed.piece._replace(drag=0.0), retardation=0) for placed in pieces]
+        return DynamicMatrix(np.array([K, (C - C.T) / 2, M]), pieces, self.spread, self.kept)
 
     def mixed(self, other: "DynamicMatrix", share: float) -> "DynamicMatrix":
         """The same and a share of what the other has besides in K, C and M."""
-        return DynamicMatrix(self.polynomial + share * (other.polynomial - self.polynomial), self.pieces, self.spread)
+        (one, pieces), (two, _) = self._given, other._given
+        return DynamicMatrix(one + share * (two - one), pieces, self.spread, self.kept)
+
+    def seen(self, row: "Mapping[int, float]") -> "Mapping[int, float]":
+        """A row over the coordinates of the scene as one over those of D."""
+        return row if self.relative is None or not self.relative.rows else self.relative.row(row)
+
+    def is_short(self, number: int) -> bool:
+        """Has a piece relative coordinates?"""
+        return self.relative is not None and number in self.relative.short
 
     def at(self, s: np.ndarray, steep: bool = False) -> "EvaluatedMatrix":
         """D, and D′ if it is `steep`, at each s: (N,)."""
@@ -215,21 +241,28 @@ class EvaluatedMatrix:
         self.matrix, self.D, self.slope, self.size, self.excess, self.ends = matrix, D, slope, size, excess, ends
         self.put = put
 
-    def of_piece(self, number: int) -> "tuple[np.ndarray, np.ndarray | None]":
-        """(d, dd/ds or None) of one piece, (m, m, N)."""
+    def of_end(self, number: int, end: int) -> "list[tuple[int, float, np.ndarray, np.ndarray | None]]":
+        """The force on an end of a piece: [(coordinate, factor, its weight (N,), the slope of that or None)]."""
         for stack, (d, slope) in zip(self.matrix.stacks, self.ends, strict=True):
             if number in stack.numbers:
                 at = stack.numbers.index(number)
-                return d[:, :, at], None if slope is None else slope[:, :, at]
+                shares = {end: 1.0}
+                if stack.short:     # of the forces along u₀, θ₀, w, ψ
+                    shares = ({0: 1.0, 2: -1.0}, {1: 1.0, 2: -float(stack.piece.length[at, 0]), 3: -1.0}, {2: 1.0},
+                              {3: 1.0})[end]
+                return [(i, float(x), sum(part * d[a, b, at] for a, part in shares.items()), None if slope is None else
+                         sum(part * slope[a, b, at] for a, part in shares.items()))
+                        for b, row in enumerate(stack.ends[at]) for i, x in row.items()]
         raise IndexError(number)
 
 
 def dynamic_matrix(elements: "FactoredSystem", pieces: "Sequence[PlacedPiece] | None" = None, n: int | None = None,
-                   spread: "Mapping[int, SpreadDrive] | None" = None) -> DynamicMatrix:
-    """The DynamicMatrix of a FactoredSystem; pieces, n: divided ones, and how many coordinates they need; spread: as
-    there."""
+                   spread: "Mapping[int, SpreadDrive] | None" = None,
+                   kept: "Collection[int] | None" = None) -> DynamicMatrix:
+    """The DynamicMatrix of a FactoredSystem; pieces, n: divided ones, and how many coordinates they need; spread, kept:
+    as there."""
     polynomial = _padded(_polynomial(elements, elements.n), elements.n if n is None else n)
-    return DynamicMatrix(polynomial, elements.pieces if pieces is None else pieces, spread)
+    return DynamicMatrix(polynomial, elements.pieces if pieces is None else pieces, spread, kept)
 
 
 def _padded(polynomial, n):

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 if TYPE_CHECKING:
-    from vibcli.mechanics.factored_system import FactoredSystem
+    from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
     from vibcli.numerics.pieces.piece import Piece
 
 AT, WEIGHTS = np.polynomial.legendre.leggauss(5)
+SLACK = 1e-13       # of the largest tension: less is none
 AT, WEIGHTS = (AT + 1) / 2, WEIGHTS / 2     # exact to degree 9
 
 
@@ -20,11 +21,13 @@ def finite_elements(elements: "FactoredSystem", divisions: int) -> tuple[np.ndar
     size, parts = elements.n, []
     for placed in elements.pieces:
         half = len(placed.rows) // 2
-        nodes = [placed.rows[:half]]
+        rows = with_slack_ends(placed, size)
+        size += len(slack_ends(placed))
+        nodes = [rows[:half]]
         for _ in range(divisions - 1):
             nodes.append(tuple({size + i: 1.0} for i in range(half)))
             size += half
-        nodes.append(placed.rows[half:])
+        nodes.append(rows[half:])
         length = placed.piece.length / divisions
         for i in range(divisions):
             tension = placed.piece.tension + placed.piece.gradient * i * length
@@ -38,6 +41,24 @@ def finite_elements(elements: "FactoredSystem", divisions: int) -> tuple[np.ndar
         K += S.T @ k @ S
         M += S.T @ m @ S
     return K, M
+
+
+def slack_ends(placed: "PlacedPiece") -> list[int]:
+    """Which of its ends have no coordinate and no tension: they move unheld."""
+    piece = placed.piece
+    if piece.order == 4:
+        return []
+    tensions = [float(piece.tension), float(piece.tension + piece.gradient * piece.length)]
+    least = SLACK * max(map(abs, tensions))
+    return [i for i, tension in enumerate(tensions) if not placed.rows[i] and abs(tension) <= least]
+
+
+def with_slack_ends(placed: "PlacedPiece", size: int) -> tuple:
+    """Its rows, those of slack ends with coordinates of their own, which count from `size` on."""
+    rows = list(placed.rows)
+    for j, i in enumerate(slack_ends(placed)):
+        rows[i] = {size + j: 1.0}
+    return tuple(rows)
 
 
 def rows_as_array(rows: Any, size: int) -> np.ndarray:

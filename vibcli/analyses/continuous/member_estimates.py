@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from vibcli.analyses.continuous.divided_pieces import divided_at
-from vibcli.analyses.continuous.finite_elements import finite_elements, rows_as_array
+from vibcli.analyses.continuous.finite_elements import finite_elements, rows_as_array, slack_ends
 from vibcli.numerics.pieces.stiffness import dynamic_stiffness
 
 if TYPE_CHECKING:
@@ -84,8 +84,13 @@ def further(modal: "ModalAnalysis") -> MemberEstimates:
 
 
 def _displacements(elements, divisions):
-    """1 of displacements and 0 of slopes of the inner nodes, in the order of finite_elements."""
-    return [1.0 - i for placed in elements.pieces for _ in range(divisions - 1) for i in range(len(placed.rows) // 2)]
+    """1 of displacements and 0 of slopes of slack ends and inner nodes, in the order of finite_elements."""
+    found: list[float] = []
+    for placed in elements.pieces:
+        half = len(placed.rows) // 2
+        slack = len(slack_ends(placed))
+        found += [1.0] * slack + [1.0 - i for _ in range(divisions - 1) for i in range(half)]
+    return found
 
 
 def _frequencies(K, M):
@@ -100,9 +105,12 @@ def _of_piece(elements, placed):
     """∫ μ G(x, x) dx of a piece; G at x with a node there."""
     piece, total = placed.piece, 0.0
     at, weights = np.polynomial.legendre.leggauss(POINTS)
+    at, weights = (at + 1) / 2, weights / 2
+    if slack_ends(placed):      # G grows like a logarithm there
+        at, weights = at**3 * (10 - 15 * at + 6 * at**2), weights * 30 * at**2 * (1 - at)**2
     others = [other for other in elements.pieces if other is not placed]
     half = len(placed.rows) // 2
-    for x, weight in zip((at + 1) / 2 * piece.length, weights / 2 * piece.length, strict=True):
+    for x, weight in zip(at * piece.length, weights * piece.length, strict=True):
         K = static_stiffness(_grown(elements, [*others, *divided_at(placed, x, elements.n)], half))
         unit = np.zeros(len(K))
         unit[elements.n] = 1.0
@@ -118,7 +126,7 @@ def _lumped(modal, elements):
     """{coordinate: Lumped}; the coordinates of the scene, then places of members, displacements alone."""
     if not elements.n:
         return {}
-    K, M = static_stiffness(elements), finite_elements(elements, 1)[1]
+    K, M = static_stiffness(elements), finite_elements(elements, 1)[1][:elements.n, :elements.n]
     flexible, lengths = np.linalg.inv(K), _masses(elements)
     bare = elements.with_parts(pieces=()).arrays()[0]
     found: dict[str, Any] = {}

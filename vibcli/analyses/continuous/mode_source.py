@@ -66,8 +66,9 @@ class NaturalModes:
             roots = natural_frequencies(self._at(None), first, last)
             for low, high in _runs([i for i in range(first, last + 1) if _doubtful(roots, i)]):
                 roots |= self._precise_roots(low, high, roots, SURE)
-        rates = [self._rate(roots[i]) for i in range(first, last + 1)] if self.uniform is None else (
-            self.uniform.frequencies(np.arange(first, last + 1) - self.uniform.resting))
+        if self.uniform is None:
+            return [self._mode(roots[i], _rate(roots[i])) for i in range(first, last + 1)]
+        rates = self.uniform.frequencies(np.arange(first, last + 1) - self.uniform.resting)
         return [self._mode(roots[i], rate) for i, rate in zip(range(first, last + 1), rates, strict=True)]
 
     def count(self, Omega: float) -> int:
@@ -140,25 +141,18 @@ class NaturalModes:
                 for i in range(max(first, growing + 1), min(last, resting) + 1)]
 
     def _mode(self, root, size):
-        """A root with √|z| as a Mode, in floats unless digits are asked for."""
+        """A root with √|z| as a Mode, in floats unless digits are asked for: one found in more digits is then rounded
+        once."""
         n, digits = self.elements.n, self.digits
         number = float if digits is None else lambda x: x
-        rate, error = number(size), root.error if digits is not None else max(root.error, NEVER_BELOW)
+        rounds = 0.0 if digits is not None or root.system.digits is None else NEVER_BELOW
+        rate, error = number(size), root.error + rounds if digits is not None else max(root.error + rounds, NEVER_BELOW)
         shape = root.shape[:n] if digits is not None else root.shape[:n].astype(
             complex if root.shape.dtype.kind == "c" else float)
         if digits is None and not np.isfinite(shape).all():
             raise PhysicsError(f"the shape of mode {root.index} is not found", "ask for more digits, as in --digits 30")
         rates = (None, rate) if root.z < 0 else (rate, None)
         return Mode(root.index, *rates, shape, shape, error if root.z else 0.0, root)
-
-    def _rate(self, root):
-        """√|z|."""
-        if root.z and self.digits is not None:
-            from mpmath import mp
-
-            with working(self.digits + DEEPER[0]):
-                return mp.sqrt(abs(root.z))
-        return math.sqrt(abs(float(root.z)))
 
     def _held_and_turning(self):
         """The Ground beside gyroscopic terms, which leave the count what it is only where a positive stiffness holds
@@ -168,6 +162,17 @@ class NaturalModes:
             raise PhysicsError("modes of members beside gyroscopic terms are counted only where every motion is held "
                                "by a positive stiffness", "hold what is free, or take the turning out")
         return ground(counts, 0, True)
+
+
+def _rate(root):
+    """√|z| in the digits that z has."""
+    digits = root.system.digits
+    if digits is None or not root.z:
+        return math.sqrt(abs(root.z))
+    from mpmath import mp
+
+    with working(digits):
+        return mp.sqrt(abs(root.z))
 
 
 def _undecided():

@@ -132,12 +132,12 @@ def certified(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, indices:
               wanted: np.ndarray) -> dict[int, NaturalFrequency]:
     """Roots with the bound that counts on both sides of each prove; without those they do not."""
     chosen = np.flatnonzero(wanted)
-    z, x, numbers = z[chosen], x[:, chosen], np.array(indices)[chosen]
+    z, x, numbers, sound = z[chosen], x[:, chosen], np.array(indices)[chosen], np.ones(len(chosen), bool)
     for _ in range(PASSES):     # the shape and the inertia are those at the last z
         entries, sizes, slope = system.dynamic_stiffness(z)
         x = settled(system, z, entries, x)
         inertia = abs(quadratic(system.pattern, slope, x).real)
-        wanted = wanted & (inertia > 0)         # a step that ran into a pole leaves no shape
+        sound &= inertia > 0                    # a step that ran into a pole leaves no shape
         inertia = np.where(inertia > 0, inertia, 1)
         moved = quadratic(system.pattern, entries, x).real / inertia
         z = z + moved
@@ -148,7 +148,7 @@ def certified(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, indices:
     felt = abs(x) * scale
     x = np.where(felt > NOTHING * system.unit * felt.max(axis=0, initial=0), x, 0 * x)
     error = np.maximum(system.fine, SLACK * room / (inertia * abs(z)))
-    proved, left = np.zeros(len(numbers), bool), np.flatnonzero(z != 0)
+    proved, left = np.zeros(len(numbers), bool), np.flatnonzero(sound & (z != 0))
     while len(left := left[error[left] < WIDEST]):
         away = 2 * error[left] * abs(z[left])
         under, over = (count(system, side) for side in (z[left] - away, z[left] + away))

@@ -3,7 +3,6 @@
 from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.modal.damped_modes import DampedMode
-from vibcli.analyses.modal.mode_sequence import NoMoreTold
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.member_damping import MemberDamping
@@ -60,19 +59,6 @@ class RatedModes:
         """Of |δλ|/|λ|: that of ω, and what rounding of ζ makes of √|1 − ζ²|."""
         rounded = ROUNDINGS * self._unit + 2 * known
         return rounded / max(min(1.0, inner), rounded)**0.5
-
-
-class NotTold:
-    """What `Modes` asks for the damped modes of a MemberDamping by ratios beside dampers, which couple all modes."""
-
-    def numbered(self, first: int, last: int) -> list[DampedMode]:
-        """None is found."""
-        raise NoMoreTold("damped modes of members are not found where modes have ratios beside dampers",
-                         "ask for frequency responses or steady(…), or write `proportional: [alpha, beta]`")
-
-    def count(self, Omega: float) -> int:
-        """None."""
-        return len(self.numbered(1, 1))
 
 
 def _alone(mode, value, shape, error):

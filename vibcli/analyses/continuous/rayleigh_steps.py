@@ -11,11 +11,12 @@ if TYPE_CHECKING:
 
 TAKEN_OUT, AT_MOST = 2, 8       # times; each leaves of another shape a millionth over the relative distance of its z
 NOTHING_LEFT = 64   # roundings
+GOLDEN = (5**0.5 - 1) / 2       # between the wave numbers of vectors to begin with, which then never repeat
 
 
 def start(system: "ContinuousSystem", count_: int) -> np.ndarray:
-    """Vectors that are orthogonal to nothing in particular, (n, count)."""
-    parts = np.sin(np.arange(1, system.n + 1)[:, None] * 1.7 + 0.6 * np.arange(count_)) + 1.3
+    """Vectors that are orthogonal to nothing in particular, and independent up to n of them, (n, count)."""
+    parts = np.sin(np.arange(1, system.n + 1)[:, None] * (1.7 + GOLDEN * np.arange(count_))) + 1.3
     return np.array([system.numbers(row) for row in parts]).reshape(system.n, count_)
 
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.polynomial import legendre
 
-from vibcli.analyses.continuous.finite_elements import rows_as_array
+from vibcli.analyses.continuous.finite_elements import rows_as_array, slack_ends, with_slack_ends
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix
@@ -23,15 +23,18 @@ LARGEST = 700       # coordinates of an estimate
 def trial_eigenvalues(matrix: "DynamicMatrix", functions: "list[int]", shift: float) -> np.ndarray | None:
     """Eigenvalues with so many functions within each piece; None where these are too many. shift > 0: a real s that is
     none of them, near those that are wanted."""
-    size = matrix.n + sum(functions)
+    at, rows = matrix.n, []
+    for placed in matrix.pieces:
+        rows.append(with_slack_ends(placed, at))
+        at += len(slack_ends(placed))
+    size = at + sum(functions)
     if size > LARGEST:
         return None
     K, C, M = (np.pad(part, (0, size - matrix.n)) for part in matrix.polynomial)
-    at = matrix.n
-    for placed, count in zip(matrix.pieces, functions, strict=True):
+    for placed, ends, count in zip(matrix.pieces, rows, functions, strict=True):
         piece = placed.piece._make(float(x) for x in placed.piece)
         k, m = piece_matrices(piece, count)
-        S = np.vstack([rows_as_array(placed.rows, size), np.eye(size)[at:at + count]])
+        S = np.vstack([rows_as_array(ends, size), np.eye(size)[at:at + count]])
         at += count
         K += S.T @ k @ S
         M += S.T @ (piece.inertia * m) @ S

@@ -32,13 +32,14 @@ class DampedMemberTransfer(FrequencyResponseFunction):
     """still: the MemberTransfer without damping; driven: is its input the displacement of supports? turns: its input
     is (−s²)^turns times that of `still`."""
 
-    __slots__ = ("_modes", "_static", "_sum", "damping", "driven", "still", "turns")
+    __slots__ = ("_modes", "_static", "_sum", "_zeros", "damping", "driven", "still", "turns")
 
     def __init__(self, still: "MemberTransfer", modes: "Modes", damping: "MemberDamping", driven: bool, turns: int):
         super().__init__(still.order)
         self.still, self.damping, self.driven, self.turns = still, damping, driven, turns
         self._modes, self._static = modes, 0.0
         self._sum: DampedSum | None = None
+        self._zeros: dict[tuple[float, float], np.ndarray] = {}
 
     @property
     def undamped(self) -> bool:
@@ -62,8 +63,9 @@ class DampedMemberTransfer(FrequencyResponseFunction):
         if steep:
             size = np.maximum(np.abs(s), NEAR * self.pace)
             radius = NEAR * np.maximum(self._damped_at(size) / 2, STILL * size)
-            around = [self._values(s + radius * turn) / turn for turn in (1, 1j, -1, -1j)]
-            slopes = sum(around) / (4 * radius)
+            turn = np.array([[1], [1j], [-1], [-1j]])
+            around = self._values((s + radius * turn).ravel()).reshape(4, -1) / turn
+            slopes = around.sum(axis=0) / (4 * radius)
         return values, slopes, resonant
 
     def _damped_at(self, omega):
@@ -114,7 +116,10 @@ class DampedMemberTransfer(FrequencyResponseFunction):
         return found[np.argsort(found.imag)]
 
     def zeros(self, low: float = 0.0, high: float = math.inf) -> np.ndarray:
-        return distinct(followed(self._newton, self.still.zeros(low, high if math.isfinite(high) else self.end)))
+        high = high if math.isfinite(high) else self.end
+        if (low, high) not in self._zeros:
+            self._zeros[low, high] = distinct(followed(self._newton, self.still.zeros(low, high)))
+        return self._zeros[low, high]
 
     def _newton(self, s):
         values, slopes, _ = self.at(s, True)

@@ -16,6 +16,7 @@ from vibcli.analyses.frequency_response.damped_member_response import BEYOND, Da
 from vibcli.analyses.frequency_response.member_poles_and_zeros import distinct, followed
 from vibcli.analyses.frequency_response.member_response import MemberTransfer
 from vibcli.analyses.frequency_response.member_system import MemberInput, MemberOutput, MemberSystem
+from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.member_damping import MemberDamping
@@ -27,12 +28,14 @@ COUPLED, FEWEST = 4.0, 64       # times a frequency: modes up to there move with
 
 
 class DampersBesideRatios(DampedMemberTransfer):
-    """still: the MemberTransfer with dampers and without ratios."""
+    """still: the MemberTransfer with dampers and without ratios; counted: the damped modes."""
 
-    __slots__ = ("_C", "_forced", "_g", "_held", "_plain", "_read", "_shared")
+    __slots__ = ("_C", "_counted", "_forced", "_g", "_held", "_plain", "_read", "_shared")
 
-    def __init__(self, still: MemberTransfer, modes: "Modes", damping: "MemberDamping", driven: bool, turns: int):
+    def __init__(self, still: MemberTransfer, modes: "Modes", damping: "MemberDamping", driven: bool, turns: int,
+                 counted: "Modes"):
         super().__init__(still.without_damping, modes, damping, driven, turns)
+        self._counted = counted
         system = still.system
         C, free, inputs = system.matrix.polynomial[1], system.free, system.driven
         held = np.array([i for i in free if C[i, free].any() or C[free, i].any() or C[i, inputs].any()], int)
@@ -72,12 +75,27 @@ class DampersBesideRatios(DampedMemberTransfer):
         return np.linalg.solve(whole, (forced @ self._C.T + self._g)[:, :, None])[:, :, 0]
 
     def poles(self, low: float = 0.0, high: float = math.inf) -> np.ndarray:
-        """Those of the modes without dampers that C couples, polished where Newton's method settles."""
+        """The damped modes; where these are not told those of the modes without dampers that C couples, polished where
+        Newton's method settles."""
         high = high if math.isfinite(high) else self.end
-        estimates = self._coupled(high) if math.isfinite(high) else np.zeros(0, complex)
-        polished = [followed(self._to_pole, np.array([s])) for s in estimates]
-        found = distinct([one[0] if len(one) else s for one, s in zip(polished, estimates, strict=True)])
+        found = self._told(high) if math.isfinite(high) else np.zeros(0, complex)
+        if found is None:
+            found = self._followed(high)
         return found[(found.imag >= low) & (found.imag <= high)]
+
+    def _told(self, high):
+        """The damped modes of so high a frequency, by Im λ; None where they are not told."""
+        try:
+            modes = self._counted.numbered(1, max(len(self._counted.up_to(BEYOND * high)), 1))
+        except PhysicsError:
+            return None
+        found = np.array([mode.eigenvalue for mode in modes if mode.omega_d], complex)
+        return found[np.argsort(found.imag)]
+
+    def _followed(self, high):
+        estimates = self._coupled(high)
+        polished = [followed(self._to_pole, np.array([s])) for s in estimates]
+        return distinct([one[0] if len(one) else s for one, s in zip(polished, estimates, strict=True)])
 
     def _coupled(self, high):
         """Im λ > 0 of λ² + λ (c + Φᵀ C Φ) + ω² = 0 over the modes up to a multiple of a frequency."""

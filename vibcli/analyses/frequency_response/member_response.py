@@ -12,7 +12,7 @@ from vibcli.analyses.frequency_response.frequency_response_function import Frequ
 from vibcli.analyses.frequency_response.member_errors import of_value
 from vibcli.analyses.frequency_response.member_marks import error_of
 from vibcli.analyses.frequency_response.member_poles_and_zeros import taking_part
-from vibcli.base.errors import PhysicsError
+from vibcli.base.errors import LostDigits
 
 if TYPE_CHECKING:
     from vibcli.analyses.frequency_response.member_marks import Marks
@@ -59,14 +59,14 @@ class MemberTransfer(FrequencyResponseFunction):
         return np.concatenate(values), np.concatenate(slopes) if steep else None, np.concatenate(resonant)
 
     def _require_digits(self, s):
-        """PhysicsError where D is nearly singular away from all natural frequencies."""
+        """LostDigits where D is nearly singular away from all natural frequencies."""
         for Omega in np.abs(s[s.real == 0].imag):
             near = self.marks.natural((1 - BESIDE) * Omega, (1 + BESIDE) * Omega)
             if not any(abs(float(mode.omega) - Omega) <= AT_POLE * Omega for mode in near):
                 piece = min((one.piece for one in self.system.matrix.pieces), key=lambda one: one.length)
-                raise PhysicsError("responses lose their digits: places on a member are too near each other beside its "
-                                   f"length: {float(piece.length):.3g} m",
-                                   "move them further apart, or put what they hold at one place")
+                raise LostDigits("responses lose their digits: places on a member are too near each other beside its "
+                                 f"length: {float(piece.length):.3g} m",
+                                 "move them further apart, or put what they hold at one place")
 
     def _block(self, s, steep):
         found = self.system.solved(s, steep)

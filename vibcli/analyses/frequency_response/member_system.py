@@ -12,6 +12,7 @@ import numpy as np
 from vibcli.analyses.frequency_response.direct import apart_from_poles, probe, solutions
 from vibcli.analyses.frequency_response.member_solution import motions, pattern_of, scaled, scales
 from vibcli.analyses.frequency_response.quadratics import polynomial, slope
+from vibcli.base.errors import LostDigits
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -95,7 +96,7 @@ class MemberSystem:
             return None
         load = -sum(share * polynomial[0][self.free, j] for j, share in taken.items())
         seen = np.zeros(self.matrix.n)
-        for i, x in row.items():
+        for i, x in self.matrix.seen(row).items():
             seen[i] = x
         seen = seen[self.free]
         at = np.abs(seen).argmax()
@@ -145,7 +146,7 @@ class MemberSystem:
         """c(s) and dc/ds, (n, N)."""
         parts = np.zeros((3, self.matrix.n), complex)
         for power, row in enumerate(self.output.rows):
-            for i, x in row.items():
+            for i, x in self.matrix.seen(row).items():
                 parts[power, i] = x
         parts = parts if parts.imag.any() else parts.real
         if not self.output.ends and not self.output.within and not parts[1:].any():
@@ -161,9 +162,7 @@ class MemberSystem:
     def _seen_at_end(self, c, c_slope, found, one, s):
         """c and its slope with the force on the end of a piece, less what its stiffness resists rates with."""
         factor, number, end = one
-        placed, (d, steeper) = self.matrix.pieces[number], found.of_piece(number)
-        parts = [(i, float(x), d[end, b], None if steeper is None else steeper[end, b])
-                 for b, row in enumerate(placed.rows) for i, x in row.items()]
+        placed, parts = self.matrix.pieces[number], found.of_end(number, end)
         parts += [(j, -1.0, put[:, end], None if steeper is None else steeper[:, end])
                   for j, put, steeper in found.put.get(number, ())]
         beta = float(placed.retardation)
@@ -180,6 +179,9 @@ class MemberSystem:
 
         factor, number, share, order = one
         placed = self.matrix.pieces[number]
+        if order > 1 and self.matrix.is_short(number):
+            raise LostDigits("how a piece bends that is so short beside its member is not found within it",
+                             "ask at one of its ends")
         weights, slopes = weights_within(placed, s, share, order, c_slope is not None)
         c = c.astype(np.result_type(c, weights), copy=False)
         parts = [(i, float(x), weights[b], None if slopes is None else slopes[b])

@@ -44,12 +44,12 @@ def transfer_to(configuration: "Configuration", signal: "SignalName", given: Mem
     if any(found.system.output.rows[1:]):
         raise PhysicsError(f"'{signal.text}' needs velocities, whose response is not found with `damping:` of members",
                            "ask for displacements, forces and stresses")
-    kind = DampedMemberTransfer
+    parts = found, modal.modes, damping, drives_supports(configuration, given), given.turns
     if configuration.rated_beside_dampers:
         from vibcli.analyses.frequency_response.dampers_beside_ratios import DampersBesideRatios
 
-        kind = DampersBesideRatios
-    return kind(found, modal.modes, damping, drives_supports(configuration, given), given.turns)
+        return DampersBesideRatios(*parts, modal.damped)
+    return DampedMemberTransfer(*parts)
 
 
 def _of_displacements(output, order):
@@ -79,6 +79,8 @@ def _still(configuration: "Configuration", signal: "SignalName", given: MemberIn
         output = MemberOutput((row.q, row.v, row.a))
         if modal.member_damping is not None:
             output, order = _of_displacements(output, order)
-    system = MemberSystem(dynamic_matrix(elements, pieces, size, spread_inputs(configuration, given.weights)),
-                          range(opened.n, n), given, output)
+    inputs = range(opened.n, n)
+    kept = inputs if modal.member_damping is None else None
+    system = MemberSystem(dynamic_matrix(elements, pieces, size, spread_inputs(configuration, given.weights), kept),
+                          inputs, given, output)
     return MemberTransfer(system, Marks(modal, system.shared()), order)

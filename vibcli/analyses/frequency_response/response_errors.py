@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 NEAR, FALL, MOST = 1e-3, 0.05, 300.0    # first distance, relative, and fall of log|H| by which a top is measured
 TRIES = 30
+FINEST = 2.0**-46       # of Ω: places nearer to one another are told apart no more
 
 
 class ResponseErrors:
@@ -34,8 +35,8 @@ class ResponseErrors:
     def of_top(self, Omega: float) -> tuple[float, float]:
         """(|δΩ|, relative |δH|) of a maximum or minimum of |H|."""
         off = self.relative(Omega)
-        if not math.isfinite(off):
-            return self.of_zero(Omega), 1.0
+        if off >= 1:        # H may be zero there
+            return self.of_zero(Omega), off if math.isfinite(off) else 1.0
         blind = self._blind(Omega)
         width = self._width(Omega, 2 * blind)
         return 2 * off * width + blind + GIVEN * Omega, off + (blind / width)**2
@@ -71,6 +72,7 @@ class ResponseErrors:
 
     def _width(self, Omega, least):
         """γ of |H| = top/√(1 + (Ω − Ω₀)²/γ²), by how it falls beside the top, no nearer than `least`."""
+        least = max(least, FINEST * Omega)
         step, height = max(NEAR * Omega, least), abs(complex(sampled(self.system, Omega)[0]))
         for _ in range(TRIES):
             beside = np.abs(sampled(self.system, np.array([Omega - step, Omega + step]))[0])

@@ -95,9 +95,9 @@ class ModalAnalysis:
     def _rated(self, modes, damping, digits=None):
         """The damped modes of members whose modes are damped each by itself."""
         if self.configuration.rated_beside_dampers:
-            from vibcli.analyses.continuous.rated_modes import NotTold
+            from vibcli.analyses.continuous.rated_source import RatedDampedModes
 
-            return Modes((), NotTold())
+            return self._sequence(RatedDampedModes(self.configuration.linear_system, self.modes, damping))
         from vibcli.analyses.continuous.rated_modes import RatedModes
 
         return Modes((), RatedModes(modes, damping, digits), self.solved)
@@ -207,7 +207,8 @@ class ModalAnalysis:
     def _rated_to(self, digits):
         """The damped modes of members whose modes are damped each by itself, to so many digits."""
         if self.configuration.rated_beside_dampers:
-            return self.damped
+            raise PhysicsError("damped modes of members with distributed inertia are found in floats alone",
+                               "leave --digits out, or take out what damps")
         from mpmath import mp
 
         from vibcli.analyses.continuous.member_damping import member_damping

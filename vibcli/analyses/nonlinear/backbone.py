@@ -2,6 +2,7 @@
 
 from typing import NamedTuple
 
+from vibcli.analyses.modes import LAST, ModeNumber
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Many, Quantity
 from vibcli.language.signal_kinds import SignalField
@@ -9,11 +10,13 @@ from vibcli.language.signal_kinds import SignalField
 ELEMENT = Element(
     "backbone",
     "How the frequency of free motions about the equilibrium hangs on their amplitude, which is half the range of a "
-    "signal. Dampers and loads in time are left out. Each motion is found from its energy by quadrature, not from an "
-    "expansion; the family ends where a motion passes a top of the potential energy.",
+    "signal. Dampers are left out. With one degree of freedom each motion is found from its energy by "
+    "quadrature; with several as a sum of harmonics that obey the equations of motion, followed from a mode of small "
+    "vibrations. No expansion is used; the family ends where a motion passes a top of the potential energy.",
     {
         "of": Field(Many(SignalField(), 1, 1, "a list of one signal"), "the signal; the coordinate if left out"),
         "up_to": Field(Quantity(), "the largest amplitude of that signal", required=True),
+        "mode": Field(ModeNumber(LAST), "the mode at which the family starts; the first if left out"),
     },
     example="swing_by_amplitude",
 )
@@ -27,3 +30,11 @@ class BackbonePoint(NamedTuple):
     omega: float
     energy: float
     error: float
+
+
+class Backbone(NamedTuple):
+    """Motions of one family, in the order in which it passes them; `resonance`: where another mode comes in, told, or
+    None."""
+
+    points: list[BackbonePoint]
+    resonance: str | None

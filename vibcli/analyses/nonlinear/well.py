@@ -6,7 +6,7 @@ of V, which stands powers that are broken at a kink; of the two each value takes
 
 from collections.abc import Mapping
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
@@ -16,8 +16,8 @@ from vibcli.mechanics.equations_of_motion import dynamics
 from vibcli.numerics.bracketing import zeros_between
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.numeric_code import SWITCHED, Compiled
+from vibcli.symbolic.kinks import kinks_of
+from vibcli.symbolic.numeric_code import Compiled
 from vibcli.symbolic.running_errors import Rounded, RunningErrors, error_in
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ class Well:
         self.q, V, M = scene.q[0], effective_potential(scene), dynamics(scene).M[0, 0]
         self.nodes, self.floats = (V, M), floats
         self.slope = gradient(V).get(self.q, scene.table.zero)
-        self.bends = bends_of((V, M, self.slope), self.q)
+        self.bends = kinks_of((V, M, self.slope), self.q)
         slopes = [gradient(u)[self.q] for u in self.bends]
         self._compiled = Compiled(scene, floats, None, [V, self.slope, M])
         self._bends = Compiled(scene, floats, None, [self.slope, *self.bends, *slopes]) if self.bends else None
@@ -147,15 +147,3 @@ class Well:
         with np.errstate(all="ignore"):
             rows = compiled(np.zeros(flat.size), flat.reshape(1, -1), np.zeros((1, flat.size)))
         return [row.reshape(q.shape) if np.shape(row) == flat.shape else np.full(q.shape, row) for row in rows]
-
-
-def bends_of(nodes: Any, q: Any) -> list:
-    """The arguments that vanish where expressions of q bend or jump."""
-    found = {}
-    for part in reachable(nodes):
-        if part.op == "call" and part.name in SWITCHED and part.mask & q.mask:
-            u = part.args[0] - part.args[1] if part.name in ("min", "max") else part.args[0]
-            if u.mask & q.mask and -u not in found:
-                found[u] = None
-    return list(found)
-

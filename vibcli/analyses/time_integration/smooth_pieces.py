@@ -39,8 +39,8 @@ def require_smooth_motion(scene: "Scene", nodes: "Sequence[Node]") -> None:
     owners = scene.law_switches()[0] if scene.laws else {}
     solved = next((part for part in reachable(nodes) if part.mask and part.name in part.table.functions), None)
     if solved is not None:
-        raise PhysicsError(f"the inner equilibrium of '{solved.name.partition('.')[0]}' is solved in floats along a "
-                           "motion: more digits of such a motion are not found", WITHOUT)
+        about = solved.table.functions[solved.name].about
+        raise PhysicsError(f"{about}: more digits of such a motion are not found", WITHOUT)
     for part in bent(nodes):
         if part.mask & ~scene.time.mask:
             argument = part.args[0] - part.args[1] if part.name in ("min", "max") else part.args[0]

@@ -282,6 +282,11 @@ class March:
                             "motion reaches", "look for roots of what becomes negative, or ends that meet")
 
     def singular(self) -> PhysicsError:
+        tables = self.system.scene.tables_that_end()
+        if tables:
+            return PhysicsError(f"the motion cannot be followed beyond t = {self.t:.9g} s: there it reaches an end of "
+                                f"the table of {' or '.join(map(repr, tables))}, or a force or a linkage is singular",
+                                "give that table more points, or let it go on with beyond: linear")
         return PhysicsError(f"the motion cannot be followed beyond t = {self.t:.9g} s: it grows without bound there, "
                             "or a force or a linkage is singular", "ask for an earlier end, or mind the signs of "
                             "stiffness and damping")

@@ -9,6 +9,7 @@ from vibcli.drawing.layout import captions, lettering, plane
 from vibcli.drawing.layout.rows import LumpedRow, carrier, motion
 from vibcli.drawing.symbols import arrow, support
 from vibcli.drawing.symbols.connection import symbol
+from vibcli.drawing.symbols.parts import ROW, offsets, rows
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
@@ -43,8 +44,8 @@ def layouts(found: Sequence[LumpedRow], scene: "Scene", left: float, top: float)
     made = []
     for row in found:
         turns = any(scene.bodies[name].lumped[0] == "turn" for name in row.bodies)
-        stack = max([len(edges) for edges in row.gaps.values()] or [1])
-        height = max(RIM if turns else HALF, 0.5 * STACK * stack + 4)
+        across = max([_across(edges) for edges in row.gaps.values()] or [STACK])
+        height = max(RIM if turns else HALF, 0.5 * across + 4)
         above = height + 26 + (LANE * len(row.lanes) + 8) * bool(row.lanes)
         y = top - above
         walled = 0 in row.gaps or any(low < 0 for low, _, _ in row.lanes)
@@ -61,6 +62,12 @@ def layouts(found: Sequence[LumpedRow], scene: "Scene", left: float, top: float)
     return made
 
 
+def _across(edges):
+    """How much room elements between the same two take."""
+    records = [edge.record for edge in edges]
+    return 2 * max(offsets(records, STACK)[0], 0.0) + max(STACK, ROW * rows(records[0]))
+
+
 def draw(layout: Layout,
          moved: Mapping[str, float]) -> tuple[list[Any], dict[str, tuple[tuple[Any, ...], tuple[Any, ...]]]]:
     """The primitives of a row, and where its elements are; `moved`: {body: displacement in points, or angle}."""
@@ -70,8 +77,7 @@ def draw(layout: Layout,
     for name, place in places.items():
         found += _disc(place, moved.get(name, 0.0)) if place.turns else _box(place)
     for column, edges in layout.row.gaps.items():
-        for i, edge in enumerate(edges):
-            t = (0.5 * (len(edges) - 1) - i) * STACK
+        for edge, t in zip(edges, offsets([edge.record for edge in edges], STACK), strict=True):
             start, end = _ends(layout, places, column, t)
             drawn = plane.distance(*_ends(layout, layout.places, column, t))
             found += symbol(edge.record).between(edge.record, start, end, drawn)

@@ -17,6 +17,7 @@ SYMBOLS = {
     "member": ("member", "bars, shafts, beams and strings, straight or bent, and what they rest on"),
     "member_name": ("member_words", "names of members, lengths along them, loads and points on them"),
     "mode": ("mode_shape", "the displaced position over that of equilibrium in grey"),
+    "part": ("parts", "parts of springs and dampers: in series in a row, in parallel between two bars"),
     "pin": ("pinned", "bodies without a shape that turn about a pin: pendulums, hubs, arms"),
     "point": ("posts", "thin rods from a body to the places that it carries and that are not on it"),
     "rope": ("rope", "ropes and belts: tangents between circles, arcs around them"),

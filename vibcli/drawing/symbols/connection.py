@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from vibcli.drawing.canvas.primitives import Hatch, Polygon, Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.sketch import Attachment, Sketch
-from vibcli.drawing.symbols import SYMBOLS, support
+from vibcli.drawing.symbols import SYMBOLS, parts, support
 from vibcli.language.named_elements import load
 
 if TYPE_CHECKING:
@@ -85,8 +85,8 @@ def draw(bunch: Bunch, sketch: Sketch) -> tuple[list[Any], dict[str, tuple[tuple
         return [], {}
     bridge = min(BRIDGE, 0.15 * drawn) if count > 1 else 0.0
     found, where = [], {}
-    for i, record in enumerate(bunch.members):
-        t = (0.5 * (count - 1) - i) * APART
+    sides = parts.offsets(bunch.members, APART)
+    for record, t in zip(bunch.members, sides, strict=True):
         start, end = at(bridge, t), at(length - bridge, t)
         found += symbol(record).between(record, start, end, drawn - 2 * bridge)
         where[record.name] = plane.middle(start, end), plane.left(plane.unit(plane.minus(b, a)))
@@ -94,9 +94,9 @@ def draw(bunch: Bunch, sketch: Sketch) -> tuple[list[Any], dict[str, tuple[tuple
         if end.carrier is not None and end.carrier not in sketch.moving_points and not end.loose:
             found += support.dot(place)
     if count > 1:
-        half = 0.5 * (count - 1) * APART
-        found += [Polyline((a, at(bridge))), Polyline((at(bridge, half), at(bridge, -half))),
-                  Polyline((at(length - bridge, half), at(length - bridge, -half))), Polyline((at(length - bridge), b))]
+        found += [Polyline((a, at(bridge))), Polyline((at(bridge, sides[0]), at(bridge, sides[-1]))),
+                  Polyline((at(length - bridge, sides[0]), at(length - bridge, sides[-1]))),
+                  Polyline((at(length - bridge), b))]
     return found, where
 
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import ELEMENT, Polygon, Polyline
 from vibcli.drawing.layout import plane
-from vibcli.drawing.symbols import support
+from vibcli.drawing.symbols import parts, support
 
 if TYPE_CHECKING:
     from vibcli.drawing.symbols.joint import Turn
@@ -17,10 +17,13 @@ CUP, HALF = 13.0, 5.5
 ARC, SPAN = 24.0, 0.62 * pi     # the radius of an arc about a joint, its angle
 
 
-def between(_record: "Mapping[Any, Any] | Record", start: tuple[float, float], end: tuple[float, float],
-            _drawn: float) -> list[Polygon | Polyline]:
-    """A damper from one place to another."""
-    return _dashpot(plane.along(start, end), plane.distance(start, end))
+def between(record: "Mapping[Any, Any] | Record", start: tuple[float, float], end: tuple[float, float],
+            drawn: float) -> list[Polygon | Polyline]:
+    """A damper from one place to another, or its parts."""
+    def single(start, end, _drawn, scale):
+        return _dashpot(plane.along(start, end), plane.distance(start, end), scale)
+
+    return parts.between(record, start, end, drawn, "damper", single)
 
 
 def about(_record: "Record", turn: "Turn") -> tuple[list[Any], tuple[tuple[float, float], tuple[float, float]]]:
@@ -51,12 +54,12 @@ def _bent(at, length):
     return [found[0]._replace(points=(*lead, found[0].points[-1])), *found[1:-1], rod._replace(points=tail)]
 
 
-def _dashpot(at, length):
-    cup = min(CUP, 0.5 * length)
+def _dashpot(at, length, scale=1.0):
+    cup, half = min(CUP, 0.5 * length), scale * HALF
     near, far = 0.5 * (length - cup), 0.5 * (length + cup)
     piston = near + 0.55 * cup
-    inner = Polygon((at(near, HALF), at(far, HALF), at(far, -HALF), at(near, -HALF)), "oil", "oil", 0.1, layer=ELEMENT)
+    inner = Polygon((at(near, half), at(far, half), at(far, -half), at(near, -half)), "oil", "oil", 0.1, layer=ELEMENT)
     return [Polyline((at(0), at(near)), "damper"), inner,
-            Polyline((at(far, HALF), at(near, HALF), at(near, -HALF), at(far, -HALF)), "damper"),
-            Polyline((at(piston, HALF - 1.2), at(piston, 1.2 - HALF)), "damper", 1.8),
+            Polyline((at(far, half), at(near, half), at(near, -half), at(far, -half)), "damper"),
+            Polyline((at(piston, half - 1.2), at(piston, 1.2 - half)), "damper", 1.8),
             Polyline((at(piston), at(length)), "damper")]

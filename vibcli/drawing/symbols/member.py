@@ -53,7 +53,8 @@ def draw(strip: Strip, bend: Bend) -> list[Any]:
                   for low, high, half in strip.segments]
     if not strip.sideways or bend.lengthwise:
         found += _ordinates(strip, bend, xs, rows, axis)
-    found += [Circle(axis[x], NODE, "paper", "coordinate", 1.0, layer=ELEMENT) for x in bend.nodes]
+    nearest = [min(xs, key=lambda place: abs(place - node)) for node in bend.nodes]     # of equal places one is drawn
+    found += [Circle(axis[x], NODE, "paper", "coordinate", 1.0, layer=ELEMENT) for x in nearest]
     return found
 
 

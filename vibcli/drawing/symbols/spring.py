@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import ELEMENT, Hatch, Polygon, Polyline
 from vibcli.drawing.layout import plane
-from vibcli.drawing.symbols import support
+from vibcli.drawing.symbols import parts, support
 
 if TYPE_CHECKING:
     from vibcli.drawing.symbols.joint import Turn
@@ -18,15 +18,10 @@ SHAFT, SPIRAL = 2.4, 12.5      # half the thickness of a shaft, the radius of a 
 
 def between(record: "Record", start: tuple[float, float], end: tuple[float, float],
             drawn: float) -> list[Polygon | Polyline]:
-    """A zigzag; an elastic shaft from the side where it is twisted; of parts in series one behind the other."""
-    parts: Any = () if "torsion" in record else record.get("series", ())
-    if parts:
-        at, share = plane.along(start, end), plane.distance(start, end) / len(parts)
-        rows: list[Any] = [between(part, at(i * share), at((i + 1) * share), drawn / len(parts))
-                           for i, part in enumerate(parts)]
-        dots: list[Any] = [support.dot(at(i * share)) for i in range(1, len(parts))]
-        return [shape for row in (*rows, *dots) for shape in row]
-    return _shaft(start, end) if "torsion" in record else _zigzag(start, end, drawn)
+    """A zigzag; an elastic shaft from the side where it is twisted; its parts, if it has any."""
+    if "torsion" in record:
+        return _shaft(start, end)
+    return parts.between(record, start, end, drawn, "spring", _zigzag)
 
 
 def about(_record: Any,
@@ -47,7 +42,7 @@ def _shaft(start, end):
                     layer=ELEMENT)]
 
 
-def _zigzag(start, end, drawn):
+def _zigzag(start, end, drawn, scale=1.0):
     """The coils and straight ends that fit the length `drawn`."""
     length, at = plane.distance(start, end), plane.along(start, end)
     coils = max(3, min(MOST, round(drawn / COIL) - 2))
@@ -56,7 +51,7 @@ def _zigzag(start, end, drawn):
     step = (length - 2 * lead) / coils
     points = [start, at(lead)]
     for i in range(coils):
-        points += [at(lead + (i + 0.25) * step, WIDTH), at(lead + (i + 0.75) * step, -WIDTH)]
+        points += [at(lead + (i + 0.25) * step, scale * WIDTH), at(lead + (i + 0.75) * step, -scale * WIDTH)]
     return [Polyline((*points, at(length - lead), end), "spring")]
 
 

@@ -5,6 +5,7 @@ NAMES = {
     "equilibrium": "which equilibrium is meant",
     "gravity": "the acceleration of gravity, downwards (along −y), or a vector",
     "initial": "where a motion in time starts",
+    "law_table": "laws of springs and dampers from points",
     "motion": "what motions in time are",
     "parameter": "what is given",
     "record": "measured functions of the time",

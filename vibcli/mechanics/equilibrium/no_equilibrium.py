@@ -36,6 +36,13 @@ def unbounded(search: "EnergyDescent", q: "np.ndarray") -> PhysicsError:
         return PhysicsError(f"the search for the equilibrium ends near {here}, where forces that jump leave none "
                             "that is smooth", "round the kink off, or follow the motion with motion: full")
     if search.undefined:
+        tables = search.scene.tables_that_end()
+        if tables:
+            return NoEquilibrium(f"no equilibrium is reached from the {_origin(search)}: its forces drive '{name}' to "
+                                 f"{search.named_plainly(q)[name]:.6g}, and just beyond they are not known: there the "
+                                 f"table of {' or '.join(map(repr, tables))} ends",
+                                 "give that table more points, or let it go on with beyond: linear" + ALONE,
+                                 search.numeric.spec.origin(name).where)
         return NoEquilibrium(f"no equilibrium is reached from the {_origin(search)}: its forces drive '{name}' to "
                              f"{search.named_plainly(q)[name]:.6g}, and just beyond they are not finite numbers",
                              "add the spring or support that carries the load, or start elsewhere with "

@@ -3,11 +3,14 @@
 C(z) = cosh √z and S(z) = sinh √z / √z are entire; S′ is dS/dz. They are handed on times e^{−r}, r = Re √z ≥ 0.
 """
 
+from functools import cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from vibcli.numerics.pieces.arithmetic import Arithmetic
 
 SMALL = 1.0         # |z| up to which C, S and S′ are summed as power series
@@ -34,6 +37,15 @@ def even_functions(z: np.ndarray, numbers: "Arithmetic") -> Even:
     return Even(*(merged(near, one, other) for one, other in zip(series, closed, strict=True)))
 
 
+def even_functions_of(z: "Sequence[np.ndarray]", numbers: "Arithmetic") -> list[Even]:
+    """C, S and S′ of several flat arrays of equal length: of doubles of one type at once, which costs no more than
+    one."""
+    if numbers.number is not None or len({values.dtype for values in z}) > 1:
+        return [even_functions(values, numbers) for values in z]
+    found = even_functions(np.concatenate(z), numbers)
+    return [Even(*parts) for parts in zip(*(np.split(values, len(z)) for values in found), strict=True)]
+
+
 def merged(chosen: np.ndarray, inside: np.ndarray, outside: np.ndarray) -> np.ndarray:
     """One array of two: where chosen the values of the first in their order, elsewhere those of the second."""
     found = np.empty(chosen.shape, np.result_type(inside, outside))
@@ -43,8 +55,13 @@ def merged(chosen: np.ndarray, inside: np.ndarray, outside: np.ndarray) -> np.nd
 
 def terms(size: float, numbers: "Arithmetic") -> int:
     """How many terms zᵏ/(2k)! a series needs for |z| ≤ size."""
+    return _terms(size, numbers.eps)
+
+
+@cache
+def _terms(size, eps):
     term, k = 1.0, 0
-    while term > numbers.eps / 64:
+    while term > eps / 64:
         k += 1
         term *= size / (2 * k * (2 * k - 1))
     return k + 1

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from vibcli.numerics.pieces.parity import separate_roots
-from vibcli.numerics.pieces.scaled_functions import ALIKE, even_functions, terms
+from vibcli.numerics.pieces.scaled_functions import ALIKE, even_functions, even_functions_of, terms
 
 if TYPE_CHECKING:
     from vibcli.numerics.pieces.arithmetic import Arithmetic
@@ -31,7 +31,7 @@ def second_order_fields(xi: np.ndarray, near: np.ndarray, half: np.ndarray, tens
                         ends: np.ndarray, numbers: "Arithmetic") -> np.ndarray:
     """(u, u′), (…, 2), at ξ, near = 1 − |ξ|, of pieces with end values (…, 2), over flat arrays."""
     z = kappa * half * half / tension
-    own, here = even_functions(z, numbers), even_functions(z * xi * xi, numbers)
+    own, here = even_functions_of([z, z * xi * xi], numbers)
     fading = _fading(own, here, near, numbers)
     even, odd = (ends[..., 1] + ends[..., 0]) / 2 / own.c * fading, (ends[..., 1] - ends[..., 0]) / 2 / own.s * fading
     return np.stack([even * here.c + odd * xi * here.s, (even * z * xi * here.s + odd * here.c) / half], axis=-1)
@@ -55,7 +55,10 @@ def fourth_order_fields(xi: np.ndarray, near: np.ndarray, half: np.ndarray, bend
             amplitudes = ((u_l + u_0) / 2, (t_l - t_0) / 2 * size, (u_l - u_0) / 2, (t_l + t_0) / 2 * size)
             values = form(nu[chosen], chi[chosen], xi[chosen], near[chosen], amplitudes, numbers)
             values = np.stack([value / size**k for k, value in enumerate(values)], axis=-1)
-            found[chosen] = numbers.real(values) if real else values
+            values = numbers.real(values) if real else values
+            if chosen.all():
+                return values.astype(found.dtype, copy=False)
+            found[chosen] = values
     return found
 
 
@@ -67,8 +70,7 @@ def _fading(own, here, near, numbers):
 def _by_roots(nu, chi, xi, near, amplitudes, numbers):
     one, other = separate_roots(nu, chi, numbers)
     gap, square = one - other, xi * xi
-    f, g = even_functions(one, numbers), even_functions(other, numbers)
-    f_here, g_here = even_functions(one * square, numbers), even_functions(other * square, numbers)
+    f, g, f_here, g_here = even_functions_of([one, other, one * square, other * square], numbers)
     f_fading, g_fading = _fading(f, f_here, near, numbers), _fading(g, g_here, near, numbers)
     even = _Pair(f_here.c * f_fading, g_here.c * g_fading)
     odd = _Pair(xi * f_here.s * f_fading, xi * g_here.s * g_fading)
@@ -149,7 +151,11 @@ def _derivatives(even, odd, times, cross, own, rest, amplitudes):
     slope = times(odd)
     u, t, v, w = amplitudes[0] / rest[0], amplitudes[1] / rest[0], amplitudes[2] / rest[1], amplitudes[3] / rest[1]
     ps = times(s)
-    found = []
-    for g, h in ((even, odd), (slope, even), (times(even), slope), (times(slope), times(even))):
-        found.append(cross(ps, g) * u - cross(c, g) * t + cross(c, h) * v - cross(s, h) * w)
-    return found
+    bend = times(even)
+    g, h = _stacked(even, slope, bend, times(slope)), _stacked(odd, even, slope, bend)
+    return cross(ps, g) * u - cross(c, g) * t + cross(c, h) * v - cross(s, h) * w
+
+
+def _stacked(*pairs):
+    """Several pairs as one."""
+    return _Pair(*(np.stack(values) for values in zip(*pairs, strict=True)))

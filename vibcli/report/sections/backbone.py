@@ -4,7 +4,7 @@ from math import tau
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
-from vibcli.notation.numbers import figure
+from vibcli.notation.numbers import figure, rounded_up
 from vibcli.quantities.expression import number_of
 from vibcli.report.blocks import TableBlock, paragraph, section
 from vibcli.report.keys import Key
@@ -18,10 +18,11 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 WORD, ROWS, POINTS = "backbone", 10, 101
+SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 
 def _asked(problem):
-    """(text, tree, unit, largest amplitude) of the signal whose amplitude is asked for."""
+    """(text, tree, unit, largest amplitude) of the signal whose amplitude is asked for, and the family's number."""
     require_numbers(problem, WORD)
     find = problem.spec.get("find")
     record = find.about(WORD) if find is not None else None
@@ -29,31 +30,36 @@ def _asked(problem):
         raise PhysicsError("it is not known up to which amplitude the backbone curve goes",
                            "ask with find: [{backbone: {of: [" + problem.scene.coordinates[0] + "], up_to: 10 cm}}]")
     (text, tree), *_ = trees_asked(problem, WORD)
-    return text, tree, unit(dimension_of(problem, tree)), number_of(problem, record["up_to"].tree)
+    most = number_of(problem, record["up_to"].tree)
+    return text, tree, unit(dimension_of(problem, tree)), most, record.get("mode", 1)
 
 
 def backbone(problem: "Problem", _: "Report"):
-    text, tree, of, most = _asked(problem)
-    points = problem.free_motions.curve(tree, [most * k / ROWS for k in range(1, ROWS + 1)])
-    small = _small(problem)
-    head = (f"amplitude of {symbol(text)}" + f" [{of}]" * bool(of), "ω [rad/s]", "f [Hz]", "T [s]", "ω/ω₁",
+    text, tree, of, most, mode = _asked(problem)
+    points, resonance = problem.free_motions.curve(mode, tree, [most * k / ROWS for k in range(1, ROWS + 1)])
+    small, name = _small(problem, mode), _omega(mode)
+    head = (f"amplitude of {symbol(text)}" + f" [{of}]" * bool(of), "ω [rad/s]", "f [Hz]", "T [s]", f"ω/{name}",
             "energy [J]", "relative error ≤")
     rows = [(figure(one.amplitude), figure(one.omega, one.error), figure(one.omega / tau, one.error),
              figure(tau / one.omega, one.error), figure(one.omega / small) if small else "–", figure(one.energy),
-             f"{one.error:.1g}") for one in points]
+             figure(rounded_up(one.error), digits=1)) for one in points]
     told = "The amplitude is half the range of the signal; the energy is counted from the equilibrium."
     left = [name for name in ("dampers", "damping") if problem.spec.get(name)]
     yield from section(
         "Free motions by their amplitude (backbone curve)", TableBlock(head, tuple(rows)), paragraph(told),
-        paragraph("The dampers are left out.") if left else None,
-        paragraph(f"Small vibrations have ω₁ = {figure(small)} rad/s.") if small else paragraph(
+        paragraph("The dampers are left out.") if left else None, paragraph(resonance) if resonance else None,
+        paragraph(f"Small vibrations have {name} = {figure(small)} rad/s.") if small else paragraph(
             "There are no small vibrations about the equilibrium to compare with."))
 
 
-def _small(problem):
-    """ω of small vibrations; None where they have none."""
+def _omega(number):
+    return "ω" + str(number).translate(SUBSCRIPTS)
+
+
+def _small(problem, number):
+    """ω of small vibrations of a mode; None where they have none."""
     try:
-        mode = problem.modal.modes.first(1)[0]
+        mode = problem.modal.modes.first(number)[number - 1]
     except PhysicsError:
         return None
     return float(mode.omega) if mode.omega else None
@@ -64,13 +70,13 @@ def curve_figure(problem: "Problem") -> "Figure":
     from vibcli.plots.figure import Curve, Figure, Panel
     from vibcli.plots.prefixes import labelled, readable
 
-    text, tree, of, most = _asked(problem)
-    points = problem.free_motions.curve(tree, [most * k / (POINTS - 1) for k in range(1, POINTS)])
+    text, tree, of, most, mode = _asked(problem)
+    points = problem.free_motions.curve(mode, tree, [most * k / (POINTS - 1) for k in range(1, POINTS)]).points
     factor, readable_unit = readable(most, of)
-    small = _small(problem)
+    small = _small(problem, mode)
     start = [(0.0, small)] if small else []
     y, x = zip(*start, *((one.amplitude * factor, one.omega) for one in points), strict=True)
-    guide = [Curve("", (small, small), (0.0, y[-1]), "guide", ("", "ω₁"))] if small else []
+    guide = [Curve("", (small, small), (0.0, y[-1]), "guide", ("", _omega(mode)))] if small else []
     panel = Panel(labelled("ω", "rad/s"), labelled(f"amplitude of {symbol(text)}", readable_unit),
                   curves=(*guide, Curve("", x, y)), x_range=_around(x), y_range=(0.0, 1.05 * y[-1]))
     return Figure(problem.spec.get("title") or "", (panel,))
@@ -84,8 +90,8 @@ def _around(values):
 
 
 def _found(problem):
-    text, tree, of, most = _asked(problem)
-    points = problem.free_motions.curve(tree, [most * k / ROWS for k in range(1, ROWS + 1)])
+    text, tree, of, most, mode = _asked(problem)
+    points = problem.free_motions.curve(mode, tree, [most * k / ROWS for k in range(1, ROWS + 1)]).points
     return KEY.row(text, of, [dict(one._asdict()) for one in points])
 
 

@@ -70,7 +70,7 @@ def _in_numbers(problem, name, driver, unit):
     for number, Omega in enumerate(curve.antiresonances, 1):
         found, error = (0.0, 0.0) if curve.undamped else curve.at(Omega)
         rows.append((f"antiresonance {number}", *_place(Omega, curve.error_of_antiresonance(Omega)),
-                     figure(abs(found), error), "", "", ""))
+                     figure(abs(found) if error < 1 else 0.0, error), "", "", ""))
     head = ("", "Ω [rad/s]", "f [Hz]", f"|H| [{unit}]", "Ω₁ [rad/s]", "Ω₂ [rad/s]", "Q")
     yield _static(curve, unit)
     yield TableBlock(head, tuple(rows)) if rows else paragraph("no resonance")

@@ -6,7 +6,7 @@ from itertools import pairwise
 from math import degrees, floor, log10, tau
 from typing import TYPE_CHECKING
 
-from vibcli.notation.numbers import figure
+from vibcli.notation.numbers import figure, rounded_up
 from vibcli.report.blocks import Name, Paragraph, TableBlock, maths, paragraph
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ def repeated(modes: "Sequence[Mode]") -> dict[int, str]:
 
 def mode_row(mode: "Mode", kind: str | None = None, same: str = "") -> tuple[str, ...]:
     """A row of the table of natural frequencies: number, ω, f, T, error bound, remark."""
-    number, error = str(mode.index), f"{mode.error:.0e}" if mode.error else "exact"
+    number, error = str(mode.index), f"{rounded_up(mode.error):.0e}" if mode.error else "exact"
     if mode.rigid:
         return number, "0", "0", "∞", "exact", ZERO_MODES[kind]
     remark = same
@@ -47,7 +47,7 @@ def mode_row(mode: "Mode", kind: str | None = None, same: str = "") -> tuple[str
 
 
 def damped_row(mode: "DampedMode") -> tuple[str, ...]:
-    error = f"{mode.error:.0e}" if mode.error else "exact"
+    error = f"{rounded_up(mode.error):.0e}" if mode.error else "exact"
     note = {"ζ = 1": "critically damped", None: ""}.get(mode.note, mode.note)
     if not note and mode.omega_d is None and mode.omega:
         note = "real eigenvalue"

@@ -123,7 +123,7 @@ def damping(problem: "Problem", report: "Report") -> Iterator[Section]:
         yield from section("Damped modes", paragraph(f"none: {ended}"))
         return
     if not found and problem.configuration.rated_beside_dampers:
-        yield from section("Damped modes", paragraph("not found: modes of members have ratios beside dampers"))
+        yield from section("Damped modes", paragraph("not found where these ratios of modes stand beside dampers"))
         return
     yield from section(DAMPED, TableBlock(head, tuple(map(damped_row, found))),
                        paragraph(f"no other: {ended}") if ended else _proved(problem.modal.damped, found))

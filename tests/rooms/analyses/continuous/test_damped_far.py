@@ -5,6 +5,7 @@ import random
 
 import mpmath
 import pytest
+from support.scenes import problem
 
 from tests.rooms.analyses.continuous.test_damped_modes import bar, exact, member, source
 from tests.support.random_members import random_members
@@ -83,3 +84,14 @@ def test_eigenvalues_that_decay_without_swinging_are_numbered():
     start = next(i for i, size in enumerate(sizes) if abs(size - lowest[-1]) < 1e-8 * size)
     for mode in found:
         assert sizes[start + mode.index - 3] == pytest.approx(mode.omega, rel=1e-9)
+
+
+def test_a_mode_beside_one_in_which_all_ends_rest_is_found():
+    scene = """
+strings:
+  s: {length: 1 m, preload: 1 N, mass_per_length: 1 kg/m, left: clamped, right: clamped,
+      attached: [{at: 0.533 m, oscillator: {mass: 5 kg, k: 1e5 N/m, c: 0.5 N*s/m}}]}
+"""
+    found = problem(scene).modal.damped.numbered(995, 1005)
+    near = [mode for mode in found if abs(mode.omega - 1000 * math.pi) < 0.5]
+    assert len(near) == 2

@@ -16,6 +16,7 @@ from vibcli.analyses.continuous.dynamic_matrix import dynamic_matrix
 from vibcli.analyses.continuous.finite_elements import element_matrices, rows_as_array
 from vibcli.analyses.continuous.matched_damper import dies_after, left_over
 from vibcli.analyses.continuous.mode_source import NaturalModes
+from vibcli.analyses.continuous.trial_eigenvalues import trial_eigenvalues
 from vibcli.analyses.modal.mode_sequence import Modes
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
@@ -242,3 +243,13 @@ def test_rounding_in_a_mode_all_of_whose_nodes_rest_is_no_damping():
           {at: 0.5 m, k: 50 N/m}]}}
         """).modal.damped
     assert [mode.zeta == 0 for mode in found.first(3)] == [True, False, True]
+
+
+def test_a_chain_beside_a_damped_string_is_not_looked_for_from_afar():
+    """ω = ½ jₙ √(g/L), jₙ the zeros of Bessel's J₀: estimates that are spectral need few functions."""
+    chain = Piece(1.2, 0.0, 4.8, -4.0, 0.4, 0.0, 0.0)
+    string = Piece(1.2, 0.0, 300.0, 0.0, 0.4, 0.3, 0.0)
+    system = FactoredSystem(0, pieces=[member(chain, {}, {}), member(string, {}, {})])
+    found = trial_eigenvalues(dynamic_matrix(system), [12, 4], 20.0)
+    expected = [0.5 * float(mpmath.besseljzero(0, n)) * (10 / 1.2)**0.5 for n in (1, 2, 3)]
+    assert sorted(found.imag)[:3] == pytest.approx(expected, rel=1e-9)

@@ -55,3 +55,12 @@ def test_what_holds_nothing_is_refused():
 
     with pytest.raises(PhysicsError, match="rigid"):
         estimates(BAR % "right: free")
+
+
+def test_a_hanging_chain_has_a_free_end():
+    """A straight line hung at its top: ω² = 3g/(2L); Σ 1/ω_n² = L/g, as the zeros of J₀ have Σ 1/j² = 1/4."""
+    found = estimates("parameters: {L: 1.2 m, mu: 0.4 kg/m, g: 9.81 m/s^2}\ngravity: g\n"
+                      "strings:\n  chain: {from: [0, 0], to: [0, -L], mass_per_length: mu, left: pinned}\n")
+    assert found.members.elements[0][1][0] == pytest.approx(sqrt(1.5 * 9.81 / 1.2), rel=1e-12)
+    assert found.dunkerley == pytest.approx(sqrt(9.81 / 1.2), rel=2e-3)
+    assert found.dunkerley < found.omega < found.rayleigh

@@ -153,3 +153,38 @@ def test_random_members_have_as_many_frequencies_as_their_finite_elements():
         exact = squares_by_finite_elements(system, 6)
         found = [0.0 if mode.rigid else -mode.growth_rate**2 if mode.growth_rate else mode.omega**2 for mode in modes]
         assert found == pytest.approx(exact, rel=1e-2, abs=1e-7 * exact[-1])
+
+
+def star(bars):
+    """Bars alike, each clamped at one end and joined to the others at the other: all of (n + ½)π once, nπ repeated."""
+    return FactoredSystem(1, [], pieces=[placed(bar(), {}, {0: 1.0}) for _ in range(bars)])
+
+
+def test_a_frequency_found_in_more_digits_is_rounded_once():
+    modes = NaturalModes(star(3)).numbered(40, 48)
+    with mpmath.workdps(40):
+        for mode in modes:
+            exact = mpmath.pi * ((mode.index - 1) // 3 + (mpmath.mpf(0.5) if mode.index % 3 == 1 else 1))
+            assert abs(mpmath.mpf(mode.omega) / exact - 1) <= mode.error < 1e-14
+
+
+def test_some_of_many_repeated_frequencies():
+    modes = NaturalModes(star(6)).numbered(3, 5)
+    assert all(abs(mode.omega / math.pi - 1) <= mode.error < 1e-14 for mode in modes)
+
+
+def test_a_frequency_that_eight_members_share_takes_no_more_digits_than_one_of_two():
+    modes = NaturalModes(star(8))
+    found = modes.numbered(1, 9)
+    assert all(abs(mode.omega / math.pi - 1) <= mode.error < 1e-14 for mode in found[1:8])
+    assert set(modes._known) <= {None, 40}
+
+
+@pytest.mark.parametrize("tip", [0.5, 1e4])
+def test_a_bar_with_an_end_mass_has_ten_thousand_modes(tip):
+    modes = NaturalModes(FactoredSystem(1, [(tip, {0: 1.0})], pieces=[placed(bar(), {}, {0: 1.0})]))
+    for mode in (*modes.numbered(300, 301), *modes.numbered(9999, 10000)):
+        with mpmath.workdps(40):
+            exact = mpmath.findroot(lambda x: mpmath.cos(x) - tip * x * mpmath.sin(x), mpmath.mpf(mode.omega))
+            assert abs(mpmath.mpf(mode.omega) / exact - 1) <= mode.error < 1e-15
+        assert round(mode.omega / math.pi) == mode.index - 1

@@ -214,3 +214,17 @@ def test_points_by_elimination_without_exchanges_are_those_of_LU():
     slow = transfer.at(s, True)
     for one, two in zip(quick[:2], slow[:2], strict=True):
         assert np.abs(one / two - 1).max() < 1e-9
+
+
+def test_zeros_beside_a_damper_at_the_driven_end_are_those_of_the_bar_held_there():
+    scene = """
+parameters: {L: 0.8 m, EA: 4 kN, mu: 0.6 kg/m}
+bars:
+  rod: {length: L, EA: EA, mass_per_length: mu, left: clamped, right: {c: 25 N*s/m}}
+points: {end: {body: rod, at: L}}
+forces: {shaker: {at: end, force: 1 N*cos(300 rad/s*t)}}
+"""
+    curve = problem(scene).frequency_response("rod.u(L)", "shaker")
+    for n, Omega in enumerate(curve.antiresonances[:4], 1):
+        exact = n * math.pi / 0.8 * math.sqrt(4000 / 0.6)
+        assert abs(Omega - exact) <= curve.error_of_antiresonance(Omega) + 1e-15 * exact < 1e-12 * exact

@@ -1,0 +1,73 @@
+"""The dynamic stiffness of a short piece of a beam by how its right end leaves the line that its left end points along:
+
+    u = u₀ + θ₀ x + w (3ξ² − 2ξ³) + l ψ (ξ³ − ξ²) + Σ cⱼ bⱼ(ξ),     ξ = x/l,  u_l = u₀ + θ₀ l + w,  θ_l = θ₀ + ψ.
+
+As d of u₀, θ₀, u_l, θ_l it holds 12 B/l³ in every entry, beside which nothing else is left; here what moves as a rigid
+body feels κ and N alone. The bⱼ are integrals of Legendre's polynomials, bᵢ″ bⱼ″ orthonormal, and are eliminated.
+"""
+
+from functools import cache
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from vibcli.numerics.pieces.piece import Piece
+
+FUNCTIONS, POINTS = 10, 24      # bⱼ, and of Gauss's rule, exact for all products
+SHORT = 16.0        # κ l⁴/B, N l²/B and n l³/B up to which the bⱼ tell d to rounding
+
+
+@cache
+def _integrals() -> tuple[np.ndarray, ...]:
+    """∫ f″g″, ∫ f′g′, ∫ ξ f′g′ and ∫ f g over 0 ≤ ξ ≤ 1, f and g of 1, ξ, 3ξ² − 2ξ³, ξ³ − ξ² and the bⱼ."""
+    from numpy.polynomial import legendre
+
+    at, weights = legendre.leggauss(POINTS)
+    shapes = [np.array(c) for c in ([1.0], [0.5, 0.5], [0.5, 0.6, 0.0, -0.1], [-1 / 12, -0.05, 1 / 12, 0.05])]
+    for j in range(FUNCTIONS):
+        bend = np.zeros(j + 3)
+        bend[-1] = np.sqrt(2 * j + 5) / 4       # ξ = (1 + t)/2: two integrals over t are four of those over ξ
+        shapes.append(legendre.legint(bend, 2, lbnd=-1))
+    rows = [np.array([2**order * legendre.legval(at, legendre.legder(c, order)) for c in shapes]) for order in range(3)]
+    u, slope, bend = rows
+    S = np.diag([0.0, 0, 0, 0, *np.ones(FUNCTIONS)])
+    S[2:4, 2:4] = [[12, -6], [-6, 4]]
+    return S, (slope * weights / 2) @ slope.T, (slope * weights * (1 + at) / 4) @ slope.T, (u * weights / 2) @ u.T
+
+
+def told(piece: "Piece", kappa: np.ndarray) -> np.ndarray:
+    """Where relative_stiffness holds, as kappa broadcasts."""
+    with np.errstate(all="ignore"):
+        force = (np.abs(piece.tension) + np.abs(piece.gradient) * piece.length) * piece.length**2
+        return (np.abs(kappa) * piece.length**4 <= SHORT * piece.bending) & (force <= SHORT * piece.bending)
+
+
+def relative_stiffness(piece: "Piece", kappa: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(d, ∂d/∂κ), each (…, 4, 4), of the motions u₀, θ₀, w, ψ; of doubles."""
+    S, T, T_along, M = _integrals()
+    L, B, N, n, kappa = (np.asarray(x)[..., None, None] for x in np.broadcast_arrays(
+        piece.length, piece.bending, piece.tension, piece.gradient, kappa))
+    whole = (B / L**3) * S + (N / L) * T + n * T_along + (kappa * L) * M
+    across = whole[..., 4:, :4]
+    inner = -np.linalg.solve(whole[..., 4:, 4:], across)
+    d = whole[..., :4, :4] + np.swapaxes(across, -1, -2) @ inner
+    moved = np.concatenate([np.broadcast_to(np.eye(4), (*inner.shape[:-2], 4, 4)), inner], axis=-2)
+    slope = L * (np.swapaxes(moved, -1, -2) @ (M @ moved))
+    turn = np.ones((*d.shape[:-2], 4))
+    turn[..., 1::2] = L[..., 0]
+    return tuple(part * turn[..., :, None] * turn[..., None, :] for part in (d, slope))
+
+
+def in_relative_motions(piece: "Piece", kappa: np.ndarray, d: np.ndarray, slope: np.ndarray
+                        ) -> tuple[np.ndarray, np.ndarray]:
+    """(d, ∂d/∂κ) of u₀, θ₀, u_l, θ_l as those of u₀, θ₀, w, θ_l − θ₀, of long waves without what rounds."""
+    turned = np.zeros((*np.broadcast_shapes(d.shape[:-2], np.shape(piece.length)), 4, 4))
+    turned[..., range(4), range(4)] = turned[..., 2, 0] = turned[..., 3, 1] = 1.0
+    turned[..., 2, 1] = piece.length
+    found = [np.swapaxes(turned, -1, -2) @ part @ turned for part in (d, slope)]
+    long = told(piece, kappa)[..., None, None]
+    if long.any():
+        found = [np.where(long, exact, part)
+                 for exact, part in zip(relative_stiffness(piece, kappa), found, strict=True)]
+    return tuple(found)

@@ -1,0 +1,71 @@
+"""Families of free motions of several degrees of freedom, each from a mode of small vibrations."""
+
+from collections.abc import Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from vibcli.analyses.nonlinear.backbone import Backbone, BackbonePoint
+from vibcli.analyses.nonlinear.family_of_mode import EndOfFamily, FamilyOfMode
+from vibcli.analyses.nonlinear.free_equations import FreeEquations
+from vibcli.analyses.nonlinear.harmonics import AmplitudeOfSignal
+from vibcli.base.errors import PhysicsError
+from vibcli.results.motion_signals import amplitude_told, node_of, require_positive
+from vibcli.symbolic.derivatives import gradient
+from vibcli.symbolic.numeric_code import Compiled
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+
+
+class FamiliesOfModes:
+    """About the equilibrium of a Problem; PhysicsError where motions do not run backwards as well."""
+
+    def __init__(self, problem: "Problem"):
+        self.problem, self.scene = problem, problem.scene.resting
+
+    @cached_property
+    def equations(self) -> FreeEquations:
+        at_rest = self.problem.configuration.at_rest
+        rest = np.array([at_rest[q.name] for q in self.scene.q])
+        found = FreeEquations(self.scene, self.problem.numeric.floats, rest)
+        found.require_reversible()
+        return found
+
+    def curve(self, number: int, tree: Any, amplitudes: Sequence[float]) -> Backbone:
+        """The motions of the family of a mode, counted from 1, with these amplitudes of a signal."""
+        n = len(self.scene.q)
+        if not 1 <= number <= n:
+            raise PhysicsError(f"this scene has {n} families of free motions, found the index {number}",
+                               f"write an index from 1 to {n}")
+        require_positive(min(amplitudes))
+        family = FamilyOfMode(self.equations, number - 1, self._range(tree))
+        try:
+            found = family.motions(amplitudes)
+        except EndOfFamily as error:
+            raise PhysicsError(f"{error.message}: family {number} is followed up to "
+                               f"{amplitude_told(self.problem, tree, error.largest)}", error.hint) from None
+        points = [BackbonePoint(one.amplitude, one.motion.w * family.balance.scale, family.balance.energy(one.motion),
+                                one.error) for one in found]
+        return Backbone(points, self._told(tree, family, found, number))
+
+    def _told(self, tree, family, found, number):
+        """The first motion with an internal resonance, in words."""
+        for one in found:
+            if (shared := family.resonance(one.motion)) is not None:
+                order, mode, share = shared
+                return (f"Internal resonance near {order}:1: from {amplitude_told(self.problem, tree, one.amplitude)} "
+                        f"on, harmonic {order} of family {number} moves as mode {mode + 1} does, with {share:.0%} of "
+                        "the kinetic energy.")
+        return None
+
+    def _range(self, tree):
+        node, speeds = node_of(self.problem, tree), self.scene.v
+        slopes = gradient(node)
+        if any(v in slopes for v in speeds):
+            raise PhysicsError("the amplitude of a family of free motions is that of a displacement or a spring's "
+                               "force", "ask for a function of the places alone, without rates")
+        by_q = [slopes.get(q, self.scene.table.zero) for q in self.scene.q]
+        compiled = Compiled(self.scene, self.problem.numeric.floats, None, [node, *by_q])
+        return AmplitudeOfSignal(compiled, self.equations.rest, self.equations.shapes)
