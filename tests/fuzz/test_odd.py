@@ -13,9 +13,10 @@ RARE = {"prescribed move", "prescribed roll", "full *.drive"}       # drawn, but
 APART = {"body.clamp", "clamp.at", "clamp.carrier", "scene.inerters", "inerter.b", "inerter.between", "inerter.stretch",
          "inerter.torsion", "force.per_length", "force.from", "force.to", "roll.between",
          "roll.flat", "turn.carrier", "turn.by", "ritz.shapes", "backbone.of", "backbone.up_to", "backbone.mode",
-         "request.backbone", "spring.series", "spring.parallel", "damper.series", "damper.parallel", "spring_part.k",
-         "spring_part.law", "spring_part.torsion", "spring_part.series", "spring_part.parallel", "damper_part.c",
-         "damper_part.law", "damper_part.torsion", "damper_part.series", "damper_part.parallel"}     # not drawn
+         "request.backbone", "request.expansion", "expansion.order", "spring.series", "spring.parallel",
+         "damper.series", "damper.parallel", "spring_part.k", "spring_part.law", "spring_part.torsion",
+         "spring_part.series", "spring_part.parallel", "damper_part.c", "damper_part.law", "damper_part.torsion",
+         "damper_part.series", "damper_part.parallel"}     # not drawn
 
 
 @pytest.fixture(scope="module")

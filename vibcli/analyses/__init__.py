@@ -34,7 +34,10 @@ FIND = {
     "ritz": "`{ritz: {shapes: [{x1: 1, x2: 2}]}}`: upper bounds of the lowest natural frequencies by assumed shapes, "
             "beside the exact values: Rayleigh's quotient of one shape, Ritz's method of several; in numbers",
     "backbone": "`{backbone: {of: [x], up_to: 10 cm}}`: how the frequency of free motions about the equilibrium hangs "
-                "on their amplitude, exactly; in numbers, of one degree of freedom",
+                "on their amplitude, exactly; in numbers",
+    "expansion": "the energies by powers of the deviations from equilibrium, the deflections of springs and the "
+                 "equations of motion so truncated; `{expansion: 6}` says to which order of the energies, else the "
+                 "fourth",
 }
 ANALYSES = {        # file, what a mapping with particulars says, how it is written where the word alone says too little
     "response": ("transient/response", "which signals of the motion in time, and until when", None),
@@ -47,5 +50,6 @@ ANALYSES = {        # file, what a mapping with particulars says, how it is writ
              "{ritz: {shapes: [{x1: 1, x2: 2}]}}"),
     "backbone": ("nonlinear/backbone", "how the frequency of free motions hangs on the amplitude of a signal",
                  "{backbone: {of: [x], up_to: 10 cm}}"),
+    "expansion": ("nonlinear/expansion", "to which order of the energies the scene is expanded", None),
 }
 OF_MODES = tuple(word for word, row in ANALYSES.items() if row[0].startswith("modal/"))

@@ -12,14 +12,14 @@ LAST = 100_000       # number of a mode
 
 
 class ModeNumber(Kind):
-    """How many modes, or the number of one: a whole number from 1 to `most`."""
+    """How many modes, or the number of one, or an order: a whole number from `least` to `most`."""
 
-    def __init__(self, most: int):
-        self.wants, self.most = f"a whole number from 1 to {most}", most
+    def __init__(self, most: int, least: int = 1):
+        self.wants, self.least, self.most = f"a whole number from {least} to {most}", least, most
 
     def read(self, node: Any, reader: Any):
         text = node.text.strip() if isinstance(node, Scalar) else ""
-        if not (text.isascii() and text.isdigit()) or not int(text):
+        if not (text.isascii() and text.isdigit()) or int(text) < self.least:
             return reader.expected(node, self.wants)
         if int(text) > self.most:
             return reader.report(node.where, f"{text} is too many: expected {self.wants}",
@@ -27,7 +27,7 @@ class ModeNumber(Kind):
         return int(text)
 
     def schema(self):
-        return {"type": "integer", "minimum": 1, "maximum": self.most}
+        return {"type": "integer", "minimum": self.least, "maximum": self.most}
 
 
 class NumberRange(Many):

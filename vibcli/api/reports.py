@@ -111,6 +111,10 @@ def data(problem: "Problem", parts: Sequence[str], normalise: str, digits: int |
         from vibcli.report.sections.backbone import KEY
 
         found |= keys.data([KEY], problem)
+    if "expansion" in sections:
+        from vibcli.report.sections.expansion import KEY
+
+        found |= keys.data([KEY], problem)
     if words := [word for word in sections if word in OF_MODES]:
         found["insight"] = _insight(problem, words, sections)
     return found

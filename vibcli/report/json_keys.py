@@ -9,6 +9,7 @@ from vibcli.report.sections.equations_of_motion import ENERGY, EQUATIONS, MATRIC
 from vibcli.report.sections.equilibria import EQUILIBRIA, SEARCH
 from vibcli.report.sections.equilibrium import EQUILIBRIUM, STICKING
 from vibcli.report.sections.equivalents import KEY as EQUIVALENTS
+from vibcli.report.sections.expansion import KEY as EXPANSION
 from vibcli.report.sections.frequency_response import FREQUENCY_RESPONSE
 from vibcli.report.sections.insight import insight
 from vibcli.report.sections.member_modes import COUNT, MEMBERS
@@ -26,6 +27,6 @@ KEYS = dict(documented((
     Key("remark", "why a scene in letters, or one with a kink at rest, has no equilibrium, matrices and modes here, or "
         "one without inertia no modes, in words; absent otherwise"),
     MODES._replace(each=(*MODES.each, MEMBERS)), COUNT, DAMPED_MODES, MOTION, FREQUENCY_RESPONSE,
-    EQUIVALENTS, BACKBONE,
+    EQUIVALENTS, BACKBONE, EXPANSION,
     Key("insight", "only where `find` or --insight asks for it", of=insight(OF_MODES)), POLYNOMIAL,
     Key("cases", "{name: the same keys}, where the file has cases"))))

@@ -1,0 +1,14 @@
+"""The expansion of a scene about its equilibrium: to which order."""
+
+from vibcli.analyses.modes import ModeNumber
+from vibcli.language.fields import Element, Field
+
+ELEMENT = Element(
+    "expansion",
+    "The energies collected by powers of the deviations from equilibrium and the rates, up to an order; the "
+    "deflections of the springs and the equations of motion to one order less. In letters where the equilibrium is "
+    "known in letters, and in numbers. Dampers and loads in time are left out.",
+    {"order": Field(ModeNumber(8, 2), "of the energies; 4 if left out")},
+    short="order",
+    example="expanded_about_rest",
+)

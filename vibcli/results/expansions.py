@@ -1,0 +1,137 @@
+"""The expansion of a Problem about its equilibrium: deflections of springs, energies, and equations of motion."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from vibcli.base.errors import Kinked, NotInLetters, PhysicsError
+from vibcli.mechanics.expansion import expanded_about, in_letters, in_numbers, require_expandable, up_to
+from vibcli.mechanics.truncated_equations import Powers, truncated_equation
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.normal_form import is_zero, textbook
+from vibcli.symbolic.rationals import ONE, fraction_of
+from vibcli.symbolic.running_errors import number_in
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
+
+LARGEST = 6         # coordinates
+NIL = 2.0**-40      # of what a sum is added from: less is rounding
+
+
+class Expansion(NamedTuple):
+    """{powers of ξ, then ξ̇, then ξ̈: factor} of each; factors are expressions (`letters`) or numbers. equations: None
+    where loads follow the motion; symbols: those of ξ, ξ̇ and ξ̈; timed: is
+    something driven or loaded in time?"""
+
+    letters: bool
+    deflections: dict[str, dict[Powers, Any]]
+    energies: dict[str, dict[Powers, Any]]
+    equations: list[dict[Powers, Any]] | None
+    symbols: "Sequence[Node]"
+    timed: bool
+
+    def product(self, powers: Powers) -> "Node":
+        """That of so many factors of each symbol."""
+        table = self.symbols[0].table
+        return table.product(*((x, n) for x, n in zip(self.symbols, powers, strict=False) if n))
+
+
+def expansions(problem: "Problem", order: int) -> list[Expansion]:
+    """In letters, where the equilibrium is known in letters, and in numbers, where all parameters have values;
+    PhysicsError where there is neither."""
+    scene = problem.scene.resting
+    require_expandable(scene)
+    if len(scene.q) > LARGEST:
+        raise PhysicsError(f"energies are expanded of up to {LARGEST} coordinates, and this scene has {len(scene.q)}",
+                           "ask for single factors, as V[x^2]")
+    numbers, found = not problem.numeric.has_free_symbols, []
+    try:
+        found.append(_in_letters(problem, scene, order))
+    except (NotInLetters, Kinked):      # a kink may be away from an equilibrium that is known in numbers alone
+        if not numbers:
+            raise
+    try:
+        return [*found, _in_numbers(problem, scene, order)] if numbers else found
+    except Kinked as kink:      # what is asked for is missing, not only what is found beside it
+        raise PhysicsError(kink.message, kink.hint, kink.where) from None
+
+
+def _in_letters(problem, scene, order):
+    place, symbolic = problem.symbolic.equilibrium_position, problem.symbolic
+    energies = {"V": in_letters(symbolic, "V", scene.q, up_to(order), order),
+                "T": in_letters(symbolic, "T", [*scene.q, *scene.v], up_to(order), order)}
+
+    def total(factors):
+        node = textbook(scene.table.sum(*((factor, 1) for factor in factors)))
+        return None if is_zero(node) else node
+
+    deflections = {name: {powers: textbook(c) for powers, c in terms.items()}
+                   for name, terms in _of_springs(problem, scene, place, order - 1)}
+    return _together(scene, True, deflections, energies, total, _work(scene, place, order))
+
+
+def _in_numbers(problem, scene, order):
+    configuration = problem.configuration
+    energies = {which: {powers: float(number_in(c)) for powers, c in in_numbers(
+        configuration, which, variables, up_to(order), order).items()}
+        for which, variables in (("V", scene.q), ("T", [*scene.q, *scene.v]))}
+
+    def total(factors):
+        found = sum(factors)
+        return found if abs(found) > NIL * sum(map(abs, factors)) else None
+
+    place = {q.name: scene.table.number(fraction_of(configuration.at_rest[q.name])) for q in scene.q}
+    values = problem.numeric.floats
+    deflections = {}
+    for name, terms in _of_springs(problem, scene, place, order - 1):
+        numbers = dict(zip(terms, map(float, evaluate(list(terms.values()), Floats, values)), strict=True))
+        largest = max(map(abs, numbers.values()), default=0.0)
+        deflections[name] = {powers: c for powers, c in numbers.items() if abs(c) > NIL * largest}
+    work = _work(scene, place, order)
+    if work:
+        work = dict(zip(work, map(float, evaluate(list(work.values()), Floats, values)), strict=True))
+    return _together(scene, False, deflections, energies, total, work)
+
+
+def _of_springs(problem, scene, place, order):
+    """(name, {powers: factor}) of the deflection of each spring, without the one at rest."""
+    from vibcli.mechanics.signals import moving
+
+    for name in problem.spec.get("springs") or ():
+        try:
+            node = moving(problem.system, f"{name}.stretch")
+        except PhysicsError:
+            continue
+        found = expanded_about(scene, node, place, scene.q, up_to(order), order)
+        yield name, {powers: c for powers, c in found.items() if any(powers)}
+
+
+def _together(scene, letters, deflections, energies, total, work):
+    n, equations = len(scene.q), None
+    energies = {which: _ascending({powers: c for powers, c in terms.items() if any(powers) and total([c]) is not None},
+                                  n) for which, terms in energies.items()}
+    if work is not None:
+        equations = []
+        for i in range(n):
+            parts = truncated_equation(energies["T"], [*energies["V"].items(), *((p, -c) for p, c in work.items())],
+                                       i, n)
+            sums = {powers: total(factors) for powers, factors in parts.items()}
+            equations.append(_ascending({powers: c for powers, c in sums.items() if c is not None}, n))
+    deflections = {name: _ascending(terms, n) for name, terms in deflections.items()}
+    timed = scene.timed or any(term.weight.mask & scene.time.mask for term in scene.forces)
+    return Expansion(letters, deflections, energies, equations, [*scene.q, *scene.v, *scene.a], timed)
+
+
+def _ascending(terms, n):
+    """By their order; of equal ones accelerations first, then by the coordinates."""
+    return dict(sorted(terms.items(), key=lambda term: (
+        sum(term[0]), [-power for power in (*term[0][2 * n:], *term[0][:2 * n])])))
+
+
+def _work(scene, place, order):
+    """{powers: factor} of the work of steady loads; None where loads follow the motion."""
+    if any(term.weight.mask & ~scene.time.mask for term in scene.forces):
+        return None
+    W = scene.table.sum(*((term.weight * term.s, ONE) for term in scene.forces if not term.weight.mask))
+    return expanded_about(scene, W, place, scene.q, up_to(order), order)
