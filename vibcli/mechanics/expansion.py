@@ -62,6 +62,16 @@ def in_numbers(configuration: "Configuration", which: str, variables: "Sequence[
     return {powers: _cleared(c, arithmetic) for powers, c in found.items()}
 
 
+def expression_in_numbers(configuration: "Configuration", node: "Node", order: int) -> dict[Powers, float]:
+    """{powers of the coordinates: factor} of an expression up to an order, all else at rest; what is only rounding by
+    the bound of its error is left out."""
+    scene = configuration.scene.resting
+    arithmetic, values = configuration.bounded_rest
+    found, = _expanded(scene, "V", [node], arithmetic, values, scene.q, up_to(order), order, sign)
+    numbers = {powers: float(number_in(_cleared(c, arithmetic))) for powers, c in found.items()}
+    return {powers: c for powers, c in numbers.items() if c}
+
+
 def _cleared(c, arithmetic):
     """The coefficient; zero where only rounding is left of it."""
     c = c if c.__class__ is Rounded else Rounded(c, 0.0, arithmetic.unit)

@@ -4,11 +4,17 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import Kinked, NotInLetters, PhysicsError
-from vibcli.mechanics.expansion import expanded_about, in_letters, in_numbers, require_expandable, up_to
+from vibcli.mechanics.expansion import (
+    expanded_about,
+    expression_in_numbers,
+    in_letters,
+    in_numbers,
+    require_expandable,
+    up_to,
+)
 from vibcli.mechanics.truncated_equations import Powers, truncated_equation
-from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import is_zero, textbook
-from vibcli.symbolic.rationals import ONE, fraction_of
+from vibcli.symbolic.rationals import ONE
 from vibcli.symbolic.running_errors import number_in
 
 if TYPE_CHECKING:
@@ -66,9 +72,12 @@ def _in_letters(problem, scene, order):
         node = textbook(scene.table.sum(*((factor, 1) for factor in factors)))
         return None if is_zero(node) else node
 
-    deflections = {name: {powers: textbook(c) for powers, c in terms.items()}
-                   for name, terms in _of_springs(problem, scene, place, order - 1)}
-    return _together(scene, True, deflections, energies, total, _work(scene, place, order))
+    def written(node, order):
+        return {powers: textbook(c) for powers, c in expanded_about(
+            scene, node, place, scene.q, up_to(order), order).items()}
+
+    deflections, W = {name: written(node, order - 1) for name, node in _stretches(problem)}, _work(scene)
+    return _together(scene, True, deflections, energies, total, None if W is None else written(W, order))
 
 
 def _in_numbers(problem, scene, order):
@@ -81,30 +90,19 @@ def _in_numbers(problem, scene, order):
         found = sum(factors)
         return found if abs(found) > NIL * sum(map(abs, factors)) else None
 
-    place = {q.name: scene.table.number(fraction_of(configuration.at_rest[q.name])) for q in scene.q}
-    values = problem.numeric.floats
-    deflections = {}
-    for name, terms in _of_springs(problem, scene, place, order - 1):
-        numbers = dict(zip(terms, map(float, evaluate(list(terms.values()), Floats, values)), strict=True))
-        largest = max(map(abs, numbers.values()), default=0.0)
-        deflections[name] = {powers: c for powers, c in numbers.items() if abs(c) > NIL * largest}
-    work = _work(scene, place, order)
-    if work:
-        work = dict(zip(work, map(float, evaluate(list(work.values()), Floats, values)), strict=True))
+    deflections = {name: expression_in_numbers(configuration, node, order - 1)
+                   for name, node in _stretches(problem)}
+    W = _work(scene)
+    work = None if W is None else expression_in_numbers(configuration, W, order)
     return _together(scene, False, deflections, energies, total, work)
 
 
-def _of_springs(problem, scene, place, order):
-    """(name, {powers: factor}) of the deflection of each spring, without the one at rest."""
+def _stretches(problem):
+    """(name, expression) of the deflection of each spring."""
     from vibcli.mechanics.signals import moving
 
     for name in problem.spec.get("springs") or ():
-        try:
-            node = moving(problem.system, f"{name}.stretch")
-        except PhysicsError:
-            continue
-        found = expanded_about(scene, node, place, scene.q, up_to(order), order)
-        yield name, {powers: c for powers, c in found.items() if any(powers)}
+        yield name, moving(problem.system, f"{name}.stretch")
 
 
 def _together(scene, letters, deflections, energies, total, work):
@@ -118,7 +116,8 @@ def _together(scene, letters, deflections, energies, total, work):
                                        i, n)
             sums = {powers: total(factors) for powers, factors in parts.items()}
             equations.append(_ascending({powers: c for powers, c in sums.items() if c is not None}, n))
-    deflections = {name: _ascending(terms, n) for name, terms in deflections.items()}
+    deflections = {name: _ascending({powers: c for powers, c in terms.items() if any(powers)}, n)
+                   for name, terms in deflections.items()}
     timed = scene.timed or any(term.weight.mask & scene.time.mask for term in scene.forces)
     return Expansion(letters, deflections, energies, equations, [*scene.q, *scene.v, *scene.a], timed)
 
@@ -129,9 +128,8 @@ def _ascending(terms, n):
         sum(term[0]), [-power for power in (*term[0][2 * n:], *term[0][:2 * n])])))
 
 
-def _work(scene, place, order):
-    """{powers: factor} of the work of steady loads; None where loads follow the motion."""
+def _work(scene):
+    """The work of steady loads; None where loads follow the motion."""
     if any(term.weight.mask & ~scene.time.mask for term in scene.forces):
         return None
-    W = scene.table.sum(*((term.weight * term.s, ONE) for term in scene.forces if not term.weight.mask))
-    return expanded_about(scene, W, place, scene.q, up_to(order), order)
+    return scene.table.sum(*((term.weight * term.s, ONE) for term in scene.forces if not term.weight.mask))

@@ -226,5 +226,10 @@ class NodeArithmetic:
         self.table, self.pi, self.number, self.power = table, table.pi, table.number, table.power
         self.functions = {name: self._call(name) for name in names}
 
+    def called(self, function: Any) -> Callable:
+        """Of what an element defines: it has no form in letters."""
+        raise NotInLetters("an expansion about a place within parts in series or a table is found in numbers",
+                           "give all parameters values")
+
     def _call(self, name):
         return lambda *args: self.table.call(name, *args)

@@ -84,3 +84,17 @@ def test_a_kink_has_no_expansion():
             "springs: {s: {law: k*d*abs(d), between: [ground, b]}}\nfind: [expansion]\n")
     with pytest.raises(PhysicsError, match="'s' has a kink"):
         expansions(problem(text), 4)
+
+
+@pytest.mark.parametrize("length", ["1e-4", "1", "1e4"])
+def test_no_term_of_a_deflection_is_lost_by_the_size_of_a_scene(length):
+    """√((l − x)² + l²) of a spring at 45°."""
+    *_, found = expansions(problem(
+        f"parameters: {{m: 2 kg, k: 300 N/m, l: {length} m}}\nbodies: {{p: {{mass: m, at: [0, 0], move: [x, 0, 0]}}}}\n"
+        "springs:\n  left: {k: k, between: [[-l, l], p]}\n  right: {k: k, between: [[l, l], p]}\n"
+        "find: [{expansion: 6}]\n"), 6)
+    x, size = sympy.symbols("x"), sympy.Float(length, 30)
+    exact = sympy.series(sympy.sqrt((size - x)**2 + size**2), x, 0, 6).removeO()
+    expected = {(n,): float(exact.coeff(x, n)) for n in range(1, 6) if abs(exact.coeff(x, n)) > 1e-25 * size**(1 - n)}
+    assert found.deflections["right"].keys() == expected.keys()
+    assert all(found.deflections["right"][n] == pytest.approx(c, rel=1e-12, abs=0.0) for n, c in expected.items())
