@@ -62,12 +62,13 @@ def in_numbers(configuration: "Configuration", which: str, variables: "Sequence[
     return {powers: _cleared(c, arithmetic) for powers, c in found.items()}
 
 
-def expression_in_numbers(configuration: "Configuration", node: "Node", order: int) -> dict[Powers, float]:
-    """{powers of the coordinates: factor} of an expression up to an order, all else at rest; what is only rounding by
-    the bound of its error is left out."""
+def expression_in_numbers(configuration: "Configuration", node: "Node", order: int,
+                          variables: "Sequence[Node] | None" = None, which: str = "V") -> dict[Powers, float]:
+    """{powers of the coordinates, or of other variables: factor} of an expression up to an order, all else at rest;
+    what is only rounding by the bound of its error is left out."""
     scene = configuration.scene.resting
     arithmetic, values = configuration.bounded_rest
-    found, = _expanded(scene, "V", [node], arithmetic, values, scene.q, up_to(order), order, sign)
+    found, = _expanded(scene, which, [node], arithmetic, values, variables or scene.q, up_to(order), order, sign)
     numbers = {powers: float(number_in(_cleared(c, arithmetic))) for powers, c in found.items()}
     return {powers: c for powers, c in numbers.items() if c}
 
@@ -97,11 +98,13 @@ def about(scene: "Scene", which: str, place: "Mapping[str, Node]", variables: "S
 
 
 def expanded_about(scene: "Scene", node: "Node", place: "Mapping[str, Node]", variables: "Sequence[Node]",
-                   keep: Callable[[Powers], bool], order: int, which: str = "V") -> "dict[Powers, Node]":
-    """{powers: node} of an expression about a place, all else at rest there; `which`: of what a refusal tells."""
+                   keep: Callable[[Powers], bool], order: int, which: str = "V",
+                   side: "Callable[[Node], int | None] | None" = None) -> "dict[Powers, Node]":
+    """{powers: node} of an expression about a place, all else at rest there; `which`: of what a refusal tells, `side`:
+    the sign of an expression, that in letters unless one is given."""
     arithmetic = NodeArithmetic(scene.table, list(Floats.functions))
     values = {**symbols_of([node]), **dict.fromkeys((v.name for v in scene.v), scene.table.zero), **place}
-    return _expanded(scene, which, [node], arithmetic, values, variables, keep, order, side_in_letters)[0]
+    return _expanded(scene, which, [node], arithmetic, values, variables, keep, order, side or side_in_letters)[0]
 
 
 def symbols_of(nodes: "Sequence[Node]") -> "dict[str, Node]":
@@ -117,6 +120,16 @@ def side_in_letters(u: "Node") -> int | None:
         return 0
     simple = textbook(u)
     return next((side for side, node in ((1, simple), (-1, -simple)) if u.table.is_positive(node)), None)
+
+
+def side_in_numbers(configuration: "Configuration") -> "Callable[[Node], int]":
+    """The sign of an expression in equilibrium, 0 where it vanishes or only rounding is left of it."""
+    arithmetic, values = configuration.bounded_rest
+
+    def side(u):
+        known = side_in_letters(u)
+        return sign(evaluate([u], arithmetic, values)[0]) if known is None else known
+    return side
 
 
 def sizes(configuration: "Configuration", which: str, variables: "Sequence[Node]", keep: Callable[[Powers], bool],
