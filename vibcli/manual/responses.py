@@ -22,6 +22,8 @@ RESPONSE = [
          "both, files and plots hold the instant twice. Members start with fields, `initial: {rod.u: a*x/L, rod.u': "
          "-v}`. Where the fronts multiply, as on pieces of many lengths, values at instants "
          "follow them as long as they stay few, and all else goes by modes; `--patience` follows more."),
+        ("parts", "Parts of a scene that do not move one another go each their own way: a straight beam that stretches "
+         "does so by waves, and bends by modes, as long as fronts are few up to the end that is asked for."),
         ("modes", "Beams, and members with foundation or drag, are followed "
          "by their first exact modes beside what loads do exactly: what is left out are free vibrations of higher "
          "modes, at most 2048 of a uniform beam being counted. Their bound is part of the error of each value: 1e-10 "

@@ -10,6 +10,8 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.results.responses import SmallResponse
 
+FEW = 1_000     # fronts of parts that modes tell too
+
 
 def members_in_time(problem: "Problem") -> "SmallResponse":
     """The response of a scene whose members vibrate."""
@@ -25,7 +27,7 @@ def members_in_time(problem: "Problem") -> "SmallResponse":
         return _by_modes(problem)
     try:
         if waves.ends:
-            waves.alone.march.reach(waves.until)
+            waves.reach(waves.until)
     except NotByWaves:      # fronts are too many up to the end
         found = _by_modes(problem, waves)
         return waves if found.KIND == "steady" else found
@@ -53,7 +55,21 @@ def _by_modes(problem, waves=None):
 
         return SteadyResponse(problem, PhysicsError(
             f"the motion in time of this scene is not found: {reason.message}", reason.hint))
-    return modes
+    return modes if waves is not None else _by_parts(modes)
+
+
+def _by_parts(modes):
+    """With travelling waves for what these alone move, at instants where their fronts are too many up to the end."""
+    from vibcli.results.parted_response import parted
+
+    found = parted(modes)
+    if found is None:
+        return modes
+    try:
+        found.waves.alone.march.require_few(found.until, FEW)
+    except NotByWaves:
+        return modes.beside(found)
+    return found
 
 
 def _by_coupled_modes(problem, waves):

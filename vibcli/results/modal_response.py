@@ -12,6 +12,8 @@ from vibcli.symbolic.rationals import fraction_of
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.modal_motion import ModalMotion
     from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.results.signal import Signal
+    from vibcli.symbolic.node import Node
 
 FIRST = 128         # modes
 FEWEST = 32
@@ -282,11 +284,14 @@ class ModalResponse(ResponseOfMembers):
         return ModalSignal(self._enough(motion, output), output, source)
 
     def _composed(self, node, parts, source=()):
+        return self.composed_of({symbol.name: self._one(part) for symbol, part in parts.items()}, node, source)
+
+    def composed_of(self, signals: "dict[str, Any]", node: "Node", source: tuple = ()) -> "Signal":
+        """A function of signals."""
         from vibcli.results.composed_of_modes import ComposedOfModes
 
         if self._closing(node) is not None:
             raise PhysicsError("signals of loops that close are not found by modes", "ask for coordinates")
-        signals = {symbol.name: self._one(part) for symbol, part in parts.items()}
         return ComposedOfModes(node, signals, self.values, self.problem.scene.time, self.problem.work, source)
 
 

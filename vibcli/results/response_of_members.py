@@ -13,9 +13,11 @@ from vibcli.symbolic.rationals import fraction_of
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.forcing import Forcing
     from vibcli.mechanics.factored_system import PlacedPiece
+    from vibcli.results.parted_response import PartedResponse
     from vibcli.results.problem import Problem
     from vibcli.results.signal import Signal
     from vibcli.results.steady_response import SteadyResponse
+    from vibcli.results.wave_response import WaveResponse
     from vibcli.symbolic.node import Node
 
 EARLY = "; values at instants by travelling waves as long as their fronts stay few"
@@ -26,7 +28,7 @@ class ResponseOfMembers(SmallResponse):
     """Small oscillations of a scene whose members vibrate. `moved(direct)` gives its motion, read by LinearOutputs with
     FieldPoints; `matrices` leave the pieces out, which stand apart."""
 
-    def __init__(self, problem: "Problem", waves: "SmallResponse | None" = None):
+    def __init__(self, problem: "Problem", waves: "WaveResponse | PartedResponse | None" = None):
         super().__init__(problem)
         self._waves = waves
 
@@ -34,12 +36,17 @@ class ResponseOfMembers(SmallResponse):
     def words(self) -> str:
         return self.WORDS + (EARLY if self._waves is not None else "")
 
+    def beside(self, waves: "WaveResponse | PartedResponse") -> "ResponseOfMembers":
+        """The same, whose values at instants are read off waves as long as their fronts stay few."""
+        self._waves = waves
+        return self
+
     def by_waves(self, tree: Any, t: float) -> "Signal | None":
         """The signal of a tree by waves that are followed up to an instant; None where their fronts are too many."""
         if self._waves is None:
             return None
         try:
-            self._waves.alone.march.reach(t)
+            self._waves.reach(t)
         except NotByWaves:
             return None
         return self._waves.signal(tree)

@@ -42,6 +42,10 @@ class WaveResponse(ResponseOfMembers):
         return wave_motion(*self.matrices, pieces, self._forcing_of(nodes), *self.deviations, self.fields,
                            self.problem.work)
 
+    def reach(self, until: float) -> None:
+        """Follow the waves up to an instant; NotByWaves where their fronts are too many."""
+        self.alone.march.reach(until)
+
     def _forcing_of(self, nodes):
         from vibcli.analyses.excitation.decompose import forcing_of
         from vibcli.notation.plain import plain

@@ -73,10 +73,11 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
     yield from _at_instants(problem, asked, report.wanted, known)
     if not at_instants_alone(motion, report.wanted):
         yield from _extremes(asked, min(known, motion.until), report.wanted.digits)
-    if motion.KIND == "waves":
+    if motion.KIND in ("waves", "parts"):
         from vibcli.report.sections.fronts import fronts
 
         yield from fronts(asked, motion.until)
+    if motion.KIND == "waves":
         end = motion.alone.still_from(motion.until)
         if 0 < end < inf:
             yield from section("End of the motion", paragraph(f"all is at rest from t = {figure(end)} s on"))
