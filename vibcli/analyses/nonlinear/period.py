@@ -35,7 +35,7 @@ def exact_period(scene: "Scene", values: "Mapping[str, float | mpmath.mpf]", q: 
     if len(scene.q) != 1 or not is_conservative(scene):
         return None
     well, place = Well(scene, {name: float(value) for name, value in values.items()}), float(q)
-    speed = 0.5 * float(well.potential_and_inertia(np.array([place]))[1][0]) * float(v) ** 2
+    speed = 0.5 * float(well.inertia(np.array([place]))[0]) * float(v) ** 2
     require_motion(well, place, speed)
     left, right = (turning_point(well, place, speed, side) for side in (-1, 1))
     if left.q == right.q:

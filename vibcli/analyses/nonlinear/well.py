@@ -47,13 +47,13 @@ class Well:
         self.slope = gradient(V).get(self.q, scene.table.zero)
         self.bends = kinks_of((V, M, self.slope), self.q)
         slopes = [gradient(u)[self.q] for u in self.bends]
-        self._compiled = Compiled(scene, floats, None, [V, self.slope, M])
+        self._potential = Compiled(scene, floats, None, [V])
         self._bends = Compiled(scene, floats, None, [self.slope, *self.bends, *slopes]) if self.bends else None
-        self._slope = Compiled(scene, floats, None, [self.slope])
+        self._slope, self._inertia = (Compiled(scene, floats, None, [node]) for node in (self.slope, M))
 
-    def potential_and_inertia(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        V, _, m = self._values(self._compiled, q)
-        return V, m
+    def inertia(self, q: np.ndarray) -> np.ndarray:
+        """m."""
+        return self._values(self._inertia, q)[0]
 
     def force(self, q: np.ndarray) -> np.ndarray:
         """V′."""
@@ -78,7 +78,7 @@ class Well:
         error = np.abs(way) * (change + rounding[1]) + 4 * EPS * np.abs(value)
         if np.all(error <= 2 * rounding[0]):
             return Gain(value, error)
-        before, after = (self._values(self._compiled, q)[0] for q in (start, start + way))
+        before, after = (self._values(self._potential, q)[0] for q in (start, start + way))
         difference = after - before
         direct = 2 * rounding[0] + EPS * np.abs(difference)
         known = ~(error <= direct)
