@@ -6,7 +6,7 @@
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Kinked, PhysicsError
 from vibcli.mechanics.energies import kinetic, potential
@@ -58,8 +58,8 @@ def in_numbers(configuration: "Configuration", which: str, variables: "Sequence[
     else:
         inner, values = configuration.precise_rest(digits)
         arithmetic = RunningErrors(inner, unit)
-    found, = _expanded(scene, which, [ENERGIES[which](scene)], arithmetic, values, variables, keep, order, sign)
-    return {powers: _cleared(c, arithmetic) for powers, c in found.items()}
+    found, = expanded_by(scene, which, [ENERGIES[which](scene)], arithmetic, values, variables, keep, order, sign)
+    return {powers: cleared(c, arithmetic) for powers, c in found.items()}
 
 
 def expression_in_numbers(configuration: "Configuration", node: "Node", order: int,
@@ -68,12 +68,12 @@ def expression_in_numbers(configuration: "Configuration", node: "Node", order: i
     what is only rounding by the bound of its error is left out."""
     scene = configuration.scene.resting
     arithmetic, values = configuration.bounded_rest
-    found, = _expanded(scene, which, [node], arithmetic, values, variables or scene.q, up_to(order), order, sign)
-    numbers = {powers: float(number_in(_cleared(c, arithmetic))) for powers, c in found.items()}
+    found, = expanded_by(scene, which, [node], arithmetic, values, variables or scene.q, up_to(order), order, sign)
+    numbers = {powers: float(number_in(cleared(c, arithmetic))) for powers, c in found.items()}
     return {powers: c for powers, c in numbers.items() if c}
 
 
-def _cleared(c, arithmetic):
+def cleared(c: Any, arithmetic: RunningErrors) -> Rounded:
     """The coefficient; zero where only rounding is left of it."""
     c = c if c.__class__ is Rounded else Rounded(c, 0.0, arithmetic.unit)
     if not arithmetic.inner.isfinite(c.value):
@@ -104,7 +104,7 @@ def expanded_about(scene: "Scene", node: "Node", place: "Mapping[str, Node]", va
     the sign of an expression, that in letters unless one is given."""
     arithmetic = NodeArithmetic(scene.table, list(Floats.functions))
     values = {**symbols_of([node]), **dict.fromkeys((v.name for v in scene.v), scene.table.zero), **place}
-    return _expanded(scene, which, [node], arithmetic, values, variables, keep, order, side or side_in_letters)[0]
+    return expanded_by(scene, which, [node], arithmetic, values, variables, keep, order, side or side_in_letters)[0]
 
 
 def symbols_of(nodes: "Sequence[Node]") -> "dict[str, Node]":
@@ -139,13 +139,16 @@ def sizes(configuration: "Configuration", which: str, variables: "Sequence[Node]
     arithmetic, values = configuration.bounded_rest
     terms = (*scene.springs, *scene.weights, *(law for law in scene.laws if not law.damper))
     nodes = [ENERGIES[which](scene), *([term.potential(scene) for term in terms] if which == "V" else ())]
-    for part in _expanded(scene, which, nodes, arithmetic, values, variables, keep, order, sign):
+    for part in expanded_by(scene, which, nodes, arithmetic, values, variables, keep, order, sign):
         for powers, c in part.items():
             found[powers] = found.get(powers, 0.0) + abs(number_in(c))
     return found
 
 
-def _expanded(scene, which, nodes, arithmetic, values, variables, keep, order, side):
+def expanded_by(scene: "Scene", which: str, nodes: "Sequence[Node]", arithmetic: Any, values: Mapping[str, Any],
+                variables: "Sequence[Node]", keep: Callable[[Powers], bool], order: int,
+                side: Callable[[Any], int | None]) -> list[dict[Powers, Any]]:
+    """[{powers: coefficient}] of expressions about {name: value}, in the numbers of an arithmetic."""
     ring = Polynomials(arithmetic, len(variables), keep, order, side)
     polynomials = {name: ring.still(value) for name, value in values.items()}
     polynomials |= {x.name: ring.variable(i, values[x.name]) for i, x in enumerate(variables)}

@@ -15,7 +15,7 @@ FAMILIES = {
                      "envelope"), "response"),
     **dict.fromkeys(("frf", "transmissibility", "peak", "antiresonance", "half_power", "fixed_point", "quality", "arg",
                      "re", "im", "modal_frf", "truncation"), "frequency_response"),
-    "backbone": "nonlinear", "law": "laws",
+    "backbone": "nonlinear", "law": "laws", "stiffness_correction": "spring_corrections",
 }
 
 # what the same word means otherwise: with indices, with arguments, of a frequency response; "value" is that of x(2 s)

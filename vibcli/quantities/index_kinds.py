@@ -103,6 +103,7 @@ INDICES = {
                          ("x^2*y^2",), wants=_PRODUCT),
     "product with rates": IndexKind(lambda spec, index: (), lambda spec, index: _is_product(spec, index, True),
                                     "x^2*x'^2", ("x^2*x'^2",), wants=_PRODUCT + " and their rates"),
+    "spring": _named("spring", ("s",), "springs")._replace(sample="s"),
     "spring or damper": _named("spring or damper", ("s",), "springs", "dampers")._replace(sample="s"),
     "power": _free(f"a power of the deflection, d to d^{HIGHEST_POWER}, of a damper v to v^{HIGHEST_POWER},",
                    lambda index: power_of_deflection(index) is not None, "d^3")._replace(letters=("d^3",)),
