@@ -238,8 +238,9 @@ def test_json_keys_are_those_that_are_printed(capsys, tmp_path):
     slider = tmp_path / "slider.yaml"
     slider.write_text("bodies: {p: {mass: 1 kg, at: [0, 0], slide: x}}\nmotion: {order: 3}\ninitial: {x: 1 cm}\n"
                       "springs: {s: {k: 1 N/m, preload: 1 N, between: [[0, 1 m], p]}}\n", encoding="utf-8")
-    for command, file in (("frequencies", bar), ("response", bar), ("response", slider)):
-        code, out, _ = call(capsys, command, str(file), "--json")
+    for command, file, *options in (("frequencies", bar), ("response", bar), ("response", slider),
+                                    ("response", slider, "--phase-plane")):
+        code, out, _ = call(capsys, command, str(file), "--json", *options)
         assert code == 0
         printed |= _paths(json.loads(out))
     assert printed - set(KEYS) == set()

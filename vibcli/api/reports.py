@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 PICTURES = {"equilibrium": "force_diagrams", "modes": "mode_pictures"}
 STATICS = ("given", "chosen", "coordinates", "reactions")       # of a scene without freedom
 SLOPES = ("frequencies", "modes", "damping", *OF_MODES)       # what needs a slope of the forces
-OF_ONE_KEY = ("equivalents", "backbone", "expansion")         # sections that give their own key of the data
+OF_ONE_KEY = ("equivalents", "backbone", "expansion", "phase_plane")       # sections that give their own key
 FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",),
             "equilibrium": ("equilibrium", "virtual_work"), "frequencies": ("frequencies",), "modes": ("modes",),
             "damping": ("damping",), "accelerations": ("accelerations",),

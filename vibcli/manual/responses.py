@@ -89,6 +89,28 @@ RESPONSE = [
     "`vibcli explain pictures` and `vibcli explain data`.",
 ]
 
+PHASE_PLANE = [
+    "`vibcli response FILE --phase-plane` draws the motions of one degree of freedom x over x and x' in the terminal: "
+    "orbits with arrows of their direction, separatrices, the orbit from `initial`, and the equilibria by their kinds. "
+    "`--save plane.png` (svg, pdf) draws them in a file, `--json` tells places, kinds, eigenvalues, energies.",
+    [
+        ("kinds", "by the eigenvalues of λ² − a_v λ − a_q = 0, x'' = a(x, x'): a saddle where a_q > 0, a centre where "
+         "energy is kept, else a stable or unstable focus, node, or degenerate node of two equal eigenvalues. Where "
+         "those decide nothing the forces beside it do: a cusp, a saddle-node, and others so marked. Places at each of "
+         "which the scene rests, as within a play, are a line of rest. At a kink there are no eigenvalues; the forces "
+         "on both sides tell the kind."),
+        ("conservative", "Orbits are level curves of H = ½ m(x) x'² + V(x), from one turning place to the other; a "
+         "separatrix is the level of its saddle. The orbit from `initial` has its turning places and exact period."),
+        ("damped", "Orbits are integrated forwards and backwards. Separatrices are what runs into a saddle, which "
+         "bounds the starts that end in the same place, and what runs out of it, from the eigenvectors (1, λ)."),
+        ("range", "All equilibria that the search finds, within `find: {equilibria: all, within: {x: [-1 m, 1 m]}}` "
+         "where that is given; where separatrices and the orbit from `initial` turn; of an angle a turn and more."),
+        ("equations", "the full ones, also where `motion` is small; with `motion: {order: 3}` the expanded ones"),
+    ],
+    "Refused are several degrees of freedom, what depends on the time, dry friction, members, ropes (which may go "
+    "slack), loops closed numerically, `damping:` of the whole, and letters.",
+]
+
 FREQUENCY_RESPONSE = [
     "`vibcli frf FILE` finds H(Omega), the complex amplitude of a signal of small oscillations over that of an input "
     "which vibrates with Omega; the signal lags behind the input by θ = −arg H. Without dampers peaks are infinite.",

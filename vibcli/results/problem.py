@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from vibcli.language.spec import Spec
     from vibcli.mechanics.equilibrium.all_equilibria import Equilibria
     from vibcli.results.frequency_response import FrequencyResponse
+    from vibcli.results.phase_plane import PhasePlane
     from vibcli.results.signals import LinearSignal
     from vibcli.results.steady_response import SteadyResponse
     from vibcli.scene.scene import Scene
@@ -206,6 +207,13 @@ class Problem:
         from vibcli.results.free_motions import FreeMotions
 
         return FreeMotions(self)
+
+    @cached_property
+    def phase_plane(self) -> "PhasePlane":
+        """Its phase plane, of one degree of freedom."""
+        from vibcli.results.phase_plane import PhasePlane
+
+        return PhasePlane(self)
 
     def require_no_members(self) -> None:
         """NotInLetters of motions in time, and at a frequency, of members that vibrate."""

@@ -92,7 +92,7 @@ class Well:
 
     def breaks(self, low: float, high: float) -> list[float]:
         """The places between two others where V or m bends or jumps, or V is about stationary, ascending."""
-        kinks = self._kinks(low, high)
+        kinks = self.kinks(low, high)
         found = set(kinks)
         for a, b in pairwise([low, *kinks, high]):
             places = np.linspace(a, b, GRID)[1:-1]
@@ -115,7 +115,8 @@ class Well:
         i = np.flatnonzero((sign[1:] != sign[:-1]) & (sign[1:] != 0) & (places[1:] > places[:-1]))
         return list(zip(places[i].tolist(), places[i + 1].tolist(), strict=True))
 
-    def _kinks(self, low, high):
+    def kinks(self, low: float, high: float) -> list[float]:
+        """The places between two others where V or m bends or jumps, ascending."""
         if not self.bends:
             return []
         n = len(self.bends)
