@@ -10,7 +10,6 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.results.responses import SmallResponse
 
-FEW = 1_000     # fronts of parts that modes tell too
 
 
 def members_in_time(problem: "Problem") -> "SmallResponse":
@@ -55,21 +54,11 @@ def _by_modes(problem, waves=None):
 
         return SteadyResponse(problem, PhysicsError(
             f"the motion in time of this scene is not found: {reason.message}", reason.hint))
-    return modes if waves is not None else _by_parts(modes)
-
-
-def _by_parts(modes):
-    """With travelling waves for what these alone move, at instants where their fronts are too many up to the end."""
+    if waves is not None:
+        return modes
     from vibcli.results.parted_response import parted
 
-    found = parted(modes)
-    if found is None:
-        return modes
-    try:
-        found.waves.alone.march.require_few(found.until, FEW)
-    except NotByWaves:
-        return modes.beside(found)
-    return found
+    return parted(modes)
 
 
 def _by_coupled_modes(problem, waves):

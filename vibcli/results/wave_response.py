@@ -11,6 +11,7 @@ if TYPE_CHECKING:
 
     import numpy as np
 
+    from vibcli.results.part_of_members import PartOfMembers
     from vibcli.results.problem import Problem
 
 
@@ -20,8 +21,8 @@ class WaveResponse(ResponseOfMembers):
 
     KIND, WORDS = "waves", "small oscillations about the equilibrium, by travelling waves"
 
-    def __init__(self, problem: "Problem"):
-        super().__init__(problem)
+    def __init__(self, problem: "Problem", part: "PartOfMembers | None" = None):
+        super().__init__(problem, part=part)
 
     @cached_property
     def alone(self):
