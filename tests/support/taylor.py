@@ -5,12 +5,19 @@ variables are multiplied by one further, by whose powers the series are cut off.
 """
 
 from collections.abc import Sequence
+from fractions import Fraction
 from typing import Any
 
 from sympy import RealField, ring
 from sympy.polys.ring_series import rs_nth_root, rs_trunc
 
 FIELD = RealField(200)
+
+
+def exact(value: float) -> Any:
+    """A number as it is written in decimals."""
+    fraction = Fraction(repr(value))
+    return FIELD(fraction.numerator) / FIELD(fraction.denominator)
 
 
 class Taylor:
@@ -23,6 +30,10 @@ class Taylor:
     def moving(self, i: int) -> Any:
         """One of the variables."""
         return self.variables[i] * self.small
+
+    def constant(self, series: Any) -> Any:
+        """Its value at zero."""
+        return series.coeff(1)
 
     def cut(self, series: Any) -> Any:
         """Without what is of a higher order."""
@@ -44,9 +55,13 @@ class Taylor:
         """What is constant or of the first order."""
         return rs_trunc(series, self.small, 2)
 
+    def coefficients(self, series: Any) -> dict[tuple[int, ...], Any]:
+        """{powers of the variables: coefficient}."""
+        return {powers[:-1]: c for powers, c in series.items()}
+
     def terms(self, series: Any, least: float = 0.0) -> dict[tuple[int, ...], float]:
         """{powers: coefficient} but for the constant and what is not above `least` of the largest."""
-        found = {powers[:-1]: float(c) for powers, c in series.items() if any(powers)}
+        found = {powers: float(c) for powers, c in self.coefficients(series).items() if any(powers)}
         largest = max(map(abs, found.values()), default=0.0)
         return {powers: c for powers, c in found.items() if abs(c) > least * largest}
 
