@@ -14,6 +14,9 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 
+THIRD_ORDER = "equations to the third order"
+
+
 class ExpandedResponse(FullResponse):
     """That of a Problem about its equilibrium."""
 
@@ -24,6 +27,10 @@ class ExpandedResponse(FullResponse):
         if problem.digits is not None:
             raise PhysicsError("motions of expanded equations are found in the digits of floats",
                                "leave --digits out, or ask for motion: full")
+
+    @property
+    def title(self) -> str:
+        return f"{super().title} ({THIRD_ORDER})".strip()
 
     @cached_property
     def expanded(self) -> "Configuration":

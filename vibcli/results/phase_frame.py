@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vibcli.analyses.nonlinear.energy_levels import EnergyLevels
-from vibcli.analyses.nonlinear.phase_portrait import separatrices, through
+from vibcli.analyses.nonlinear.phase_portrait import base_of, separatrices, through
 from vibcli.analyses.nonlinear.turning_points import turning_point
 from vibcli.base.errors import PhysicsError
 
@@ -23,7 +23,9 @@ MARGIN = 0.3            # of what is to be seen, on both sides
 FAR = 4.0               # of what else is to be seen: kinks farther away are left out
 WIDE = 4.0              # of the motion, or of where forces bend: how far equilibria are searched without a figure
 ABOVE, ABOVE_OWN = 1.5, 1.2     # of the speed on separatrices; of the motion from the start
+MOST = 0.85             # of the places on an orbit that goes on beyond what is shown
 BENT, LOOKS = 0.5, 60   # of a linear force: by so much the force differs where it counts as nonlinear
+LINEAR = 12             # octaves of places at which it is linear: a force that never is has no size of its own
 NOTHING = 1e-9
 
 
@@ -106,30 +108,39 @@ def _reach(well, place, unit):
     with np.errstate(all="ignore"):
         bent = np.abs(stiff - stiff[LOOKS // 2]) > BENT * abs(stiff[LOOKS // 2])
     far = np.flatnonzero(bent[LOOKS // 2:])
-    return float(2 * steps[LOOKS // 2 + far[0]]) if far.size else unit
+    return float(2 * steps[LOOKS // 2 + far[0]]) if far.size and far[0] >= LINEAR else unit
 
 
 def speed_of(field: "StateField", levels: EnergyLevels | None, items: "Sequence[StateEquilibrium]",
              start: tuple[float, float] | None, ends: tuple[float, float]) -> float:
-    """Up to which speed."""
+    """Up to which speed: that of separatrices at equilibria, of the motion from the start, or what reaches the edge."""
     if levels is None:
         return _speed_of_field(field, items, start, ends)
-    own = ABOVE_OWN * max((float(one.v.max()) for one in (through(levels, start) if start else ())), default=0.0)
+    own = ABOVE_OWN * max((_speed_on(one, start) for one in (through(levels, start) if start else ())), default=0.0)
     places = [one.q for one in items]
     found = separatrices(levels, [one.q for one in items if one.is_top])
-    hull = (min(places), max(places)) if len(places) > 1 else ends
-    speeds = [float(one.v[inside].max()) for one in found
-              if (inside := (one.q >= hull[0]) & (one.q <= hull[1])).any()]
-    return max(ABOVE * max(speeds), own) if speeds and max(speeds) > 0 else max(own, _speed_to_the_edge(levels))
+    speeds = [float(np.interp(q, one.q, one.v)) for one in found for q in places if one.q[0] < q < one.q[-1]]
+    speeds = speeds if any(speeds) else [_speed_on(one, (0.0, 0.0)) for one in found]
+    rests = [levels.index(q) for q in places]
+    return max(ABOVE * max(speeds), own) if speeds and max(speeds) > 0 else max(own, _speed_to_the_edge(levels, rests))
 
 
-def _speed_to_the_edge(levels):
-    """With which the lower one of both ends is reached from the lowest place; of V without a bottom, gained on the
-    way."""
+def _speed_on(orbit, start):
+    """The largest one; of an orbit that does not turn on both sides, as before a pole, that of most of its places."""
+    if all(orbit.ends):
+        return float(orbit.v.max())
+    return max(abs(start[1]), float(np.interp(MOST, (orbit.q - orbit.q[0]) / (orbit.q[-1] - orbit.q[0]),
+                                              np.sort(orbit.v))))
+
+
+def _speed_to_the_edge(levels, rests):
+    """With which the lower one of both ends is reached from the lowest equilibrium; of V without a bottom, that of most
+    places."""
     heights = levels.heights
-    lowest = int(heights.argmin())
-    gain = min(heights[0], heights[-1]) - heights[lowest] or heights.max() - heights[lowest]
-    m = levels.well.inertia(levels.stops[lowest:lowest + 1])[0]
+    base = base_of(levels, rests)
+    gain = min(heights[0], heights[-1]) - heights[base] if rests else 0.0
+    gain = gain if gain > 0 else float(np.quantile(heights, MOST) - np.quantile(heights, 1 - MOST))
+    m = levels.well.inertia(levels.stops[base:base + 1])[0]
     return float(math.sqrt(2 * gain / m)) or (levels.stops[-1] - levels.stops[0]) / 2
 
 
@@ -145,6 +156,6 @@ def heights_of(levels: EnergyLevels, items: "Sequence[StateEquilibrium]") -> lis
     numbers = [levels.index(one.q) for one in items]
     if not numbers:
         return []
-    base = min(numbers, key=lambda k: levels.heights[k])
+    base = base_of(levels, numbers)
     climbs, slack = levels.climbs(base), levels.slack(base)
     return [0.0 if abs(climbs[k]) <= slack[k] else float(climbs[k]) for k in numbers]

@@ -3,14 +3,19 @@
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
+import numpy as np
+
 from vibcli.analyses.nonlinear.damped_portrait import of_motion
 from vibcli.analyses.nonlinear.energy_levels import EnergyLevels
 from vibcli.analyses.nonlinear.integrated_orbits import PhaseFrame
-from vibcli.analyses.nonlinear.period import exact_period, has_potential, is_conservative
-from vibcli.analyses.nonlinear.phase_portrait import Portrait, StatePath, kinetic_energy, of_levels, through
+from vibcli.analyses.nonlinear.period import exact_period, has_dampers, has_potential
+from vibcli.analyses.nonlinear.period_in_floats import period_between
+from vibcli.analyses.nonlinear.phase_portrait import Portrait, StatePath, base_of, kinetic_energy, of_levels, through
 from vibcli.analyses.nonlinear.state_field import StateField
+from vibcli.analyses.nonlinear.turning_points import TurningPoint
 from vibcli.analyses.nonlinear.well import Well
 from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.energies import relative_potential
 from vibcli.mechanics.equilibrium.all_equilibria import find_equilibria
 from vibcli.mechanics.equilibrium.scaled_forces import typical_length
 from vibcli.results.phase_frame import bounds_of, heights_of, range_of, speed_of
@@ -19,6 +24,9 @@ from vibcli.results.state_equilibria import StateEquilibria
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
     from vibcli.results.problem import Problem
+
+
+LOOKED_AT, SAME = np.linspace(-0.9, 1.0, 7), 1e-12      # of the unit; of forces
 
 
 class OwnMotion(NamedTuple):
@@ -45,8 +53,21 @@ class PhasePlane:
         self.name, = self.scene.coordinates
         self.unit = self.scene.unit_of(self.name)
         self.field = StateField(self.scene, self.floats)
-        self.conservative = is_conservative(self.scene)
-        self.well = Well(self.scene, self.floats) if has_potential(self.scene) else None
+        if self.field.driven:
+            raise PhysicsError("what drives this scene depends on the time: its orbits cross in the phase plane",
+                               "leave loads in time and drives out, or ask for its motion in time")
+        self.well = _well(self.scene, self.floats, self.field, self.unit)
+        self.conservative = self.well is not None and not has_dampers(self.scene)
+
+    @property
+    def title(self) -> str:
+        """That of the scene, with the equations where they are not the full ones."""
+        title = self.problem.spec.get("title") or ""
+        if not self.problem.spec.expanded:
+            return title
+        from vibcli.results.expanded_response import THIRD_ORDER
+
+        return f"{title} ({THIRD_ORDER})".strip()
 
     @cached_property
     def start(self) -> tuple[float, float] | None:
@@ -59,13 +80,38 @@ class PhasePlane:
     @cached_property
     def equilibria(self) -> StateEquilibria:
         """Those of what is shown."""
-        return StateEquilibria(self.configuration, self._search, self.field, self.well, self.conservative,
+        return StateEquilibria(self.configuration, self._search, self.field, self.well, self._is_reversible,
                                lambda search: range_of(search, self.well, self.start, self.unit))
 
     @property
+    def _is_reversible(self):
+        q = self.start[0] if self.start is not None else self.configuration.numeric.drawn_floats[self.name]
+        return self.conservative or self.field.is_reversible(q - self.unit, q + self.unit, self.unit)
+
+    @property
     def _search(self):
-        """All equilibria within the bounds of the file, or within default ones; where no figure says how far that is,
-        as far as the motion goes and the forces are bent."""
+        """All equilibria within the bounds of the file; else within default ones, and as far as the motion goes and the
+        forces are bent."""
+        found = self._by_default
+        asked = self.problem.spec.get("find")
+        if found is not None and (self.well is None or (asked and self.name in asked.within)):
+            return found
+        if found is not None and (found.linear or found.forces.periodic[0] or self.name not in found.bounds):
+            return found
+        middle = self.configuration.numeric.drawn_floats[self.name]
+        if found is None or not found.items:
+            middle = middle if self.start is None else self.start[0]
+        else:
+            middle = found.items[0].equilibrium.values[self.name]
+        low, high = bounds_of(self.well, middle, self.start, self.unit)
+        known = (low, high) if found is None else found.bounds[self.name]
+        if found is not None and known[0] <= low and high <= known[1]:
+            return found
+        return find_equilibria(self.configuration, {self.name: (min(low, known[0]), max(high, known[1]))})
+
+    @property
+    def _by_default(self):
+        """None where no figure says how far equilibria are searched."""
         try:
             if self.configuration is self.problem.configuration:
                 return self.problem.equilibria
@@ -73,8 +119,7 @@ class PhasePlane:
         except PhysicsError:
             if self.well is None or typical_length(self.configuration.numeric):
                 raise
-        middle = self.configuration.numeric.drawn_floats[self.name] if self.start is None else self.start[0]
-        return find_equilibria(self.configuration, {self.name: bounds_of(self.well, middle, self.start, self.unit)})
+            return None
 
     @cached_property
     def levels(self) -> EnergyLevels | None:
@@ -141,6 +186,9 @@ class PhasePlane:
         return found._replace(reason="it leaves what is shown")
 
     def _closed(self, found, turns):
+        if self.scene.timed:        # the energy is that of the frame, whose period more digits do not know
+            period, error = period_between(self.well, *(TurningPoint(q, 2**-52 * abs(q)) for q in turns))
+            return found._replace(turns=turns, period=(period, error / period))
         try:
             return found._replace(turns=turns, period=exact_period(self.scene, self.floats, *self.start))
         except PhysicsError as error:
@@ -152,15 +200,26 @@ class PhasePlane:
         numbers = [self.levels.index(one.q) for one in self.equilibria.items]
         if not numbers:
             return None
-        base = min(numbers, key=lambda k: self.levels.heights[k])
+        base = base_of(self.levels, numbers)
         climb = self.levels.climbs(base)[self.levels.index(self.start[0])]
         return float(climb) + kinetic_energy(self.levels, self.start)
 
 
+def _well(scene, floats, field, unit):
+    """That of a scene whose forces have a potential, in a frame that turns steadily too; None of others."""
+    if has_potential(scene):
+        return Well(scene, floats)
+    V = relative_potential(scene) if scene.timed and scene.loops is None else None
+    if V is None:
+        return None
+    found = Well(scene, floats, V)
+    q = unit * LOOKED_AT
+    forces = -found.inertia(q) * field.acceleration(q, np.zeros(q.size))
+    return found if np.allclose(found.force(q), forces, rtol=SAME, atol=SAME * np.abs(forces).max()) else None
+
+
 def _is_seen(branch: StatePath, frame):
     """Is it more than what a frame cuts off?"""
-    import numpy as np
-
     return bool((~frame.beyond(np.stack((branch.q, branch.v)))).any())
 
 
@@ -178,9 +237,6 @@ def require_plane(problem: "Problem") -> None:
         from vibcli.language.parameters import require_values
 
         require_values(problem.scene.parameters, "a phase plane")
-    if problem.scene.timed:
-        raise PhysicsError("what drives this scene depends on the time: its orbits cross in the phase plane",
-                           "leave loads in time and drives out, or ask for its motion in time")
     _require_free(problem)
 
 

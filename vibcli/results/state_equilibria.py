@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from vibcli.mechanics.equilibrium.all_equilibria import Equilibria
 
 BESIDE = 1e-3           # of the way to the next equilibrium or kink
-SAME = 1e-9             # of the range
+SAME, NEAR = 1e-9, 1e-6  # of the range
 FLAT = ("held", "falling", "neutral")
 
 
@@ -26,8 +26,8 @@ class StateEquilibria:
     """Those within a `range` that hangs on the first search, or on the wider one that it makes necessary."""
 
     def __init__(self, configuration: "Configuration", search: "Equilibria | None", field: "StateField",
-                 well: "Well | None", conservative: bool, ranged: Callable):
-        self.configuration, self.field, self.well, self.conservative = configuration, field, well, conservative
+                 well: "Well | None", reversible: bool, ranged: Callable):
+        self.configuration, self.field, self.well, self.reversible = configuration, field, well, reversible
         search = search or find_equilibria(configuration)
         self.range = ranged(search)
         self.search = self._wide_enough(search)
@@ -43,8 +43,7 @@ class StateEquilibria:
 
     def _wide_enough(self, search):
         for name in [name for item in search.items if not search.forces.names for name in item.free[0]]:
-            raise PhysicsError(f"no force acts along '{name}': it rests anywhere, and its phase plane shows nothing",
-                               "ask for its motion in time")
+            raise rests_anywhere(name)
         name, = search.forces.names
         bounds, (low, high) = search.bounds.get(name), self.range
         if bounds is None or search.forces.periodic[0] or (bounds[0] <= low and high <= bounds[1]):
@@ -60,9 +59,15 @@ class StateEquilibria:
             known = [(q + math.tau * k, item) for q, item in known
                      for k in range(math.ceil((low - q) / math.tau), math.floor((high - q) / math.tau) + 1)]
         known = [one for i, one in enumerate(known) if not any(self._same(one[0], q) for q, _ in known[:i])]
-        inside = [(q, item) for q, item in known if low <= q <= high]
+        inside = [(q, item) for q, item in known if low <= q <= high and self._rests(q)]
         inside += [(q, None) for q in self._kinks if not any(self._same(q, p) for p, _ in inside) and self._turned(q)]
         return sorted(inside, key=lambda one: one[0])
+
+    def _rests(self, q):
+        """Is the force smaller there than beside it? At a pole, to which a scene falls, it is not."""
+        step = NEAR * (self.range[1] - self.range[0])
+        left, here, right = np.abs(self.field.acceleration(np.array([q - step, q, q + step]), np.zeros(3)))
+        return not here or here < max(left, right)
 
     def _rests_beside(self, q):
         """Does no force act on either side either?"""
@@ -74,8 +79,7 @@ class StateEquilibria:
         stops = [self.range[0], *self._kinks, self.range[1]]
         low, high = max(p for p in stops if p <= q), min(p for p in stops if p >= q)
         if low == self.range[0] or high == self.range[1]:
-            raise PhysicsError("this scene rests in a range of places whose ends are not shown",
-                               "ask for its motion in time")
+            raise rests_anywhere(self.search.forces.names[0])
         return low, high
 
     @cached_property
@@ -96,7 +100,7 @@ class StateEquilibria:
         others = [abs(p - q) for p in (*places, *self._kinks, *self.range) if not self._same(p, q)]
         reach = BESIDE * min(others)
         left, right = self.field.acceleration(np.array([q - reach, q + reach]), np.zeros(2))
-        return Around(float(left), float(right), reach, self.conservative)
+        return Around(float(left), float(right), reach, self.reversible)
 
     def _bends(self, q):
         return any(self._same(q, kink) for kink in self._kinks)
@@ -111,3 +115,8 @@ class StateEquilibria:
 
         found = ModalAnalysis(about(self.configuration, item, self.search.forces), len(item.free))
         return judged(found).kind in FLAT
+
+
+def rests_anywhere(name: str) -> PhysicsError:
+    return PhysicsError(f"this scene rests anywhere along '{name}', or in a range that ends nowhere near: its phase "
+                        "plane has no equilibria to show", "ask for its motion in time")

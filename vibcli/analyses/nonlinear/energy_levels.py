@@ -35,6 +35,7 @@ class EnergyLevels:
     """Level curves between two places. `places`: those at which levels are asked for, as equilibria; the nearest ones
     of `stops` are they."""
 
+    @np.errstate(all="ignore")      # where V is not defined it is not known
     def __init__(self, well: Well, low: float, high: float, places: Sequence[float]):
         self.well = well
         known = np.array([q for q in places if low <= q <= high])
@@ -49,6 +50,8 @@ class EnergyLevels:
                                 for row in zip(*bounds, strict=True))
         self.rounding = V_error, slope_error
         self.gains = self._gains(self.stops)
+        self.known = well.is_smooth(self.stops[:-1], np.diff(self.stops)) & np.isfinite(self.gains)
+        self.gains[~np.isfinite(self.gains)] = 0.0
         self.heights = np.concatenate(([0.0], np.cumsum(self.gains)))
 
     def _gains(self, stops):
@@ -69,6 +72,7 @@ class EnergyLevels:
         ways = np.concatenate((np.cumsum(swings[:i][::-1])[::-1], [0.0], np.cumsum(swings[i:])))
         return SAME * ways + 2 * self.rounding[0] * (ways > 0)
 
+    @np.errstate(all="ignore")
     def level(self, i: int, kinetic: float, rests: Sequence[int] = ()) -> list[Orbit]:
         """The orbits of the level that has a kinetic energy at the stop of this number; `rests`: the numbers of stops
         that are equilibria, at which a level that reaches them ends."""
@@ -80,19 +84,19 @@ class EnergyLevels:
         return [self._orbit(*ends) for ends in self._ways(left)]
 
     def _ways(self, left):
-        """[((place, E − V there) of the left end, of the right end)] of the ways on which E − V > 0."""
+        """[((place, E − V there) of the left end, of the right end)] of the ways on which E − V > 0; where V is not
+        known, as at a pole, one ends and another begins."""
         inside = left > 0
         found, start = [], (self.stops[0], left[0]) if inside[0] else None
         for k, (here, there) in enumerate(pairwise(inside.tolist())):
-            if here == there and (here or left[k] or left[k + 1]):
-                continue
-            if not here and there:
-                start = self._end(k + 1, k, left)
-            elif here:
-                found.append((start, self._end(k, k + 1, left)))
+            if here and not (there and self.known[k]):
+                end = self._end(k, k + 1, left) if self.known[k] else (self.stops[k], left[k])
+                found.append((start, end))
+            if there and not (here and self.known[k]):
+                start = self._end(k + 1, k, left) if self.known[k] else (self.stops[k + 1], left[k + 1])
         if inside[-1]:
             found.append((start, (self.stops[-1], left[-1])))
-        return found
+        return [(start, end) for start, end in found if end[0] > start[0]]
 
     def _end(self, inside, outside, left):
         """(turning point, 0) between two neighbouring stops."""

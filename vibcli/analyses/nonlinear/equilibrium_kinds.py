@@ -1,9 +1,9 @@
 """Of what kind an equilibrium is in the phase plane of one degree of freedom.
 
 By the eigenvalues of the linearised motion, λ² − a_v λ − a_q = 0 with a = q̈(q, q̇): a saddle where a_q > 0, else a focus
-where a_v² + 4 a_q < 0, a node where it is positive; a centre of a conservative scene where a_v = 0 (Kovačić &
-Radomirović 2018; Guckenheimer & Holmes 1983). Where they decide nothing, by what the forces do on both sides of it, and
-on the way round it.
+where a_v² + 4 a_q < 0, a node where it is positive; a centre where a_v = 0 and motions run backwards as well
+(Kovačić & Radomirović 2018; Guckenheimer & Holmes 1983). Where they decide nothing, by what the forces do on both sides
+of it, and on the way round it.
 """
 
 import cmath
@@ -47,12 +47,12 @@ class StateEquilibrium(NamedTuple):
 
 class Around(NamedTuple):
     """What is known of the neighbourhood: a at rest so far (`reach`) on the left and on the right of it, where no other
-    equilibrium is between; conservative: is energy kept?"""
+    equilibrium is between; reversible: do motions run backwards as they run forwards, as where energy is kept?"""
 
     left: float
     right: float
     reach: float
-    conservative: bool
+    reversible: bool
 
 
 def kind_of(field: "StateField", q: float, around: Around, flat: bool, bent: bool) -> StateEquilibrium:
@@ -60,13 +60,13 @@ def kind_of(field: "StateField", q: float, around: Around, flat: bool, bent: boo
     if bent:
         return StateEquilibrium(q, _beyond(field, q, around, None), None, True)
     a_q, a_v = field.slopes(q)
-    a_q, a_v = 0.0 if flat else a_q, 0.0 if around.conservative else a_v
+    a_q, a_v = 0.0 if flat else a_q, 0.0 if around.reversible else a_v
     found = _eigenvalues(a_q, a_v)
     if a_q > 0:
         return StateEquilibrium(q, SADDLE, found)
     if a_q == 0 or abs(a_v) <= ZERO * math.sqrt(-a_q):
-        kind = CENTRE if a_q < 0 and around.conservative else _beyond(field, q, around, a_v if a_q == 0 else None)
-        return StateEquilibrium(q, kind, found, not (a_q < 0 and around.conservative))
+        kind = CENTRE if a_q < 0 and around.reversible else _beyond(field, q, around, a_v if a_q == 0 else None)
+        return StateEquilibrium(q, kind, found, not (a_q < 0 and around.reversible))
     sense = STABLE if a_v < 0 else UNSTABLE
     under = a_v * a_v + 4 * a_q
     if abs(under) <= 8 * ZERO * a_v * a_v:
@@ -97,7 +97,7 @@ def _beyond(field, q, around, a_v):
         return SADDLE
     if not around.left > 0 > around.right:
         return BOTH if a_v else CUSP
-    if around.conservative:
+    if around.reversible:
         return CENTRE
     if a_v:
         return f"{STABLE if a_v < 0 else UNSTABLE} {NODE}"

@@ -60,8 +60,13 @@ def period_of(well: Well, scene: "Scene", values: "Mapping[str, float | mpmath.m
 
 def is_conservative(scene: "Scene") -> bool:
     """Is the energy ½ m(q) q̇² + V(q) constant?"""
-    lost = scene.dampers or "C" in scene.matrices or not scene.energies["Phi"].is_zero
-    return not (lost or any(law.damper for law in scene.laws)) and has_potential(scene)
+    return not has_dampers(scene) and has_potential(scene)
+
+
+def has_dampers(scene: "Scene") -> bool:
+    """Does anything lose energy by its speed?"""
+    lost = bool(scene.dampers) or "C" in scene.matrices or not scene.energies["Phi"].is_zero
+    return lost or any(law.damper for law in scene.laws)
 
 
 def has_potential(scene: "Scene") -> bool:

@@ -44,9 +44,9 @@ def of_levels(levels: EnergyLevels, equilibria: "Sequence[StateEquilibrium]", st
     found = [part for orbit in separatrices(levels, tops) for part in branches(orbit, SEPARATRIX)]
     found += [part for orbit in own for part in branches(orbit, OWN)]
     energy = None if start is None else levels.heights[levels.index(start[0])] + kinetic_energy(levels, start)
-    lowest = int(levels.heights.argmin())
-    for height in _shells(levels, rests, speed, energy):
-        for orbit in levels.level(lowest, height - levels.heights[lowest]):
+    base = base_of(levels, rests)
+    for height in _shells(levels, base, rests, speed, energy):
+        for orbit in levels.level(base, height - levels.heights[base]):
             found += branches(orbit, ORBIT)
     return found
 
@@ -73,6 +73,13 @@ def through(levels: EnergyLevels, start: tuple[float, float], rests: Sequence[in
     return [one for one in orbits if one.q[0] <= levels.stops[i] <= one.q[-1]]
 
 
+def base_of(levels: EnergyLevels, rests: Sequence[int]) -> int:
+    """The number of the stop that energies are counted from: the lowest equilibrium, else a low place."""
+    if rests:
+        return min(rests, key=lambda k: levels.heights[k])
+    return int(np.argsort(levels.heights)[levels.heights.size // 20])
+
+
 def kinetic_energy(levels: EnergyLevels, start: tuple[float, float]) -> float:
     """½ m q̇² at the start."""
     return 0.5 * float(levels.well.inertia(np.array(start[:1]))[0]) * start[1] ** 2
@@ -89,17 +96,16 @@ def branches(orbit: Orbit, role: str) -> list[StatePath]:
     return [StatePath(q, v, role), StatePath(back, low, role)]
 
 
-def _shells(levels, rests, speed, own):
-    """Energies of the other orbits, counted as the heights are: between those of equilibria evenly in √E."""
-    heights, m = levels.heights, levels.well.inertia(levels.stops)
-    lowest = int(heights.argmin())
-    base = min((heights[k] for k in rests), default=heights[lowest])
+def _shells(levels, base, rests, speed, own):
+    """Energies of the other orbits, counted as the heights are: between those of equilibria evenly in √E, as far below
+    as above."""
+    heights, ground = levels.heights, levels.heights[base]
 
     def root(energy):
-        return math.copysign(math.sqrt(abs(energy - base)), energy - base)
+        return math.copysign(math.sqrt(abs(energy - ground)), energy - ground)
 
-    top = root(base + 0.5 * float(m[lowest]) * speed**2)
-    marks = sorted({root(heights[lowest]), *(root(heights[k]) for k in rests), top})
+    top = root(ground + 0.5 * float(levels.well.inertia(levels.stops[base:base + 1])[0]) * speed**2)
+    marks = sorted({max(root(heights.min()), -top), *(root(heights[k]) for k in rests), top})
     marks = [a for a, b in zip(marks, [*marks[1:], math.inf], strict=True) if b - a > 1e-6 * top and a <= top]
     step = top / SHELLS
     found = []
@@ -108,4 +114,4 @@ def _shells(levels, rests, speed, own):
         found += [a + (b - a) * k / (count + 1) for k in range(1, count + 1)]
     if own is not None:
         found = [r for r in found if abs(r - root(own)) > TOO_NEAR * step]
-    return [base + math.copysign(r * r, r) for r in found]
+    return [ground + math.copysign(r * r, r) for r in found]

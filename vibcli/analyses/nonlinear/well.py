@@ -22,11 +22,13 @@ from vibcli.symbolic.running_errors import Rounded, RunningErrors, error_in
 
 if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 EPS = 2.0**-52
 FINE, COARSE = leggauss(20), leggauss(10)
 PLACES = 0.5 * (1 + np.concatenate((FINE[0], COARSE[0])))   # of both rules, as shares of the way
 GRID = 129              # places of a range between which V′ and what bends change their sign
+ROUGH = 1e-3            # of V′: two rules that differ by more do not know it
 LOOKS = 2               # at ever nearer places, for where V is stationary
 
 
@@ -39,10 +41,11 @@ class Gain(NamedTuple):
 
 class Well:
     """A scene of one coordinate with numbers for its parameters. `bends`: the arguments of |u|, sign u, min … in V and
-    m, as nodes."""
+    m, as nodes; `V`: what stands for the potential, where that is not the one of the scene at rest."""
 
-    def __init__(self, scene: "Scene", floats: Mapping[str, float]):
-        self.q, V, M = scene.q[0], effective_potential(scene), dynamics(scene).M[0, 0]
+    def __init__(self, scene: "Scene", floats: Mapping[str, float], V: "Node | None" = None):
+        self.q, M = scene.q[0], dynamics(scene).M[0, 0]
+        V = effective_potential(scene) if V is None else V
         self.nodes, self.floats = (V, M), floats
         self.slope = gradient(V).get(self.q, scene.table.zero)
         self.bends = kinks_of((V, M, self.slope), self.q)
@@ -89,6 +92,13 @@ class Well:
         forces = self.force(start[..., None] + way[..., None] * PLACES)
         mean = forces[..., :FINE[0].size] @ (0.5 * FINE[1])
         return mean, np.abs(mean - forces[..., FINE[0].size:] @ (0.5 * COARSE[1]))
+
+    def is_smooth(self, start: np.ndarray, way: np.ndarray) -> np.ndarray:
+        """On which ways does nothing bend, jump or tend to infinity, as far as two rules for V′ agree?"""
+        with np.errstate(all="ignore"):
+            mean, change = self._mean_force(start, way)
+            size = np.abs(self.force(start)) + np.abs(self.force(start + way))
+            return change <= ROUGH * (np.abs(mean) + size)
 
     def breaks(self, low: float, high: float) -> list[float]:
         """The places between two others where V or m bends or jumps, or V is about stationary, ascending."""

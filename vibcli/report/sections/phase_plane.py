@@ -99,7 +99,7 @@ def plane_figure(problem: "Problem") -> "Figure":
     lines += [PlaneLines("orbits", roles["orbit"], "orbit")] if roles["orbit"] else []
     return of_phase_plane((symbol(plane.name), symbol(plane.name + "'")), (of, f"{of}/s" if of else ""), plane.frame.q,
                           plane.frame.v[1], lines, _points(plane.portrait.equilibria),
-                          problem.spec.get("title") or "")
+                          plane.title)
 
 
 def _points(equilibria):
