@@ -102,7 +102,8 @@ PHASE_PLANE = [
         ("conservative", "Orbits are level curves of H = ½ m(x) x'² + V(x), from one turning place to the other; a "
          "separatrix is the level of its saddle. The orbit from `initial` has its turning places and exact period."),
         ("damped", "Orbits are integrated forwards and backwards. Separatrices are what runs into a saddle, which "
-         "bounds the starts that end in the same place, and what runs out of it, from the eigenvectors (1, λ)."),
+         "bounds the starts that end in the same place, and what runs out of it, from the eigenvectors (1, λ). A limit "
+         "cycle is the last lap of a motion from beside an unstable equilibrium."),
         ("range", "All equilibria that the search finds, within `find: {equilibria: all, within: {x: [-1 m, 1 m]}}` "
          "where that is given; where separatrices and the orbit from `initial` turn; of an angle a turn and more."),
         ("equations", "the full ones, also where `motion` is small; with `motion: {order: 3}` the expanded ones"),

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from vibcli.analyses.nonlinear.equilibrium_kinds import StateEquilibrium
+    from vibcli.analyses.nonlinear.phase_portrait import StatePath
     from vibcli.analyses.nonlinear.state_field import StateField
     from vibcli.analyses.nonlinear.well import Well
     from vibcli.mechanics.equilibrium.all_equilibria import Equilibria
@@ -29,15 +30,15 @@ LINEAR = 12             # octaves of places at which it is linear: a force that 
 NOTHING = 1e-9
 
 
-def range_of(search: "Equilibria", well: "Well | None", start: tuple[float, float] | None, unit: float
-             ) -> tuple[float, float]:
+def range_of(search: "Equilibria", well: "Well | None", start: tuple[float, float] | None, unit: float,
+             cycles: "Sequence[StatePath]" = ()) -> tuple[float, float]:
     """From which place to which."""
     name, = search.forces.names or [None]
     places = [item.equilibrium.values[name] for item in search.items] if name else []
     bounds = search.bounds.get(name)
     if name and search.forces.periodic[0] and bounds is not None:
         return _turn(0.5 * sum(bounds), start, well)
-    marks = [*places, *_turns(well, start)]
+    marks = [*places, *_turns(well, start), *(q for one in cycles for q in (float(one.q.min()), float(one.q.max())))]
     marks += [2 * places[0] - q for q in marks[1:]] if len(places) == 1 else []
     if well is not None and bounds is not None:
         marks += _ends_of_separatrices(well, bounds, places)

@@ -8,6 +8,7 @@ import numpy as np
 from vibcli.analyses.nonlinear.damped_portrait import of_motion
 from vibcli.analyses.nonlinear.energy_levels import EnergyLevels
 from vibcli.analyses.nonlinear.integrated_orbits import PhaseFrame
+from vibcli.analyses.nonlinear.limit_cycles import limit_cycles
 from vibcli.analyses.nonlinear.period import exact_period, has_dampers, has_potential
 from vibcli.analyses.nonlinear.period_in_floats import period_between
 from vibcli.analyses.nonlinear.phase_portrait import Portrait, StatePath, base_of, kinetic_energy, of_levels, through
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 
+MARGIN_ABOVE = 1.5      # of the speed on a limit cycle
 LOOKED_AT, SAME = np.linspace(-0.9, 1.0, 7), 1e-12      # of the unit; of forces
 
 
@@ -81,14 +83,22 @@ class PhasePlane:
     def equilibria(self) -> StateEquilibria:
         """Those of what is shown."""
         return StateEquilibria(self.configuration, self._search, self.field, self.well, self._is_reversible,
-                               lambda search: range_of(search, self.well, self.start, self.unit))
+                               lambda search: range_of(search, self.well, self.start, self.unit, self.cycles))
+
+    @cached_property
+    def cycles(self) -> list[StatePath]:
+        """Limit cycles about unstable equilibria."""
+        if self._is_reversible or not self._search.forces.names:
+            return []
+        places = [item.equilibrium.values[self.name] for item in self._search.items]
+        return limit_cycles(self.field, places, self.unit)
 
     @property
     def _is_reversible(self):
         q = self.start[0] if self.start is not None else self.configuration.numeric.drawn_floats[self.name]
         return self.conservative or self.field.is_reversible(q - self.unit, q + self.unit, self.unit)
 
-    @property
+    @cached_property
     def _search(self):
         """All equilibria within the bounds of the file; else within default ones, and as far as the motion goes and the
         forces are bent."""
@@ -134,7 +144,8 @@ class PhasePlane:
     def frame(self) -> PhaseFrame:
         """What is shown."""
         low, high = self.equilibria.range
-        speed = speed_of(self.field, self.levels, self.equilibria.items, self._moving, (low, high))
+        speed = max(speed_of(self.field, self.levels, self.equilibria.items, self._moving, (low, high)),
+                    *(MARGIN_ABOVE * float(one.v.max()) for one in self.cycles), 0.0)
         if self.field.jumps_with_speed(low, high, speed):
             raise PhysicsError("a force of this scene jumps with the sense of the motion, as dry friction does: it "
                                "rests in whole ranges of places, which are no points of the phase plane",
@@ -162,6 +173,7 @@ class PhasePlane:
             drawn = of_levels(self.levels, items, self._moving, frame.v[1])
         else:
             drawn = of_motion(self.field, list(zip(items, self.equilibria.around, strict=True)), self._moving, frame)
+            drawn += self.cycles
         inside = [one for one in drawn if _is_seen(one, frame)]
         return Portrait(items, inside, None if self.levels is None else heights_of(self.levels, items))
 

@@ -190,6 +190,15 @@ def test_a_pole_is_no_equilibrium_and_is_not_passed():
         assert one.q.max() < 0.05 or one.q.min() > 0.05
 
 
+def test_a_motion_that_excites_itself_ends_in_a_limit_cycle():
+    plane = problem("coordinates: {x: m}\nenergies:\n  T: (1 kg)*x'^2/2\n  V: (100 N/m)*x^2/2\n"
+                    "  Phi: (100 N*s/m^3)*((x^2 - 0.04 m^2)*x'^2/2)\n").phase_plane
+    cycle, = plane.cycles
+    assert kinds(plane) == ["unstable focus"]
+    assert cycle.q.max() == pytest.approx(0.4, rel=2e-3)      # of a weak one twice the place where the damping turns
+    assert plane.frame.q[1] > 0.5 and plane.frame.v[1] > 5
+
+
 def test_a_start_at_rest_and_one_on_a_separatrix_are_told():
     assert "rests" in pendulum(more="initial: {phi: 0}").own.reason
     plane = spring("-k*d + b*d^3", more="initial: {x: 0.5 m}")

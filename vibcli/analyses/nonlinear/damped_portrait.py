@@ -17,7 +17,7 @@ FIRST, SLOW = 1e-6, 2e-3        # of the frame: how far from a saddle its manifo
 ALONG, ACROSS, EDGE = 7, 5, 9   # places from which orbits are tried: inside, and along each edge
 INSET = 0.97
 APART = 0.17                    # of half the frame: nearer to a line no other one starts
-LONG, OWN_LONG = 8.0, 40.0      # frames, at most
+LONG, OWN_LONG = 8.0, 16.0      # frames, at most
 DENSE = 8                       # of the points of a line one in so many is looked at
 
 

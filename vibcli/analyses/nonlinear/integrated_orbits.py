@@ -40,11 +40,11 @@ class PhaseFrame(NamedTuple):
 
 
 def followed(field: "StateField", starts: np.ndarray, senses: np.ndarray, frame: PhaseFrame,
-             ends: Sequence[tuple[float, float]], lengths: np.ndarray) -> list[np.ndarray]:
+             ends: Sequence[tuple[float, float]], lengths: np.ndarray, most: int = MOST_STEPS) -> list[np.ndarray]:
     """The orbits from starts (q, q̇) of shape (2, n), each an array of shape (2, points): forwards in time where its
-    sense is 1, backwards where it is −1, until it leaves the frame, comes near to one of `ends` or is as many frames
-    long as its length says."""
-    run = _Run(field, starts, senses, frame, ends, lengths)
+    sense is 1, backwards where it is −1, until it leaves the frame, comes near to one of `ends`, is as many frames
+    long as its length says, or has so many points at `most`."""
+    run = _Run(field, starts, senses, frame, ends, lengths, most)
     for _ in range(ROUNDS):
         if not run.active.size:
             break
@@ -53,13 +53,13 @@ def followed(field: "StateField", starts: np.ndarray, senses: np.ndarray, frame:
 
 
 class _Run:
-    def __init__(self, field, starts, senses, frame, ends, lengths):
+    def __init__(self, field, starts, senses, frame, ends, lengths, most):
         self.field, self.frame, self.lengths, self.scale = field, frame, lengths, frame.size
         self.state, self.senses = starts.astype(float), senses.astype(float)
         self.ends = np.array(ends, dtype=float).reshape(-1, 2).T
         self.active = np.flatnonzero(~frame.beyond(self.state))
         self.kept = [(np.arange(senses.size), self.state.copy())]
-        self.gone, self.left = np.zeros(senses.size), np.full(senses.size, MOST_STEPS)
+        self.gone, self.left = np.zeros(senses.size), np.full(senses.size, most)
         self.time = np.full(senses.size, np.inf)
 
     def _rate(self, state, senses):

@@ -13,7 +13,7 @@ from vibcli.analyses.nonlinear.energy_levels import EnergyLevels, Orbit
 if TYPE_CHECKING:
     from vibcli.analyses.nonlinear.equilibrium_kinds import StateEquilibrium
 
-ORBIT, SEPARATRIX, INTO, OUT_OF, OWN = "orbit", "separatrix", "into", "out of", "own"
+ORBIT, SEPARATRIX, INTO, OUT_OF, OWN, CYCLE = "orbit", "separatrix", "into", "out of", "own", "cycle"
 SHELLS = 7              # of levels from the lowest equilibrium to the edge, about
 BELOW = 2               # so much farther are they apart below all equilibria
 TOO_NEAR = 0.3          # of the way from one shell to the next: a level so near to the own motion is left out

@@ -59,4 +59,4 @@ class StateField:
     def _values(self, compiled, q, v):
         with np.errstate(all="ignore"):
             rows = compiled(np.zeros(q.size), q.reshape(1, -1), v.reshape(1, -1))
-        return [np.broadcast_to(row, q.shape) for row in rows]
+        return [row if np.shape(row) == q.shape else np.full(q.shape, row) for row in rows]

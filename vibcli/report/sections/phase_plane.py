@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 LINES = (("own", "from the initial state", False), ("separatrix", "separatrix", False),
-         ("into", "into a saddle", True), ("out of", "out of a saddle", False))
+         ("into", "into a saddle", True), ("out of", "out of a saddle", False), ("cycle", "limit cycle", False))
 MARKERS = ("", "centre", "focus", "node", "saddle")     # one for each kind; "": for any other
 SAME = 1e-12                                        # of it: saddles of one energy
 BEYOND = "terms beyond the linear ones decide"
