@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.mechanics.energies import dissipation, generalised_force, kinetic, potential
 from vibcli.mechanics.expansion import (
+    cleared,
     expanded_about,
     expression_in_numbers,
     require_expandable,
@@ -21,8 +22,10 @@ from vibcli.mechanics.expansion import (
 from vibcli.mechanics.lagrange import full_equations
 from vibcli.scene.energy_terms import AppliedLoad
 from vibcli.symbolic.derivatives import substitute
-from vibcli.symbolic.normal_form import is_zero
+from vibcli.symbolic.evaluation import evaluate
+from vibcli.symbolic.normal_form import TooLong, expanded, is_zero
 from vibcli.symbolic.rationals import HALF, ONE
+from vibcli.symbolic.running_errors import number_in
 
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
@@ -103,15 +106,39 @@ def _truncated(scene, node, place, order, rates, which, from_rest):
 def _coefficients(scene, node, place, variables, order, which):
     """{powers: node}; of a place in numbers alone they are numbers, but for what changes with the time."""
     table, numbers, timed = scene.table, place.numbers, node.mask & scene.time.mask
-    side = numbers and side_in_numbers(numbers)
-    if not (place.outright and not timed):
+    rest = {q.name: q for q in scene.q} if place.outright else place.values
+    if timed or not place.outright:
         try:
-            return expanded_about(scene, node, place.values, variables, up_to(order), order, which, side)
+            terms = expanded_about(scene, node, rest, variables, up_to(order), order, which,
+                                   numbers and side_in_numbers(numbers))
+            return {powers: _beside_time(scene, c, place) for powers, c in terms.items()} if place.outright else terms
         except NotInLetters:
-            if numbers is None or timed:
+            if numbers is None:
                 raise
+            if timed:
+                raise PhysicsError("which side of a kink the scene is on hangs on the time: there is no expansion",
+                                   "ask for motion: full") from None
     found = expression_in_numbers(numbers, node, order, variables, which)
     return {powers: table.number(Fraction(repr(c))) for powers, c in found.items()}
+
+
+def _beside_time(scene, c, place):
+    """A coefficient at rest, functions of the time with numbers for their factors."""
+    arithmetic, values = place.numbers.bounded_rest
+    table, time, factors = scene.table, scene.time.mask, {}
+    at_rest = {q: place.values[q.name] for q in scene.q}
+    try:
+        monomials = expanded(c)
+    except TooLong:
+        return substitute([c], at_rest)[0]
+    for monomial, value in monomials.items():
+        moving = table.product(*(pair for pair in monomial if pair[0].mask & time))
+        factors.setdefault(moving, []).append(table.product((table.number(value), ONE), *(
+            pair for pair in monomial if not pair[0].mask & time)))
+    found = evaluate([table.total(parts) for parts in factors.values()], arithmetic, values)
+    numbers = [table.number(Fraction(repr(float(number_in(cleared(one, arithmetic)))))) for one in found]
+    return table.total(number * moving for number, moving in zip(numbers, substitute(list(factors), at_rest),
+                                                                 strict=True))
 
 
 def _skew(scene):

@@ -122,12 +122,15 @@ def side_in_letters(u: "Node") -> int | None:
     return next((side for side, node in ((1, simple), (-1, -simple)) if u.table.is_positive(node)), None)
 
 
-def side_in_numbers(configuration: "Configuration") -> "Callable[[Node], int]":
-    """The sign of an expression in equilibrium, 0 where it vanishes or only rounding is left of it."""
+def side_in_numbers(configuration: "Configuration") -> "Callable[[Node], int | None]":
+    """The sign of an expression in equilibrium, 0 where it vanishes or only rounding is left of it; None where the time
+    may change it."""
     arithmetic, values = configuration.bounded_rest
 
     def side(u):
         known = side_in_letters(u)
+        if known is None and u.mask & configuration.scene.time.mask:
+            return None
         return sign(evaluate([u], arithmetic, values)[0]) if known is None else known
     return side
 
@@ -166,14 +169,23 @@ def expanded_by(scene: "Scene", which: str, nodes: "Sequence[Node]", arithmetic:
 
 def _kinked(scene, which, ring, polynomials, cause):
     """The refusal, with the element that has the kink."""
-    terms = [*scene.springs, *scene.weights, *(law for law in scene.laws if not law.damper)] if which == "V" else []
-    owner = next((term.owner for term in terms if _is_kinked(term.potential(scene), ring, polynomials)), None)
-    what = "an infinite derivative" if cause.name == "power" else f"a kink of {cause.name}"
+    owner = next((term.owner for term in _terms_of(scene, which) if _is_kinked(
+        term.potential(scene), ring, polynomials)), None)
+    known = cause.name in Floats.functions
+    what = "an infinite derivative" if cause.name == "power" else f"a kink of {cause.name}" if known else "a kink"
     name = f"'{owner}' has" if owner else f"{which} has"
     places = [(x.name, polynomials[x.name].constant) for x in scene.q]
     at = ", ".join(f"{name} = {number_in(c):.6g}" for name, c in places if not hasattr(c, "op"))
-    return Kinked(f"{name} {what} in the equilibrium{at and ' at ' + at}: {which} has no expansion about it",
-                  "move the equilibrium off it", _place(scene.spec, owner))
+    hint = "ask for motion: full" if which in ("Φ", "Q") else "move the equilibrium off it"
+    return Kinked(f"{name} {what} in the equilibrium{at and ' at ' + at}: {which} has no expansion about it", hint,
+                  _place(scene.spec, owner))
+
+
+def _terms_of(scene, which):
+    """Those of V, or of Φ."""
+    if which == "V":
+        return [*scene.springs, *scene.weights, *(law for law in scene.laws if not law.damper)]
+    return [*scene.dampers, *(law for law in scene.laws if law.damper)] if which == "Φ" else []
 
 
 def _place(spec, owner):

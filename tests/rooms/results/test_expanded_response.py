@@ -2,6 +2,7 @@
 
 import json
 import math
+from textwrap import dedent
 
 import mpmath
 import pytest
@@ -124,6 +125,35 @@ def test_a_spring_with_a_gap_is_expanded_on_its_side_of_it():
     assert value(scene, "period(y)") == pytest.approx(2 * math.pi * (2 / 400)**0.5, rel=1e-14)
     letters = problem(STOP.replace("gap: 1 cm", "gap: {unit: m}"))
     assert letters.symbolic.equations.unexpanded is not None
+
+
+def test_what_changes_with_the_time_stands_in_numbers_about_a_deformed_position(capsys, tmp_path):
+    """A spring whose upper end is moved by h sin(Ω t): no more than k h sin(Ω t) on the right side."""
+    text = """
+    parameters: {m: 2 kg, k: 200 N/m, g: 9.81 m/s^2, h: 3 cm, Om: 20 rad/s}
+    gravity: g
+    points: {W: {at: [0, 1 m], moves: [0 m, "h*sin(Om*t)"]}}
+    bodies: {p: {mass: m, at: [0, 0], move: [0, y, 0]}}
+    springs:
+      s: {k: k, between: [W, p]}
+      side: {k: k, preload: 5 N, between: [[1 m, 0], p]}
+    motion: {order: 3}
+    """
+    out = answered(capsys, tmp_path, ["equations"], dedent(text))
+    y = sympy.symbols("y")
+    V = 100 * y**2 + 5 * sympy.sqrt(1 + y**2) + 100 * (sympy.sqrt(1 + y**2) - 1)**2 + 2 * sympy.Float("9.81", 30) * y
+    rest = sympy.nsolve(sympy.diff(V, y), -0.1, prec=30)
+    linear, quadratic, cubic = (sympy.diff(V, y, n).subs(y, rest) / sympy.factorial(n - 1) for n in (2, 3, 4))
+    assert f"y:  2·ÿ + {linear:.9f}·y − {-quadratic:.10f}·y² + {cubic:.10f}·y³ = 6·sin(Om·t)" in out
+
+
+def test_a_damper_with_a_kink_is_named_where_its_energy_has_no_expansion():
+    text = ("parameters: {m: 2 kg, k: 200 N/m, c: 8 kg/m}\nbodies: {p: {mass: m, slide: x}}\nmotion: {order: 3}\n"
+            "springs: {s: {k: k, between: [ground, p]}}\ninitial: {x: 20 cm}\n"
+            "dampers: {water: {law: c*v*abs(v), between: [ground, p]}}\n")
+    with pytest.raises(PhysicsError, match="'water' has a kink of abs in the equilibrium: Φ has no") as refusal:
+        value(problem(text), "x(1 s)")
+    assert refusal.value.hint == "ask for motion: full"
 
 
 def test_other_orders_are_refused():

@@ -109,7 +109,7 @@ def _full(problem, report):
         counted = "" if problem.symbolic.balanced_as_drawn else ", the coordinates counted from it"
         title += f", to the third order about the equilibrium{counted}"
     if found.unexpanded:
-        yield from section(title, paragraph(f"none: {found.unexpanded.message}", hang=0))
+        yield from section(title, paragraph(f"none: {found.unexpanded.message} ({found.unexpanded.hint})", hang=0))
         return
     if not found.full:
         yield from section(title, paragraph(f"not written out for {len(problem.scene.coordinates)} coordinates"))
