@@ -154,7 +154,16 @@ def _frequencies(problem, parts, normalise, digits, sections, wanted):
             from vibcli.report.sections.equilibrium import EQUILIBRIUM
 
             found |= keys.data([EQUILIBRIUM, MATRICES], problem)
+        elif _rests_at_a_jump(problem, error):
+            from vibcli.report.sections.equilibrium import EQUILIBRIUM
+
+            found |= keys.data([EQUILIBRIUM], problem)
         return found
+
+
+def _rests_at_a_jump(problem, error):
+    return isinstance(error, Kinked) and not problem.numeric.has_free_symbols and bool(
+        problem.configuration.equilibrium.jumps)
 
 
 def _without_slope(problem, refusal, sections):

@@ -9,7 +9,7 @@ follow by closing their loops. The end is polished by plain Newton steps until t
 
 import math
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.equilibrium.no_equilibrium import FAR, Undefined, unbounded, unfinished
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from vibcli.mechanics.numeric_system import NumericSystem
 
 EPSILON = 2.0**-52
+LEAPING = "sign", "step"
 KNOWN = 1e-7        # of the figure: places nearer than 1e-9 of this are one
 STEPS, POLISH, FARTHEST, HUGE = 300, 12, 1e60, 1e140
 GROWN, LOWERED, CARRIED = 1e3, 1e-2, 100.0      # of the terms at the start; of the forces there; of the figure
@@ -31,7 +32,8 @@ GROWN, LOWERED, CARRIED = 1e3, 1e-2, 100.0      # of the terms at the start; of 
 class Equilibrium(NamedTuple):
     """Coordinates in equilibrium (numbers by name), whether that is the drawn position, and the largest residual
     relative to the magnitudes of its terms and of K q, the largest that the search met; start: the position that
-    `equilibrium:` names, whose nearest one it is, or None; degenerate: did Newton's method find K singular there?"""
+    `equilibrium:` names, whose nearest one it is, or None; degenerate: did Newton's method find K singular there?
+    jumps: the JumpsAtRest of forces that jump there and bear what balance asks for, or None."""
 
     values: dict
     drawn: bool
@@ -39,6 +41,7 @@ class Equilibrium(NamedTuple):
     steps: int = 0
     start: dict = None
     degenerate: bool = False
+    jumps: Any = None
 
     @property
     def from_start(self) -> dict[str, float] | None:
@@ -72,14 +75,26 @@ def find_equilibrium(numeric: "NumericSystem", start: Mapping[str, float]) -> Eq
         if steps > STEPS and search.balanced(numbers):
             break       # there but for rounding
         if steps > STEPS:
-            raise unbounded(search, q) if conservative else unfinished(search, q, STEPS)
+            return _held(search, q, steps, unbounded(search, q) if conservative else unfinished(search, q, STEPS))
         q, numbers, size, moved = step(q, numbers, size)
         if not moved:
             break
     q, numbers = search.polished(q, numbers)
     if not search.balanced(numbers) or search.faded(numbers) or search.drowned(q, numbers):
-        raise unbounded(search, q)
+        return _held(search, q, steps, unbounded(search, q))
     return Equilibrium(search.here, False, search.relative(numbers), steps)
+
+
+def _held(search, q, steps, refusal):
+    """The Equilibrium where forces jump, next to which a search ends; else the refusal."""
+    if not search.scene.table.called.intersection(LEAPING):
+        raise refusal
+    from vibcli.mechanics.equilibrium.rest_at_jumps import rest_at_jumps
+
+    found = rest_at_jumps(search, q)
+    if found is None:
+        raise refusal
+    return Equilibrium({name: found.values[name] for name in search.names}, False, 0.0, steps, jumps=found)
 
 
 class EnergyDescent:
