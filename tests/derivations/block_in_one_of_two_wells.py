@@ -1,5 +1,5 @@
-"""x = x0 dn within a well, x = x0 cn through both: periods of Jacobi's functions; the largest speed by the energy, which
-is that of the rest at sqrt(k/b)."""
+"""x = x0 dn within a well, x = x0 cn through both: periods of Jacobi's functions; the largest speed by the energy, as
+that of the rest at sqrt(k/b) is the least."""
 
 import mpmath
 
