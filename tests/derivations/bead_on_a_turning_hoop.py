@@ -1,5 +1,5 @@
-"""With u = cos theta, theta'^2 = W^2 (u0 - u)(u - u1), u1 = 2 g/(R W^2) - u0: T = 2 int du/(sqrt(1 - u^2) |theta'|) is a
-complete elliptic integral of four real roots (Byrd and Friedman 1971, 255 and 257)."""
+"""With u = cos theta, theta'^2 = W^2 (u0 - u)(u - u1), u1 = 2 g/(R W^2) - u0: T = 2 int du/(sqrt(1 - u^2) |theta'|) is
+a complete elliptic integral of four real roots (Byrd and Friedman 1971, 255 and 257)."""
 
 import mpmath
 
