@@ -32,7 +32,7 @@ class ModalResponse(ResponseOfMembers):
 
     def __init__(self, problem: Any, waves: Any = None, part: "PartOfMembers | None" = None):
         super().__init__(problem, waves, part)
-        self._motions: dict[int, ModalMotion] = {}
+        self._motions: dict[int, ModalMotion | PhysicsError] = {}
 
     @cached_property
     def natural(self) -> "Modes":
@@ -80,10 +80,16 @@ class ModalResponse(ResponseOfMembers):
                     and not any(part.any() for part in self.matrices)]
 
     def motion(self, count: int) -> "ModalMotion":
-        """That of so many modes."""
+        """That of so many modes; a refusal is kept as a motion is."""
         if count not in self._motions:
-            self._motions[count] = self._found(count)
-        return self._motions[count]
+            try:
+                self._motions[count] = self._found(count)
+            except PhysicsError as refusal:
+                self._motions[count] = refusal
+        found = self._motions[count]
+        if isinstance(found, PhysicsError):
+            raise found.told()
+        return found
 
     def _found(self, count):
         from vibcli.analyses.continuous.modal_motion import ModalMotion
