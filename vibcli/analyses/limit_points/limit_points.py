@@ -1,0 +1,170 @@
+"""Limit points (folds) of a path of equilibria, at which two of them meet and vanish, to any number of digits.
+
+There K is singular along φ while the load ∂r/∂p works along its left null vector, so that p turns back. With a vector l
+
+    r(q, p) = 0      K φ = 0      l·φ = 1
+
+has a regular zero (q, p, φ) at a quadratic one (Moore & Spence 1980): Newton's method with the derivatives in floats
+and the residual in mpmath gains their digits at each step. At a branching, where paths cross, it has none.
+"""
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from vibcli.analyses.limit_points.equations import UNDEFINED, ParametricEquilibrium
+from vibcli.analyses.limit_points.path import EquilibriumPath, Stretch
+
+GUARD, ROUNDS, RENEWED, FASTER = 25, 60, 6, 0.1     # digits beyond those asked; steps, with new derivatives, how they fall
+STRAYED, TRANSVERSE, REGULAR = 0.3, 1e-9, 1e14      # relative: how far from where it was met; of w·∂r/∂p; condition
+EQUAL = 1e-11
+
+
+class LimitPoint(NamedTuple):
+    """p, {coordinate: number} and {symbol: number} of everything at rest there, and the bound of the relative error of
+    p; numbers of mpmath."""
+
+    value: Any
+    position: Mapping[str, Any]
+    values: Mapping[str, Any]
+    error: float
+
+
+class FollowedPath(NamedTuple):
+    """The limit points by ascending |p|, those of the sign of `start` first where |p| is the same; p of branchings and
+    of places that are not resolved; the least and the largest p that were met and why the path was followed no further,
+    towards larger and towards smaller p at first."""
+
+    start: float
+    limits: list[LimitPoint]
+    branchings: list[float]
+    unresolved: list[float]
+    reached: tuple[float, float]
+    ends: tuple[tuple[float, str], tuple[float, str]]
+
+    def counted(self, both: bool) -> list[LimitPoint]:
+        """The limit points of the sign of the start, positive of 0, or of both signs."""
+        negative = self.start < 0
+        return [one for one in self.limits if both or (one.value < 0) == negative]
+
+
+def followed_path(equations: ParametricEquilibrium, digits: int) -> FollowedPath:
+    """The FollowedPath through the equilibrium that is reached, its limit points good to so many digits."""
+    path = EquilibriumPath(equations)
+    limits, branchings, unresolved, values, ends = [], [], [], [equations.start], []
+    for sense in (1, -1):
+        p = equations.start
+        for stretch in path.stretches(sense):
+            p = path.parted(stretch.end.y)[1]
+            values.append(p)
+            if stretch.branching:
+                branchings.append(_branching(path, stretch))
+            elif (stretch.start.tangent[-1] < 0) != (stretch.end.tangent[-1] < 0):
+                found = _limit_point(path, stretch, digits)
+                (unresolved if found is None else limits).append(
+                    path.parted(path.between(stretch, _climb).y)[1] if found is None else found)
+        ends.append((p, path.ended))
+    negative = equations.start < 0
+    limits.sort(key=lambda one: abs(one.value))
+    kept: list = []
+    for one in limits:
+        if not any(abs(one.value - other.value) <= EQUAL * abs(one.value) for other in kept):
+            kept.append(one)
+    kept.sort(key=lambda one: (float(f"{float(abs(one.value)):.11g}"), (one.value < 0) != negative))
+    return FollowedPath(equations.start, kept, branchings, unresolved, (min(values), max(values)),
+                        (ends[0], ends[1]))
+
+
+def _climb(point):
+    return float(point.tangent[-1])
+
+
+def _branching(path, stretch):
+    point = path.between(stretch, lambda one: 1.0 if one.sense == stretch.start.sense else -1.0)
+    return path.parted(point.y)[1]
+
+
+def _limit_point(path: EquilibriumPath, stretch: Stretch, digits: int):
+    """The LimitPoint of a stretch on which p turns back; None where it is no regular one."""
+    point = path.between(stretch, _climb)
+    q, p = path.parted(point.y)
+    extended = _ExtendedSystem(path.equations, q, p, path.unit, point.position)
+    found = extended.solved(digits)
+    if found is None:
+        return None
+    gone = path.metric * float(np.linalg.norm(stretch.end.y - stretch.start.y))
+    strayed = max(abs(float(found.position[one]) / scale - x) for one, scale, x in
+                  zip(path.equations.names, path.equations.scale, q, strict=True))
+    near = abs(float(found.value) - p) <= STRAYED * max(abs(p), path.unit) and strayed <= max(gone, 1e-6)
+    return found if near else None
+
+
+class _ExtendedSystem:
+    """(r, K φ, l·φ − 1) about a place near a limit point: q in figures, p in units."""
+
+    def __init__(self, equations, q, p, unit, position):
+        self.equations, self.unit, self.position = equations, unit, position
+        self.n, self.q, self.p = len(q), q, p
+        found = equations.rates(q, p, None, 1.0, position)
+        self.size = float(np.abs(found[0].K).max()) if found is not None else 0.0
+        self.along = np.linalg.svd(found[0].K)[2][-1] if found is not None else np.zeros(self.n)
+
+    def _slopes(self, q, p, phi):
+        """The matrix of derivatives by (q, p/unit, φ); None where it is singular, as at a branching."""
+        n, eq = self.n, self.equations
+        straight = eq.rates(q, p, None, 1.0, self.position)
+        bent = eq.rates(q, p, phi, 0.0, self.position)
+        if straight is None or bent is None:
+            return None
+        rates, found = straight[0], np.zeros((2 * n + 1, 2 * n + 1))
+        found[:n, :n], found[:n, n] = rates.K, rates.dr * self.unit
+        found[n:2 * n, :n], found[n:2 * n, n] = bent[0].dK, rates.dK @ phi * self.unit
+        found[n:2 * n, n + 1:], found[2 * n, n + 1:] = rates.K, self.along * self.size
+        w = np.linalg.svd(rates.K)[0][:, -1]
+        load = float(np.linalg.norm(rates.dr))
+        if not load or abs(w @ rates.dr) <= TRANSVERSE * load:
+            return None
+        rows = np.abs(found).max(axis=1, keepdims=True)
+        columns = np.abs(found / rows).max(axis=0, keepdims=True)
+        return found if np.linalg.cond(found / rows / columns) < REGULAR else None
+
+    def solved(self, digits):
+        import mpmath
+
+        with mpmath.workdps(digits + GUARD):
+            try:
+                return self._solved(mpmath, digits)
+            except UNDEFINED + (np.linalg.LinAlgError,):
+                return None
+
+    def _solved(self, mpmath, digits):
+        n, scale = self.n, self.equations.scale
+        q, p = [mpmath.mpf(float(x)) for x in self.q], mpmath.mpf(self.p)
+        phi, position, last, slopes = [mpmath.mpf(float(x)) for x in self.along], self.position, mpmath.inf, None
+        for i in range(ROUNDS):
+            r, K, position, values = self.equations.precisely([x * s for x, s in zip(q, scale, strict=True)], p,
+                                                              position)
+            bent = [sum(x * y for x, y in zip(row, phi, strict=True)) for row in K]
+            left = [*r, *bent, (sum(x * float(y) for x, y in zip(phi, self.along, strict=True)) - 1) * self.size]
+            if i < RENEWED:
+                slopes = self._slopes(np.array(q, float), float(p), np.array(phi, float))
+                if slopes is None:
+                    return None
+            largest = max(map(abs, left))
+            if not largest:
+                step, length = None, mpmath.mpf(0)
+            else:
+                step = [mpmath.mpf(float(x)) * largest for x in
+                        np.linalg.solve(slopes, [-float(x / largest) for x in left])]
+                length = max(map(abs, step))
+            if length <= mpmath.mpf(10) ** -(digits + GUARD // 2) * (1 + abs(p) / self.unit):
+                error = float(10 * length * self.unit / abs(p)) if p else 0.0
+                return LimitPoint(p, position, values, error + 10.0 ** -digits)
+            if i > RENEWED and length > FASTER * last:
+                return None
+            last = length
+            q = [x + y for x, y in zip(q, step[:n], strict=True)]
+            p += step[n] * self.unit
+            phi = [x + y for x, y in zip(phi, step[n + 1:], strict=True)]
+        return None
