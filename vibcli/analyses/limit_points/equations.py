@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.mechanics.nonsmooth import KINKED
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.dual_numbers import Duals, dual, slope, value
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
@@ -34,7 +35,7 @@ class Rates(NamedTuple):
 
 class ParametricEquilibrium:
     """r(q, p) of a scene. `names`: of the coordinates that forces hang on; `scale`: the size of the figure along each.
-    Of coordinates q/scale the rows are r·scale, works."""
+    Of coordinates q/scale the rows are r·scale, works. `bends`: may forces bend or jump?"""
 
     def __init__(self, numeric: "NumericSystem", name: str, rest: Mapping[str, float], loose: list[str]):
         self.numeric, self.name, self.rest = numeric, name, dict(rest)
@@ -47,6 +48,7 @@ class ParametricEquilibrium:
         self.form = numeric.system.linearisation._replace(inertias=[], dampers=[], M={}, C={}, G={}, drag={})
         self.given = {one: x for one, x in numeric.given.items() if one != name}
         self.start = numeric.floats[name]
+        self.bends = bool(self.scene.table.called.intersection(KINKED) or self.scene.table.functions)
 
     def rates(self, q: np.ndarray, p: float, dq: "np.ndarray | None", dp: float, near: Mapping[str, float]):
         """(Rates, {coordinate: float}) at a place, None where the forces are not defined. `near`: a position with
@@ -85,12 +87,16 @@ class ParametricEquilibrium:
     def _numbers(self, arithmetic):
         return {one: arithmetic.number(x) for one, x in self.given.items()}
 
+    def at_rest(self, p: float) -> dict[str, float]:
+        """{parameter: float}, and the time."""
+        return {**self.scene.parameters.values(Floats, {**self._numbers(Floats), self.name: p}),
+                self.scene.time.name: 0.0}
+
     def _closed(self, q, p, near):
         target = {**near, **{one: float(x) for one, x in zip(self.names, q * self.scale, strict=True)}}
         if self.loops is None:
             return target
-        values = self.scene.parameters.values(Floats, {**self._numbers(Floats), self.name: p})
-        values[self.scene.time.name] = 0.0
+        values = self.at_rest(p)
         found = self.loops.followed({**values, **near}, {**values, **target})
         return None if found is None else {one: found[one] for one in near}
 
@@ -103,8 +109,8 @@ class ParametricEquilibrium:
         return {z: dual(value(values[z]), float(step)) for z, step in zip(self.loops.names, steps, strict=True)}
 
     def precisely(self, q: list, p: Any, near: Mapping[str, Any]):
-        """(r, K, {coordinate: number}, {symbol: number}) in mpmath at the working precision, unscaled q but scaled rows,
-        as lists."""
+        """(r, K, {coordinate: number}, {symbol: number}) in mpmath at the working precision, as lists with scaled rows;
+        q is not scaled."""
         arithmetic = multiprecision()
         values = self.scene.parameters.values(arithmetic, {**self._numbers(arithmetic), self.name: p})
         values = {**values, self.scene.time.name: arithmetic.number(0),

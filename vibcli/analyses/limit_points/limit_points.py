@@ -1,6 +1,7 @@
 """Limit points (folds) of a path of equilibria, at which two of them meet and vanish, to any number of digits.
 
-There K is singular along φ while the load ∂r/∂p works along its left null vector, so that p turns back. With a vector l
+At a smooth one K is singular along φ while the load ∂r/∂p works along its left null vector, so that p turns back. With
+a vector l
 
     r(q, p) = 0      K φ = 0      l·φ = 1
 
@@ -14,34 +15,43 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from vibcli.analyses.limit_points.equations import UNDEFINED, ParametricEquilibrium
-from vibcli.analyses.limit_points.path import EquilibriumPath, Stretch
+from vibcli.analyses.limit_points.path import EquilibriumPath, PathPoint, PathStep
 
-GUARD, ROUNDS, RENEWED, FASTER = 25, 60, 6, 0.1     # digits beyond those asked; steps, with new derivatives, how they fall
+GUARD, SURE, ROUNDS, RENEWED, FASTER = 25, 8, 60, 6, 0.1     # digits beyond those asked; steps; how they fall
 STRAYED, TRANSVERSE, REGULAR = 0.3, 1e-9, 1e14      # relative: how far from where it was met; of w·∂r/∂p; condition
-EQUAL = 1e-11
+EQUAL, LEVEL, FAINT, CORNER = 1e-10, 1e-4, 1e-10, 1e-11     # of p; of its rate; the error of p at a corner
 
 
 class LimitPoint(NamedTuple):
-    """p, {coordinate: number} and {symbol: number} of everything at rest there, and the bound of the relative error of
-    p; numbers of mpmath."""
+    """p, {coordinate: number} and {symbol: number} of everything at rest there, numbers of mpmath, floats where forces
+    bend there; bounds of the error of p, relative, and `blur` of coordinates, by the size of the figure."""
 
     value: Any
     position: Mapping[str, Any]
     values: Mapping[str, Any]
     error: float
+    blur: float
+
+
+class PathEnd(NamedTuple):
+    """Where a path is followed no further: p, why, and whether it goes on there."""
+
+    value: float
+    why: str
+    broken: bool
 
 
 class FollowedPath(NamedTuple):
     """The limit points by ascending |p|, those of the sign of `start` first where |p| is the same; p of branchings and
-    of places that are not resolved; the least and the largest p that were met and why the path was followed no further,
-    towards larger and towards smaller p at first."""
+    of limit points that are not resolved; the least and the largest p that were met; where it ends, followed towards
+    larger and towards smaller p at first."""
 
     start: float
     limits: list[LimitPoint]
     branchings: list[float]
     unresolved: list[float]
     reached: tuple[float, float]
-    ends: tuple[tuple[float, str], tuple[float, str]]
+    ends: tuple[PathEnd, ...]
 
     def counted(self, both: bool) -> list[LimitPoint]:
         """The limit points of the sign of the start, positive of 0, or of both signs."""
@@ -54,26 +64,35 @@ def followed_path(equations: ParametricEquilibrium, digits: int) -> FollowedPath
     path = EquilibriumPath(equations)
     limits, branchings, unresolved, values, ends = [], [], [], [equations.start], []
     for sense in (1, -1):
-        p = equations.start
         for stretch in path.stretches(sense):
-            p = path.parted(stretch.end.y)[1]
-            values.append(p)
+            values.append(path.parted(stretch.end.y)[1])
             if stretch.branching:
                 branchings.append(_branching(path, stretch))
-            elif (stretch.start.tangent[-1] < 0) != (stretch.end.tangent[-1] < 0):
-                found = _limit_point(path, stretch, digits)
-                (unresolved if found is None else limits).append(
-                    path.parted(path.between(stretch, _climb).y)[1] if found is None else found)
-        ends.append((p, path.ended))
-    negative = equations.start < 0
-    limits.sort(key=lambda one: abs(one.value))
-    kept: list = []
-    for one in limits:
+            elif _turns(stretch):
+                point, width = path.between(stretch, _climb)
+                found = _limit_point(path, stretch, point, digits) or _corner(path, point, width)
+                values.append(path.parted(point.y)[1])
+                limits += [found] if found else []
+                unresolved += [] if found else values[-1:]
+        ends.append(PathEnd(values[-1], path.ended, path.broken))
+    return FollowedPath(equations.start, _ordered(limits, equations.start < 0), branchings, unresolved,
+                        (min(values), max(values)), tuple(ends))
+
+
+def _turns(stretch):
+    """Does p turn back on a stretch, by more than rounding?"""
+    before, after = _climb(stretch.start), _climb(stretch.end)
+    return (before < 0) != (after < 0) and max(abs(before), abs(after)) > FAINT
+
+
+def _ordered(limits, negative):
+    """Each value once."""
+    kept: list[LimitPoint] = []
+    for one in sorted(limits, key=lambda one: abs(one.value)):
         if not any(abs(one.value - other.value) <= EQUAL * abs(one.value) for other in kept):
             kept.append(one)
-    kept.sort(key=lambda one: (float(f"{float(abs(one.value)):.11g}"), (one.value < 0) != negative))
-    return FollowedPath(equations.start, kept, branchings, unresolved, (min(values), max(values)),
-                        (ends[0], ends[1]))
+    kept.sort(key=lambda one: (float(f"{float(abs(one.value)):.10g}"), (one.value < 0) != negative))
+    return kept
 
 
 def _climb(point):
@@ -81,16 +100,16 @@ def _climb(point):
 
 
 def _branching(path, stretch):
-    point = path.between(stretch, lambda one: 1.0 if one.sense == stretch.start.sense else -1.0)
+    point, _ = path.between(stretch, lambda one: 1.0 if one.sense == stretch.start.sense else -1.0)
     return path.parted(point.y)[1]
 
 
-def _limit_point(path: EquilibriumPath, stretch: Stretch, digits: int):
-    """The LimitPoint of a stretch on which p turns back; None where it is no regular one."""
-    point = path.between(stretch, _climb)
+def _limit_point(path: EquilibriumPath, stretch: PathStep, point: PathPoint, digits: int):
+    """The LimitPoint of a stretch on which p turns back, near a point; None where it is no regular one."""
     q, p = path.parted(point.y)
-    extended = _ExtendedSystem(path.equations, q, p, path.unit, point.position)
-    found = extended.solved(digits)
+    if abs(_climb(point)) > LEVEL:
+        return None
+    found = _ExtendedSystem(path.equations, q, p, path.unit, point.position).solved(digits)
     if found is None:
         return None
     gone = path.metric * float(np.linalg.norm(stretch.end.y - stretch.start.y))
@@ -98,6 +117,16 @@ def _limit_point(path: EquilibriumPath, stretch: Stretch, digits: int):
                   zip(path.equations.names, path.equations.scale, q, strict=True))
     near = abs(float(found.value) - p) <= STRAYED * max(abs(p), path.unit) and strayed <= max(gone, 1e-6)
     return found if near else None
+
+
+def _corner(path, point, width):
+    """The LimitPoint at which forces bend, so that p turns back sharply; None elsewhere."""
+    p = path.parted(point.y)[1]
+    if not path.equations.bends or abs(_climb(point)) <= LEVEL or not p:
+        return None
+    error = 2 * width * path.unit / abs(p) + CORNER
+    blur = width * path.metric + CORNER**0.75
+    return LimitPoint(p, point.position, {**path.equations.at_rest(p), **point.position}, error, blur)
 
 
 class _ExtendedSystem:
@@ -135,7 +164,7 @@ class _ExtendedSystem:
         with mpmath.workdps(digits + GUARD):
             try:
                 return self._solved(mpmath, digits)
-            except UNDEFINED + (np.linalg.LinAlgError,):
+            except (*UNDEFINED, np.linalg.LinAlgError):
                 return None
 
     def _solved(self, mpmath, digits):
@@ -159,8 +188,8 @@ class _ExtendedSystem:
                         np.linalg.solve(slopes, [-float(x / largest) for x in left])]
                 length = max(map(abs, step))
             if length <= mpmath.mpf(10) ** -(digits + GUARD // 2) * (1 + abs(p) / self.unit):
-                error = float(10 * length * self.unit / abs(p)) if p else 0.0
-                return LimitPoint(p, position, values, error + 10.0 ** -digits)
+                error, left = float(10 * length * self.unit / abs(p)) if p else 0.0, 10.0 ** -(digits + SURE)
+                return LimitPoint(p, position, values, error + left, float(10 * length) + left)
             if i > RENEWED and length > FASTER * last:
                 return None
             last = length

@@ -14,11 +14,13 @@ from vibcli.analyses.limit_points.equations import ParametricEquilibrium
 from vibcli.base.errors import PhysicsError
 
 CORRECTIONS, CONTRACTS, CONVERGED, GOOD = 8, 0.5, 1e-13, 1e-9
+NOISE, LEFT = 64 * 2.0**-52, 1e-3       # of the terms of r: its rounding; of a step: what that may amount to
 FIRST, SHORTEST, STEPS = 0.01, 1e-8, 2000
 STRAIGHT, NEAR, MILD = 0.97, 0.1, 0.995     # cosines of the angle of a step; how far it may miss, relative to it
 STRIDE, FAR, TURN = 0.1, 100.0, 2 * np.pi   # of the figure or 1 rad, how far is followed: figures, a full turn
-BEYOND, CLIMB = 1e6, 0.5                    # of the size of p; how much of it a step may be
-FLAT, RIGID, HALVINGS, APART = 1e-3, 1e-12, 60, 4.0
+BEYOND, CLIMB, GONE = 1e6, 0.5, 1e-5         # of the size of p: followed so far, a step at most, nothing
+LEVEL, CLOSE = 1e-7, 1e-7      # of p′, of a step: a limit point or branching is met
+FLAT, RIGID, HALVINGS, APART, AWAY = 1e-3, 1e-12, 60, 4.0, 0.3
 
 
 class PathPoint(NamedTuple):
@@ -33,8 +35,9 @@ class PathPoint(NamedTuple):
     moved: float = 0.0
 
 
-class Stretch(NamedTuple):
-    """A step from one point to another. `branching`: do other paths cross it? `corner`: does it bend sharply there?"""
+class PathStep(NamedTuple):
+    """A step from one point to another. `branching`: do other paths cross it? `corner`: does it bend sharply, as
+    forces do?"""
 
     start: PathPoint
     end: PathPoint
@@ -49,7 +52,7 @@ class EquilibriumPath:
     def __init__(self, equations: ParametricEquilibrium):
         self.equations, self.n = equations, len(equations.names)
         q = np.array([equations.rest[one] for one in equations.names]) / equations.scale
-        self.unit, self.metric, self.ended = 1.0, 1.0, ""
+        self.unit, self.metric, self.ended, self.broken = 1.0, 1.0, "", False
         self._measure(q)
         self.first = self._first(q)
 
@@ -99,13 +102,14 @@ class EquilibriumPath:
         return y[:-1] * self.metric, float(y[-1] * self.unit)
 
     def _jacobian(self, y, near):
-        """(r, [K ∂r/∂p], position) in units of the metric; None where undefined."""
+        """(r, [K ∂r/∂p], position, rounding of r) in units of the metric; None where undefined."""
         q, p = self.parted(y)
         found = self.equations.rates(q, p, None, 1.0, near)
         if found is None:
             return None
         rates, position = found
-        return rates.r, np.column_stack([rates.K * self.metric, rates.dr * self.unit]), position
+        noise = NOISE * (rates.size + max(self.size, float(np.abs(rates.K).max())) * (1 + float(np.abs(q).max())))
+        return rates.r, np.column_stack([rates.K * self.metric, rates.dr * self.unit]), position, noise
 
     def _point(self, y, slopes, position, before, moved=0.0):
         """With the tangent in the sense of that before, towards growing p where there is none."""
@@ -117,22 +121,25 @@ class EquilibriumPath:
         unstable = int(((eigenvalues.real < 0) & (eigenvalues.imag == 0)).sum())
         return PathPoint(y, position, tangent, sense, unstable, moved)
 
-    def corrected(self, point: PathPoint, step: float) -> PathPoint | None:
-        """The point a step along the tangent and back square to it; None where Newton's method does not contract."""
+    def corrected(self, point: PathPoint, step: float, corner: bool = False) -> PathPoint | None:
+        """The point a step along the tangent and back square to it, beyond a corner at the same q along it; None where
+        Newton's method does not contract."""
         start = y = point.y + step * point.tangent
+        square = point.tangent * np.append(np.ones(self.n), 0.0 if corner else 1.0)
         last, near = np.inf, point.position
         for _ in range(CORRECTIONS):
             found = self._jacobian(y, near)
             if found is None:
                 return None
-            r, slopes, near = found
+            r, slopes, near, noise = found
             try:
-                change = np.linalg.solve(np.vstack([slopes, point.tangent * np.abs(slopes).max()]), np.append(-r, 0.0))
+                change = np.linalg.solve(np.vstack([slopes, square * np.abs(slopes).max()]), np.append(-r, 0.0))
             except np.linalg.LinAlgError:
                 return None
             y, length = y + change, float(np.linalg.norm(change))
             small = CONVERGED * (1.0 + float(np.linalg.norm(y)))
-            if length <= small or (length <= GOOD * abs(step) and length > CONTRACTS * last):
+            rounding = length <= LEFT * abs(step) and bool((np.abs(r) <= noise).all())
+            if length <= small or rounding:
                 found = self._jacobian(y, near)
                 return found and self._point(y, found[1], found[2], point, float(np.linalg.norm(y - start)))
             if not np.isfinite(length) or length > CONTRACTS * last:
@@ -140,25 +147,27 @@ class EquilibriumPath:
             last = length
         return None
 
-    def stretches(self, sense: int) -> Iterator[Stretch]:
+    def stretches(self, sense: int) -> Iterator[PathStep]:
         """The steps of the path towards growing p (1) or the other way (−1), as far as it is followed; `ended` tells
         why no further."""
         point, step = self.first, FIRST
         if sense < 0:
             point = point._replace(tangent=-point.tangent, sense=-point.sense)
-        begin, way = point, 0.0
+        begin, way, self.broken = point, 0.0, False
         for _ in range(STEPS):
             step = min(step, self._longest(point))
             found = self.corrected(point, step)
             stretch = None if found is None else self._stretch(point, found, step)
             if stretch is None:
                 step /= 3
-                if step < SHORTEST * (1 + float(np.linalg.norm(point.y))):
-                    self.ended = self._why(point, step)
+                if step >= (least := SHORTEST * (1 + float(np.linalg.norm(point.y)))):
+                    continue
+                stretch, step = self._round_corner(point, 10 * least), FIRST
+                if stretch is None:
+                    self.ended, self.broken = self._why(point, least)
                     return
-                continue
             yield stretch
-            way += step
+            way += stretch.step
             point = stretch.end
             if self._closes(begin, stretch, way):
                 self.ended = "the path of equilibria closes there"
@@ -169,7 +178,17 @@ class EquilibriumPath:
             turned = stretch.start.tangent @ point.tangent
             if turned > MILD and point.moved < 0.25 * NEAR * step:
                 step *= 2
-        self.ended = f"{STEPS} steps were taken"
+        self.ended, self.broken = f"{STEPS} steps were taken", True
+
+    def _round_corner(self, point, step):
+        """The PathStep past a place where forces bend, on which the tangent turns sharply; None where there is none.
+        There too det [K ∂r/∂p; tangent] keeps its sign (Eaves 1976)."""
+        found = self.corrected(point, step, True) if self.equations.bends else None
+        if found is None or found.moved > APART * step or self.corrected(point, 0.01 * step) is None:
+            return None
+        if found.sense != point.sense:
+            found = found._replace(tangent=-found.tangent, sense=point.sense)
+        return PathStep(point, found, step, False, True)
 
     def _longest(self, point):
         """No step is longer than a tenth of the figure, 0.1 rad, or of the way so far, or half of p."""
@@ -180,8 +199,9 @@ class EquilibriumPath:
         return min(longest, CLIMB * max(abs(p), self.unit) / max(climb, 1e-300))
 
     def _stretch(self, point, found, step):
-        """The Stretch to a point; None where it may lead elsewhere."""
-        if found.moved > NEAR * step or point.tangent @ found.tangent < STRAIGHT:
+        """The PathStep to a point; None where it may lead elsewhere."""
+        if not (self._straight(point, found, step, 1.0) and
+                self._straight(point, found, step, self._widened(point))):
             return None
         turns = (found.tangent[-1] < 0) != (point.tangent[-1] < 0)
         crossed = found.sense != point.sense
@@ -189,8 +209,21 @@ class EquilibriumPath:
             return None
         if not crossed:
             odd = abs(found.unstable - point.unstable) != turns
-            return Stretch(point, found, step, odd and not self._folds(point, found))
-        return Stretch(point, found, step, True) if self._crosses(point, found, step) else None
+            return PathStep(point, found, step, odd and not self._folds(point, found))
+        return PathStep(point, found, step, True) if self._crosses(point, found, step) else None
+
+    def _widened(self, point):
+        """The metric far from where the path began, relative to that there: q counts by how far it has gone."""
+        away = float(np.abs(point.y[:-1] - self.first.y[:-1]).max()) * self.metric
+        return max(1.0, AWAY * min(away, 1.0) / self.metric)
+
+    def _straight(self, point, found, step, wider):
+        """Does a step miss by little, and turn by little, where q counts in `wider` units?"""
+        weights = np.append(np.full(self.n, 1 / wider), 1.0)
+        one, other = weights * point.tangent, weights * found.tangent
+        missed = weights * (found.y - point.y) - step * one
+        return bool(np.linalg.norm(missed) <= NEAR * step * np.linalg.norm(one)
+                    and one @ other >= STRAIGHT * np.linalg.norm(one) * np.linalg.norm(other))
 
     def _folds(self, point, found):
         """Do both lie on one side or is one the limit point itself?"""
@@ -234,30 +267,32 @@ class EquilibriumPath:
         return None
 
     def _why(self, point, step):
+        """(why a path is not followed beyond a point, is that for want of a method?)."""
         ahead = self._jacobian(point.y + step * point.tangent, point.position)
         if ahead is None:
-            return "beyond it the forces of this scene are not defined, or its loops cannot close"
-        return "forces bend or jump there"
+            return "beyond it the forces of this scene are not defined, or its loops cannot close", False
+        if abs(self.parted(point.y)[1]) <= GONE * max(abs(self.equations.start), self.unit):
+            return f"'{self.equations.name}' vanishes there, and forces have no slopes", False
+        return "forces jump there, or the path turns too sharply to be followed", True
 
-    def between(self, stretch: Stretch, wanted: Callable[[PathPoint], float]) -> PathPoint:
-        """The point of a stretch at which a function changes its sign, to about 1e-6 of it."""
-        low, high, best = 0.0, stretch.step, stretch.start
-        at_low, at_high = wanted(stretch.start), wanted(stretch.end)
-        if abs(at_high) < abs(at_low):
-            best = stretch.end
+    def between(self, stretch: PathStep, wanted: Callable[[PathPoint], float]) -> tuple[PathPoint, float]:
+        """The point of a stretch next to where a function changes its sign, and how far that may be."""
+        low, high, at_low, at_high = 0.0, stretch.step, wanted(stretch.start), wanted(stretch.end)
+        best = stretch.end if abs(at_high) < abs(at_low) else stretch.start
         for i in range(HALVINGS):
-            share = at_low / (at_low - at_high) if i % 3 != 2 and at_low != at_high else 0.5
+            share = at_low / (at_low - at_high) if i % 3 != 2 else 0.5
             middle = low + float(np.clip(share, 0.02, 0.98)) * (high - low)
-            point = self.corrected(stretch.start, middle)
+            point = self.corrected(stretch.start, middle, stretch.corner)
             if point is None:
-                return best
+                break
+            if stretch.corner and point.sense != stretch.start.sense:
+                point = point._replace(tangent=-point.tangent, sense=stretch.start.sense)
             there = wanted(point)
-            if abs(there) <= abs(wanted(best)):
-                best = point
+            best = point if abs(there) <= abs(wanted(best)) or abs(there) == 1.0 else best
             if (there < 0) == (at_low < 0):
                 low, at_low = middle, there
             else:
                 high, at_high = middle, there
-            if abs(there) < 1e-7 or high - low < 1e-7 * stretch.step:
+            if abs(there) < LEVEL or high - low < CLOSE * stretch.step:
                 break
-        return best
+        return best, high - low
