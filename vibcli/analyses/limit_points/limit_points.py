@@ -158,7 +158,8 @@ class _ExtendedSystem:
         columns = np.abs(found / rows).max(axis=0, keepdims=True)
         return found if np.linalg.cond(found / rows / columns) < REGULAR else None
 
-    def solved(self, digits):
+    def solved(self, digits: int) -> LimitPoint | None:
+        """The limit point to so many digits."""
         import mpmath
 
         with mpmath.workdps(digits + GUARD):

@@ -20,18 +20,19 @@ STRAIGHT, NEAR, MILD = 0.97, 0.1, 0.995     # cosines of the angle of a step; ho
 STRIDE, FAR, TURN = 0.1, 100.0, 2 * np.pi   # of the figure or 1 rad, how far is followed: figures, a full turn
 BEYOND, CLIMB, GONE = 1e6, 0.5, 1e-5         # of the size of p: followed so far, a step at most, nothing
 LEVEL, CLOSE = 1e-7, 1e-7      # of p′, of a step: a limit point or branching is met
-FLAT, RIGID, HALVINGS, APART, AWAY = 1e-3, 1e-12, 60, 4.0, 0.3
+FLAT, RIGID, HALVINGS, APART, AWAY, CHANGED = 1e-3, 1e-12, 60, 4.0, 0.3, 0.5
 
 
 class PathPoint(NamedTuple):
     """An equilibrium of the path: y = (q, p) in units of the metric, {coordinate: float}, the tangent, the sign of
-    det [K ∂r/∂p; tangent], how many eigenvalues of K are negative, how far Newton's method moved."""
+    det [K ∂r/∂p; tangent], how many eigenvalues of K are negative, K, how far Newton's method moved."""
 
     y: np.ndarray
     position: dict
     tangent: np.ndarray
     sense: int
     unstable: int
+    K: np.ndarray
     moved: float = 0.0
 
 
@@ -119,7 +120,7 @@ class EquilibriumPath:
         sense = int(np.linalg.slogdet(np.vstack([slopes / np.abs(slopes).max(), tangent]))[0])
         eigenvalues = np.linalg.eigvals(slopes[:, :-1])
         unstable = int(((eigenvalues.real < 0) & (eigenvalues.imag == 0)).sum())
-        return PathPoint(y, position, tangent, sense, unstable, moved)
+        return PathPoint(y, position, tangent, sense, unstable, slopes[:, :-1] / self.metric, moved)
 
     def corrected(self, point: PathPoint, step: float, corner: bool = False) -> PathPoint | None:
         """The point a step along the tangent and back square to it, beyond a corner at the same q along it; None where
@@ -201,7 +202,7 @@ class EquilibriumPath:
     def _stretch(self, point, found, step):
         """The PathStep to a point; None where it may lead elsewhere."""
         if not (self._straight(point, found, step, 1.0) and
-                self._straight(point, found, step, self._widened(point))):
+                self._straight(point, found, step, self._widened(point)) and self._alike(point.K, found.K)):
             return None
         turns = (found.tangent[-1] < 0) != (point.tangent[-1] < 0)
         crossed = found.sense != point.sense
@@ -211,6 +212,11 @@ class EquilibriumPath:
             odd = abs(found.unstable - point.unstable) != turns
             return PathStep(point, found, step, odd and not self._folds(point, found))
         return PathStep(point, found, step, True) if self._crosses(point, found, step) else None
+
+    def _alike(self, one, other):
+        """Does K change by little? Where it changes its sign through infinity no path goes on."""
+        largest = max(self.size, float(np.abs(one).max()), float(np.abs(other).max()))
+        return float(np.abs(one - other).max()) <= CHANGED * largest
 
     def _widened(self, point):
         """The metric far from where the path began, relative to that there: q counts by how far it has gone."""
