@@ -26,8 +26,8 @@ QUANTITIES = {
         "value of a parameter p at which two equilibria meet and vanish (limit point, limit load, snap-through): the "
         "k-th of those that the equilibrium passes when it is followed as p grows and falls, by ascending |p|, equal "
         "ones once; of the sign that p has, of both signs where p has `sign: any`; branchings, where equilibria cross, "
-        "are no folds; fold[1, p](x) is the coordinate or signal x there", None, _fold, ("number", "parameter"), several=True,
-        dimension=lambda spec, tree: spec.dimensions.of(tree.indices[1])),
+        "are no folds; fold[1, p](x) is the coordinate or signal x there", None, _fold, ("number", "parameter"),
+        several=True, dimension=lambda spec, tree: spec.dimensions.of(tree.indices[1])),
     "fold()": Declaration(
         "a coordinate or signal in the equilibrium of that fold", SIGNAL, _at_fold, ("number", "parameter"),
         ("signal",), several=True),
