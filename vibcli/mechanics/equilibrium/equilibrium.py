@@ -26,6 +26,7 @@ EPSILON = 2.0**-52
 LEAPING = "sign", "step"
 KNOWN = 1e-7        # of the figure: places nearer than 1e-9 of this are one
 STEPS, POLISH, FARTHEST, HUGE = 300, 12, 1e60, 1e140
+BESIDE = 1e-6       # of the figure
 GROWN, LOWERED, CARRIED = 1e3, 1e-2, 100.0      # of the terms at the start; of the forces there; of the figure
 
 
@@ -80,7 +81,8 @@ def find_equilibrium(numeric: "NumericSystem", start: Mapping[str, float]) -> Eq
         if not moved:
             break
     q, numbers = search.polished(q, numbers)
-    if not search.balanced(numbers) or search.faded(numbers) or search.drowned(q, numbers):
+    if not search.balanced(numbers) or search.faded(numbers) or search.drowned(q, numbers) or (
+            search.at_a_pole(q, numbers)):
         return _held(search, q, steps, unbounded(search, q))
     return Equilibrium(search.here, False, search.relative(numbers), steps)
 
@@ -186,6 +188,19 @@ class EnergyDescent:
         left = largest(numbers.residual) + 4 * EPSILON * largest(self.met)
         grown = largest(self.met) > GROWN * largest(self.first.residual_size)
         return bool(carried.any()) and grown and left > LOWERED * largest(self.first.residual)
+
+    def at_a_pole(self, q: "np.ndarray", numbers: Numbers) -> bool:
+        """Is the force far larger there than on both sides, and as large as at the start? It then grows without bound
+        towards a place beside it, and only its slope, which is larger still, makes it look like rounding."""
+        np = self.np
+        force = np.array(numbers.residual) * self.scale
+        size, kept = float(np.linalg.norm(force)), (self.here, self.met, self.first)
+        if not size > LOWERED * float(np.linalg.norm(np.array(self.first.residual) * self.scale)):
+            return False
+        beside = [self.defined(q + side * BESIDE * self.scale * force / size) for side in (-1, 1)]
+        self.here, self.met, self.first = kept
+        return all(one is not None and GROWN * float(np.linalg.norm(np.array(one.residual) * self.scale)) < size
+                   for one in beside)
 
     def newton(self, numbers: Numbers) -> "np.ndarray":
         """−K⁻¹ r in scaled coordinates; nothing along what is not held."""
