@@ -46,6 +46,8 @@ def _equilibrium(problem, tree, args):
     node = resting(scene, signal)
     if node is None and part == "force" and name in (problem.spec.get("springs") or {}):
         node = scene.force_of(name)
+    if node is None and part == "energy" and (laws := scene.terms_of(name, "laws")):
+        node = scene.table.total([law.energy(scene) for law in laws])
     if node is None:
         from vibcli.mechanics.signals import force
 

@@ -126,7 +126,8 @@ _OUTER = {
     "sawtooth": _higher,
     "min": _extreme(-1),
     "max": _extreme(1),
-    "power": lambda node, base, exponent: (exponent * node / base, node * node.table.call("log", base)),
+    "power": lambda node, base, exponent: (exponent * node.table.power(base, exponent - 1),
+                                           node * node.table.call("log", base)),
 }
 
 

@@ -110,6 +110,17 @@ def test_the_period_of_a_law_without_a_rule_is_that_of_quadrature():
     assert model["s.force(0 s)"].value == pytest.approx(40 * float(mpmath.exp(mpmath.mpf(-5) / 3)), rel=1e-14)
 
 
+def test_the_energy_of_a_law_in_equilibrium_counts_from_where_it_is_undeformed():
+    """k d e^(−d/a) = P at d = −a W(−P/(k a))."""
+    model = vibcli.loads(SCENE.replace("LAW", "k*d*exp(-abs(d)/a)").replace("motion: full", "forces: {F: {at: block, "
+                         "force: 6 N}}").replace("initial: {x: x0}", "").replace(", x0: 5 cm", ""))
+    with mpmath.workdps(20):
+        u = -mpmath.lambertw(mpmath.mpf(-6) / 24)
+        assert model["equilibrium[x]"].value == pytest.approx(float(u * 3 / 100), rel=1e-14)
+        assert model["equilibrium[s.energy]"].value == pytest.approx(
+            float(mpmath.mpf("0.72") * (1 - (1 + u) * mpmath.exp(-u))), rel=1e-13)
+
+
 def test_a_saturating_spring_swings_in_arcs_and_parabolas():
     """F = k max(−y, min(d, y)), let go at X > y: from X to y in √(2 (X − y) m/(k y)), then with ω to 0."""
     model = vibcli.loads(SCENE.replace("LAW", "k*max(-a, min(d, a))"))

@@ -108,6 +108,15 @@ def test_a_row_of_bodies_on_springs_of_infinite_slope_rests_where_one_of_them_is
         [7.5 * (j == loaded) for j in range(n)], abs=1e-12)
 
 
+@pytest.mark.parametrize("n", [0.5, 1.5, 3])
+def test_exponents_may_be_letters(n):
+    scene = problem(f"parameters: {{n: {n}}}\n" + SLIDE + "springs: {s: {law: '(30 N)*sign(d)*abs(d/(1 m))^n', between: "
+                    "[ground, p]}}\nforces: {F: {coordinate: x, value: 5 N}}\n")
+    x = 6 ** (-1 / n)
+    assert value(scene, "equilibrium[x]") == pytest.approx(x, rel=1e-12)
+    assert value(scene, "omega[1]") == pytest.approx(sqrt(30 * n * x ** (n - 1) / 2), rel=1e-11)
+
+
 def test_an_equilibrium_that_is_reached_at_an_infinite_slope_is_refused():
     with pytest.raises(PhysicsError, match="where the slope of a force is infinite"):
         value(problem("bodies: {a: {mass: 1 kg, slide: x}, b: {mass: 1 kg, slide: y}}\nsprings:\n"
