@@ -9,7 +9,7 @@ from vibcli.plots.words import cells, shortened
 _PATTERNS = ("x", "xxxxx    ", "xx  ", "xxxxxxx  x  ", "xxx       ")
 _OF_KIND = {"envelope": "x   ", "guide": "x    ", "orbit": "x   "}
 _HEADS = "→↗↑↖←↙↓↘"
-_POINTS = "×o#@$"
+_POINTS = "×o#@◆"
 _LONGEST = 14      # columns of a label beside its curve
 _NAME = 24         # of a name beside a point
 _COVERED = 3       # orbits are as bad to cover as one part in so many of another line

@@ -51,7 +51,7 @@ class PhasePlane:
         require_plane(problem)
         self.problem = problem
         self.configuration = _configuration(problem)
-        self.scene, self.floats = self.configuration.scene.resting, self.configuration.numeric.floats
+        self.scene, self.floats = self.configuration.scene, self.configuration.numeric.floats
         self.name, = self.scene.coordinates
         self.unit = self.scene.unit_of(self.name)
         self.field = StateField(self.scene, self.floats)

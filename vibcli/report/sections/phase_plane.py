@@ -9,6 +9,7 @@ from vibcli.notation.numbers import figure, supported, with_unit
 from vibcli.report.blocks import Name, Section, TableBlock, Words, maths, paragraph, section
 from vibcli.report.keys import Key
 from vibcli.report.sections.equilibria import search_told
+from vibcli.report.sections.illustrations import plot
 from vibcli.report.sections.parameters import unit
 from vibcli.report.sections.requested_signals import symbol
 
@@ -26,7 +27,7 @@ TAKEN = {"full": "of the full equations", "expanded": "of the equations to the t
          "equilibrium"}
 
 
-def phase_plane(problem: "Problem", _: "Report") -> Iterator[Section]:
+def phase_plane(problem: "Problem", report: "Report") -> Iterator[Section]:
     """A table of the equilibria, what is shown, how the motion from the start goes."""
     plane = problem.phase_plane
     low, high = plane.frame.q
@@ -36,7 +37,8 @@ def phase_plane(problem: "Problem", _: "Report") -> Iterator[Section]:
         "Phase plane", _table(plane, unit(dimension)) if plane.portrait.equilibria else paragraph("no equilibrium"),
         paragraph(f"Shown, {told}: ", maths(Name(plane.name), Words(
             f" from {with_unit(low, dimension)} to {with_unit(high, dimension)}")), "."),
-        search_told(problem, plane.equilibria.search) if plane.portrait.equilibria else None)
+        search_told(problem, plane.equilibria.search) if plane.portrait.equilibria else None,
+        plot("phase-plane", "The phase plane", plane_figure(problem)) if report.pictures else None)
     if plane.own is not None:
         yield from section("The motion from the initial state", *_own(plane, dimension))
 
