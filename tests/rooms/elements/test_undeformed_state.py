@@ -110,8 +110,8 @@ def test_a_row_of_bodies_on_springs_of_infinite_slope_rests_where_one_of_them_is
 
 @pytest.mark.parametrize("n", [0.5, 1.5, 3])
 def test_exponents_may_be_letters(n):
-    scene = problem(f"parameters: {{n: {n}}}\n" + SLIDE + "springs: {s: {law: '(30 N)*sign(d)*abs(d/(1 m))^n', between: "
-                    "[ground, p]}}\nforces: {F: {coordinate: x, value: 5 N}}\n")
+    scene = problem(f"parameters: {{n: {n}}}\n" + SLIDE + "springs: {s: {law: '(30 N)*sign(d)*abs(d/(1 m))^n', between:"
+                    " [ground, p]}}\nforces: {F: {coordinate: x, value: 5 N}}\n")
     x = 6 ** (-1 / n)
     assert value(scene, "equilibrium[x]") == pytest.approx(x, rel=1e-12)
     assert value(scene, "omega[1]") == pytest.approx(sqrt(30 * n * x ** (n - 1) / 2), rel=1e-11)
