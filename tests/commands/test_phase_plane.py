@@ -58,3 +58,15 @@ def test_its_data(scene, capsys):
 def test_what_belongs_to_motions_in_time_is_refused(scene, capsys, option):
     assert run(["response", scene, "--phase-plane", option]) == 2
     assert f"{option.partition('=')[0]} does not go with --phase-plane" in capsys.readouterr().err
+
+
+def test_many_equilibria_are_named_in_the_legend():
+    from vibcli.plots.phase_plane import of_phase_plane
+
+    few = [[(0.0, "centre")], [(-1.0, "saddle"), (1.0, "saddle")]]
+    near = [[(0.0, "centre")], [(-0.01, "saddle"), (0.01, "saddle")]]
+    for points, named, told in ((few, {"centre", "saddle"}, set()), (near, set(), {"centre", "saddle"})):
+        panel, = of_phase_plane(("x", "x'"), ("m", "m/s"), (-1.5, 1.5), 2.0, [], points, "").panels
+        markers = [curve for curve in panel.curves if curve.kind == "markers"]
+        assert {name for curve in markers for name in curve.names} == named
+        assert {curve.label for curve in markers} - {""} == told

@@ -1,6 +1,7 @@
 """The phase plane as a figure: orbits with arrows of their direction, lines that are told apart, equilibria by name."""
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -13,12 +14,13 @@ INSIDE = 0.96           # of the frame: where arrows may stand
 EARLY = 0.9             # of half the frame: from where an orbit begins to its arrow, at most
 HEAD = 0.02             # likewise: how long an arrow is
 TRIALS = (0, 1, -1, 2, -2, 3, -3)       # steps along the line to where an arrow is clear of others
+MOST_NAMED, NEAREST = 7, 0.07           # points with names beside them; of the width: how near they may be
 CLEAR = 0.09            # likewise: how far arrows are from each other and from points
 
 
 class PlaneLines(NamedTuple):
     """What one entry of the legend stands for: lines (q, q̇) in the order of time; `kind`: that of a Curve; at_end: do
-    its arrows stand near where they end? None: it has none."""
+    its arrows stand near where they end? None: it has none. One without lines keeps its colour free."""
 
     label: str
     lines: list
@@ -39,11 +41,24 @@ def of_phase_plane(names: tuple[str, str], units: tuple[str, str], ends: tuple[f
     arrows = [arrow for line, at_end in shown for arrow in _arrows(line, middle, scale, at_end, taken)]
     curves = [_joined(one, fx, fy) for one in lines]
     curves += [Curve("", tuple(fx * arrow[0]), tuple(fy * arrow[1]), "arrow") for arrow in arrows]
-    curves += [Curve("", tuple(fx * q for q, _ in found), (0.0,) * len(found), "markers",
-                     tuple(name for _, name in found)) for found in points]
+    curves += [_markers(found, fx, _is_crowded(points, ends)) for found in points]
     return Figure(title, (Panel(
         labelled(names[0], x_unit), labelled(names[1], y_unit), curves=tuple(curves), tall=TALL,
         x_range=tuple(fx * q for q in ends), y_range=(-fy * speed, fy * speed)),))
+
+
+def _is_crowded(points, ends):
+    """Is there no room for names beside points?"""
+    places = sorted(q for found in points for q, name in found if name)
+    near = NEAREST * (ends[1] - ends[0])
+    return len(places) > MOST_NAMED or any(b - a < near for a, b in pairwise(places))
+
+
+def _markers(found, factor, crowded):
+    """Points with names beside them, or in the legend."""
+    names = tuple(name for _, name in found)
+    told = " / ".join(dict.fromkeys(name for name in names if name)) if crowded else ""
+    return Curve(told, tuple(factor * q for q, _ in found), (0.0,) * len(found), "markers", () if crowded else names)
 
 
 def _joined(one, fx, fy):

@@ -95,7 +95,9 @@ def plane_figure(problem: "Problem") -> "Figure":
     of = unit(problem.system.dimension(plane.name))
     roles = {role: [(one.q, one.v) for one in plane.portrait.branches if one.role == role]
              for role in ("orbit", *(role for role, *_ in LINES))}
-    lines = [PlaneLines(label, roles[role], at_end=at_end) for role, label, at_end in LINES if roles[role]]
+    taken = "into" if roles["into"] else "separatrix"
+    lines = [PlaneLines(label if roles[role] else "", roles[role], at_end=at_end) for role, label, at_end in LINES
+             if role not in {"into", "separatrix"} - {taken}]
     spans = [(one.span, (0.0, 0.0)) for one in plane.portrait.equilibria if one.span]
     lines += [PlaneLines("at rest", spans, at_end=None)] if spans else []
     lines += [PlaneLines("orbits", roles["orbit"], "orbit")] if roles["orbit"] else []
