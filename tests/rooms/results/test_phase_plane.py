@@ -216,8 +216,8 @@ MASS = "bodies: {B: {mass: 2 kg, slide: x}}\nsprings: {s: {k: 50 N/m, between: [
 
 @pytest.mark.parametrize(("text", "words"), [
     (MASS + "forces: {F: {at: B, force: \"(1 N)*sin((3 rad/s)*t)\"}}", "depends on the time"),
-    ("points: {S: {at: [0 m, 0 m], moves: [\"(1 mm)*sin((3 rad/s)*t)\", 0 m]}}\nbodies: {B: {mass: 2 kg, at: [1 m, 0 m], "
-     "slide: x}}\nsprings: {s: {k: 50 N/m, between: [S, B]}}", "depends on the time"),
+    ("points: {S: {at: [0 m, 0 m], moves: [\"(1 mm)*sin((3 rad/s)*t)\", 0 m]}}\nbodies: {B: {mass: 2 kg, at: "
+     "[1 m, 0 m], slide: x}}\nsprings: {s: {k: 50 N/m, between: [S, B]}}", "depends on the time"),
     (MASS.replace("50 N/m", "k") + "parameters: {k: {unit: N/m}}", "needs numbers"),
     (MASS + "damping: {modal: 0.1}", "damping"),
     (MASS.replace("}\ns", ", C: {mass: 1 kg, slide: y}}\ns", 1), "has 2: x, y"),
