@@ -16,7 +16,7 @@ from typing import NamedTuple
 import mpmath
 from fuzz.spring_scenes import Drawn, Spring, drawn, letters_of, text, two_digits
 from support.scenes import number, problem
-from support.taylor import FIELD, Taylor, exact
+from support.truncated_series import FIELD, Taylor, exact
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.notation.scene_language import language

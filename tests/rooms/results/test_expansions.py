@@ -5,7 +5,7 @@ import json
 import pytest
 import sympy
 from support.scenes import problem, value
-from support.taylor import FIELD, Taylor
+from support.truncated_series import FIELD, Taylor
 
 from vibcli.base.errors import PhysicsError
 from vibcli.cli import run
