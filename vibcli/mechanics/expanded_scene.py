@@ -23,7 +23,8 @@ from vibcli.mechanics.lagrange import full_equations
 from vibcli.scene.energy_terms import AppliedLoad
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import evaluate
-from vibcli.symbolic.normal_form import TooLong, expanded, is_zero
+from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.normal_form import expanded, is_zero
 from vibcli.symbolic.rationals import HALF, ONE
 from vibcli.symbolic.running_errors import number_in
 
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
 
 ENERGY, FORCE = 4, 3        # orders
 LARGEST = 6                 # coordinates
+SHORT = 40                  # nodes of a coefficient that is multiplied out
 
 
 class PlaceOfRest(NamedTuple):
@@ -100,7 +102,8 @@ def _truncated(scene, node, place, order, rates, which, from_rest):
     shifts = variables if from_rest else [x - place.values.get(x.name, table.zero) for x in variables]
     terms = _coefficients(scene, node, place, variables, order, which)
     return table.sum(*((table.product((c, ONE), *((u, n) for u, n in zip(shifts, powers, strict=True) if n)), ONE)
-                       for powers, c in terms.items() if not is_zero(c)))
+                       for powers, c in terms.items() if not (c.is_zero or (
+                           from_rest and sum(powers) == 1 and not c.mask and is_zero(c)))))
 
 
 def _coefficients(scene, node, place, variables, order, which):
@@ -123,22 +126,34 @@ def _coefficients(scene, node, place, variables, order, which):
 
 
 def _beside_time(scene, c, place):
-    """A coefficient at rest, functions of the time with numbers for their factors."""
-    arithmetic, values = place.numbers.bounded_rest
+    """A coefficient at rest, with numbers for what the time does not change; multiplied out where it is short."""
     table, time, factors = scene.table, scene.time.mask, {}
-    at_rest = {q: place.values[q.name] for q in scene.q}
-    try:
-        monomials = expanded(c)
-    except TooLong:
-        return substitute([c], at_rest)[0]
-    for monomial, value in monomials.items():
+    if not c.mask & time:
+        return _numbers(table, [c], place)[0]
+    nodes = reachable([c])
+    if len(nodes) > SHORT:
+        fixed = {part for node in nodes if node.mask & time for part in _parts(node)
+                 if not part.mask & time and part.op != "number"}
+        return substitute([c], dict(zip(fixed, _numbers(table, fixed, place), strict=True)))[0]
+    for monomial, value in expanded(c).items():
         moving = table.product(*(pair for pair in monomial if pair[0].mask & time))
         factors.setdefault(moving, []).append(table.product((table.number(value), ONE), *(
             pair for pair in monomial if not pair[0].mask & time)))
-    found = evaluate([table.total(parts) for parts in factors.values()], arithmetic, values)
-    numbers = [table.number(Fraction(repr(float(number_in(cleared(one, arithmetic)))))) for one in found]
+    numbers = _numbers(table, [table.total(parts) for parts in factors.values()], place)
+    at_rest = {q: place.values[q.name] for q in scene.q}
     return table.total(number * moving for number, moving in zip(numbers, substitute(list(factors), at_rest),
                                                                  strict=True))
+
+
+def _parts(node):
+    return node.args if node.op == "call" else [part for part, _ in node.args]
+
+
+def _numbers(table, nodes, place):
+    """Nodes of their values at rest, zero where only rounding is left."""
+    arithmetic, values = place.numbers.bounded_rest
+    return [table.number(Fraction(repr(float(number_in(cleared(one, arithmetic))))))
+            for one in evaluate(list(nodes), arithmetic, values)]
 
 
 def _skew(scene):

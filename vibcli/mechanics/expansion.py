@@ -128,10 +128,9 @@ def side_in_numbers(configuration: "Configuration") -> "Callable[[Node], int | N
     arithmetic, values = configuration.bounded_rest
 
     def side(u):
-        known = side_in_letters(u)
-        if known is None and u.mask & configuration.scene.time.mask:
-            return None
-        return sign(evaluate([u], arithmetic, values)[0]) if known is None else known
+        if u.mask & configuration.scene.time.mask:
+            return 0 if u.is_zero else None
+        return sign(evaluate([u], arithmetic, values)[0])
     return side
 
 

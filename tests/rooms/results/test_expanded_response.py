@@ -7,10 +7,12 @@ from textwrap import dedent
 import mpmath
 import pytest
 import sympy
-from support.scenes import problem, value
+from support.scenes import problem, problem_of, value
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.cli import run
+from vibcli.mechanics.lagrange import equation_of
+from vibcli.symbolic.evaluation import Floats, evaluate
 
 BEAD = """
 parameters: {{m: 2 kg, k: 300 N/m, g3: 500 N/m^3, l: 0.5 m, N: 20 N, A: 0.2 m}}
@@ -145,6 +147,33 @@ def test_what_changes_with_the_time_stands_in_numbers_about_a_deformed_position(
     rest = sympy.nsolve(sympy.diff(V, y), -0.1, prec=30)
     linear, quadratic, cubic = (sympy.diff(V, y, n).subs(y, rest) / sympy.factorial(n - 1) for n in (2, 3, 4))
     assert f"y:  2·ÿ + {linear:.9f}·y − {-quadratic:.10f}·y² + {cubic:.10f}·y³ = 6·sin(Om·t)" in out
+
+
+def test_full_equations_and_expanded_ones_differ_by_the_fourth_order(tmp_path):
+    """With a shaken support, a load that follows the motion and a record, about a deformed position."""
+    (tmp_path / "ag.csv").write_text("t,a\n0,0\n0.5,2\n1,-1\n2,0\n", encoding="utf-8")
+    (tmp_path / "scene.yaml").write_text(dedent("""
+    parameters: {m: 2 kg, k: 200 N/m, g: 9.81 m/s^2, h: 3 cm, Om: 20 rad/s, F: 4 N, c: 3 N*s/m, b: 1 m}
+    records: {ag: ag.csv}
+    gravity: g
+    points: {W: {at: [0, 1 m], moves: ["h*cos(Om*t)", "h*sin(Om*t)"]}}
+    bodies: {p: {mass: m, at: [0, 0], move: [x, y, 0]}}
+    springs: {s: {k: k, between: [W, p]}, side: {law: "k*d + 4*k/b*d^2", between: [[1 m, 0.5 m], p]}}
+    dampers: {d: {c: c, between: [W, p]}}
+    forces: {F: {at: p, force: [F*ag(t), F*sin(x/b)]}}
+    motion: {order: 3}
+    """), encoding="utf-8")
+    scene = problem_of(tmp_path / "scene.yaml")
+    expanded, symbols = scene.symbolic.equations.full, scene.scene
+    full = [equation_of(symbols, i) for i in range(2)]
+    rest, off = scene.configuration.equilibrium.values, []
+    for part in (0.02, 0.01, 0.0):
+        state = {s.name: part * n for n, s in enumerate((*symbols.q, *symbols.v, *symbols.a), 1)}
+        state |= {q.name: rest[q.name] + state[q.name] for q in symbols.q}
+        found = evaluate([*full, *expanded], Floats, {**scene.numeric.floats, **state, symbols.time.name: 0.7})
+        off.append(max(abs(found[i] - found[i + 2]) for i in range(2)))
+    assert off[2] < 1e-12 < 1e-6 < off[0]
+    assert 10 < off[0] / off[1] < 24
 
 
 def test_a_damper_with_a_kink_is_named_where_its_energy_has_no_expansion():
