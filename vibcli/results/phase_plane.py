@@ -7,11 +7,20 @@ import numpy as np
 
 from vibcli.analyses.nonlinear.damped_portrait import of_motion
 from vibcli.analyses.nonlinear.energy_levels import EnergyLevels
-from vibcli.analyses.nonlinear.integrated_orbits import PhaseFrame
+from vibcli.analyses.nonlinear.equilibrium_kinds import StateEquilibrium
+from vibcli.analyses.nonlinear.integrated_orbits import NEAR, PhaseFrame
 from vibcli.analyses.nonlinear.limit_cycles import limit_cycles
 from vibcli.analyses.nonlinear.period import exact_period, has_dampers, has_potential
 from vibcli.analyses.nonlinear.period_in_floats import period_between
-from vibcli.analyses.nonlinear.phase_portrait import Portrait, StatePath, base_of, kinetic_energy, of_levels, through
+from vibcli.analyses.nonlinear.phase_portrait import (
+    OWN,
+    Portrait,
+    StatePath,
+    base_of,
+    kinetic_energy,
+    of_levels,
+    through,
+)
 from vibcli.analyses.nonlinear.state_field import StateField
 from vibcli.analyses.nonlinear.turning_points import TurningPoint
 from vibcli.analyses.nonlinear.well import Well
@@ -34,7 +43,7 @@ LOOKED_AT, SAME = np.linspace(-0.9, 1.0, 7), 1e-12      # of the unit; of forces
 class OwnMotion(NamedTuple):
     """The motion from the start (q, q̇): the places at which it turns, and its period [s] with the bound of its relative
     error, where it comes back; `reason`: why it does not, as far as that is known; energy: over the lowest
-    equilibrium."""
+    equilibrium; end: the equilibrium in which a damped motion is seen to end."""
 
     q: float
     v: float
@@ -42,6 +51,7 @@ class OwnMotion(NamedTuple):
     period: tuple[float, float] | None = None
     reason: str | None = None
     energy: float | None = None
+    end: StateEquilibrium | None = None
 
 
 class PhasePlane:
@@ -186,7 +196,7 @@ class PhasePlane:
         if self._moving is None:
             return found._replace(reason="it rests in this equilibrium")
         if not self.conservative:
-            return found
+            return found._replace(end=self._end())
         rests = [self.levels.index(one.q) for one in self.equilibria.items]
         orbit, = through(self.levels, self.start, rests) or [None]
         ends = () if orbit is None else [q for q, ended in zip((orbit.q[0], orbit.q[-1]), orbit.ends, strict=True)
@@ -196,6 +206,15 @@ class PhasePlane:
         if len(ends) == 2:
             return self._closed(found, (float(orbit.q[0]), float(orbit.q[-1])))
         return found._replace(reason="it leaves what is shown")
+
+    def _end(self):
+        """The equilibrium near which the orbit of the damped motion stops."""
+        for path in self.portrait.branches:
+            for one in self.portrait.equilibria if path.role == OWN else ():
+                apart = np.array([path.q[-1] - one.q, path.v[-1]]) / self.frame.size[:, 0]
+                if one.attracts and np.linalg.norm(apart) < 2 * NEAR:
+                    return one
+        return None
 
     def _closed(self, found, turns):
         if self.scene.timed:        # the energy is that of the frame, whose period more digits do not know

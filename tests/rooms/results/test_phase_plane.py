@@ -199,6 +199,12 @@ def test_a_motion_that_excites_itself_ends_in_a_limit_cycle():
     assert plane.frame.q[1] > 0.5 and plane.frame.v[1] > 5
 
 
+@pytest.mark.parametrize(("speed", "end"), [(5, 0.0), (-5, 0.0), (13, None)])
+def test_where_a_damped_motion_ends_is_told(speed, end):
+    own = pendulum(c="0.15", more=f"initial: {{phi: 0, phi': {speed} rad/s}}").own
+    assert (own.end and own.end.q) == end
+
+
 def test_a_start_at_rest_and_one_on_a_separatrix_are_told():
     assert "rests" in pendulum(more="initial: {phi: 0}").own.reason
     plane = spring("-k*d + b*d^3", more="initial: {x: 0.5 m}")

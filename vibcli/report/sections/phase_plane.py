@@ -80,6 +80,9 @@ def _own(plane, dimension):
             f" = {with_unit(own.turns[0], dimension)} and {with_unit(own.turns[1], dimension)}")),
             "; it comes back after " + supported(own.period[0], own.period[0] * own.period[1]) + " s."
             if own.period else f"; {own.reason}.")
+    elif own.end is not None:
+        yield paragraph(f"It ends in the {own.end.kind} at ", maths(Name(plane.name), Words(
+            f" = {with_unit(own.end.q, dimension)}")), ".")
     elif own.reason is not None:
         yield paragraph(f"{own.reason[0].upper()}{own.reason[1:]}.")
     if own.energy is not None:
@@ -124,7 +127,8 @@ def _found(problem):
                      if plane.conservative and one.is_top)
     saddles = [b for a, b in pairwise([-inf, *saddles]) if b - a > SAME * b]
     own = plane.own
-    start = own and (own.q, own.v, own.energy, own.turns, own.period and own.period[0], own.period and own.period[1])
+    start = own and (own.q, own.v, own.energy, own.turns, own.period and own.period[0], own.period and own.period[1],
+                     own.end and own.end.q)
     return KEY.row(plane.name, plane.frame.q, plane.frame.v, plane.equilibria.search.complete,
                    [dict(zip([key.name for key in EQUILIBRIUM], row, strict=True)) for row in rows], saddles,
                    start and dict(zip([key.name for key in START], start, strict=True)))
@@ -144,7 +148,8 @@ START = (
     Key("energy", "½ m(q) q̇² + V at t = 0, over V of the lowest equilibrium [J]; null where there is none"),
     Key("turns", "[least, greatest] place of a closed orbit of a conservative scene, else null"),
     Key("period", "the period of it [s], else null"),
-    Key("error", "bound of the relative error of the period"))
+    Key("error", "bound of the relative error of the period"),
+    Key("end", "the place of the equilibrium in which a damped motion is seen to end, else null"))
 KEY = Key("phase_plane", "where --phase-plane asks for it: the phase plane of one degree of freedom", _found, of=(
     Key("coordinate", "its name"),
     Key("range", "[from, to]: the places that are shown"),
