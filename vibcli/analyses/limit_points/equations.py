@@ -7,10 +7,12 @@ by closing their loops, G = 0:
 """
 
 from collections.abc import Mapping
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from vibcli.analyses.limit_points.compiled_equations import CompiledEquilibrium
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.mechanics.nonsmooth import KINKED
 from vibcli.mechanics.numeric_linearisation import in_numbers
@@ -20,6 +22,7 @@ from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 if TYPE_CHECKING:
     from vibcli.mechanics.numeric_system import NumericSystem
 
+SAME = 1e-9         # relative: compiled and in dual numbers
 UNDEFINED = (ArithmeticError, ValueError, PhysicsError, SpecError)
 
 
@@ -50,10 +53,42 @@ class ParametricEquilibrium:
         self.start = numeric.floats[name]
         self.bends = bool(self.scene.table.called.intersection(KINKED) or self.scene.table.functions)
 
+    @cached_property
+    def _compiled(self):
+        """A CompiledEquilibrium; None where loops are to be closed, or it does not agree with dual numbers."""
+        if self.loops is not None:
+            return None
+        q = np.array([self.rest[one] for one in self.names])
+        try:
+            found = CompiledEquilibrium(self.scene, self.form, self.name, self.rows, self.at_rest(self.start),
+                                        self.rest)
+            r, size, K, dr = found(q, self.start)
+        except (*UNDEFINED, KeyError):
+            return None
+        known = self.rates(q / self.scale, self.start, None, 1.0, self.rest)
+        outer = np.outer(self.scale, self.scale)
+        agrees = known is not None and all(
+            np.abs(one - other).max() <= SAME * max(np.abs(other).max(), largest) for one, other, largest in (
+                (r * self.scale, known[0].r, known[0].size.max()), (K * outer, known[0].K, 0.0),
+                (dr * self.scale, known[0].dr, 0.0)))
+        return found if agrees else None
+
+    def slopes(self, q: np.ndarray, p: float, near: Mapping[str, float]):
+        """(Rates by p without those of K, {coordinate: float}), as `rates` finds them; None where undefined."""
+        if self._compiled is None:
+            return self.rates(q, p, None, 1.0, near)
+        try:
+            r, size, K, dr = self._compiled(q * self.scale, p)
+        except UNDEFINED:
+            return None
+        found = Rates(r * self.scale, K * np.outer(self.scale, self.scale), size * self.scale, dr * self.scale,
+                      np.zeros_like(K))
+        position = {**near, **{one: float(x) for one, x in zip(self.names, q * self.scale, strict=True)}}
+        return (found, position) if all(np.isfinite(part).all() for part in found) else None
+
     def rates(self, q: np.ndarray, p: float, dq: "np.ndarray | None", dp: float, near: Mapping[str, float]):
         """(Rates, {coordinate: float}) at a place, None where the forces are not defined. `near`: a position with
         closed loops near by."""
-        self.numeric.work.step()
         try:
             return self._rates(q, p, dq, dp, near)
         except UNDEFINED:

@@ -105,7 +105,7 @@ class EquilibriumPath:
     def _jacobian(self, y, near):
         """(r, [K ∂r/∂p], position, rounding of r) in units of the metric; None where undefined."""
         q, p = self.parted(y)
-        found = self.equations.rates(q, p, None, 1.0, near)
+        found = self.equations.slopes(q, p, near)
         if found is None:
             return None
         rates, position = found
@@ -125,6 +125,7 @@ class EquilibriumPath:
     def corrected(self, point: PathPoint, step: float, corner: bool = False) -> PathPoint | None:
         """The point a step along the tangent and back square to it, beyond a corner at the same q along it; None where
         Newton's method does not contract."""
+        self.equations.numeric.work.step()
         start = y = point.y + step * point.tangent
         square = point.tangent * np.append(np.ones(self.n), 0.0 if corner else 1.0)
         last, near = np.inf, point.position
@@ -192,9 +193,9 @@ class EquilibriumPath:
         return PathStep(point, found, step, False, True)
 
     def _longest(self, point):
-        """No step is longer than a tenth of the figure, 0.1 rad, or of the way so far, or half of p."""
+        """No step is longer than a tenth of the figure, 0.1 rad, a third of a long way so far, or half of p."""
         q, p = self.parted(point.y)
-        away = np.where(self.equations.angle, 1.0, np.maximum(1.0, np.abs(q - self.parted(self.first.y)[0])))
+        away = np.where(self.equations.angle, 1.0, np.maximum(1.0, 3 * np.abs(q - self.parted(self.first.y)[0]) - 2))
         rate, climb = point.tangent[:-1] * self.metric, abs(point.tangent[-1]) * self.unit
         longest = float((STRIDE * away / np.maximum(np.abs(rate), 1e-300)).min())
         return min(longest, CLIMB * max(abs(p), self.unit) / max(climb, 1e-300))
