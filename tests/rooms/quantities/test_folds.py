@@ -178,3 +178,14 @@ def test_there_is_none(text, what, message, hint):
     with pytest.raises(PhysicsError, match=message) as error:
         asked(text, what)
     assert hint in (error.value.hint or "")
+
+
+def test_limit_points_next_to_each_other():
+    """F = ∫ (x − 2)(x − 2.1)(x² + 1) dx has one pair of them, closer than a step."""
+    slope = (1, mpf("-4.1"), mpf("5.2"), mpf("-4.1"), mpf("4.2"))
+    force = [*(c / n for c, n in zip(slope, range(5, 0, -1), strict=True)), 0]
+    law = " + ".join(f"({mpmath.nstr(c, 20)})*x^{n}/{n}" for c, n in zip(force[:-1], range(6, 1, -1), strict=True))
+    text = "parameters: {F: 0.1, m: 1}\nbodies: {block: {mass: m, slide: x}}\n" + (
+        f"energies: {{V: {law}}}\nforces: {{load: {{at: block, force: F}}}}\n")
+    agrees(text, "fold[1, F]", mpmath.polyval(force, mpf("2.1")), 1e-13)
+    agrees(text, "fold[2, F]", mpmath.polyval(force, 2), 1e-13)

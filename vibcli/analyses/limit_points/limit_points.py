@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from vibcli.analyses.limit_points.dips import cut_at_dips
 from vibcli.analyses.limit_points.equations import UNDEFINED, ParametricEquilibrium
 from vibcli.analyses.limit_points.path import EquilibriumPath, PathPoint, PathStep
 
@@ -64,7 +65,7 @@ def followed_path(equations: ParametricEquilibrium, digits: int) -> FollowedPath
     path = EquilibriumPath(equations)
     limits, branchings, unresolved, values, ends = [], [], [], [equations.start], []
     for sense in (1, -1):
-        for stretch in path.stretches(sense):
+        for stretch in cut_at_dips(path, path.stretches(sense)):
             values.append(path.parted(stretch.end.y)[1])
             if stretch.branching:
                 branchings.append(_branching(path, stretch))
@@ -136,7 +137,7 @@ class _ExtendedSystem:
         self.equations, self.unit, self.position = equations, unit, position
         self.n, self.q, self.p = len(q), q, p
         found = equations.rates(q, p, None, 1.0, position)
-        self.size = float(np.abs(found[0].K).max()) if found is not None else 0.0
+        self.size = 0.0 if found is None else float(max(np.abs(found[0].K).max(), np.abs(found[0].dr).max() * unit))
         self.along = np.linalg.svd(found[0].K)[2][-1] if found is not None else np.zeros(self.n)
 
     def _slopes(self, q, p, phi):

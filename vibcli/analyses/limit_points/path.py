@@ -15,12 +15,12 @@ from vibcli.base.errors import PhysicsError
 
 CORRECTIONS, CONTRACTS, CONVERGED, GOOD = 8, 0.5, 1e-13, 1e-9
 NOISE, LEFT = 64 * 2.0**-52, 1e-3       # of the terms of r: its rounding; of a step: what that may amount to
-FIRST, SHORTEST, STEPS = 0.01, 1e-8, 2000
-STRAIGHT, NEAR, MILD = 0.97, 0.1, 0.995     # cosines of the angle of a step; how far it may miss, relative to it
+FIRST, SHORTEST, STEPS = 0.01, 1e-10, 2000
+STRAIGHT, NEAR, MILD = 0.99, 0.05, 0.998     # cosines of the angle of a step; how far it may miss, relative to it
 STRIDE, FAR, TURN = 0.1, 100.0, 2 * np.pi   # of the figure or 1 rad, how far is followed: figures, a full turn
 BEYOND, CLIMB, GONE = 1e6, 0.5, 1e-5         # of the size of p: followed so far, a step at most, nothing
 LEVEL, CLOSE = 1e-7, 1e-7      # of p′, of a step: a limit point or branching is met
-FLAT, RIGID, HALVINGS, APART, AWAY, CHANGED = 1e-3, 1e-12, 60, 4.0, 0.3, 0.5
+FLAT, RIGID, HALVINGS, APART, AWAY, LEAST, CHANGED = 1e-3, 1e-12, 60, 4.0, 0.3, 1e-4, 0.5
 
 
 class PathPoint(NamedTuple):
@@ -202,8 +202,8 @@ class EquilibriumPath:
 
     def _stretch(self, point, found, step):
         """The PathStep to a point; None where it may lead elsewhere."""
-        if not (self._straight(point, found, step, 1.0) and
-                self._straight(point, found, step, self._widened(point)) and self._alike(point.K, found.K)):
+        units = (1.0, self._widened(point), self._narrowed(point))
+        if not (all(self._straight(point, found, step, unit) for unit in units) and self._alike(point.K, found.K)):
             return None
         turns = (found.tangent[-1] < 0) != (point.tangent[-1] < 0)
         crossed = found.sense != point.sense
@@ -224,9 +224,13 @@ class EquilibriumPath:
         away = float(np.abs(point.y[:-1] - self.first.y[:-1]).max()) * self.metric
         return max(1.0, AWAY * min(away, 1.0) / self.metric)
 
-    def _straight(self, point, found, step, wider):
-        """Does a step miss by little, and turn by little, where q counts in `wider` units?"""
-        weights = np.append(np.full(self.n, 1 / wider), 1.0)
+    def _narrowed(self, point):
+        """The metric in which q goes as far as p where it goes less far."""
+        return float(np.clip(np.linalg.norm(point.tangent[:-1]) / max(abs(point.tangent[-1]), 1e-300), LEAST, 1.0))
+
+    def _straight(self, point, found, step, unit):
+        """Does a step miss by little, and turn by little, where q counts in other units?"""
+        weights = np.append(np.full(self.n, 1 / unit), 1.0)
         one, other = weights * point.tangent, weights * found.tangent
         missed = weights * (found.y - point.y) - step * one
         return bool(np.linalg.norm(missed) <= NEAR * step * np.linalg.norm(one)
