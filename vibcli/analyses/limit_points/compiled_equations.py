@@ -30,7 +30,7 @@ class CompiledEquilibrium:
         slopes = [gradient(table.total(nodes[at[i]:at[i + 1]])) for i in range(n)]
         found = [*nodes, *(row.get(symbol, table.zero) for row in slopes for symbol in symbols)]
         slots = {scene.time: "t", p: "p", **{q: f"q{i}" for i, q in enumerate(scene.q)},
-                 **{v: "0.0" for v in scene.v}}
+                 **dict.fromkeys(scene.v, "0.0")}
         source = Source(slots, floats, None)
         texts = source.add(found)
         head = [f"({''.join(f'q{i},' for i in range(len(scene.q)))})=q", "t=0.0"]

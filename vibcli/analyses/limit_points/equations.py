@@ -62,7 +62,7 @@ class ParametricEquilibrium:
         try:
             found = CompiledEquilibrium(self.scene, self.form, self.name, self.rows, self.at_rest(self.start),
                                         self.rest)
-            r, size, K, dr = found(q, self.start)
+            r, _, K, dr = found(q, self.start)
         except (*UNDEFINED, KeyError):
             return None
         known = self.rates(q / self.scale, self.start, None, 1.0, self.rest)
