@@ -16,7 +16,7 @@ STAGES = ((), (1 / 5,), (3 / 40, 9 / 40), (44 / 45, -56 / 15, 32 / 9),
 ERROR = (71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40)
 ACCURACY = 1e-9        # of a step, relative to the frame
 STRIDE = 0.02          # of the frame, at most: so an orbit is a smooth line
-MOST_STEPS, ROUNDS = 4000, 6000
+MOST_STEPS, ROUNDS = 2500, 4000
 NEAR = 1.2e-2           # of the frame: an orbit so near to where it ends is there
 SHORTEST = 1e-14        # of the time of a stride
 STILL = 1e-10           # of half the frame: a step so short is none
@@ -65,6 +65,7 @@ class _Run:
     def _rate(self, state, senses):
         return senses * np.stack((state[1], self.field.acceleration(state[0], state[1])))
 
+    @np.errstate(all="ignore")      # a step to what is no number is taken back
     def step(self):
         here = self.active
         state, senses = self.state[:, here], self.senses[here]

@@ -74,6 +74,7 @@ class Well:
             return np.inf, np.inf
         return float(error_in(found[0])), float(error_in(found[1]))
 
+    @np.errstate(invalid="ignore")      # where V is infinite nothing is known of what it gains
     def gain(self, start: np.ndarray, way: np.ndarray, rounding: tuple[float, float]) -> Gain:
         """V(start + way) − V(start) where nothing bends between."""
         mean, change = self._mean_force(start, way)
