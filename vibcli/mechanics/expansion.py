@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Kinked, PhysicsError
-from vibcli.mechanics.energies import kinetic, potential
+from vibcli.mechanics.energies import effective_potential, kinetic, potential
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import is_zero, textbook
 from vibcli.symbolic.running_errors import Rounded, RunningErrors, error_in, number_in
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
-ENERGIES = {"V": potential, "T": kinetic}
+ENERGIES = {"V": potential, "T": kinetic, "V with loads": effective_potential}
 Powers = tuple[int, ...]
 
 
@@ -182,7 +182,7 @@ def _kinked(scene, which, ring, polynomials, cause):
 
 def _terms_of(scene, which):
     """Those of V, or of Φ."""
-    if which == "V":
+    if which in ("V", "V with loads"):
         return [*scene.springs, *scene.weights, *(law for law in scene.laws if not law.damper)]
     return [*scene.dampers, *(law for law in scene.laws if law.damper)] if which == "Φ" else []
 

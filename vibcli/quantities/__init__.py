@@ -20,5 +20,5 @@ FAMILIES = {
 
 # what the same word means otherwise: with indices, with arguments, of a frequency response; "value" is that of x(2 s)
 FORMS = {"decrement[]": "damped", "rayleigh[]": "modal", "V[]": "expansions", "T[]": "expansions", "M()": "states",
-         "law()": "laws", "fold()": "nonlinear", "C()": "states", "K()": "states", "Q()": "states",
-         "period()": "response", "phase(frf)": "frequency_response", "value": "response"}
+         "law()": "laws", "backbone()": "nonlinear", "fold()": "nonlinear", "C()": "states", "K()": "states",
+         "Q()": "states", "period()": "response", "phase(frf)": "frequency_response", "value": "response"}

@@ -1,6 +1,14 @@
 """How the frequency of free motions hangs on their amplitude, and where two equilibria meet as a parameter changes."""
 
-from vibcli.quantities.quantity import SIGNAL, Declaration, as_asked, rounded
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base import units
+from vibcli.quantities.products import powers_in
+from vibcli.quantities.quantity import SIGNAL, Declaration, as_asked, measured, rounded, unit
+
+if TYPE_CHECKING:
+    from vibcli.language.spec import Spec
+    from vibcli.symbolic.syntax import QuantityRef
 
 
 def _backbone(problem, tree, args):
@@ -17,8 +25,29 @@ def _at_fold(problem, tree, args):
     return as_asked(problem, value), rounded(problem, error)
 
 
+def _kappa(problem, tree, args):
+    digits = problem.digits
+    return measured(problem.free_motions.kappa(int(tree.indices[0]), digits, unit(problem)),
+                    10.0**-digits if digits else 0.0)
+
+
+def _kappa_in_letters(problem, tree):
+    return problem.free_motions.kappa_in_letters(int(tree.indices[0]))
+
+
+def _dimension(spec: "Spec", tree: "QuantityRef") -> Any:
+    """Over the square of the coordinate."""
+    (name, _), = powers_in(spec, tree.indices[1], 2)
+    return units.times(units.NONE, spec.dimensions.of(name), -2)
+
+
 QUANTITIES = {
     "backbone": Declaration(
+        "factor κ of the square of the amplitude A of a coordinate, half its range, in the angular frequency "
+        "ω ≈ ω₀(1 + κA²) of small free motions of one degree of freedom (Lindstedt and Poincaré); with two brackets "
+        "`backbone[1](x)(10 cm)` is the angular frequency at an amplitude", None, _kappa,
+        ("number", "square"), dimension=_dimension, symbolic=_kappa_in_letters, several=True),
+    "backbone()": Declaration(
         "angular frequency of the free motion of family i in which a signal has this amplitude, half its range, about "
         "the equilibrium; dampers and loads in time are left out", "rad/s", _backbone, ("number",),
         ("signal", "amplitude"), several=True),
