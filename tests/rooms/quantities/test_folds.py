@@ -189,3 +189,10 @@ def test_limit_points_next_to_each_other():
         f"energies: {{V: {law}}}\nforces: {{load: {{at: block, force: F}}}}\n")
     agrees(text, "fold[1, F]", mpmath.polyval(force, mpf("2.1")), 1e-13)
     agrees(text, "fold[2, F]", mpmath.polyval(force, 2), 1e-13)
+
+
+def test_a_buckled_column_does_not_fold_where_it_becomes_straight():
+    text = COLUMN.replace("(sin(phi) - s)", "phi").replace("s: 0.05, P: 1 N", "P: 35 N") + "equilibrium: {phi: 0.8}\n"
+    with pytest.raises(PhysicsError, match="are followed from 30 N to") as error:
+        asked(text, "fold[1, P]")
+    assert "at 30 N other equilibria branch off" in error.value.hint

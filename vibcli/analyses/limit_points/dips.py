@@ -15,7 +15,7 @@ PARTS, TRIALS, NARROW, GOLDEN = 8, 24, 1e-4, 0.3819660112501051
 def cut_at_dips(path: EquilibriumPath, steps: Iterable[PathStep]) -> Iterator[PathStep]:
     """The steps, those with two limit points in two."""
     before, dip = None, False
-    for step in (part for step in steps for part in _looked_into(path, step)):
+    for step in (part for whole in steps for part in _looked_into(path, whole)):
         if before is None:
             before = step
             continue

@@ -156,7 +156,9 @@ class _ExtendedSystem:
         if not load or abs(w @ rates.dr) <= TRANSVERSE * load:
             return None
         rows = np.abs(found).max(axis=1, keepdims=True)
-        columns = np.abs(found / rows).max(axis=0, keepdims=True)
+        if not rows.all():
+            return None
+        columns = np.maximum(np.abs(found / rows).max(axis=0, keepdims=True), 1e-300)
         return found if np.linalg.cond(found / rows / columns) < REGULAR else None
 
     def solved(self, digits: int) -> LimitPoint | None:
