@@ -54,15 +54,26 @@ class PartWithModes:
 
 
 class DampedPart(PartWithModes):
-    """One whose roots are looked for from estimates, and counted by the argument principle."""
+    """One whose roots are looked for from estimates, and counted by the argument principle; relative: its matrix over
+    coordinates in which short pieces lose no digits."""
 
-    def __init__(self, matrix: DynamicMatrix, coordinates: Sequence[int], n: int):
+    def __init__(self, matrix: DynamicMatrix, coordinates: Sequence[int], n: int, relative: DynamicMatrix):
         super().__init__(matrix, coordinates, n)
-        self._whole, self._too_far = Whole(matrix), np.inf
+        self._near = relative if relative.relative.short else matrix
+        self._whole, self._too_far = Whole(self._near), np.inf
 
     def zeros_within(self, radius: float) -> int | None:
         """As of argument_count."""
         return zeros_within(self.matrix, radius)
+
+    @property
+    def beside(self) -> bool:
+        """Has it short pieces, between places next to each other?"""
+        return self._near is not self.matrix
+
+    def counted(self, radius: float) -> int | None:
+        """The same, beside short pieces too."""
+        return zeros_within(self._near, radius)
 
     def roots(self, radius: float, effort: float, known: Sequence[DampedRoot], least: float,
               edge: float) -> list[DampedRoot]:
@@ -76,20 +87,24 @@ class DampedPart(PartWithModes):
             if root is not None and abs(root) > max(least, edge) and not any(
                     abs(root - one) < ALIKE * abs(one) for one in told + points):
                 points.append(root)
-        roots = [(s, cleaned(root, self.matrix)) for s in points for root in roots_at(self._whole, s)]
+        roots = [(s, cleaned(root, self._near)) for s in points for root in roots_at(self._whole, s)]
         roots = _distinct([(s, root) for s, root in roots if root.error < SURE and root.value.imag >= 0])
-        return [*known, *(root._replace(shape=self.placed(root.shape)) for root in roots)]
+        return [*known, *(root._replace(shape=self.placed(self._seen(root.shape))) for root in roots)]
+
+    def _seen(self, shape):
+        """A shape over the coordinates of the scene."""
+        return shape if not self.beside else self._near.relative.matrix(self.matrix.n) @ shape
 
     def _estimates(self, radius, effort):
         """Those of eigenvalues within a radius."""
         waves = []
-        for placed in self.matrix.pieces:
+        for placed in self._near.pieces:
             piece = placed.piece._make(np.array([float(x)]) for x in placed.piece)
             kappa = piece.foundation - piece.inertia * (1.3 * radius)**2
             waves.append(float(held_count(piece._replace(foundation=kappa), 0)[0]))
         found = None
         if radius * effort < self._too_far:
-            found = trial_eigenvalues(self.matrix, [int((2.5 * one + 14) * effort) for one in waves], radius)
+            found = trial_eigenvalues(self._near, [int((2.5 * one + 14) * effort) for one in waves], radius)
         if found is None:
             self._too_far = min(self._too_far, radius * effort)
             raise PhysicsError("so many damped modes of members are not found", "ask for fewer, or lower ones")
@@ -115,6 +130,8 @@ class DampedPart(PartWithModes):
 class StillPart(PartWithModes):
     """One that nothing damps: its natural modes."""
 
+    beside = False
+
     def __init__(self, matrix: DynamicMatrix, coordinates: Sequence[int], n: int, natural: Modes):
         super().__init__(matrix, coordinates, n)
         self._natural = natural
@@ -123,6 +140,8 @@ class StillPart(PartWithModes):
         """How many λ = ± iω, none of which grows, have |λ| < radius; None where one is next to it."""
         low, high = (len(self._natural.up_to(radius * side)) for side in (1 - SURE * 1e-6, 1 + SURE * 1e-6))
         return 2 * low if low == high else None
+
+    counted = zeros_within
 
     def roots(self, radius: float, effort: float, known: Sequence[DampedRoot], least: float,
               edge: float) -> list[DampedRoot]:
@@ -155,7 +174,7 @@ def damped_parts(elements: "FactoredSystem", matrix: DynamicMatrix) -> list[Damp
     tied = tied_parts(list(matrix.polynomial), [placed.rows for placed in matrix.pieces])
     numbers = sorted({*tied.coordinates, *tied.pieces})
     if len(numbers) < 2:
-        return [DampedPart(matrix, range(matrix.n), matrix.n)]
+        return [DampedPart(matrix, range(matrix.n), matrix.n, dynamic_matrix(elements, kept=()))]
     found: list[DampedPart | StillPart] = []
     for number in numbers:
         coordinates = [i for i, part in enumerate(tied.coordinates) if part == number]
@@ -174,7 +193,7 @@ def _part(elements, coordinates, n):
         natural = Modes((), NaturalModes(elements.with_parts(dampers=(), C=None, G=None, drag=None)))
         if not natural.grow:
             return StillPart(matrix, coordinates, n, natural)
-    return DampedPart(matrix, coordinates, n)
+    return DampedPart(matrix, coordinates, n, dynamic_matrix(elements, kept=()))
 
 
 def _distinct(roots):

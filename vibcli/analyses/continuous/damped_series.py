@@ -88,13 +88,8 @@ def _conjugates(rates):
 
 def zeros_of(parts: "Sequence[DampedPart | StillPart]", radius: float) -> int | None:
     """How many λ all parts have in |λ| < radius; None where that is not certain."""
-    found = 0
-    for part in parts:
-        inside = part.zeros_within(radius)
-        if inside is None:
-            return None
-        found += inside
-    return found
+    found = [part.zeros_within(radius) for part in parts]
+    return None if None in found else sum(found)
 
 
 def damped_series(known: "Known | DampedSeries", count: int) -> DampedSeries:
@@ -108,6 +103,9 @@ def damped_series(known: "Known | DampedSeries", count: int) -> DampedSeries:
         radius = _circle(known.parts, values, min(count, len(values)), known.resting)
         if radius is not None and (errors[:np.searchsorted(abs(values), radius)] < SURE).all():
             return _within(radius, known, own, values, errors, order)
+        if any(part.beside for part in known.parts):
+            raise PhysicsError("so many damped modes are not found beside places next to each other on a member",
+                               "move these further apart, or put what they hold at one place")
     if not (errors < SURE).all():
         raise PhysicsError("two damped modes of members are one, or nearly so: a mode is damped critically",
                            "give it a little more or less damping")

@@ -66,3 +66,25 @@ def test_a_refusal_is_kept(strings, monkeypatch):
             response.motion(32)
         assert told.value.hint == "why"
     assert counted == [32]
+
+
+BESIDE = """\
+parameters: {{L: 1 m, EI: 100 N*m^2, mu: 1 kg/m, c: 2 N*s/m, m: 0.5 kg}}
+motion: small
+beams:
+  arm: {{length: L, EI: EI, mass_per_length: mu, left: clamped,
+    attached: [{{at: 0.5 m, mass: m}}, {{at: 0.5 m + {}, c: c}}]}}
+"""
+
+
+def within(gap):
+    system = problem(BESIDE.format(gap)).configuration.linear_system
+    part, = damped_parts(system, dynamic_matrix(system))
+    roots = part.roots(300.0, 1, (), 0.0, 0.0)
+    assert part.counted(300.0) == 4 == 2 * len(roots) and max(root.error for root in roots) < 1e-11
+    return [root.value for root in roots]
+
+
+def test_places_next_to_each_other_are_nearly_one():
+    for a, b, c in zip(*map(within, ("0 m", "1e-5 m", "1e-3 m")), strict=True):
+        assert b - a == pytest.approx((c - a) * 1e-2, rel=0.05, abs=1e-9 * abs(a))
