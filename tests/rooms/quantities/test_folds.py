@@ -7,6 +7,7 @@ import pytest
 from mpmath import mpf
 from support.motions import problem
 
+from vibcli import loads
 from vibcli.api.values import given_expression
 from vibcli.base.errors import PhysicsError
 from vibcli.quantities.expression import measure
@@ -196,3 +197,14 @@ def test_a_buckled_column_does_not_fold_where_it_becomes_straight():
     with pytest.raises(PhysicsError, match="are followed from 30 N to") as error:
         asked(text, "fold[1, P]")
     assert "at 30 N other equilibria branch off" in error.value.hint
+
+
+def test_the_place_of_a_branching_is_told_as_it_is():
+    """P L = k_t of an upright rod on a torsion spring; the bisection of the step meets the singular place itself."""
+    column = loads("parameters: {L: 1 m, kt: 10 N*m, P: 5 N, m: 1 kg}\n"
+                   "bodies: {rod: {mass: m, at: [0, L], pin: {at: [0, 0], by: phi}}}\n"
+                   "springs: {s: {torsion: kt, between: [ground, rod]}}\n"
+                   "forces: {P: {at: rod, force: [0, -P]}}\n")
+    with pytest.raises(PhysicsError) as refused:
+        column["fold[1, P]"]
+    assert "at 10 N other equilibria branch off" in refused.value.hint

@@ -19,6 +19,7 @@ FIRST, SHORTEST, STEPS = 0.01, 1e-10, 2000
 STRAIGHT, NEAR, MILD = 0.99, 0.05, 0.998     # cosines of the angle of a step; how far it may miss, relative to it
 STRIDE, FAR, TURN = 0.1, 100.0, 2 * np.pi   # of the figure or 1 rad, how far is followed: figures, a full turn
 BEYOND, CLIMB, GONE = 1e6, 0.5, 1e-5         # of the size of p: followed so far, a step at most, nothing
+ASIDE = 0.03                # of a bracket
 LEVEL, CLOSE = 1e-7, 1e-7      # of p′, of a step: a limit point or branching is met
 FLAT, RIGID, HALVINGS, APART, AWAY, LEAST, CHANGED = 1e-3, 1e-12, 60, 4.0, 0.3, 1e-4, 0.5
 
@@ -294,6 +295,9 @@ class EquilibriumPath:
             share = at_low / (at_low - at_high) if i % 3 != 2 else 0.5
             middle = low + float(np.clip(share, 0.02, 0.98)) * (high - low)
             point = self.corrected(stretch.start, middle, stretch.corner)
+            if point is None:       # a branching itself
+                middle += ASIDE * (high - low)
+                point = self.corrected(stretch.start, middle, stretch.corner)
             if point is None:
                 break
             if stretch.corner and point.sense != stretch.start.sense:
