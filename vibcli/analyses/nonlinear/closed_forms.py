@@ -47,6 +47,8 @@ def closed_form(symbolic: "SymbolicSystem", A: "Node") -> ByEllipticIntegral | B
         return None
     V = V - substitute([V], {q: table.zero})[0]
     try:
+        if any(table.is_positive(textbook(-_at(*one))) for one in ((V, q, A), (_derivative(V, q, 2), q, table.zero))):
+            return None         # V falls from there
         found = next(filter(None, (form(V, T0, q, A) for form in (_power, _duffing, _pendulum))), None)
     except ZeroDivisionError:       # a slope of V is infinite in the equilibrium
         return None

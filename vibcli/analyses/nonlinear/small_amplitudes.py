@@ -48,7 +48,7 @@ def factors_in_letters(symbolic: "SymbolicSystem") -> EnergyFactors:
     V = in_letters(symbolic, "V with loads", [q], up_to(ORDER), ORDER)
     T = in_letters(symbolic, "T", [q, v], up_to(ORDER), ORDER)
     found = _factors(V, T, scene.table.zero)
-    if is_zero(found.V[0]):
+    if is_zero(found.V[0]) or scene.table.is_positive(textbook(-found.V[0])):
         raise _no_stiffness()
     return found
 

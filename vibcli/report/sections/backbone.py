@@ -47,7 +47,7 @@ def backbone(problem: "Problem", _: "Report"):
              figure(tau / one.omega, one.error), figure(one.omega / small) if small else "–", figure(one.energy),
              figure(rounded_up(one.error), digits=1)) for one in points]
     if kappa is not None and small:
-        head = (*head[:2], f"{name}(1 + κA²)", *head[2:])
+        head = (*head[:2], f"{name}(1 + κ{symbol(_letter(problem))}²)", *head[2:])
         rows = [(*row[:2], figure(small * (1 + kappa * one.amplitude**2)), *row[2:])
                 for row, one in zip(rows, points, strict=True)]
     told = "The amplitude is half the range of the signal; the energy is counted from the equilibrium."
@@ -66,7 +66,9 @@ def _begins(problem, name, kappa, of):
     from vibcli.analyses.nonlinear.small_amplitudes import kappa_in_letters
 
     value = "" if kappa is None else figure(kappa) + f" 1/{of}²" * bool(of)
-    yield paragraph(f"At small amplitudes A, ω ≈ {name}(1 + κA²) by the method of Lindstedt and Poincaré:")
+    letter = symbol(_letter(problem))
+    yield paragraph(f"At small amplitudes {letter}, ω ≈ {name}(1 + κ{letter}²) by the method of Lindstedt and "
+                    "Poincaré:")
     try:
         yield equations([line("κ = ", kappa_in_letters(problem.symbolic), f" = {value}" * bool(value))])
     except PhysicsError:
@@ -75,20 +77,26 @@ def _begins(problem, name, kappa, of):
         yield equations([line(f"κ = {value}")])
 
 
+def _letter(problem):
+    """A for the amplitude, or what the scene has no other meaning for."""
+    taken = {*problem.scene.parameters.nodes, *problem.scene.coordinates}
+    return next(name for name in ("A", *(f"A_{i}" for i in range(len(taken) + 1))) if name not in taken)
+
+
 def _exactly(problem):
     """The closed form, where the equilibrium is known in letters and there is one."""
     from vibcli.analyses.nonlinear.closed_forms import ByGamma, closed_form
 
     try:
-        found = closed_form(problem.symbolic, problem.scene.table.parameter("A"))
+        found = closed_form(problem.symbolic, problem.scene.table.parameter(_letter(problem)))
     except PhysicsError:
         return
     if isinstance(found, ByGamma):
         yield paragraph("Exactly, V being a pure power p of the deviation and Γ the gamma function:")
         yield equations([line("ω = √π Γ(½ + 1/p)/(2 Γ(1 + 1/p)) · ", found.rate), line("p = ", found.p)])
     elif found is not None:
-        yield paragraph("Exactly, K = ∫ dθ/√(1 − s sin² θ) from 0 to π/2 being the complete elliptic integral of the "
-                        "first kind:")
+        yield paragraph("Exactly, short of a top of V, K = ∫ dθ/√(1 − s sin² θ) from 0 to π/2 being the "
+                        "complete elliptic integral of the first kind:")
         yield equations([line("ω = π/(2 K) · ", found.rate), line("s = ", found.m)])
 
 
@@ -106,8 +114,8 @@ def _in_letters(problem):
         small = []
     yield from section(
         "Free motions by their amplitude (backbone curve)", *small, *exactly,
-        paragraph(f"A is the amplitude of {symbol(problem.scene.coordinates[0])}, half its range; a table of "
-                  "frequencies needs numbers."))
+        paragraph(f"{symbol(_letter(problem))} is the amplitude of {symbol(problem.scene.coordinates[0])}, half its "
+                  "range; a table of frequencies needs numbers."))
 
 
 def _kappa_in_letters(problem):

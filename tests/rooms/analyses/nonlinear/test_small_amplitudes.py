@@ -6,7 +6,9 @@ from mpmath import mp
 
 from vibcli import loads
 from vibcli.analyses.nonlinear.closed_forms import ByGamma, closed_form
+from vibcli.analyses.nonlinear.small_amplitudes import kappa_in_letters
 from vibcli.base.errors import PhysicsError
+from vibcli.cli import run
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 
@@ -116,3 +118,19 @@ def test_what_has_no_small_amplitudes_is_refused(law, told):
     model = loads("parameters: {m: 2 kg, c: 90 N/m^3}\n" + BODY.replace("LAW", law))
     with pytest.raises(PhysicsError, match=told):
         model["backbone[1, x^2]"]
+
+
+def test_a_hilltop_has_neither():
+    symbolic = loads("parameters: {m: , k: , c: }\n" + BODY.replace("LAW", "-k*d + c*d^3"))._problem.symbolic
+    assert closed_form(symbolic, symbolic.scene.resting.table.parameter("A")) is None
+    with pytest.raises(PhysicsError, match="linear stiffness is not positive"):
+        kappa_in_letters(symbolic)
+
+
+def test_a_letter_of_the_scene_is_not_the_amplitude(tmp_path, capsys):
+    path = tmp_path / "scene.yaml"
+    path.write_text("parameters: {m: , k: , A: }\nfind: [{backbone: {of: [x], up_to: 1 m}}]\n"
+                    + BODY.replace("LAW", "k*d + A*d^3"))
+    assert run(["solve", str(path)]) == 0
+    report = capsys.readouterr().out
+    assert "ω = π/(2 K) · √((k + A·A_0²)/m)" in report and "A_0 is the amplitude of x" in report
