@@ -68,8 +68,8 @@ def numbers(data):
 
 def well_formed(data, command):
     optional = {"accelerations", "backbone", "cases", "characteristic_polynomial", "chosen", "closed_forms", "count",
-                "equilibria", "equivalents", "expansion", "frequency_response", "insight", "remark", "response",
-                "search", "sticking"}
+                "equilibria", "equivalents", "expansion", "frequency_response", "insight", "phase_plane", "remark",
+                "response", "search", "sticking"}
     if not data["coordinates"] and not data.get("modes"):
         assert set(data) == STATICS and data["reactions"]
         return

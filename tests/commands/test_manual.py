@@ -235,8 +235,12 @@ def test_json_keys_are_those_that_are_printed(capsys, tmp_path):
     bar.write_text("bars: {NAME: {length: 2 m, EA: 2 N, mass_per_length: 1 kg/m, left: clamped}}\n"
                    "initial: {NAME.u': 1 m/s}\nfind: [{response: {of: [\"NAME.u'(1 m)\"], until: 6 s}}]\n",
                    encoding="utf-8")
-    for command in ("frequencies", "response"):
-        code, out, _ = call(capsys, command, str(bar), "--json")
+    slider = tmp_path / "slider.yaml"
+    slider.write_text("bodies: {p: {mass: 1 kg, at: [0, 0], slide: x}}\nmotion: {order: 3}\ninitial: {x: 1 cm}\n"
+                      "springs: {s: {k: 1 N/m, preload: 1 N, between: [[0, 1 m], p]}}\n", encoding="utf-8")
+    for command, file, *options in (("frequencies", bar), ("response", bar), ("response", slider),
+                                    ("response", slider, "--phase-plane")):
+        code, out, _ = call(capsys, command, str(file), "--json", *options)
         assert code == 0
         printed |= _paths(json.loads(out))
     assert printed - set(KEYS) == set()

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import mpmath
 import pytest
-from support.scenes import problem, problem_of
+from support.scenes import kept_problem_of, problem
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.high_precision import equilibrium_to
@@ -73,7 +73,7 @@ def rows_supported(found):
 def test_tables_of_all_problems():
     counts = []
     for path in FILES[::2]:
-        found = problem_of(path)
+        found = kept_problem_of(path)
         if found.numeric.has_free_symbols or found.spec.choices:
             continue
         try:
@@ -145,7 +145,7 @@ def test_equilibria_of_all_problems():
     """Those that are searched for, against 30 digits: the last that is printed is wrong by one at most."""
     count = 0
     for path in FILES:
-        found = problem_of(path)
+        found = kept_problem_of(path)
         if found.numeric.has_free_symbols or found.spec.choices or not found.scene.q or found.system.is_linear:
             continue
         near = found.configuration.equilibrium

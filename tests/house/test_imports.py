@@ -80,8 +80,8 @@ def test_check_in_numbers(stem):
 @pytest.mark.parametrize(("args", "example"), [
     (["response"], "forced_vibration"), (["response", "--plot"], "free_vibration"), (["response"], "bump_in_the_road"),
     (["response", "--plot"], "square_wave"), (["frf", "--plot"], "frequency_response"), (["check"], "forced_vibration"),
-    (["frf"], "beats"), (["response", "--json"], "beats")], ids=lambda part: "-".join(part) if isinstance(
-        part, list) else part)
+    (["frf"], "beats"), (["response", "--json"], "beats"), (["response", "--phase-plane"], "free_vibration")],
+    ids=lambda part: "-".join(part) if isinstance(part, list) else part)
 def test_responses_in_numbers_need_numpy_alone(args, example):
     code, names = modules(*args, PACKAGE / "examples" / f"{example}.yaml")
     assert code == 0

@@ -46,11 +46,14 @@ def of_documents(documents):
 
 
 class Values(dict):
-    """{symbol of a scene: its value}; any other symbol has a value of its own, s.force the product of its words."""
+    """{symbol of a scene: its value}; any other symbol has a value of its own, s.force and Δx the product of what they
+    are written of."""
 
     def __missing__(self, name):
         if "." in name:
             return math.prod(map(self.__getitem__, name.split(".")))
+        if name[0] == "Δ" and name[1:]:
+            return self["Δ"] * self[name[1:]]
         key = symbol(write_plain.symbol(name))
         return math.pi if key == "π" else 0.5 + zlib.crc32(key.encode()) % 1000 / 1000
 

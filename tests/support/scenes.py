@@ -1,6 +1,7 @@
 """Scenes for tests: a text to a Problem, and the value of an expression by a walk of its own over the syntax tree."""
 
 import math
+from functools import cache
 from textwrap import dedent
 
 from vibcli.language.document.document import read, read_file
@@ -22,6 +23,12 @@ def problem_of(path):
     """The Problem of a file."""
     node, diagnostics, _ = read_file(str(path))
     return Problem(read_spec(node, str(path), diagnostics))
+
+
+@cache
+def kept_problem_of(path):
+    """The same, one for all tests of a process: for those that only read what it finds."""
+    return problem_of(path)
 
 
 def number(tree, names, functions=math):

@@ -1,6 +1,7 @@
 """What is found about a problem, as a Report of sections or as data with the keys of --json."""
 
 from collections.abc import Sequence
+from importlib import import_module
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import Inertless, Kinked, NoEquilibrium, NotInLetters, PhysicsError
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
 PICTURES = {"equilibrium": "force_diagrams", "modes": "mode_pictures"}
 STATICS = ("given", "chosen", "coordinates", "reactions")       # of a scene without freedom
 SLOPES = ("frequencies", "modes", "damping", *OF_MODES)       # what needs a slope of the forces
+OF_ONE_KEY = ("equivalents", "backbone", "expansion", "phase_plane")       # sections that give their own key
 FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",),
             "equilibrium": ("equilibrium", "virtual_work"), "frequencies": ("frequencies",), "modes": ("modes",),
             "damping": ("damping",), "accelerations": ("accelerations",),
@@ -76,48 +78,49 @@ def data(problem: "Problem", parts: Sequence[str], normalise: str, digits: int |
         from vibcli.report.sections.equilibria import EQUILIBRIA, SEARCH
 
         found |= keys.data([EQUILIBRIA, SEARCH], problem)
-    if "equations" in parts and problem.scene.pieces:       # they are differential equations along members
-        found |= dict.fromkeys(("energies", "equations", "matrices"))
-    elif "equations" in parts:
-        refusal = problem.symbolic.equations.refusal
-        if refusal and not (isinstance(refusal, NotInLetters) or _without_slope(problem, refusal, sections)
-                            or _listed_alone(problem, sections)):
-            raise refusal
-        from vibcli.report.sections.equations_of_motion import ENERGY, EQUATIONS, MATRICES
-        from vibcli.report.sections.equilibrium import STICKING
-
-        found |= keys.data([*[STICKING] * (problem.system.sticking is not None), ENERGY, EQUATIONS], problem)
-        if "frequencies" not in parts:
-            known = not refusal or isinstance(refusal, NotInLetters)
-            found |= keys.data([MATRICES], problem) if known else {"matrices": None}
+    if "equations" in parts:
+        found |= _equations(problem, parts, sections)
     if "accelerations" in sections:
         from vibcli.report.sections.accelerations import ACCELERATIONS, falls
 
         if "accelerations" in problem.spec.get("find", ()) or falls(problem):
             found |= keys.data([ACCELERATIONS], problem)
-    if "equivalents" in sections:
-        from vibcli.report.sections.equivalents import KEY
-
-        found |= keys.data([KEY], problem)
-    if asked := [word for word in sections if word in RESPONSES]:
-        from vibcli.report.sections import frequency_response, response
-
-        for word in asked:
-            # of letters `find` asks formulas, which texts have
-            beside = word not in parts and problem.numeric.has_free_symbols
-            write = response.response_data if word == "response" else frequency_response.frequency_response_data
-            found[word] = None if beside else write(problem, wanted or Wanted())
-    if "backbone" in sections:
-        from vibcli.report.sections.backbone import KEY
-
-        found |= keys.data([KEY], problem)
-    if "expansion" in sections:
-        from vibcli.report.sections.expansion import KEY
-
-        found |= keys.data([KEY], problem)
+    found |= {word: _responses(problem, word, parts, wanted) for word in sections if word in RESPONSES}
+    found |= keys.data([import_module(f"vibcli.report.sections.{word}").KEY
+                        for word in OF_ONE_KEY if word in sections], problem)
     if words := [word for word in sections if word in OF_MODES]:
         found["insight"] = _insight(problem, words, sections)
     return found
+
+
+def _equations(problem, parts, sections):
+    """Energies, equations of motion and matrices in letters where they are known; null each along members."""
+    from vibcli.report import keys
+
+    if problem.scene.pieces:       # they are differential equations along members
+        return dict.fromkeys(("energies", "equations", "matrices"))
+    refusal = problem.symbolic.equations.refusal
+    if refusal and not (isinstance(refusal, NotInLetters) or _without_slope(problem, refusal, sections)
+                        or _listed_alone(problem, sections)):
+        raise refusal
+    from vibcli.report.sections.equations_of_motion import ENERGY, EQUATIONS, MATRICES
+    from vibcli.report.sections.equilibrium import STICKING
+
+    found = keys.data([*[STICKING] * (problem.system.sticking is not None), ENERGY, EQUATIONS], problem)
+    if "frequencies" in parts:
+        return found
+    known = not refusal or isinstance(refusal, NotInLetters)
+    return found | (keys.data([MATRICES], problem) if known else {"matrices": None})
+
+
+def _responses(problem, word, parts, wanted):
+    """Motions in time or frequency responses; null of letters, of which `find` asks formulas, which texts have."""
+    from vibcli.report.sections import frequency_response, response
+
+    if word not in parts and problem.numeric.has_free_symbols:
+        return None
+    write = response.response_data if word == "response" else frequency_response.frequency_response_data
+    return write(problem, wanted or Wanted())
 
 
 def _insight(problem, words, sections):
@@ -151,7 +154,16 @@ def _frequencies(problem, parts, normalise, digits, sections, wanted):
             from vibcli.report.sections.equilibrium import EQUILIBRIUM
 
             found |= keys.data([EQUILIBRIUM, MATRICES], problem)
+        elif _rests_at_a_jump(problem, error):
+            from vibcli.report.sections.equilibrium import EQUILIBRIUM
+
+            found |= keys.data([EQUILIBRIUM], problem)
         return found
+
+
+def _rests_at_a_jump(problem, error):
+    return isinstance(error, Kinked) and not problem.numeric.has_free_symbols and bool(
+        problem.configuration.equilibrium.jumps)
 
 
 def _without_slope(problem, refusal, sections):

@@ -9,10 +9,8 @@ from vibcli.cli.common import chosen, load, number_options, scene_options
 from vibcli.cli.output import print_scenes
 from vibcli.cli.pictures import FILE
 from vibcli.cli.reports import output_of, report_options
-from vibcli.cli.sampled import cases_to_show, refuse_targets, show_curves
+from vibcli.cli.sampled import PICTURES, cases_to_show, refuse_targets, show_curves
 from vibcli.report.wanted import Wanted
-
-PICTURES = (".png", ".svg", ".pdf")
 
 
 @click.command("frequencies")

@@ -1,15 +1,17 @@
 """`vibcli response FILE`: the motion in time."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
+from click.core import ParameterSource
 
 from vibcli.cli.common import chosen, load, scene_options
 from vibcli.cli.output import print_scenes
 from vibcli.cli.reports import output_of, report_options
 from vibcli.cli.sampled import (
     INSTANT,
+    PICTURES,
     asked,
     cases_to_show,
     curve_options,
@@ -38,18 +40,25 @@ if TYPE_CHECKING:
               help="How many instants are plotted or saved.")
 @click.option("--phase", type=click.Choice(["sine", "cosine", "lead"]), default="sine", show_default=True,
               help="Steady states as X sin(Ωt − θ), X cos(Ωt − θ) or X sin(Ωt + α).")
+@click.option("--phase-plane", "plane", is_flag=True, help="Instead: orbits of one degree of freedom over its place "
+              "and speed, with equilibria by their kinds; drawn in the terminal, or as --save and --json say.")
 @click.option("--steady", is_flag=True, help="Plot or save the steady part as well.")
 @click.option("--transient", is_flag=True, help="Plot or save the transient part as well.")
 @curve_options
 def command(file: str, settings: Sequence[Any], case: Any, as_json: bool, patience: int, timings: bool,
             signals: Sequence[str], until: str | None, instants: Sequence[str], digits: int | None, points: int,
-            phase: str, steady: bool, transient: bool, plot: bool, saves: Sequence[str], **report: bool | None) -> int:
+            phase: str, plane: bool, steady: bool, transient: bool, plot: bool, saves: Sequence[str],
+            **report: bool | None) -> int:
     """The motion in time, free or forced: its formula, steady state and extremes; plotted, or saved as numbers.
 
     It starts as `initial` in the file says, else at rest: vibcli explain response.
     """
     from vibcli.report.wanted import Wanted
 
+    if plane:
+        refuse_beside_plane({"--of": signals, "--until": until, "--at": instants, "--digits": digits,
+                             "--steady": steady, "--transient": transient})
+        return _phase_plane(file, settings, case, as_json, patience, timings, plot, saves, report)
     refuse_targets(saves, report["force"])
     require_curves(plot, saves, as_json, {"--steady": steady, "--transient": transient})
     output = output_of(file, as_json, **report)
@@ -63,6 +72,37 @@ def command(file: str, settings: Sequence[Any], case: Any, as_json: bool, patien
         refuse_parts(problem, parts)
     return print_scenes(problems, lambda problem: ("chosen", "response"), output, timings, data=("response",),
                         wanted=wanted, curves=lambda problem: _shown(problem, wanted, plot, saves, report["force"]))
+
+
+def refuse_beside_plane(options: Mapping[str, Any]) -> None:
+    """A usage error where something is asked of a motion in time."""
+    for name in ("points", "phase"):
+        if click.get_current_context().get_parameter_source(name) is ParameterSource.COMMANDLINE:
+            options = {**options, f"--{name}": True}
+    idle = next((option for option, given in options.items() if given), None)
+    if idle:
+        raise click.UsageError(f"{idle} does not go with --phase-plane, which shows no motion in time")
+
+
+def _phase_plane(file, settings, case, as_json, patience, timings, plot, saves, report):
+    """In the terminal where nothing else is asked for."""
+    refuse_targets(saves, report["force"], PICTURES)
+    if plot and as_json:
+        raise click.UsageError("--plot does not go with --json: save the picture with --save FILE")
+    output = output_of(file, as_json, **report)
+    plot = plot or not (saves or as_json or output.path or output.kind != "text")
+    problems = cases_to_show(chosen(load(file, settings, patience), case), saves)
+    return print_scenes(problems, lambda problem: ("chosen", "phase_plane"), output, timings,
+                        curves=lambda problem: _plane_shown(problem, plot, saves, report["force"]))
+
+
+def _plane_shown(problem, plot, saves, force):
+    if not (plot or saves):
+        return
+    from vibcli.report.sections.phase_plane import plane_figure
+
+    figure = plane_figure(problem)
+    show_curves(plot, saves, force, problem.spec.get("title") or "", lambda: figure)
 
 
 def refuse_parts(problem: "Problem", parts: Sequence[str]) -> None:

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 WIDEST = 120
+PICTURES = (".png", ".svg", ".pdf")
 INSTANT = "a time, as in 2.5 or '40 ms'"
 
 
@@ -49,7 +50,7 @@ def size(text: str, option: str, unit: str, wants: str, exact: bool = False):
 
 
 def refuse_targets(paths: Sequence[str], force: Any,
-                   suffixes: Sequence[str] = (".png", ".svg", ".pdf", ".csv", ".npz", ".json")) -> None:
+                   suffixes: Sequence[str] = (*PICTURES, ".csv", ".npz", ".json")) -> None:
     """A usage error, before anything is computed, where one of the files cannot be written."""
     for path in map(Path, paths):
         refuse(path, suffixes, force)

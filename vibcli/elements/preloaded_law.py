@@ -4,9 +4,11 @@
     k d + q d |d|       d = 2 n/(1 + √(1 + 4 (q/k) |n|)),   n = N/k
     k d + g d³          d = 3 n/(w² + 1 + 1/w²),  w³ = u + √(1 + u²),  u = ½ √(27 g/k) |n|      (Cardano's, for g/k > 0)
                         d = 2 sin(⅓ asin(³⁄₂ n √(3 h)))/√(3 h),  h = −g/k                       (for g/k < 0)
+    others              by a root, a function of N and of the parameters (symbolic/roots_of_laws.py)
 """
 
 from fractions import Fraction
+from math import inf, isfinite
 from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.power_law import cubic_root, odd_powers
@@ -30,10 +32,29 @@ def undeformed(record: "Record", scene: Any, law: "Node", d: "Node", tension: "N
         if not _is_reached(record, scene, load, bend, degrees[1]):
             return None
         return _quadratic(load, bend) if degrees[1] == 2 else _cubic(scene, load, bend)
-    scene.report(record.place("preload"), f"where the law of '{record.name}' has the tension `preload` is not found",
-                 "it is of k*d, of k*d + q*d*abs(d) or k*d + g*d^3, and of one power; else write the law with d "
-                 "shifted, as in F(d + d0)")
-    return None
+    return _root(record, scene, law, d, tension)
+
+
+def _root(record, scene, law, d, tension):
+    """The deflection as a function of the tension and of the parameters, found by a root where it is asked for."""
+    from vibcli.symbolic.roots_of_laws import RootOfLaw
+
+    function = RootOfLaw(record.name + ".undeformed", law, d)
+    p = [scene.number(symbol) for symbol in function.symbols]
+    if record["preload"] == "static":
+        ends = [function.followed(N, p) for N in (-inf, inf)]
+        if any(isfinite(end.where) and not end.ends for end in ends):
+            _weakens(record, scene)
+            return None
+        return function.called(tension)
+    N = scene.number(tension)
+    branch = function.followed(N, p)
+    if branch.jumps:
+        scene.report(record.place("preload"), f"the law of '{record.name}' jumps past this tension",
+                     "give a tension that it has at some deflection")
+    elif not isfinite(branch.d):
+        _too_much(record, scene, branch.most / N, branch.where, "ends at" if branch.ends else "rises to")
+    return function.called(tension) if isfinite(branch.d) and not branch.jumps else None
 
 
 def _call(name, u):
@@ -45,17 +66,28 @@ def _is_reached(record, scene, load, bend, degree):
     b = -scene.number(bend)
     if record["preload"] == "static":
         if b > 0:
-            scene.report(record.place("preload"), f"the law of '{record.name}' weakens as it is deflected: it may have "
-                         "no such tension", "give its tension as drawn")
+            _weakens(record, scene)
         return b <= 0
-    n = abs(scene.number(load))
+    N = scene.number(load)
+    n = abs(N)
     most = 0 if b <= 0 else 1 / (4 * b) if degree == 2 else 2 / (27 * b) ** 0.5
     if b <= 0 or n <= most:
         return True
-    share = f"{most / n:.4g}"
-    scene.report(record.place("preload"), f"the law of '{record.name}' has no such tension: it rises to {share} of it",
-                 "give a smaller preload")
+    _too_much(record, scene, most / n, (1 / (2 * b) if degree == 2 else (3 * b) ** -0.5) * (1 if N > 0 else -1))
     return False
+
+
+def _weakens(record, scene):
+    scene.report(record.place("preload"), f"the law of '{record.name}' weakens as it is deflected: it may have no such "
+                 "tension", "give its tension as drawn")
+
+
+def _too_much(record, scene, share, where, does="rises to"):
+    """`share`: of the tension, that the law rises to at the deflection `where`, inf in the limit."""
+    unit = "" if "stretch" in record else " rad" if "torsion" in record else " m"
+    place = f", at d = {where:.4g}{unit}" if isfinite(where) else ""
+    scene.report(record.place("preload"), f"the law of '{record.name}' has no such tension: it {does} {share:.4g} of "
+                 f"it{place}", "give a smaller preload")
 
 
 def _quadratic(load, bend):

@@ -18,6 +18,8 @@ ALIASES = {
     "responses": "response", "motion in time": "response", "free vibration": "response", "duration": "response",
     "forced vibration": "response", "steady state": "response", "excitation": "time", "released": "initial",
     "initial conditions": "initial", "beats": "beat_period", "overshoots": "overshoot",
+    "phase plane": "phase_plane", "phase portrait": "phase_plane", "separatrix": "phase_plane",
+    "saddle": "phase_plane", "orbit": "phase_plane", "orbits": "phase_plane",
     "frequency response": "frequency_response", "resonance": "frequency_response",
     "resonances": "frequency_response", "absorber": "frequency_response", "isolation": "frequency_response",
     "receptance": "frequency_response", "mobility": "frequency_response", "bandwidth": "frequency_response",

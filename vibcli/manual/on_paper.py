@@ -14,6 +14,7 @@ PICTURES = [
          "`--response` the motion in time, `--until 2` so long"),
         ("vibcli response FILE --plot", "the motion plotted in the terminal; `--of x` says which signals, `--until 2` "
          "how long, `--steady` and `--transient` add these parts"),
+        ("vibcli response FILE --phase-plane", "orbits of one degree of freedom over its place and speed"),
         ("vibcli frf FILE --plot", "amplitude and phase; `--from`, `--up-to` give the range, `--nyquist` the complex "
          "plane"),
         ("--save FILE", "the same plot as .png, .svg or .pdf"),

@@ -22,6 +22,8 @@ RESPONSE = [
          "both, files and plots hold the instant twice. Members start with fields, `initial: {rod.u: a*x/L, rod.u': "
          "-v}`. Where the fronts multiply, as on pieces of many lengths, values at instants "
          "follow them as long as they stay few, and all else goes by modes; `--patience` follows more."),
+        ("parts", "Parts of a scene that do not move one another go each their own way: a straight beam that stretches "
+         "does so by waves, and bends by modes, as long as fronts are few up to the end that is asked for."),
         ("modes", "Beams, and members with foundation or drag, are followed "
          "by their first exact modes beside what loads do exactly: what is left out are free vibrations of higher "
          "modes, at most 2048 of a uniform beam being counted. Their bound is part of the error of each value: 1e-10 "
@@ -85,6 +87,29 @@ RESPONSE = [
     ],
     "Loads in time: `vibcli explain time`. Signals: `vibcli explain signals`. Plots and files: `--plot`, `--save`, see "
     "`vibcli explain pictures` and `vibcli explain data`.",
+]
+
+PHASE_PLANE = [
+    "`vibcli response FILE --phase-plane` draws the motions of one degree of freedom x over x and x' in the terminal: "
+    "orbits with arrows of their direction, separatrices, the orbit from `initial`, and the equilibria by their kinds. "
+    "`--save plane.png` (svg, pdf) draws them in a file, `--json` tells places, kinds, eigenvalues, energies.",
+    [
+        ("kinds", "by the eigenvalues of λ² − a_v λ − a_q = 0, x'' = a(x, x'): a saddle where a_q > 0, a centre where "
+         "energy is kept, else a stable or unstable focus, node, or degenerate node of two equal eigenvalues. Where "
+         "those decide nothing the forces beside it do: a cusp, a saddle-node, and others so marked. Places at each of "
+         "which the scene rests, as within a play, are a line of rest. At a kink there are no eigenvalues; the forces "
+         "on both sides tell the kind."),
+        ("conservative", "Orbits are level curves of H = ½ m(x) x'² + V(x), from one turning place to the other; a "
+         "separatrix is the level of its saddle. The orbit from `initial` has its turning places and exact period."),
+        ("damped", "Orbits are integrated forwards and backwards. Separatrices are what runs into a saddle, which "
+         "bounds the starts that end in the same place, and what runs out of it, from the eigenvectors (1, λ). A limit "
+         "cycle is the last lap of a motion from beside an unstable equilibrium."),
+        ("range", "All equilibria that the search finds, within `find: {equilibria: all, within: {x: [-1 m, 1 m]}}` "
+         "where that is given; where separatrices and the orbit from `initial` turn; of an angle a turn and more."),
+        ("equations", "the full ones, also where `motion` is small; with `motion: {order: 3}` the expanded ones"),
+    ],
+    "Refused are several degrees of freedom, what depends on the time, dry friction, members, ropes (which may go "
+    "slack), loops closed numerically, `damping:` of the whole, and letters.",
 ]
 
 FREQUENCY_RESPONSE = [

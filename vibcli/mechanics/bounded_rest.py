@@ -32,7 +32,9 @@ def bounded_rest(configuration: "Configuration") -> tuple[RunningErrors, dict[st
 
 def _position(configuration, arithmetic, values):
     """{coordinate: number with its bound}."""
-    found = configuration.equilibrium.values
+    found, jumps = configuration.equilibrium.values, configuration.equilibrium.jumps
+    if jumps is not None:
+        return jumps.bounded(arithmetic, values)
     if configuration.equilibrium.drawn:
         drawn = {q.name: node for q, node in configuration.scene.resting.drawn.items()}
         return dict(zip(drawn, evaluate(list(drawn.values()), arithmetic, values), strict=True))

@@ -100,7 +100,7 @@ class Configuration:
         else:
             steep = self.system.is_steep_as_drawn
             found = equilibrium.find_equilibrium(numeric, numeric.beside_drawn() if steep else numeric.start())
-        if found.drawn or self.system.is_linear:
+        if found.drawn or found.jumps is not None or self.system.is_linear:
             return found
         from vibcli.mechanics.equilibrium.degenerate import sharpened
 

@@ -60,6 +60,19 @@ def effective_potential(scene: "Scene") -> "Node":
     return potential(scene) - substitute([scene.energies["T"]], rest)[0] - loads
 
 
+def relative_potential(scene: "Scene") -> "Node | None":
+    """V − T at q̇ = 0 − Σ F s where places hang on the time and equations need not, as in a frame that turns steadily;
+    None where it depends on the time, or there are loads that do not have such a part."""
+    from vibcli.symbolic.derivatives import substitute
+
+    if any(term.weight.mask for term in scene.forces):
+        return None
+    rest = dict.fromkeys(scene.v, scene.table.zero)
+    loads = scene.table.total(term.weight * term.s for term in scene.forces)
+    found = textbook(potential(scene) - substitute([kinetic(scene)], rest)[0] - loads)
+    return None if found.mask & scene.time.mask else found
+
+
 def textbook_energies(scene: "Scene") -> "dict[str, Node]":
     """{'T': …, 'V': …, 'Phi': …} simplified; parts of V that do not depend on the coordinates are left out."""
     return {"T": textbook(kinetic(scene)), "V": _textbook_potential(scene), "Phi": _textbook_dissipation(scene)}

@@ -6,10 +6,10 @@
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Kinked, PhysicsError
-from vibcli.mechanics.energies import kinetic, potential
+from vibcli.mechanics.energies import effective_potential, kinetic, potential
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import is_zero, textbook
 from vibcli.symbolic.running_errors import Rounded, RunningErrors, error_in, number_in
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
-ENERGIES = {"V": potential, "T": kinetic}
+ENERGIES = {"V": potential, "T": kinetic, "V with loads": effective_potential}
 Powers = tuple[int, ...]
 
 
@@ -58,21 +58,22 @@ def in_numbers(configuration: "Configuration", which: str, variables: "Sequence[
     else:
         inner, values = configuration.precise_rest(digits)
         arithmetic = RunningErrors(inner, unit)
-    found, = _expanded(scene, which, [ENERGIES[which](scene)], arithmetic, values, variables, keep, order, sign)
-    return {powers: _cleared(c, arithmetic) for powers, c in found.items()}
+    found, = expanded_by(scene, which, [ENERGIES[which](scene)], arithmetic, values, variables, keep, order, sign)
+    return {powers: cleared(c, arithmetic) for powers, c in found.items()}
 
 
-def expression_in_numbers(configuration: "Configuration", node: "Node", order: int) -> dict[Powers, float]:
-    """{powers of the coordinates: factor} of an expression up to an order, all else at rest; what is only rounding by
-    the bound of its error is left out."""
+def expression_in_numbers(configuration: "Configuration", node: "Node", order: int,
+                          variables: "Sequence[Node] | None" = None, which: str = "V") -> dict[Powers, float]:
+    """{powers of the coordinates, or of other variables: factor} of an expression up to an order, all else at rest;
+    what is only rounding by the bound of its error is left out."""
     scene = configuration.scene.resting
     arithmetic, values = configuration.bounded_rest
-    found, = _expanded(scene, "V", [node], arithmetic, values, scene.q, up_to(order), order, sign)
-    numbers = {powers: float(number_in(_cleared(c, arithmetic))) for powers, c in found.items()}
+    found, = expanded_by(scene, which, [node], arithmetic, values, variables or scene.q, up_to(order), order, sign)
+    numbers = {powers: float(number_in(cleared(c, arithmetic))) for powers, c in found.items()}
     return {powers: c for powers, c in numbers.items() if c}
 
 
-def _cleared(c, arithmetic):
+def cleared(c: Any, arithmetic: RunningErrors) -> Rounded:
     """The coefficient; zero where only rounding is left of it."""
     c = c if c.__class__ is Rounded else Rounded(c, 0.0, arithmetic.unit)
     if not arithmetic.inner.isfinite(c.value):
@@ -97,11 +98,13 @@ def about(scene: "Scene", which: str, place: "Mapping[str, Node]", variables: "S
 
 
 def expanded_about(scene: "Scene", node: "Node", place: "Mapping[str, Node]", variables: "Sequence[Node]",
-                   keep: Callable[[Powers], bool], order: int, which: str = "V") -> "dict[Powers, Node]":
-    """{powers: node} of an expression about a place, all else at rest there; `which`: of what a refusal tells."""
+                   keep: Callable[[Powers], bool], order: int, which: str = "V",
+                   side: "Callable[[Node], int | None] | None" = None) -> "dict[Powers, Node]":
+    """{powers: node} of an expression about a place, all else at rest there; `which`: of what a refusal tells, `side`:
+    the sign of an expression, that in letters unless one is given."""
     arithmetic = NodeArithmetic(scene.table, list(Floats.functions))
     values = {**symbols_of([node]), **dict.fromkeys((v.name for v in scene.v), scene.table.zero), **place}
-    return _expanded(scene, which, [node], arithmetic, values, variables, keep, order, side_in_letters)[0]
+    return expanded_by(scene, which, [node], arithmetic, values, variables, keep, order, side or side_in_letters)[0]
 
 
 def symbols_of(nodes: "Sequence[Node]") -> "dict[str, Node]":
@@ -119,6 +122,18 @@ def side_in_letters(u: "Node") -> int | None:
     return next((side for side, node in ((1, simple), (-1, -simple)) if u.table.is_positive(node)), None)
 
 
+def side_in_numbers(configuration: "Configuration") -> "Callable[[Node], int | None]":
+    """The sign of an expression in equilibrium, 0 where it vanishes or only rounding is left of it; None where the time
+    may change it."""
+    arithmetic, values = configuration.bounded_rest
+
+    def side(u):
+        if u.mask & configuration.scene.time.mask:
+            return 0 if u.is_zero else None
+        return sign(evaluate([u], arithmetic, values)[0])
+    return side
+
+
 def sizes(configuration: "Configuration", which: str, variables: "Sequence[Node]", keep: Callable[[Powers], bool],
           order: int) -> dict[Powers, float]:
     """{powers: the sum of the magnitudes of what the elements contribute}."""
@@ -126,13 +141,16 @@ def sizes(configuration: "Configuration", which: str, variables: "Sequence[Node]
     arithmetic, values = configuration.bounded_rest
     terms = (*scene.springs, *scene.weights, *(law for law in scene.laws if not law.damper))
     nodes = [ENERGIES[which](scene), *([term.potential(scene) for term in terms] if which == "V" else ())]
-    for part in _expanded(scene, which, nodes, arithmetic, values, variables, keep, order, sign):
+    for part in expanded_by(scene, which, nodes, arithmetic, values, variables, keep, order, sign):
         for powers, c in part.items():
             found[powers] = found.get(powers, 0.0) + abs(number_in(c))
     return found
 
 
-def _expanded(scene, which, nodes, arithmetic, values, variables, keep, order, side):
+def expanded_by(scene: "Scene", which: str, nodes: "Sequence[Node]", arithmetic: Any, values: Mapping[str, Any],
+                variables: "Sequence[Node]", keep: Callable[[Powers], bool], order: int,
+                side: Callable[[Any], int | None]) -> list[dict[Powers, Any]]:
+    """[{powers: coefficient}] of expressions about {name: value}, in the numbers of an arithmetic."""
     ring = Polynomials(arithmetic, len(variables), keep, order, side)
     polynomials = {name: ring.still(value) for name, value in values.items()}
     polynomials |= {x.name: ring.variable(i, values[x.name]) for i, x in enumerate(variables)}
@@ -150,14 +168,23 @@ def _expanded(scene, which, nodes, arithmetic, values, variables, keep, order, s
 
 def _kinked(scene, which, ring, polynomials, cause):
     """The refusal, with the element that has the kink."""
-    terms = [*scene.springs, *scene.weights, *(law for law in scene.laws if not law.damper)] if which == "V" else []
-    owner = next((term.owner for term in terms if _is_kinked(term.potential(scene), ring, polynomials)), None)
-    what = "an infinite derivative" if cause.name == "power" else f"a kink of {cause.name}"
+    owner = next((term.owner for term in _terms_of(scene, which) if _is_kinked(
+        term.potential(scene), ring, polynomials)), None)
+    known = cause.name in Floats.functions
+    what = "an infinite derivative" if cause.name == "power" else f"a kink of {cause.name}" if known else "a kink"
     name = f"'{owner}' has" if owner else f"{which} has"
     places = [(x.name, polynomials[x.name].constant) for x in scene.q]
     at = ", ".join(f"{name} = {number_in(c):.6g}" for name, c in places if not hasattr(c, "op"))
-    return Kinked(f"{name} {what} in the equilibrium{at and ' at ' + at}: {which} has no expansion about it",
-                  "move the equilibrium off it", _place(scene.spec, owner))
+    hint = "ask for motion: full" if which in ("Φ", "Q") else "move the equilibrium off it"
+    return Kinked(f"{name} {what} in the equilibrium{at and ' at ' + at}: {which} has no expansion about it", hint,
+                  _place(scene.spec, owner))
+
+
+def _terms_of(scene, which):
+    """Those of V, or of Φ."""
+    if which in ("V", "V with loads"):
+        return [*scene.springs, *scene.weights, *(law for law in scene.laws if not law.damper)]
+    return [*scene.dampers, *(law for law in scene.laws if law.damper)] if which == "Φ" else []
 
 
 def _place(spec, owner):

@@ -73,6 +73,21 @@ class FactoredSystem:
                   for kind in ("M", "C", "G", "K", "drag")}
         return self.with_parts(**parts)
 
+    def among(self, numbers: Mapping[int, int], pieces: Sequence[int]):
+        """What some coordinates, {number: new number}, and pieces do while nothing else moves."""
+        def over(row):
+            return {numbers[i]: x for i, x in row.items() if i in numbers}
+
+        def rows(terms):
+            return [(weight, over(row)) for weight, row in terms if not numbers.keys().isdisjoint(row)]
+
+        parts: dict = {kind: rows(getattr(self, kind)) for kind in ("inertias", "springs", "dampers")}
+        parts |= {kind: {(numbers[i], numbers[j]): x for (i, j), x in getattr(self, kind).items()
+                         if i in numbers and j in numbers} for kind in ("M", "C", "G", "K", "K_size", "drag")}
+        parts["pieces"] = [placed._replace(rows=tuple(map(over, placed.rows)), springs=rows(placed.springs))
+                           for placed in (self.pieces[p] for p in pieces)]
+        return FactoredSystem(len(numbers), massless=[numbers[i] for i in self.massless if i in numbers], **parts)
+
     @property
     def circulatory(self):
         """Is K not symmetric? Exactly, or by more than the rounding of its sums where K_size tells that."""

@@ -55,7 +55,9 @@ def rest_to(configuration: "Configuration", digits: int) -> "tuple[Any, dict[str
     with mpmath.workdps(digits + GUARD):
         arithmetic = multiprecision()
         values, zero = configuration.numeric.values(arithmetic), mpmath.mpf(0)
-        if not configuration.equilibrium.drawn and configuration.system.is_linear:
+        if configuration.equilibrium.jumps is not None:
+            place = configuration.equilibrium.jumps.precisely(arithmetic, values)
+        elif not configuration.equilibrium.drawn and configuration.system.is_linear:
             place = equilibrium_to(configuration.numeric, configuration.equilibrium, values, arithmetic)
         else:
             place = place_to(configuration, values, arithmetic)

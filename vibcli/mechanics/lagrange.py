@@ -4,7 +4,7 @@ The small oscillations are those about the equilibrium, M q̈ + (C + G) q̇ + K 
 in letters where the equilibrium is the drawn position or plays no part, else with numbers for its place.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -28,7 +28,9 @@ class EquationsOfMotion(NamedTuple):
     name} and `conditions`, the left sides of the constraints, where loops are closed; M, C, G, K: matrices
     {(i, j): expression or float} of the small oscillations, their entries in letters or in numbers (`in_letters`);
     linear: left sides of their equations, drive: {i: Q(t)} of their right sides, left_out: {i: products
-    that their left sides lack}; refusal: the PhysicsError of a scene that has no equilibrium, or None."""
+    that their left sides lack}; refusal: the PhysicsError of a scene that has no equilibrium, or None; `unexpanded`:
+    that of equations which are to be expanded and are not, so that none are written out, or None; from_rest: the
+    expanded ones, the coordinates counted from the equilibrium."""
 
     names: list
     full: list
@@ -43,6 +45,8 @@ class EquationsOfMotion(NamedTuple):
     G: Mapping = MappingProxyType({})
     K: Mapping = MappingProxyType({})
     linear: tuple = ()
+    unexpanded: Any = None
+    from_rest: "Sequence[Node]" = ()
 
 
 def equation_of(scene: "Scene", i: int, T: "Node | None" = None, V: "Node | None" = None,
@@ -93,11 +97,7 @@ def _primitive(node):
 
 def equations(symbolic: "SymbolicSystem") -> EquationsOfMotion:
     """The EquationsOfMotion of a scene; without an equilibrium only the full ones, and the refusal of the others."""
-    scene, loose = symbolic.scene, symbolic.system.scene_with_multipliers
-    full, multipliers, conditions = full_equations(loose) if len(loose.q) <= LETTERS else [], {}, []
-    if loose is not scene and full:
-        full, multipliers, conditions = _with_multipliers(loose, full)
-    found = EquationsOfMotion(list(loose.coordinates), full, multipliers, conditions)
+    scene, found = symbolic.scene, (_expanded if symbolic.spec.expanded else _full)(symbolic)
     try:
         _require_slope(symbolic.configuration)
         if scene.timed:
@@ -106,6 +106,24 @@ def equations(symbolic: "SymbolicSystem") -> EquationsOfMotion:
         return found._replace(**_small(symbolic))
     except PhysicsError as error:
         return found._replace(refusal=error)
+
+
+def _full(symbolic):
+    scene, loose = symbolic.scene, symbolic.system.scene_with_multipliers
+    full, multipliers, conditions = full_equations(loose) if len(loose.q) <= LETTERS else [], {}, []
+    if loose is not scene and full:
+        full, multipliers, conditions = _with_multipliers(loose, full)
+    return EquationsOfMotion(list(loose.coordinates), full, multipliers, conditions)
+
+
+def _expanded(symbolic):
+    """Of motions by the equations to the third order these ones."""
+    found = EquationsOfMotion(list(symbolic.scene.coordinates), [], {}, [])
+    try:
+        full, from_rest = symbolic.expanded_equations
+    except PhysicsError as refusal:
+        return found._replace(unexpanded=refusal)
+    return found._replace(full=full, from_rest=from_rest)
 
 
 def _small(symbolic):

@@ -25,6 +25,9 @@ def require_smooth(configuration: "Configuration") -> None:
     if not scene.table.called.intersection(KINKED):
         return
     require_unheld(configuration.system)
+    if configuration.equilibrium.jumps is not None:
+        raise Kinked("a force jumps in the equilibrium and holds the scene there as hard as it has to: there are no "
+                     "small oscillations about it", HINT)
     terms = (*scene.inertias, *scene.springs, *scene.dampers, *scene.weights)
     V = scene.energies["V"]
     bends = [second for slope in gradient(V).values() for second in gradient(slope).values()]

@@ -109,10 +109,14 @@ class NumericSystem:
         return [sum(terms) if abs(sum(terms)) > LOST * sum(map(abs, terms)) else 0.0 for terms in found]
 
     def beside_drawn(self) -> dict[str, float]:
-        """The drawn position moved a little the way that its forces drive it: where their slopes may be finite."""
+        """The drawn position moved a little the way that its forces drive it, each coordinate by another share, those
+        too that no force drives: where their slopes may be finite, of what is between two of them too."""
         pushes = dict(zip(self.scene.coordinates, self.left_as_drawn, strict=True))
-        return {name: x - BESIDE * self.size_along(name) * ((pushes.get(name, 0) > 0) - (pushes.get(name, 0) < 0))
-                for name, x in self.drawn_floats.items()}
+        senses = {name: (push > 0) - (push < 0) for name, push in pushes.items()}
+        first = next(filter(None, senses.values()), 0)
+        senses = {name: sense or first for name, sense in senses.items()}
+        return {name: x - BESIDE * self.size_along(name) * senses.get(name, 0) * (1 - 0.618 * i % 0.9)
+                for i, (name, x) in enumerate(self.drawn_floats.items())}
 
     def start(self) -> dict[str, float]:
         """The position from which the equilibrium is searched: as drawn but for what is named."""

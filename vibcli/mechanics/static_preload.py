@@ -5,6 +5,7 @@ that a pivoted elimination picks out in floats, in letters, so that every later 
 """
 
 from collections.abc import Mapping, Sequence
+from math import isfinite
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
@@ -37,6 +38,7 @@ def settle_static_preloads(scene: "Scene") -> "tuple[Scene, dict[str, Node]]":
     values = dict.fromkeys(unknowns, scene.table.zero)
     values.update({unknowns[j]: textbook(tension) for j, tension in zip(picked, tensions, strict=True)})
     _consistent(scene, numbers, [values[unknown] for unknown in unknowns], names)
+    _reached(scene, values)
     for free in set(range(len(unknowns))) - set(picked):
         _harmless(scene, form, unknowns, columns, rows, picked, free)
     return scene.with_preloads(values), {name: values[unknown] for name, unknown in zip(names, unknowns, strict=True)}
@@ -121,6 +123,23 @@ def _consistent(scene, numbers, tensions, names):
                 f"'{scene.coordinates[i]}' is left with {sum(terms):.6g}",
                 "draw the position of equilibrium, or let a spring act along that coordinate",
                 scene.static_preloads[0][1].place("preload"))
+
+
+def _reached(scene, values):
+    """Every law must have its tension at some deflection."""
+    for unknown, record in scene.static_preloads:
+        found = [law.s for law in scene.laws if law.owner == record.name]
+        numbers = evaluate(substitute(substitute(found, scene.drawn_position), values), Floats, scene.sample)
+        if not all(map(isfinite, numbers)):
+            tension, = evaluate([values[unknown]], Floats, scene.sample)
+            raise PhysicsError(
+                f"the drawn position is in equilibrium with the tension {tension:.6g} {_unit(record)} of "
+                f"'{record.name}', which its law does not rise to", "draw the position of equilibrium, or take a "
+                "stronger law", record.place("preload"))
+
+
+def _unit(record):
+    return "N*m" if "torsion" in record else "N"
 
 
 def _harmless(scene, form, unknowns, columns, rows, picked, free):

@@ -212,6 +212,15 @@ class SymbolicSystem:
 
         return textbook_energies(self.system.scene_with_multipliers)
 
+    @cached_property
+    def expanded_equations(self) -> "tuple[list[Node], list[Node]]":
+        """The left sides of those to the third order in the deviations from equilibrium, the coordinates counted as
+        drawn, and counted from it; PhysicsError where there are none."""
+        from vibcli.mechanics.expanded_scene import expanded_equations
+
+        with self.work.task("the expanded equations"):
+            return expanded_equations(self)
+
     @Stage
     def equations(self) -> "EquationsOfMotion":
         """Lagrange's equations, full and for small oscillations."""

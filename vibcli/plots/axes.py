@@ -85,6 +85,11 @@ def _curves(axes, sheet):
             colour, marker = style.POINTS[points % len(style.POINTS)]
             points += 1
             artist = _points(axes, sheet, runs, colour, marker)
+        elif curve.kind == "arrow":
+            _arrow(axes, sheet, runs)
+            continue
+        elif curve.kind == "orbit":
+            artist = _line(axes, sheet, runs, style.MIDDLE, "-", 0.8, 2.0)
         elif curve.kind in ("envelope", "guide"):
             envelope = curve.kind == "envelope"
             artist = _line(axes, sheet, runs, style.GREY if envelope else style.MIDDLE, (0, (4, 2.5)), 0.9 if envelope
@@ -109,6 +114,14 @@ def _line(axes, sheet, runs, colour, dashes, width, order):
     return artist
 
 
+def _arrow(axes, sheet, runs):
+    """A head at the second of two points, which looks away from the first."""
+    for start, end in runs:
+        (x, y), (to_x, to_y) = ((sheet.x.value(p), sheet.y.value(q)) for p, q in (start, end))
+        axes.annotate("", (to_x, to_y), (x, y), zorder=2.8, annotation_clip=True, arrowprops={
+            "arrowstyle": "-|>", "color": style.GREY, "linewidth": 0, "mutation_scale": 11, "shrinkA": 0, "shrinkB": 0})
+
+
 def _values(sheet, runs):
     """The runs one after the other, NaN between them: x and y."""
     points = [point for run in runs for point in (*run, (math.nan, math.nan))][:-1]
@@ -116,9 +129,10 @@ def _values(sheet, runs):
 
 
 def _points(axes, sheet, runs, colour, marker):
+    face = "white" if any(curve.kind == "orbit" for curve in sheet.panel.curves) else "none"
     artist, = axes.plot(*_values(sheet, runs), linestyle="", marker=marker, color=colour,
                         markersize=6 if marker == "x" else 5, markeredgewidth=1.4, zorder=3, scalex=False, scaley=False,
-                        markerfacecolor="none", clip_on=False)
+                        markerfacecolor=face, clip_on=False)
     return artist
 
 

@@ -1,13 +1,18 @@
 """The curves of a panel on a canvas: lines told apart by their dots, points by letters, each with its label beside."""
 
+import math
+
 from vibcli.plots.canvas import Canvas
 from vibcli.plots.paper import Sheet, thinned
 from vibcli.plots.words import cells, shortened
 
 _PATTERNS = ("x", "xxxxx    ", "xx  ", "xxxxxxx  x  ", "xxx       ")
-_OF_KIND = {"envelope": "x   ", "guide": "x    "}
-_POINTS = "×o#@$"
+_OF_KIND = {"envelope": "x   ", "guide": "x    ", "orbit": "x   "}
+_HEADS = "→↗↑↖←↙↓↘"
+_POINTS = "×o#@◆"
 _LONGEST = 14      # columns of a label beside its curve
+_NAME = 24         # of a name beside a point
+_COVERED = 3       # orbits are as bad to cover as one part in so many of another line
 _APART = 3         # rows between such a label and any other line
 
 
@@ -22,10 +27,15 @@ def draw(canvas: Canvas, sheet: Sheet) -> list[str]:
             canvas.layer()      # no dots: layers are counted as the curves are
             _points(canvas, sheet, runs, samples[-1])
             continue
+        if curve.kind == "arrow":
+            samples.append("")
+            canvas.layer()
+            continue
         pattern = _OF_KIND.get(curve.kind) or _PATTERNS[len(lines) % len(_PATTERNS)]
         _line(canvas, sheet, runs, canvas.layer(), pattern)
         samples.append(_sample(pattern))
         lines += [] if curve.kind in _OF_KIND else [number]
+    _arrows(canvas, sheet)
     _names(canvas, sheet)
     if not any(sheet.strokes):
         canvas.write(canvas.rows // 2, canvas.columns // 2 - 4, "no values")
@@ -62,6 +72,14 @@ def _points(canvas, sheet, runs, letter):
             canvas.write(*_cell(canvas, sheet, x, y), letter)
 
 
+def _arrows(canvas, sheet):
+    """A head for each arrow, in the nearest of eight directions."""
+    for curve, runs in zip(sheet.panel.curves, sheet.strokes, strict=True):
+        for (x, y), (to_x, to_y) in runs if curve.kind == "arrow" else ():
+            (a, b), (c, d) = (canvas.dots(sheet.x.part(p), sheet.y.part(q)) for p, q in ((x, y), (to_x, to_y)))
+            canvas.write(*_cell(canvas, sheet, to_x, to_y), _HEADS[round(math.atan2(b - d, c - a) / (math.pi / 4)) % 8])
+
+
 def _behind(canvas, sheet):
     """The zero line and the marks, where nothing else is."""
     if not sheet.y.log and sheet.y.low < 0 < sheet.y.high:
@@ -75,19 +93,36 @@ def _behind(canvas, sheet):
 
 
 def _names(canvas, sheet):
-    """The texts beside points: right of them, left, above or below, wherever there is room first."""
+    """The texts beside points: right of them, left, above or below, wherever there is room first; among orbits, where
+    they cover least."""
+    orbits = {i for i, curve in enumerate(sheet.panel.curves) if curve.kind == "orbit"}
     for curve in sheet.panel.curves:
         for x, y, name in zip(curve.x, curve.y, curve.names, strict=False):
-            x, y, text = sheet.x.place(x), sheet.y.place(y), cells(shortened(name, _LONGEST))
+            x, y, text = sheet.x.place(x), sheet.y.place(y), cells(shortened(name, _NAME))
             if not text or x is None or y is None:
                 continue
             row, column = _cell(canvas, sheet, x, y)
             n = len(text)
-            for r, c in ((row, column + 2), (row, column - n - 1), (row - 1, column - n // 2),
-                         (row + 1, column - n // 2), (row - 1, column + 1), (row + 1, column + 1)):
-                if canvas.free(r, c, n):
-                    canvas.write(r, c, text)
-                    break
+            places = [(row, column + 2), (row, column - n - 1), (row - 1, column - n // 2),
+                      (row + 1, column - n // 2), (row - 1, column + 1), (row + 1, column + 1)]
+            place = next((place for place in places if canvas.free(*place, n)), None)
+            if place is None and orbits:
+                place = _least_covered(canvas, places, n, orbits)
+            if place is not None:
+                canvas.write(*place, text)
+
+
+def _least_covered(canvas, places, length, orbits):
+    """Of the places without text, the one at which a text covers least; None where there is none."""
+    costs = []
+    for row, column in places:
+        here = [(row, c) for c in range(column - 1, column + length + 1)]
+        if not (0 <= row < canvas.rows and column >= 0 and column + length <= canvas.columns) or any(
+                cell in canvas.letters for cell in here[1:-1]):
+            continue
+        costs.append((sum(1 if layer in orbits else _COVERED for cell in here for layer in canvas.used(*cell)),
+                      (row, column)))
+    return min(costs, default=(0, None), key=lambda cost: cost[0])[1]
 
 
 def _beside(canvas, number, text):

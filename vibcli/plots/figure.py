@@ -7,7 +7,8 @@ class Curve(NamedTuple):
     """Points in the units of the panel's labels; NaN breaks the line. `names`: a text beside each point, '' for none.
 
     Kinds: `line`; `steady`, the part that stays; `envelope`, bounds of a line; `guide`, a thin line of reference
-    without entry in the legend; `markers`, points.
+    without entry in the legend; `markers`, points; `orbit`, many lines that are drawn thin and alike; `arrow`, of two
+    points, its head at the second.
     """
 
     label: str

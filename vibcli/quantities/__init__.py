@@ -15,10 +15,10 @@ FAMILIES = {
                      "envelope"), "response"),
     **dict.fromkeys(("frf", "transmissibility", "peak", "antiresonance", "half_power", "fixed_point", "quality", "arg",
                      "re", "im", "modal_frf", "truncation"), "frequency_response"),
-    "backbone": "nonlinear", "law": "laws",
+    "backbone": "nonlinear", "fold": "nonlinear", "law": "laws", "stiffness_correction": "spring_corrections",
 }
 
 # what the same word means otherwise: with indices, with arguments, of a frequency response; "value" is that of x(2 s)
 FORMS = {"decrement[]": "damped", "rayleigh[]": "modal", "V[]": "expansions", "T[]": "expansions", "M()": "states",
-         "law()": "laws", "C()": "states", "K()": "states", "Q()": "states", "period()": "response",
-         "phase(frf)": "frequency_response", "value": "response"}
+         "law()": "laws", "backbone()": "nonlinear", "fold()": "nonlinear", "C()": "states", "K()": "states",
+         "Q()": "states", "period()": "response", "phase(frf)": "frequency_response", "value": "response"}

@@ -16,10 +16,7 @@ def _motion(problem, tree):
 
     _require_no_damping(problem)
     if problem.spec.expanded:
-        from vibcli.results.expanded_response import scene_expanded
-        from vibcli.symbolic.normal_form import textbook
-
-        return textbook(equation_of(scene_expanded(problem), coordinate_number(problem, tree.indices[0])))
+        return problem.symbolic.expanded_equations[0][coordinate_number(problem, tree.indices[0])]
     return equation_of(problem.scene, coordinate_number(problem, tree.indices[0]))
 
 

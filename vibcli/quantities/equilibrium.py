@@ -46,14 +46,32 @@ def _equilibrium(problem, tree, args):
     node = resting(scene, signal)
     if node is None and part == "force" and name in (problem.spec.get("springs") or {}):
         node = scene.force_of(name)
+    if node is None and part == "energy" and (laws := scene.terms_of(name, "laws")):
+        node = scene.table.total([law.energy(scene) for law in laws])
     if node is None:
         from vibcli.mechanics.signals import force
 
         return force(problem.configuration, signal), ROUNDING
+    jumps = problem.configuration.equilibrium.jumps
+    if jumps is not None:
+        node = _opened(problem, jumps, node, signal)
     if problem.digits is None:
         return measured(evaluate([node], *problem.configuration.bounded_rest)[0])
     inner, values = problem.configuration.precise_rest(problem.digits)
     return measured(evaluate([node], RunningErrors(inner, unit(problem)), values)[0], 10.0**-problem.digits)
+
+
+def _opened(problem, jumps, node, signal):
+    """An expression with what stands for the jumps at rest; refused where several laws jump there at once."""
+    from vibcli.symbolic.expression_graph import reachable
+
+    scene = problem.scene.resting
+    for part in jumps.nodes.keys() & set(reachable([node])):
+        owners = {law.owner for law in scene.laws if part in reachable([law.force(scene)])}
+        if len(owners) > 1:
+            raise PhysicsError(f"balance alone does not tell '{signal}': {' and '.join(sorted(owners))} jump at one "
+                               "place, and bear there only together what it asks for", "give one law in their stead")
+    return jumps.opened(node)
 
 
 def _in_letters(problem, tree):

@@ -68,6 +68,12 @@ def _is_product(spec, index, rates):
     return is_product(spec, index, HIGHEST, rates)
 
 
+def _is_square(spec, index):
+    from vibcli.quantities.products import powers_in
+
+    return [*(powers_in(spec, index, 2) or {}).items()][-1:] == [((index.partition("^")[0].strip(), 0), 2)]
+
+
 def power_of_deflection(index: str) -> tuple[str, int] | None:
     """(d or v, n) of d, d^3, v^2 …; None of anything else."""
     letter, hat, n = (part.strip() for part in index.partition("^"))
@@ -103,6 +109,9 @@ INDICES = {
                          ("x^2*y^2",), wants=_PRODUCT),
     "product with rates": IndexKind(lambda spec, index: (), lambda spec, index: _is_product(spec, index, True),
                                     "x^2*x'^2", ("x^2*x'^2",), wants=_PRODUCT + " and their rates"),
+    "square": IndexKind(lambda spec, index: [f"{name}^2" for name in spec.coordinates], _is_square, "x^2", ("x^2",),
+                        "square of a coordinate", "the square of a coordinate"),
+    "spring": _named("spring", ("s",), "springs")._replace(sample="s"),
     "spring or damper": _named("spring or damper", ("s",), "springs", "dampers")._replace(sample="s"),
     "power": _free(f"a power of the deflection, d to d^{HIGHEST_POWER}, of a damper v to v^{HIGHEST_POWER},",
                    lambda index: power_of_deflection(index) is not None, "d^3")._replace(letters=("d^3",)),

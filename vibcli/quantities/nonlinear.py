@@ -1,15 +1,63 @@
-"""How the frequency of free motions hangs on their amplitude."""
+"""How the frequency of free motions hangs on their amplitude, and where two equilibria meet as a parameter changes."""
 
-from vibcli.quantities.quantity import Declaration
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base import units
+from vibcli.quantities.products import powers_in
+from vibcli.quantities.quantity import SIGNAL, Declaration, as_asked, measured, rounded, unit
+
+if TYPE_CHECKING:
+    from vibcli.language.spec import Spec
+    from vibcli.symbolic.syntax import QuantityRef
 
 
 def _backbone(problem, tree, args):
     return problem.free_motions.omega(int(tree.indices[0]), tree.args[0], args[1])
 
 
+def _fold(problem, tree, args):
+    found = problem.limit_loads(tree.indices[1]).limit_point(int(tree.indices[0]))
+    return as_asked(problem, found.value), rounded(problem, found.error)
+
+
+def _at_fold(problem, tree, args):
+    value, error = problem.limit_loads(tree.indices[1]).at_limit_point(int(tree.indices[0]), tree.args[0])
+    return as_asked(problem, value), rounded(problem, error)
+
+
+def _kappa(problem, tree, args):
+    digits = problem.digits
+    return measured(problem.free_motions.kappa(int(tree.indices[0]), digits, unit(problem)),
+                    10.0**-digits if digits else 0.0)
+
+
+def _kappa_in_letters(problem, tree):
+    return problem.free_motions.kappa_in_letters(int(tree.indices[0]))
+
+
+def _dimension(spec: "Spec", tree: "QuantityRef") -> Any:
+    """Over the square of the coordinate."""
+    (name, _), = powers_in(spec, tree.indices[1], 2)
+    return units.times(units.NONE, spec.dimensions.of(name), -2)
+
+
 QUANTITIES = {
     "backbone": Declaration(
+        "factor κ of the square of the amplitude A of a coordinate, half its range, in the angular frequency "
+        "ω ≈ ω₀(1 + κA²) of small free motions of one degree of freedom (Lindstedt and Poincaré); with two brackets "
+        "`backbone[1](x)(10 cm)` is the angular frequency at an amplitude", None, _kappa,
+        ("number", "square"), dimension=_dimension, symbolic=_kappa_in_letters, several=True),
+    "backbone()": Declaration(
         "angular frequency of the free motion of family i in which a signal has this amplitude, half its range, about "
         "the equilibrium; dampers and loads in time are left out", "rad/s", _backbone, ("number",),
         ("signal", "amplitude"), several=True),
+    "fold": Declaration(
+        "value of a parameter p at which two equilibria meet and vanish (limit point, limit load, snap-through): the "
+        "k-th of those that the equilibrium passes when it is followed as p grows and falls, by ascending |p|, equal "
+        "ones once; of the sign that p has, of both signs where p has `sign: any`; branchings, where equilibria cross, "
+        "are no folds; fold[1, p](x) is the coordinate or signal x there", None, _fold, ("number", "parameter"),
+        several=True, dimension=lambda spec, tree: spec.dimensions.of(tree.indices[1])),
+    "fold()": Declaration(
+        "a coordinate or signal in the equilibrium of that fold", SIGNAL, _at_fold, ("number", "parameter"),
+        ("signal",), several=True),
 }

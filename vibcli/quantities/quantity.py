@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 ALL = "all of them: vibcli explain quantities"
 ROUNDING = 1e-14        # relative, of what is evaluated in floats
-EXACT = "small", "waves", "modes", "steady"      # motions whose numbers carry bounds of their own
+EXACT = "small", "waves", "modes", "parts", "steady"      # motions whose numbers carry bounds of their own
 ERROR = 1e-12           # of what is read off linear motions and frequency responses
 SIGNAL = "signal"       # the unit of a number of a signal: that of the signal
 NUMBER, COMPLEX, PERIOD, COUNT, TRUTH = "number", "complex", "period", "count", "truth"     # kinds of values

@@ -13,6 +13,7 @@ from vibcli.report.sections.expansion import KEY as EXPANSION
 from vibcli.report.sections.frequency_response import FREQUENCY_RESPONSE
 from vibcli.report.sections.insight import insight
 from vibcli.report.sections.member_modes import COUNT, MEMBERS
+from vibcli.report.sections.phase_plane import KEY as PHASE_PLANE
 from vibcli.report.sections.response import MOTION
 from vibcli.report.sections.spectrum import DAMPED_MODES, MODES, POLYNOMIAL
 from vibcli.report.sections.statics import REACTIONS
@@ -27,6 +28,6 @@ KEYS = dict(documented((
     Key("remark", "why a scene in letters, or one with a kink at rest, has no equilibrium, matrices and modes here, or "
         "one without inertia no modes, in words; absent otherwise"),
     MODES._replace(each=(*MODES.each, MEMBERS)), COUNT, DAMPED_MODES, MOTION, FREQUENCY_RESPONSE,
-    EQUIVALENTS, BACKBONE, EXPANSION,
+    EQUIVALENTS, BACKBONE, EXPANSION, PHASE_PLANE,
     Key("insight", "only where `find` or --insight asks for it", of=insight(OF_MODES)), POLYNOMIAL,
     Key("cases", "{name: the same keys}, where the file has cases"))))

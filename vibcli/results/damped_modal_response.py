@@ -67,7 +67,7 @@ class DampedModalResponse(ModalResponse):
 
         modal, matrix = self.problem.modal, self._transfer.matrix
         with self.problem.work.task("the search for damped modes", LONGEST):
-            self._known.append(damped_series(matrix, self._known[-1], count))
+            self._known.append(damped_series(self._known[-1], count))
         series = self._known[-1]
         rigid = [[float(x) for x in mode.shape] for mode in modal.modes.shown() if mode.rigid]
         basis = DampedBasis(series, matrix, np.array(rigid).reshape(len(rigid), matrix.n), self._transfer.pieces)

@@ -7,26 +7,14 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.results.full_response import FullResponse
-from vibcli.symbolic.rationals import fraction_of
 from vibcli.symbolic.syntax import parts_of
 
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
     from vibcli.results.problem import Problem
-    from vibcli.scene.scene import Scene
 
 
-def scene_expanded(problem: "Problem") -> "Scene":
-    """The scene of a Problem with its equations expanded about the equilibrium, which is in letters where parameters
-    have no values."""
-    from vibcli.mechanics.expanded_scene import expanded_scene
-
-    scene = problem.scene
-    if problem.numeric.has_free_symbols:
-        return expanded_scene(scene, problem.symbolic.equilibrium_position)
-    found = problem.configuration.equilibrium
-    return expanded_scene(scene, {q.name: scene.drawn[q] if found.drawn else scene.table.number(
-        fraction_of(found.values[q.name])) for q in scene.q})
+THIRD_ORDER = "equations to the third order"
 
 
 class ExpandedResponse(FullResponse):
@@ -40,15 +28,20 @@ class ExpandedResponse(FullResponse):
             raise PhysicsError("motions of expanded equations are found in the digits of floats",
                                "leave --digits out, or ask for motion: full")
 
+    @property
+    def title(self) -> str:
+        return f"{super().title} ({THIRD_ORDER})".strip()
+
     @cached_property
     def expanded(self) -> "Configuration":
         """The system whose equations are expanded, at the same equilibrium."""
         from vibcli.mechanics.configuration import Configuration
+        from vibcli.mechanics.expanded_scene import expanded_scene, place_of_rest
         from vibcli.mechanics.expanded_system import ExpandedSystem
         from vibcli.mechanics.numeric_system import NumericSystem
 
-        configuration = self.problem.configuration
-        system = ExpandedSystem(configuration.system, scene_expanded(self.problem))
+        configuration, symbolic = self.problem.configuration, self.problem.symbolic
+        system = ExpandedSystem(configuration.system, expanded_scene(symbolic.scene, place_of_rest(symbolic)))
         return Configuration(NumericSystem(system, configuration.numeric.given), configuration.equilibrium)
 
     @cached_property

@@ -1,4 +1,5 @@
-"""The expansion of a Problem about its equilibrium: deflections of springs, energies, and equations of motion."""
+"""The expansion of a Problem about its equilibrium: deflections of springs, what their material and their geometry
+store, energies, and equations of motion."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -12,6 +13,7 @@ from vibcli.mechanics.expansion import (
     require_expandable,
     up_to,
 )
+from vibcli.mechanics.spring_shares import SpringShares, shares_in_letters, shares_in_numbers
 from vibcli.mechanics.truncated_equations import Powers, truncated_equation
 from vibcli.symbolic.normal_form import is_zero, textbook
 from vibcli.symbolic.rationals import ONE
@@ -28,10 +30,11 @@ NIL = 2.0**-40      # of what a sum is added from: less is rounding
 class Expansion(NamedTuple):
     """{powers of ξ, then ξ̇, then ξ̈: factor} of each; factors are expressions (`letters`) or numbers. equations: None
     where loads follow the motion; symbols: those of ξ, ξ̇ and ξ̈; timed: is
-    something driven or loaded in time?"""
+    something driven or loaded in time? springs: what each has of V."""
 
     letters: bool
     deflections: dict[str, dict[Powers, Any]]
+    springs: dict[str, SpringShares]
     energies: dict[str, dict[Powers, Any]]
     equations: list[dict[Powers, Any]] | None
     symbols: "Sequence[Node]"
@@ -77,7 +80,8 @@ def _in_letters(problem, scene, order):
             scene, node, place, scene.q, up_to(order), order).items()}
 
     deflections, W = {name: written(node, order - 1) for name, node in _stretches(problem)}, _work(scene)
-    return _together(scene, True, deflections, energies, total, None if W is None else written(W, order))
+    springs = {name: shares_in_letters(symbolic, name, up_to(order), order) for name in deflections}
+    return _together(scene, True, deflections, springs, energies, total, None if W is None else written(W, order))
 
 
 def _in_numbers(problem, scene, order):
@@ -92,9 +96,16 @@ def _in_numbers(problem, scene, order):
 
     deflections = {name: expression_in_numbers(configuration, node, order - 1)
                    for name, node in _stretches(problem)}
+    springs = {name: _plain(shares_in_numbers(configuration, name, up_to(order), order)) for name in deflections}
     W = _work(scene)
     work = None if W is None else expression_in_numbers(configuration, W, order)
-    return _together(scene, False, deflections, energies, total, work)
+    return _together(scene, False, deflections, springs, energies, total, work)
+
+
+def _plain(shares):
+    """The same without bounds and what vanishes."""
+    parts = [{powers: float(number_in(c)) for powers, c in part.items()} for part in shares]
+    return SpringShares(*({powers: c for powers, c in part.items() if c} for part in parts))
 
 
 def _stretches(problem):
@@ -105,7 +116,7 @@ def _stretches(problem):
         yield name, moving(problem.system, f"{name}.stretch")
 
 
-def _together(scene, letters, deflections, energies, total, work):
+def _together(scene, letters, deflections, springs, energies, total, work):
     n, equations = len(scene.q), None
     energies = {which: _ascending({powers: c for powers, c in terms.items() if any(powers) and total([c]) is not None},
                                   n) for which, terms in energies.items()}
@@ -118,8 +129,9 @@ def _together(scene, letters, deflections, energies, total, work):
             equations.append(_ascending({powers: c for powers, c in sums.items() if c is not None}, n))
     deflections = {name: _ascending({powers: c for powers, c in terms.items() if any(powers)}, n)
                    for name, terms in deflections.items()}
+    springs = {name: SpringShares(*(_ascending(part, n) for part in found)) for name, found in springs.items()}
     timed = scene.timed or any(term.weight.mask & scene.time.mask for term in scene.forces)
-    return Expansion(letters, deflections, energies, equations, [*scene.q, *scene.v, *scene.a], timed)
+    return Expansion(letters, deflections, springs, energies, equations, [*scene.q, *scene.v, *scene.a], timed)
 
 
 def _ascending(terms, n):

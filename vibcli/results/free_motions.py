@@ -17,6 +17,7 @@ from vibcli.symbolic.numeric_code import Compiled
 if TYPE_CHECKING:
     from vibcli.results.families_of_modes import FamiliesOfModes
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 
 class FreeMotions:
@@ -52,6 +53,27 @@ class FreeMotions:
         require_positive(amplitude)
         period, error = self._period(self._motion(tree, amplitude).ends)
         return tau / period, error + 2.0**-52
+
+    def require_alone(self, number: int) -> None:
+        """PhysicsError of several degrees of freedom, and of another family than the first."""
+        if self.several is not None:
+            raise PhysicsError("how ω begins to hang on the amplitude is found of one degree of freedom",
+                               "ask for backbone[1](x)(A) at an amplitude A")
+        _require_first(number)
+
+    def kappa(self, number: int, digits: int | None, unit: float) -> Any:
+        """κ of ω ≈ ω₀(1 + κA²), with the bound of its error."""
+        from vibcli.analyses.nonlinear.small_amplitudes import kappa_in_numbers
+
+        self.require_alone(number)
+        return kappa_in_numbers(self.problem.configuration, digits, unit)
+
+    def kappa_in_letters(self, number: int) -> "Node":
+        """The same in letters."""
+        from vibcli.analyses.nonlinear.small_amplitudes import kappa_in_letters
+
+        self.require_alone(number)
+        return kappa_in_letters(self.problem.symbolic)
 
     def _period(self, ends):
         with_digits = self.problem.numeric.values(multiprecision())

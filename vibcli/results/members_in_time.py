@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from vibcli.results.responses import SmallResponse
 
 
+
 def members_in_time(problem: "Problem") -> "SmallResponse":
     """The response of a scene whose members vibrate."""
     from vibcli.results.wave_response import WaveResponse
@@ -25,7 +26,7 @@ def members_in_time(problem: "Problem") -> "SmallResponse":
         return _by_modes(problem)
     try:
         if waves.ends:
-            waves.alone.march.reach(waves.until)
+            waves.reach(waves.until)
     except NotByWaves:      # fronts are too many up to the end
         found = _by_modes(problem, waves)
         return waves if found.KIND == "steady" else found
@@ -53,7 +54,11 @@ def _by_modes(problem, waves=None):
 
         return SteadyResponse(problem, PhysicsError(
             f"the motion in time of this scene is not found: {reason.message}", reason.hint))
-    return modes
+    if waves is not None:
+        return modes
+    from vibcli.results.parted_response import parted
+
+    return parted(modes)
 
 
 def _by_coupled_modes(problem, waves):

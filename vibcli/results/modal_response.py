@@ -12,6 +12,11 @@ from vibcli.symbolic.rationals import fraction_of
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.modal_motion import ModalMotion
     from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.analyses.modal.mode_sequence import Modes
+    from vibcli.mechanics.factored_system import FactoredSystem
+    from vibcli.results.part_of_members import PartOfMembers
+    from vibcli.results.signal import Signal
+    from vibcli.symbolic.node import Node
 
 FIRST = 128         # modes
 FEWEST = 32
@@ -25,9 +30,27 @@ class ModalResponse(ResponseOfMembers):
 
     KIND, WORDS = "modes", "small oscillations about the equilibrium, by modes"
 
-    def __init__(self, problem: Any, waves: Any = None):
-        super().__init__(problem, waves)
-        self._motions: dict[int, ModalMotion] = {}
+    def __init__(self, problem: Any, waves: Any = None, part: "PartOfMembers | None" = None):
+        super().__init__(problem, waves, part)
+        self._motions: dict[int, ModalMotion | PhysicsError] = {}
+
+    @cached_property
+    def natural(self) -> "Modes":
+        """Its modes without dampers."""
+        if self.part is None:
+            return self.problem.modal.modes
+        from vibcli.analyses.modal.mode_sequence import Modes
+        from vibcli.analyses.modal.modes import natural_modes
+
+        precise, elements = self.configuration.sources[0], self.part.elements
+        found = natural_modes(self.linear, precise and (lambda digits: elements(precise(digits))))
+        return Modes((), found, self.problem.modal.solved)
+
+    @cached_property
+    def linear(self) -> "FactoredSystem":
+        """Its element data."""
+        found = self.configuration.linear_system
+        return found if self.part is None else self.part.elements(found)
 
     @cached_property
     def alone(self):
@@ -53,22 +76,28 @@ class ModalResponse(ResponseOfMembers):
         """So many modes are counted at most."""
         if any(one.piece.gradient for one in self.placed):
             return FIRST
-        return MOST[self.problem.modal.modes.first(1)[0].motion.system is not None and len(self.placed) == 1
+        return MOST[self.natural.first(1)[0].motion.system is not None and len(self.placed) == 1
                     and not any(part.any() for part in self.matrices)]
 
     def motion(self, count: int) -> "ModalMotion":
-        """That of so many modes."""
+        """That of so many modes; a refusal is kept as a motion is."""
         if count not in self._motions:
-            self._motions[count] = self._found(count)
-        return self._motions[count]
+            try:
+                self._motions[count] = self._found(count)
+            except PhysicsError as refusal:
+                self._motions[count] = refusal
+        found = self._motions[count]
+        if isinstance(found, PhysicsError):
+            raise found.told()
+        return found
 
     def _found(self, count):
         from vibcli.analyses.continuous.modal_motion import ModalMotion
         from vibcli.analyses.continuous.mode_basis import ModeBasis
         from vibcli.analyses.continuous.real_modes import RealModes
 
-        modes = self.problem.modal.modes.first(count)
-        basis = ModeBasis(modes, self.configuration.linear_system.pieces)
+        modes = self.natural.first(count)
+        basis = ModeBasis(modes, self.linear.pieces)
         inputs, damping, given = self._felt(basis), self._damping(basis), self.problem.modal.member_damping
         creeping = given is not None and given.creeps
         starts, disturbed = self._disturbed(basis, inputs, damping)
@@ -121,7 +150,7 @@ class ModalResponse(ResponseOfMembers):
         from vibcli.analyses.continuous.exact_transfer import ExactTransfer
 
         M, C, K = self.matrices
-        linear = self.configuration.linear_system
+        linear = self.linear
         if linear.G:
             raise NotByModes("gyroscopic terms couple the modes of members", "ask for steady(…)")
         pieces = [one._replace(piece=one.piece._make(float(x) for x in one.piece)) for one in linear.pieces]
@@ -141,7 +170,7 @@ class ModalResponse(ResponseOfMembers):
 
         if self._inputs:
             raise ShakenSupports("supports are driven beside `damping:` of members", "ask for steady(…)")
-        return DampedTransfer(found, self.problem.modal.modes, damping)
+        return DampedTransfer(found, self.natural, damping)
 
     @cached_property
     def _forces(self):
@@ -173,7 +202,7 @@ class ModalResponse(ResponseOfMembers):
             return self._given_damping(basis)
         rates = {placed.piece.drag / placed.piece.inertia for placed in self._transfer.pieces}
         most = max(rates)
-        if any(placed.retardation for placed in self.configuration.linear_system.pieces):
+        if any(placed.retardation for placed in self.linear.pieces):
             raise CoupledModes("damping in proportion to stiffness stands beside drag", "ask for steady(…)")
         if not most:
             return np.zeros(len(basis.squares))
@@ -187,7 +216,7 @@ class ModalResponse(ResponseOfMembers):
         import numpy as np
 
         damping = self.problem.modal.member_damping
-        modes = self.problem.modal.modes.first(len(basis.squares))
+        modes = self.natural.first(len(basis.squares))
         return np.array([float(damping.rate(mode)) for mode in modes])
 
     def _start(self, basis):
@@ -282,11 +311,14 @@ class ModalResponse(ResponseOfMembers):
         return ModalSignal(self._enough(motion, output), output, source)
 
     def _composed(self, node, parts, source=()):
+        return self.composed_of({symbol.name: self._one(part) for symbol, part in parts.items()}, node, source)
+
+    def composed_of(self, signals: "dict[str, Any]", node: "Node", source: tuple = ()) -> "Signal":
+        """A function of signals."""
         from vibcli.results.composed_of_modes import ComposedOfModes
 
         if self._closing(node) is not None:
             raise PhysicsError("signals of loops that close are not found by modes", "ask for coordinates")
-        signals = {symbol.name: self._one(part) for symbol, part in parts.items()}
         return ComposedOfModes(node, signals, self.values, self.problem.scene.time, self.problem.work, source)
 
 

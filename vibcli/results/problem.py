@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from vibcli.language.spec import Spec
     from vibcli.mechanics.equilibrium.all_equilibria import Equilibria
     from vibcli.results.frequency_response import FrequencyResponse
+    from vibcli.results.limit_loads import LimitLoads
+    from vibcli.results.phase_plane import PhasePlane
     from vibcli.results.signals import LinearSignal
     from vibcli.results.steady_response import SteadyResponse
     from vibcli.scene.scene import Scene
@@ -54,7 +56,7 @@ class Problem:
         self.symbolic = SymbolicSystem(self.configuration, ModalAnalysis)
         self.choice, self.earlier, self.end, self.signed = choice, earlier or {}, end, signed
         self.digits = digits
-        self._cases, self._curves = {}, {}
+        self._cases, self._curves, self._limits = {}, {}, {}
 
     @cached_property
     def scene(self) -> "Scene":
@@ -206,6 +208,21 @@ class Problem:
         from vibcli.results.free_motions import FreeMotions
 
         return FreeMotions(self)
+
+    @cached_property
+    def phase_plane(self) -> "PhasePlane":
+        """Its phase plane, of one degree of freedom."""
+        from vibcli.results.phase_plane import PhasePlane
+
+        return PhasePlane(self)
+
+    def limit_loads(self, name: str) -> "LimitLoads":
+        """The LimitLoads of a parameter."""
+        from vibcli.results.limit_loads import LimitLoads
+
+        if name not in self._limits:
+            self._limits[name] = LimitLoads(self, name)
+        return self._limits[name]
 
     def require_no_members(self) -> None:
         """NotInLetters of motions in time, and at a frequency, of members that vibrate."""

@@ -18,7 +18,8 @@ LONGEST = 1e12      # seconds
 
 
 class Response:
-    """Until when a motion is looked at, and what drives it. KIND: small, full, prescribed, waves, modes or series."""
+    """Until when a motion is looked at, and what drives it. KIND: small, full, prescribed, waves, modes, parts or
+    series."""
 
     WORDS: str
     estimated = False       # are errors estimates of what modes left out add, and no bounds?

@@ -13,9 +13,12 @@ from vibcli.symbolic.rationals import fraction_of
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.forcing import Forcing
     from vibcli.mechanics.factored_system import PlacedPiece
+    from vibcli.results.part_of_members import PartOfMembers
+    from vibcli.results.parted_response import PartedResponse
     from vibcli.results.problem import Problem
     from vibcli.results.signal import Signal
     from vibcli.results.steady_response import SteadyResponse
+    from vibcli.results.wave_response import WaveResponse
     from vibcli.symbolic.node import Node
 
 EARLY = "; values at instants by travelling waves as long as their fronts stay few"
@@ -24,11 +27,13 @@ CHECKED, SAME = 0.2, 1e-9       # where on a piece a parabola is checked, relati
 
 class ResponseOfMembers(SmallResponse):
     """Small oscillations of a scene whose members vibrate. `moved(direct)` gives its motion, read by LinearOutputs with
-    FieldPoints; `matrices` leave the pieces out, which stand apart."""
+    FieldPoints; `matrices` leave the pieces out, which stand apart. part: what of the scene it is the motion of, by
+    itself; None of all."""
 
-    def __init__(self, problem: "Problem", waves: "SmallResponse | None" = None):
+    def __init__(self, problem: "Problem", waves: "WaveResponse | PartedResponse | None" = None,
+                 part: "PartOfMembers | None" = None):
         super().__init__(problem)
-        self._waves = waves
+        self._waves, self.part = waves, part
 
     @property
     def words(self) -> str:
@@ -39,7 +44,7 @@ class ResponseOfMembers(SmallResponse):
         if self._waves is None:
             return None
         try:
-            self._waves.alone.march.reach(t)
+            self._waves.reach(t)
         except NotByWaves:
             return None
         return self._waves.signal(tree)
@@ -52,12 +57,24 @@ class ResponseOfMembers(SmallResponse):
     def matrices(self):
         """M, C + G, K without the pieces."""
         M, C, G, K = self.configuration.linear_system.with_parts(pieces=()).arrays()
-        return M, C + G, K
+        found = M, C + G, K
+        return found if self.part is None else tuple(map(self.part.block, found))
 
     @cached_property
     def placed(self):
         """The PlacedPieces, their rows over coordinates and, behind them, inputs."""
-        return self.configuration.with_inputs.elements.pieces
+        found = self.configuration.with_inputs.elements.pieces
+        return found if self.part is None else [found[p] for p in self.part.pieces]
+
+    @cached_property
+    def deviations(self):
+        found = super().deviations
+        return found if self.part is None else tuple(one[self.part.coordinates] for one in found)
+
+    @cached_property
+    def drive(self):
+        found = super().drive
+        return found if self.part is None else self.part.row(found)
 
     @cached_property
     def _inputs(self):
@@ -78,8 +95,11 @@ class ResponseOfMembers(SmallResponse):
     def ends_of_pieces(self):
         """[(row over coordinates, node of the time or None)] of all ends of pieces, from left to right."""
         n = self.configuration.with_inputs.n
-        return [({i: float(x) for i, x in row.items() if i < n and x}, self._driven_by(row))
+        return [(self._own({i: float(x) for i, x in row.items() if i < n and x}), self._driven_by(row))
                 for piece in self.placed for row in piece.rows]
+
+    def _own(self, row):
+        return row if self.part is None else self.part.row(row)
 
     @cached_property
     def loads(self):
@@ -89,7 +109,7 @@ class ResponseOfMembers(SmallResponse):
         for piece in self.placed:
             for weight, row in piece.springs:
                 driven = self._driven_by(row)
-                for i, x in row.items() if driven is not None else ():
+                for i, x in self._own(row).items() if driven is not None else ():
                     if i < n:
                         found[i] = found.get(i, table.zero) + driven * table.number(fraction_of(weight * x))
         return found
@@ -97,7 +117,9 @@ class ResponseOfMembers(SmallResponse):
     @property
     def spread_forces(self):
         """The SpreadForces that vary in time."""
-        return [force for force in self.problem.scene.spread_forces if not force.weight.is_zero]
+        members = {placed.owner for placed in self.placed}
+        return [force for force in self.problem.scene.spread_forces
+                if not force.weight.is_zero and force.member in members]
 
     @cached_property
     def spread_drives(self) -> list:
@@ -147,8 +169,8 @@ class ResponseOfMembers(SmallResponse):
         elif held is not None and (given is not None or scene.gravity or held.scene.spread_loads):
             u = self._resting(held, piece) - self._resting(self.configuration, piece)
         elif given is not None:
-            u = self._powers(piece, *(sum(x * self.deviations[0][i] for i, x in row.items() if i < len(
-                self.deviations[0])) for row in piece.rows))
+            q = super().deviations[0]
+            u = self._powers(piece, *(sum(x * q[i] for i, x in row.items() if i < len(q)) for row in piece.rows))
         else:
             return None
         nodes = {0: u}

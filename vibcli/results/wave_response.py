@@ -11,6 +11,7 @@ if TYPE_CHECKING:
 
     import numpy as np
 
+    from vibcli.results.part_of_members import PartOfMembers
     from vibcli.results.problem import Problem
 
 
@@ -20,8 +21,8 @@ class WaveResponse(ResponseOfMembers):
 
     KIND, WORDS = "waves", "small oscillations about the equilibrium, by travelling waves"
 
-    def __init__(self, problem: "Problem"):
-        super().__init__(problem)
+    def __init__(self, problem: "Problem", part: "PartOfMembers | None" = None):
+        super().__init__(problem, part=part)
 
     @cached_property
     def alone(self):
@@ -41,6 +42,10 @@ class WaveResponse(ResponseOfMembers):
         nodes = self.loads | {channel: node for _, channel, node in numbered if channel is not None}
         return wave_motion(*self.matrices, pieces, self._forcing_of(nodes), *self.deviations, self.fields,
                            self.problem.work)
+
+    def reach(self, until: float) -> None:
+        """Follow the waves up to an instant; NotByWaves where their fronts are too many."""
+        self.alone.march.reach(until)
 
     def _forcing_of(self, nodes):
         from vibcli.analyses.excitation.decompose import forcing_of

@@ -203,16 +203,6 @@ class Builder:
         """The condition node = 0."""
         self.contents.constraints.append(Constraint(record.name + part, node, record.where, form))
 
-    def integrated(self, force: "Node", x: "Node", where: Where) -> "Node":
-        """∫₀ˣ force dx; None where it is not found, which is reported."""
-        from vibcli.symbolic.antiderivatives import from_zero
-
-        found = from_zero(force, x)
-        if found is None:
-            self.report(where, "the energy of this law is not found", "write it as a sum of powers, |d|^n, sines and "
-                        "exponentials of d; other energies stand under `energies`")
-        return found
-
     def add_law(self, s: "Node", x: "Node", energy: "Node", damper: bool = False, bound: "Node | None" = None) -> None:
         """V(s) of a spring or Φ(ṡ) of a damper, given as a function of x."""
         from vibcli.scene.laws import Law

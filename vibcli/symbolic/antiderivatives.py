@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.hinges import unnested
 from vibcli.symbolic.normal_form import TooLong, collected, expanded, is_zero, reduced
 from vibcli.symbolic.rationals import ONE
 
@@ -30,6 +31,7 @@ _PRIMITIVES = {
 
 def antiderivative(node: "Node", x: "Node") -> "Node":
     """F(x) with dF/dx = node; None where no rule gives it."""
+    node = unnested(node, x)
     found = _of_sum(node, x)
     if found is not None:
         return found

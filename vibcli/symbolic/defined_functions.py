@@ -36,6 +36,10 @@ class DefinedFunction:
         """The values for arrays, or some of them floats."""
         raise NotImplementedError
 
+    def rounding(self, unit: Any, found: Any, _args: "Sequence[Any]") -> Any:
+        """How far `found`, its value in numbers, may be off by rounding alone."""
+        return 4 * unit * abs(found)
+
     def coefficients(self, ring: Any, args: "Sequence[Any]") -> list[Any]:
         """Those of its Taylor expansion by its first argument about numbers of the arithmetic inside truncated
         polynomials, to their order; NoDerivative where there is none."""

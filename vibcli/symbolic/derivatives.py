@@ -73,6 +73,9 @@ def _call(node):
     if node.name in node.table.functions:
         function = node.table.functions[node.name]
         return _collect(node.table, [(arg, function.slope(node, i)) for i, arg in enumerate(node.args) if arg.mask])
+    if node.name == "log" and node.args[0].name == "cosh":      # which floats lose in sinh u/cosh u of a large u
+        u, = node.args[0].args
+        return _collect(node.table, [(u, node.table.call("tanh", u))])
     outer = _OUTER.get(node.name, _higher)(node, *node.args)
     return _collect(node.table, [(arg, slope) for arg, slope in zip(node.args, outer, strict=True) if arg.mask])
 
@@ -123,7 +126,8 @@ _OUTER = {
     "sawtooth": _higher,
     "min": _extreme(-1),
     "max": _extreme(1),
-    "power": lambda node, base, exponent: (exponent * node / base, node * node.table.call("log", base)),
+    "power": lambda node, base, exponent: (exponent * node.table.power(base, exponent - 1),
+                                           node * node.table.call("log", base)),
 }
 
 

@@ -29,6 +29,8 @@ def folded(table: "Table", name: str, args: "Sequence[Node]") -> "Node | None":
     value = _EXACT.get(name)
     if value is not None and args[0].op == "number" and args[0].coefficient == value[0] and len(args) == 1:
         return table.number(value[1])
+    if name == "power" and args[0].is_zero:
+        return _power_of_zero(table, args[1])
     if name == "sign" and args[0].op == "number":
         return table.number((args[0].coefficient > 0) - (args[0].coefficient < 0))
     if name in _STARTS and args[0].op == "number":
@@ -47,6 +49,21 @@ def folded(table: "Table", name: str, args: "Sequence[Node]") -> "Node | None":
     if name in ("sin", "cos"):
         return _at_multiple_of_pi(table, name, args[0])
     return args[0] if name == "abs" and table.is_positive(args[0]) else None
+
+
+def _power_of_zero(table, exponent):
+    """0ⁿ, by the sign that n has at the sample values."""
+    if exponent.mask or (table.sample is None and exponent.op != "number"):
+        return None
+    from vibcli.symbolic.evaluation import Floats, evaluate
+
+    try:
+        n, = evaluate([exponent], Floats, table.sample or {})
+    except KeyError:        # a symbol that is no parameter of the scene
+        return None
+    if n < 0:
+        raise ZeroDivisionError("division by zero")
+    return table.zero if n else table.one
 
 
 def _at_multiple_of_pi(table, name, angle):

@@ -105,7 +105,7 @@ class RunningErrors:
             found, error = plain(*values), 0
             for steep, x in zip(slopes_at(function, self.inner, values, range(len(args))), args, strict=True):
                 error = error + abs(steep) * (error_in(x) + 4 * self.unit * abs(number_in(x)))
-            error = error + 4 * self.unit * abs(found)
+            error = error + function.rounding(self.unit, found, values)
             return Rounded(found, error if error == error else inf, self.unit)
         return call
 

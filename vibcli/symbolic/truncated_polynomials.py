@@ -226,6 +226,10 @@ class NodeArithmetic:
         self.table, self.pi, self.number, self.power = table, table.pi, table.number, table.power
         self.functions = {name: self._call(name) for name in names}
 
+    def record(self, name: str, samples: Any) -> Callable:
+        """A function of the time alone."""
+        return lambda u, order: self.table.call(name, u, *([self.table.number(order)] if order else []))
+
     def called(self, function: Any) -> Callable:
         """Of what an element defines: it has no form in letters."""
         raise NotInLetters("an expansion about a place within parts in series or a table is found in numbers",

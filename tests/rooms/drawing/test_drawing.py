@@ -14,7 +14,7 @@ from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import pytest
-from support.scenes import problem, problem_of
+from support.scenes import kept_problem_of, problem, problem_of
 
 from vibcli.base.errors import PhysicsError
 from vibcli.cli import run
@@ -69,7 +69,7 @@ def test_there_are_files():
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_every_scene_is_drawn(path):
-    given = problem_of(path)
+    given = kept_problem_of(path)
     for scene in (given, *(given.case(name) for name in given.spec.cases)):
         found = draw(scene)
         assert all(math.isfinite(x) for part in found for stroke in part.strokes() for point in stroke for x in point)

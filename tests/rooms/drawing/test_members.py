@@ -4,7 +4,7 @@ from math import pi, sin
 from pathlib import Path
 
 import pytest
-from support.scenes import problem, problem_of
+from support.scenes import kept_problem_of, problem, problem_of
 
 from vibcli.drawing import animation
 from vibcli.drawing.canvas.primitives import BODY, Circle, Hatch, LetterRuns, Polygon, Polyline
@@ -28,7 +28,7 @@ CANTILEVER = """
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
 def test_every_member_is_drawn_and_no_word_lies_over_another(path):
-    found = problem_of(path)
+    found = kept_problem_of(path)
     stage, drawn = compose.Scenery(found.scene), draw(found)
     assert {strip.name for strip in stage.strips} == {name.partition(".")[0] for name in found.scene.members}
     boxes = [part.box for part in drawn if isinstance(part, LetterRuns)]

@@ -4,7 +4,7 @@ import random
 from pathlib import Path
 
 import pytest
-from support.scenes import problem_of
+from support.scenes import kept_problem_of
 
 import vibcli
 from vibcli.symbolic.derivatives import gradient
@@ -16,7 +16,7 @@ EXAMPLES = sorted((Path(vibcli.__file__).parent / "examples").glob("*.yaml"))
 def connected():
     """(scene, [springs, dampers and laws]) of every example whose coordinates are all independent."""
     for path in EXAMPLES:
-        scene = problem_of(path).scene
+        scene = kept_problem_of(path).scene
         terms = [term for term in (*scene.springs, *scene.dampers, *scene.laws) if term.owner not in scene.members]
         if terms and not scene.dependent:
             yield scene, terms

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from support.scenes import problem_of
+from support.scenes import kept_problem_of
 
 from vibcli.base.errors import PhysicsError
 from vibcli.check.instances import Instances
@@ -31,7 +31,7 @@ def at_rest(one):
 @pytest.mark.sweep
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_of_a_scene_at_rest(path):
-    one = next(iter(Instances(problem_of(path))), None)
+    one = next(iter(Instances(kept_problem_of(path))), None)
     try:
         statics = {} if one is None or one.scene.timed else {
             reaction.signal: reaction.value for reaction in one.configuration.reactions if reaction.value is not None}

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from support.scenes import problem, problem_of, value
+from support.scenes import kept_problem_of, problem, value
 
 from vibcli.analyses.excitation.signal_outputs import linear_output, quadratic_output
 from vibcli.analyses.frequency_response.evaluate import frf
@@ -269,7 +269,7 @@ def at_start(scene, node):
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_equilibrium_values_of_all_signals(path):
     """The constant of every output is the value in equilibrium, found by other ways."""
-    scene = problem_of(path)
+    scene = kept_problem_of(path)
     try:
         scene.configuration.linear_system  # noqa: B018
     except PhysicsError:

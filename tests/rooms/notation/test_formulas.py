@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from support import formulas, printed
-from support.scenes import problem_of
+from support.scenes import kept_problem_of
 
 from vibcli.notation.plain import plain
 from vibcli.notation.scene_language import language
@@ -103,7 +103,7 @@ def numbers(found):
 
 @pytest.mark.parametrize("path", SAMPLE, ids=lambda path: path.stem)
 def test_reports_are_read_back(path):
-    base = problem_of(path)
+    base = kept_problem_of(path)
     for found in (base, *map(base.case, base.spec.cases)):
         if found.spec.choices or found.scene.members:     # ∂²u/∂x² and names of places are not read back
             continue

@@ -4,12 +4,15 @@ import json
 
 import pytest
 import sympy
-from support.scenes import problem
+from support.scenes import problem, value
+from support.truncated_series import FIELD, Taylor
 
 from vibcli.base.errors import PhysicsError
 from vibcli.cli import run
 from vibcli.notation.scene_language import language
+from vibcli.quantities.quantity import declared
 from vibcli.results.expansions import expansions
+from vibcli.symbolic.parser import parse
 
 PENDULUM_ON_CART = """
 parameters: {M: 3 kg, m: 1 kg, L: 0.5 m, g: 9.81 m/s^2, k: 80 N/m}
@@ -77,6 +80,87 @@ def test_a_taut_spring_square_to_the_motion_in_letters(capsys, tmp_path):
     assert run(["solve", str(file)]) == 0
     out = capsys.readouterr().out
     assert "s:  x²/(2·L)" in out and "Kinetic energy, to order 4" in out
+
+
+OBLIQUE = """
+parameters: {m: 2 kg, k: 300 N/m, b: 400 N/m^2, c: 900 N/m^3, N: 9 N, g: 9.81 m/s^2}
+gravity: g
+bodies: {p: {mass: m, at: [0, 0], move: [x, y, 0]}}
+springs:
+  s: {law: "k*d + b*d^2 + c*d^3", between: [[-0.4 m, 0.3 m], p]}
+  t: {k: k, preload: N, between: [[0.5 m, 0.2 m], p]}
+  u: {k: 2*k, free_length: 0 m, between: [[0.1 m, -0.3 m], p]}
+"""
+
+
+def shares_by_sympy(rest):
+    """{spring: ({powers: coefficient} of the material, of the geometry)} of the scene above by SymPy's series."""
+    taylor, third = Taylor("xy", 4), FIELD(1) / 3
+    energies = {"s": [0, 0, 150, 400 * third, 225], "t": [0, 9, 150, 0, 0], "u": [0, 0, 300, 0, 0]}
+    ends = {"s": ("-0.4", "0.3", "0.5"), "t": ("0.5", "0.2", FIELD(0.29)**FIELD(0.5)), "u": ("0.1", "-0.3", 0)}
+    found = {}
+    for name, numbers in ends.items():
+        px, py, free = (FIELD(sympy.Float(one, 50)) for one in numbers)
+        dx, dy = (taylor.moving(i) + FIELD(rest[i]) - p for i, p in enumerate((px, py)))
+        d = taylor.root(dx**2 + dy**2) - free
+        material, whole = (taylor.composed(energies[name], each) for each in (taylor.first(d), d))
+        found[name] = taylor.terms(material, 1e-12), taylor.terms(whole - material, 1e-12)
+    return found
+
+
+def test_what_springs_store_by_their_material_and_by_their_geometry_is_told_apart():
+    scene = problem(OBLIQUE)
+    *_, found = expansions(scene, 4)
+    expected = shares_by_sympy([scene.configuration.equilibrium.values[name] for name in "xy"])
+    for name, parts in expected.items():
+        for shares, terms in zip(found.springs[name], parts, strict=True):
+            assert shares == {powers: pytest.approx(c, rel=1e-10) for powers, c in terms.items()}
+        for product, powers in (("y", (0, 2)), ("x*y^2", (2, 2))):
+            assert value(scene, f"stiffness_correction[{name}, {product}]") == pytest.approx(
+                2 * parts[1].get(powers, 0.0), rel=1e-10, abs=1e-9)
+
+
+def test_shares_of_springs_are_data_and_a_refusal_tells_why(capsys, tmp_path):
+    file = tmp_path / "scene.yaml"
+    file.write_text(OBLIQUE + "dampers: {d: {c: 2 N*s/m, between: [[0, 1 m], p]}}\nfind: [expansion]\n",
+                    encoding="utf-8")
+    assert run(["solve", "--json", str(file)]) == 0
+    data = json.loads(capsys.readouterr().out)["expansion"]
+    assert data["left_out"] == ["dampers"] and data["reason"] is None
+    assert [one["spring"] for one in data["springs"]] == ["s", "t", "u"]
+    V = {one["product"]: one["factor"] for one in data["V"]}
+    parts = [{one["product"]: one["factor"] for one in data["springs"][i][part]} for i in range(3)
+             for part in ("material", "geometric")]
+    assert V["x^3"] == pytest.approx(sum(part.get("x^3", 0.0) for part in parts), rel=1e-12)
+    assert run(["solve", str(file)]) == 0
+    assert "Energy of springs by their geometry (the rest), to order 4" in capsys.readouterr().out
+    file.write_text("parameters: {m: 2 kg, k: 30 N/m^2}\nbodies: {b: {mass: m, slide: x}}\n"
+                    "springs: {s: {law: k*d*abs(d), between: [ground, b]}}\nfind: [expansion]\n", encoding="utf-8")
+    assert run(["solve", "--json", str(file)]) == 0
+    data = json.loads(capsys.readouterr().out)["expansion"]
+    assert data["V"] is None and data["reason"].startswith("'s' has a kink")
+
+
+def test_corrections_in_letters():
+    """Kovacić & Radomirović 2018, 9.5: δ₁ = cos a, δ₂ = sin²a/2l, δ₃ = −cos a sin²a/2l² of an oblique spring."""
+    text = ("parameters: {m: {unit: kg}, k: {unit: N/m}, b: {unit: N/m^2}, c: {unit: N/m^3}, l: {unit: m}, a: "
+            "{unit: rad}}\nbodies: {p: {mass: m, at: [0, 0], slide: x}}\nsprings: "
+            "{s: {law: k*d + b*d^2 + c*d^3, between: [['-l*cos(a)', 'l*sin(a)'], p]}}\n")
+    k, b, length, a = sympy.symbols("k b l a")
+    d1, d2, d3 = sympy.cos(a), sympy.sin(a)**2 / (2 * length), -sympy.cos(a) * sympy.sin(a)**2 / (2 * length**2)
+    expected = [0, 3 * k * d1 * d2, 4 * (k * (d1 * d3 + d2**2 / 2) + b * d1**2 * d2)]
+    for n, form in enumerate(expected, 1):
+        tree = parse(f"stiffness_correction[s, x^{n}]")
+        node = declared(tree).symbolic(problem(text), tree)
+        found = sympy.sympify(language(node).replace("^", "**"), locals={"a": a})
+        assert sympy.simplify(found - form) == 0
+
+
+def test_a_correction_at_a_kink_is_refused():
+    text = ("parameters: {m: 2 kg, k: 30 N/m^2}\nbodies: {b: {mass: m, slide: x}}\n"
+            "springs: {s: {law: k*d*abs(d), between: [ground, b]}}\n")
+    with pytest.raises(PhysicsError, match="'s' has a kink"):
+        value(problem(text), "stiffness_correction[s, x^3]")
 
 
 def test_a_kink_has_no_expansion():

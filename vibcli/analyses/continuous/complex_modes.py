@@ -51,7 +51,7 @@ class DampedBasis(ModeBasis):
         for group in series.groups:
             numbers = group.numbers + len(resting)
             self.shapes[:, numbers] = group.shapes[:, :matrix.n].T
-            for one in in_floats(group.matrix.pieces):
+            for one in in_floats(group.pieces):
                 home, part = on_part(self.placed, one, numbers, one.piece.reaction(self.rates[numbers]), group.shapes)
                 self.parts[home].append(part)
 

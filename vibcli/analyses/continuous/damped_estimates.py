@@ -9,24 +9,24 @@ import numpy as np
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from vibcli.analyses.continuous.damped_series import DampedSeries, Known
     from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix
     from vibcli.mechanics.factored_system import PlacedPiece
 
 RAYS, TURNS = 60, 7     # estimates on each of so many rays from the negative real axis on
 
 
-def estimates(matrix: "DynamicMatrix", known: "Known | DampedSeries", count: int, effort: int) -> np.ndarray:
-    """Points from which roots beyond those known are looked for, about `count`; effort: times as many."""
+def estimates(matrix: "DynamicMatrix", rates: np.ndarray, radius: float, count: float, effort: int) -> np.ndarray:
+    """Points from which roots beyond a radius are looked for, up to about `count` turns of waves, the rates within it
+    being known; effort: times as many."""
     phases = np.arange(0.0, count + matrix.n + 4 * len(matrix.pieces), 0.5 / effort)
     line = where_waves_turn(matrix.pieces, np.pi * phases)
-    line = line[line > 0.8 * known.radius]
+    line = line[line > 0.8 * radius]
     if not len(line):
         return np.zeros(0, complex)
-    tail = known.rates[known.rates.imag > 0][-4:].real
+    tail = rates[rates.imag > 0][-4:].real
     decay = float(tail.mean()) if len(tail) else 0.0
     rows = [decay + 1j * line[::2], 1j * line[1::2], *(-line[0] / 16 * k + 1j * line for k in range(1, effort))]
-    rays = np.geomspace(0.9 * known.radius, line[-1], RAYS * effort)
+    rays = np.geomspace(0.9 * radius, line[-1], RAYS * effort)
     turned = np.exp(1j * np.pi * (1 - np.arange(TURNS) / (2 * TURNS)))
     return np.concatenate([*rows, np.outer(turned, rays).ravel()])
 

@@ -9,19 +9,21 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from vibcli.analyses.continuous.argument_count import sizes, zeros_within
+from vibcli.analyses.continuous.argument_count import sizes
 from vibcli.analyses.continuous.counting import GUARD, SLACK
-from vibcli.analyses.continuous.damped_estimates import estimates, inner_estimates
+from vibcli.analyses.continuous.damped_estimates import where_waves_turn
 from vibcli.analyses.continuous.damped_roots import GIVEN
 from vibcli.analyses.continuous.dynamic_matrix import BLOWN, SHARES
 from vibcli.base.errors import PhysicsError
 from vibcli.numerics.fixed_point import count_floats
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
 
+    from vibcli.analyses.continuous.damped_parts import DampedPart, StillPart
     from vibcli.analyses.continuous.damped_source import Region
     from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix
+    from vibcli.mechanics.factored_system import PlacedPiece
 
 STEPS, SETTLED = 14, 1e-11
 UNIT = 2.0**-53
@@ -35,18 +37,21 @@ GAPS = 6                # between roots that are tried in turn for the circle
 
 
 class ShapesOf(NamedTuple):
-    """Roots of one matrix: their numbers, and x over its coordinates, (roots, n)."""
+    """Roots of which the same pieces move: their numbers, and x over the coordinates of the rows of these, (roots, n).
+    """
 
-    matrix: "DynamicMatrix"
+    pieces: "Sequence[PlacedPiece]"
     numbers: np.ndarray
     shapes: np.ndarray
 
 
 class DampedSeries(NamedTuple):
-    """All λ ≠ 0 with Im λ ≥ 0 within |λ| < radius, by |λ|, their relative bounds and shapes; resting: how often 0 is
-    one."""
+    """All λ ≠ 0 with Im λ ≥ 0 within |λ| < radius, by |λ|, those of each part, their relative bounds and shapes;
+    resting: how often 0 is one."""
 
+    parts: "Sequence[DampedPart | StillPart]"
     radius: float
+    of_parts: list[np.ndarray]
     rates: np.ndarray
     errors: np.ndarray
     groups: list[ShapesOf]
@@ -54,36 +59,70 @@ class DampedSeries(NamedTuple):
 
 
 class Known(NamedTuple):
-    """All λ ≠ 0 with Im λ ≥ 0 within |λ| < radius; resting: how often 0 is one."""
+    """All λ ≠ 0 with Im λ ≥ 0 within |λ| < radius, of each part; resting: how often 0 is one."""
 
+    parts: "Sequence[DampedPart | StillPart]"
     radius: float
-    rates: np.ndarray
+    of_parts: list[np.ndarray]
     resting: int
+
+
+class RootsOfPart(NamedTuple):
+    """λ by |λ|, their relative bounds and shapes."""
+
+    values: np.ndarray
+    errors: np.ndarray
+    groups: list[ShapesOf]
 
 
 def within_region(low: "Region") -> Known:
     """Those of a Region."""
-    rates = np.array([mode.eigenvalue for mode in low.modes if mode.omega], complex)
-    return Known(low.radius, rates, low.count - int(np.where(rates.imag > 0, 2, 1).sum()))
+    of_parts = [np.array([root.value for root in own], complex) for own in low.roots]
+    return Known(low.parts, low.radius, of_parts, low.count - sum(_conjugates(rates) for rates in of_parts))
 
 
-def damped_series(matrix: "DynamicMatrix", known: "Known | DampedSeries", count: int) -> DampedSeries:
+def _conjugates(rates):
+    """How many λ these are with their conjugates."""
+    return int(np.where(rates.imag > 0, 2, 1).sum())
+
+
+def zeros_of(parts: "Sequence[DampedPart | StillPart]", radius: float) -> int | None:
+    """How many λ all parts have in |λ| < radius; None where that is not certain."""
+    found = [part.zeros_within(radius) for part in parts]
+    return None if None in found else sum(found)
+
+
+def damped_series(known: "Known | DampedSeries", count: int) -> DampedSeries:
     """About `count` of them; known: the first of them."""
-    divisions = Divisions(matrix)
+    pieces = [placed for part in known.parts for placed in part.matrix.pieces]
+    top = float(where_waves_turn(pieces, np.array([np.pi * count]))[0])
     for effort in EFFORTS:
-        starts = estimates(matrix, known, count, effort)
-        inner = inner_estimates(matrix.pieces, known.radius, abs(starts).max(initial=0.0))
-        found = np.concatenate([approached(divisions, starts), approached(divisions.inner, inner)])
-        roots = distinct(np.concatenate([known.rates, found[abs(found) > known.radius * (1 - ALIKE)]]))
-        values, errors, groups = polished(divisions, roots)
-        radius = _circle(matrix, values, min(count, len(values)), known.resting)
+        own = [part.series(rates, known.radius, top, effort)
+               for part, rates in zip(known.parts, known.of_parts, strict=True)]
+        values, errors, order = _merged(own)
+        radius = _circle(known.parts, values, min(count, len(values)), known.resting)
         if radius is not None and (errors[:np.searchsorted(abs(values), radius)] < SURE).all():
-            return _within(radius, values, errors, groups, known.resting)
+            return _within(radius, known, own, values, errors, order)
+        if any(part.beside for part in known.parts):
+            raise PhysicsError("so many damped modes are not found beside places next to each other on a member",
+                               "move these further apart, or put what they hold at one place")
     if not (errors < SURE).all():
         raise PhysicsError("two damped modes of members are one, or nearly so: a mode is damped critically",
                            "give it a little more or less damping")
     raise PhysicsError("the damped modes of members are not counted so far: some of them may be missing",
                        "ask for steady(…)")
+
+
+def _merged(parts):
+    """(values, errors) of all parts by |λ|, and the place of each in that order."""
+    values, errors = (np.concatenate([one[k] for one in parts]) for k in range(2))
+    order = np.argsort(abs(values), kind="stable")
+    return values[order], errors[order], np.argsort(order)
+
+
+def settled_from(divisions: "Divisions", starts: np.ndarray, inner: np.ndarray) -> np.ndarray:
+    """Where Newton's steps lead from places, and from ones near frequencies of held pieces."""
+    return np.concatenate([approached(divisions, starts), approached(divisions.inner, inner)])
 
 
 class Divisions:
@@ -224,7 +263,7 @@ def polished(divisions: Divisions, s: np.ndarray) -> tuple[np.ndarray, np.ndarra
         spread = abs(found).sum(axis=1) ** 2
         felt = (abs(found) * given[at_own]).sum(axis=1) ** 2
         errors[place] = UNIT * ((SLACK * GUARD * spread + GIVEN * felt) / abs(steep) / abs(values[place]) + 4)
-        groups.append(ShapesOf(matrix, place, units[at_own] * found / np.sqrt(steep)[:, None]))
+        groups.append(ShapesOf(matrix.pieces, place, units[at_own] * found / np.sqrt(steep)[:, None]))
     values = np.where(abs(values.imag) <= 2 * errors * abs(values), values.real, values)
     order = np.argsort(abs(values), kind="stable")
     place = np.argsort(order)
@@ -247,7 +286,7 @@ def _apart(x, D, slope, size):
     return np.array(found)
 
 
-def _circle(matrix, roots, count, resting):
+def _circle(parts, roots, count, resting):
     """A radius within which there are as many roots as are found, about so many; None where these are others."""
     sizes = abs(roots)
     certain = resting + np.append(0, np.cumsum(np.where(roots.imag > 0, 2, 1)))
@@ -255,14 +294,20 @@ def _circle(matrix, roots, count, resting):
         high = sizes[low + 1] if low + 1 < len(sizes) else sizes[low] * (1 + 0.5 / len(sizes))
         for share in SECTIONS if high > sizes[low] * (1 + ALIKE) else ():
             radius = float(sizes[low] + share * (high - sizes[low]))
-            inside = zeros_within(matrix, radius)
+            inside = zeros_of(parts, radius)
             if inside is not None:
                 return radius if inside == certain[low + 1] else None
     return None
 
 
-def _within(radius, rates, errors, groups, resting):
-    """The DampedSeries of those within a radius."""
-    count = int((abs(rates) < radius).sum())
-    kept = [ShapesOf(one.matrix, one.numbers[one.numbers < count], one.shapes[one.numbers < count]) for one in groups]
-    return DampedSeries(radius, rates[:count], errors[:count], kept, resting)
+def _within(radius, known, parts, rates, errors, order):
+    """The DampedSeries of those within a radius; order: the place of each root of the parts among all."""
+    count, kept, first = int((abs(rates) < radius).sum()), [], 0
+    for one in parts:
+        place = order[first:first + len(one.values)]
+        for group in one.groups:
+            numbers = place[group.numbers]
+            kept.append(ShapesOf(group.pieces, numbers[numbers < count], group.shapes[numbers < count]))
+        first += len(one.values)
+    of_parts = [one.values[abs(one.values) < radius] for one in parts]
+    return DampedSeries(known.parts, radius, of_parts, rates[:count], errors[:count], kept, known.resting)

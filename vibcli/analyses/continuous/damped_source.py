@@ -4,35 +4,32 @@ Estimates are polished to rounding; how many λ there are with |λ| < R is certa
 many are found as there are none is missing, and each is simple or has the multiplicity with which it is listed.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from vibcli.analyses.continuous.argument_count import held_within, zeros_within
+from vibcli.analyses.continuous.argument_count import held_within
 from vibcli.analyses.continuous.damped_estimates import half_turns
 from vibcli.analyses.continuous.damped_far import FarModes
-from vibcli.analyses.continuous.damped_roots import ALIKE, DampedRoot, Whole, approached, roots_at
+from vibcli.analyses.continuous.damped_parts import SURE, cleaned, damped_parts
+from vibcli.analyses.continuous.damped_roots import DampedRoot, Whole, roots_at
 from vibcli.analyses.continuous.damped_series import distinct
 from vibcli.analyses.continuous.dynamic_matrix import dynamic_matrix
-from vibcli.analyses.continuous.trial_eigenvalues import trial_eigenvalues
 from vibcli.analyses.modal.damped_modes import DampedMode
 from vibcli.analyses.modal.mode_sequence import NoMoreTold
 from vibcli.base.errors import PhysicsError
-from vibcli.numerics.pieces.held_count import held_count
-from vibcli.numerics.pieces.stiffness import stiffness_and_slope
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.damped_far import Annulus
+    from vibcli.analyses.continuous.damped_parts import DampedPart, StillPart
     from vibcli.analyses.modal.mode_sequence import Modes
     from vibcli.mechanics.factored_system import FactoredSystem
 
 WIDER, TRIES = 1.35, 14     # times by which the circle grows, and how often
 EFFORTS = 1, 1.6, 2.5       # more functions within pieces, in turn
-SURE = 1e-3                 # relative bound of a root that is told
 RESTING = 1e-5              # of the radius: what is nearer to 0 is looked for there
-STILL = 1e-11       # of the largest component of a shape: what moves less rests
 BELOW = 0.9                 # of 1/β, where damped modes pile up
 NEAR, LOW = 60, 6   # modes that are found with all below them; those from which others are counted
 OVERLAP = 0.9               # of the known region: beyond that estimates are polished
@@ -40,15 +37,16 @@ GAPS = 4                    # that are tried in turn for the circle
 
 
 class Region(NamedTuple):
-    """|λ| < radius holds `count` eigenvalues, conjugates counted, those of rigid motions too; its modes by |λ|, and the
-    roots that they are of."""
+    """|λ| < radius holds `count` eigenvalues, conjugates counted, those of rigid motions too; its modes by |λ|, and
+    the roots that they are of, those of each part of the scene."""
 
     radius: float
     count: int      # type: ignore[assignment]
     modes: list[DampedMode]
     below: int = 0  # known without a count
     inner: float = 0.0
-    roots: tuple[DampedRoot, ...] = ()
+    roots: "Sequence[Sequence[DampedRoot]]" = ()
+    parts: "Sequence[DampedPart | StillPart]" = ()
 
 
 class DampedModes:
@@ -57,9 +55,9 @@ class DampedModes:
     def __init__(self, elements: "FactoredSystem", natural: "Callable[[], Modes]"):
         self.matrix, self._natural = dynamic_matrix(elements), natural
         self.whole, self.region, self.annuli = Whole(self.matrix), Region(0.0, 0, []), []
+        self.parts = damped_parts(elements, self.matrix)
         beta = self.matrix.retardation
         self._limit, self._ended = BELOW / beta if beta else np.inf, False
-        self._too_far = np.inf      # a radius of too many estimates
         self._resting = [mode.shape for mode in natural().shown() if mode.rigid]
 
     def numbered(self, first: int, last: int) -> list[DampedMode]:
@@ -103,7 +101,7 @@ class DampedModes:
         found = self._far.numbered(first, last)
         roots = []
         for s in distinct(found.roots[first - found.first:last - found.first + 1]):
-            roots += [_cleaned(root, self.matrix) for root in roots_at(self.whole, complex(s))]
+            roots += [cleaned(root, self.matrix) for root in roots_at(self.whole, complex(s))]
         if len(roots) != last - first + 1 or not all(root.error < SURE for root in roots):
             raise _undecided(found.radius)
         self.annuli.append(found)
@@ -141,7 +139,7 @@ class DampedModes:
         """Widens the region up to where damped modes pile up, as far as their number is certain."""
         if self._ended:
             return
-        roots = [root for root in self._roots(self._limit, EFFORTS[-1]) if abs(root.value) < self._limit]
+        roots = [root for own in self._roots(self._limit, EFFORTS[-1]) for root in own if abs(root.value) < self._limit]
         for count in range(len(roots), len(self.region.modes) - len(self._resting), -1):
             try:
                 found = self._search(self._limit, lambda sizes, count=count: len(sizes) >= count, 0.0)
@@ -156,52 +154,29 @@ class DampedModes:
         """The Region about this radius or less; None where its roots are not enough."""
         undecided = None
         for effort in EFFORTS:
-            roots = self._roots(radius, effort)
+            by_part = self._roots(radius, effort)
+            roots = [root for own in by_part for root in own]
             sizes = sorted(abs(root.value) for root in roots if abs(root.value) < radius)
             circles = _circles(sizes, self._held(radius), radius, least, enough)
             for circle in circles:
-                count = zeros_within(self.matrix, circle)
+                count = _counted(self.parts, circle)
                 inside = [root for root in roots if abs(root.value) < circle]
                 rigid = self._at_rest(sizes[0] if sizes else circle) if count is not None else 0
                 if count is not None and count == rigid + sum(2 if root.value.imag else 1 for root in inside):
-                    return Region(circle, count, self._listed(inside), roots=tuple(inside))
+                    known = [[root for root in own if abs(root.value) < circle] for own in by_part]
+                    return Region(circle, count, self._listed(inside), roots=known, parts=self.parts)
                 undecided = circle
             if not circles and effort == EFFORTS[-1]:
                 return None
-            if not circles and undecided is None and not sizes and zeros_within(self.matrix, radius) in (0, None):
+            if not circles and undecided is None and not sizes and _counted(self.parts, radius) in (0, None):
                 return None
         raise _undecided(undecided)
 
     def _roots(self, radius, effort):
-        """The known roots, and polished ones from estimates between the known region and a radius."""
-        found = self._estimates(radius, effort)
-        known, edge = self.region.roots, self.region.radius
+        """Of each part the known roots, and polished ones from estimates between the known region and a radius."""
+        known, edge = self.region.roots or [()] * len(self.parts), self.region.radius
         least = max(RESTING * radius if self._resting else 0.0, OVERLAP * edge)
-        near = sorted({complex(s) for s in found[(abs(found) < 1.2 * radius) & (abs(found) > least)]}, key=abs)
-        told = [root.value for root in known]
-        points: list[complex] = []
-        for s in near:
-            root = approached(self.whole, s)
-            if root is not None and abs(root) > max(least, edge) and not any(
-                    abs(root - one) < ALIKE * abs(one) for one in told + points):
-                points.append(root)
-        roots = [(s, _cleaned(root, self.matrix)) for s in points for root in roots_at(self.whole, s)]
-        return [*known, *_distinct([(s, root) for s, root in roots if root.error < SURE and root.value.imag >= 0])]
-
-    def _estimates(self, radius, effort):
-        """Those of eigenvalues within a radius."""
-        waves = []
-        for placed in self.matrix.pieces:
-            piece = placed.piece._make(np.array([float(x)]) for x in placed.piece)
-            kappa = piece.foundation - piece.inertia * (1.3 * radius)**2
-            waves.append(float(held_count(piece._replace(foundation=kappa), 0)[0]))
-        found = None
-        if radius * effort < self._too_far:
-            found = trial_eigenvalues(self.matrix, [int((2.5 * one + 14) * effort) for one in waves], radius)
-        if found is None:
-            self._too_far = min(self._too_far, radius * effort)
-            raise PhysicsError("so many damped modes of members are not found", "ask for fewer, or lower ones")
-        return found
+        return [part.roots(radius, effort, own, least, edge) for part, own in zip(self.parts, known, strict=True)]
 
     def _held(self, radius):
         """The number of frequencies of held pieces within a radius, as a function."""
@@ -209,12 +184,18 @@ class DampedModes:
 
     def _at_rest(self, nearest):
         """How often λ = 0 is an eigenvalue."""
-        return (zeros_within(self.matrix, 0.03 * nearest) or 0) if self._resting else 0
+        return (_counted(self.parts, 0.03 * nearest) or 0) if self._resting else 0
 
     def _listed(self, roots):
         rigid = [DampedMode(i, 0.0, 0.0, None, shape, 0.0, "rigid motion: λ = 0")
                  for i, shape in enumerate(self._resting, 1)]
         return rigid + [_mode(i, root) for i, root in enumerate(_by_size(roots), len(rigid) + 1)]
+
+
+def _counted(parts, radius):
+    """How many λ all parts have in |λ| < radius; None where that is not certain."""
+    found = [part.counted(radius) for part in parts]
+    return None if None in found else sum(found)
 
 
 def _by_size(roots):
@@ -237,49 +218,6 @@ def _circles(sizes, held, radius, least, enough):
         best = max(clear or [(low + high) / 2], key=lambda at: min(at - low, high - at))
         found.append((min(best - low, high - best) / best, float(f"{best:.6g}")))     # as it is printed
     return [at for _, at in sorted(found[:GAPS], reverse=True)]
-
-
-def _distinct(roots):
-    """Roots of which none is another one found twice, from a neighbouring estimate."""
-    found: list[tuple[complex, DampedRoot]] = []
-    for at, root in roots:
-        if not any(at != other and abs(root.value - one.value) <= 4 * (root.error + one.error) * abs(root.value)
-                   for other, one in found):
-            found.append((at, root))
-    return [root for _, root in found]
-
-
-def _cleaned(root, matrix):
-    """A root whose imaginary part is nothing beside its bound has none; where its real part is, that is
-    −(xᴴCx + Σ c ∫|u|² dx)/2, as far as the shape moves what C holds to."""
-    size = 2 * root.error * abs(root.value)
-    value = root.value
-    if abs(value.imag) <= size:
-        value = complex(value.real, 0.0)
-    elif abs(value.real) <= size:
-        largest = max(abs(root.shape).max(initial=0.0), _usual(matrix))
-        x = np.where(abs(root.shape) > STILL * largest, root.shape, 0.0)
-        lost = float((x.conj() @ matrix.polynomial[1] @ x).real) + _dragged(matrix, x, value.imag)
-        value = complex(-lost / 2, value.imag)
-    return root._replace(value=value)
-
-
-def _usual(matrix):
-    """The displacement that all members have where they move alike with unit ∫μu²: a mode all of whose nodes rest has
-    no other size among its coordinates."""
-    inertia = sum(float(placed.piece.inertia * placed.piece.length) for placed in matrix.pieces)
-    return inertia**-0.5 if inertia else 0.0
-
-
-def _dragged(matrix, x, omega):
-    """Σ c ∫|u|² dx of pieces with drag."""
-    found = 0.0
-    for placed in matrix.pieces:
-        if placed.piece.drag:
-            ends = np.array([sum(value * x[i] for i, value in row.items()) for row in placed.rows])
-            slope = stiffness_and_slope(placed.piece, placed.piece.undamped_reaction(omega))[1]
-            found += float(placed.piece.drag * (ends.conj() @ slope @ ends).real)
-    return found
 
 
 def _mode(index, root):

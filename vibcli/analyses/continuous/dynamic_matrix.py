@@ -143,8 +143,8 @@ class DynamicMatrix:
         """Has a piece relative coordinates?"""
         return self.relative is not None and number in self.relative.short
 
-    def at(self, s: np.ndarray, steep: bool = False) -> "EvaluatedMatrix":
-        """D, and D′ if it is `steep`, at each s: (N,)."""
+    def at(self, s: np.ndarray, steep: bool = False, loaded: bool = True) -> "EvaluatedMatrix":
+        """D, and D′ if it is `steep`, at each s: (N,); not `loaded`: without the columns of loads along members."""
         away = self.leaves(s)
         D, slope = self._polynomial(s, steep, away)
         K, C, M = (np.abs(np.diagonal(part))[:, None] for part in self.polynomial)
@@ -166,7 +166,7 @@ class DynamicMatrix:
                 _added(D, rows, d[:, :, p])
                 if steeper is not None:
                     _added(slope, rows, steeper[:, :, p])
-        return EvaluatedMatrix(self, D, slope, size, excess, ends, self._put(D, slope, s), given)
+        return EvaluatedMatrix(self, D, slope, size, excess, ends, self._put(D, slope, s) if loaded else {}, given)
 
     def _put(self, D, slope, s):
         """Adds the columns of loads along members: {number of a piece: [(coordinate of an input, what it puts on the

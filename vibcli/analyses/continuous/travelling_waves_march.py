@@ -71,6 +71,7 @@ class WaveMarch:
         self._events: list[list[tuple]] = [[(Fraction(0), -1, 0.0)] for _ in stations]
         self._pace = [inf] * len(stations)
         self._loads, self._load_until = Loads(forcing.channels, []), -1.0
+        self._told = -1.0
         with work.task("the waves at the start", MOST) as task:
             for number, (piece, field, delay) in enumerate(zip(pieces, fields, self.delays, strict=True)):
                 left, right, corners = starting_waves(field, piece.length, delay, task)
@@ -87,7 +88,7 @@ class WaveMarch:
         beyond = float(max(self.delays, default=0)) + until / 64
         end = Fraction(until + beyond)
         self._tell_loads(until + 2 * beyond)
-        self._require_few(float(end))
+        self.require_few(float(end))
         heap = [(now, k) for k, now in enumerate(self.now)]
         heap.sort()
         with self.work.task("the waves from front to front", MOST, self._refusal) as task:
@@ -100,9 +101,10 @@ class WaveMarch:
     def _refusal(self, task):
         return _too_many(task.limit, self.work.patience)
 
-    def _require_few(self, end):
+    def require_few(self, end: float, most: int = MOST) -> None:
         """NotByWaves where there are more fronts up to an instant than stretches are followed: seen before any is."""
-        limit, grain = MOST * self.work.patience, 1e-6 * float(min(self.delays, default=end))
+        self._tell_loads(end)
+        limit, grain = most * self.work.patience, 1e-6 * float(min(self.delays, default=end))
         coming = [(float(event[0]), k) for k, events in enumerate(self._events) for event in events]
         ways = [[(float(self.delays[one.number // 2]), self.home[one.number ^ 1]) for one in station.ends]
                 for station in self.stations]
@@ -120,6 +122,9 @@ class WaveMarch:
 
     def _tell_loads(self, until):
         """Announce where the loads jump or bend up to an instant."""
+        if until <= self._told:
+            return
+        self._told = until
         self._loads = Loads(self.forcing.channels, self.forcing.segments(until * (1 + SAME), self.work))
         for number, start in enumerate(self._loads.starts.tolist()):
             if start <= self._load_until:

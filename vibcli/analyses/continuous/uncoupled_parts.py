@@ -1,8 +1,8 @@
 """Parts of a system that move without one another, as a straight beam stretches along and bends across: what one of
 them is driven by does nothing to the others."""
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -38,17 +38,24 @@ def uncoupled_parts(K: np.ndarray, M: np.ndarray, pieces: "Sequence[PlacedPiece]
                     shapes: np.ndarray) -> UncoupledParts:
     """Those of coordinates that neither K, M nor pieces tie; one where a piece has no coordinates, or where modes of
     these shapes (coordinates, modes) mix them, as at one frequency they may."""
-    n, one = len(K), UncoupledParts([0] * len(K), [0] * len(pieces))
-    ties = (K != 0) | (M != 0) | np.eye(n, dtype=bool)
-    held = [[i for row in placed.rows for i, x in row.items() if abs(x) > ROUNDING * max(map(abs, row.values()))]
-            for placed in pieces]
-    if not all(held):
-        return one
+    n, parts = len(K), tied_parts((K, M), [placed.rows for placed in pieces])
+    felt = np.abs(shapes) > FELT * np.abs(shapes).max(axis=0, initial=0.0)
+    moved = [felt[[i for i in range(n) if parts.coordinates[i] == part]].any(axis=0) for part in set(parts.coordinates)]
+    mixed = bool((np.sum(moved, axis=0) > 1).any())
+    return UncoupledParts([0] * n, [0] * len(pieces)) if mixed or max(parts.pieces, default=0) >= n else parts
+
+
+def tied_parts(matrices: Sequence[np.ndarray], rows: "Sequence[Sequence[Mapping[int, Any]]]") -> UncoupledParts:
+    """Those of coordinates that neither matrices tie nor pieces, whose ends have these rows; a piece without
+    coordinates is a part of its own, numbered behind them."""
+    n = len(matrices[0])
+    ties = np.eye(n, dtype=bool) | np.any([matrix != 0 for matrix in matrices], axis=0)
+    ties |= ties.T
+    held = [[i for row in ends for i, x in row.items()
+             if i < n and abs(x) > ROUNDING * max(map(abs, row.values()))] for ends in rows]
     for group in held:
         ties[np.ix_(group, group)] = True
     numbers = list(range(n))
     for _ in range(n):
         numbers = [min(numbers[j] for j in np.flatnonzero(ties[i])) for i in range(n)]
-    felt = np.abs(shapes) > FELT * np.abs(shapes).max(axis=0, initial=0.0)
-    moved = [felt[[i for i in range(n) if numbers[i] == part]].any(axis=0) for part in set(numbers)]
-    return one if (np.sum(moved, axis=0) > 1).any() else UncoupledParts(numbers, [numbers[group[0]] for group in held])
+    return UncoupledParts(numbers, [numbers[group[0]] if group else n + p for p, group in enumerate(held)])

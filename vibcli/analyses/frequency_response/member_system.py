@@ -105,7 +105,7 @@ class MemberSystem:
 
     def to_pole(self, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Newton's step towards the next pole, of 1/h with h = rᵀ D⁻¹ r, and the excess of the pieces."""
-        found = self.matrix.at(s, True)
+        found = self.matrix.at(s, True, loaded=False)
         scale = scales(found.size[self.free])
         D = scaled(found.D[np.ix_(self.free, self.free)], scale)
         r = np.broadcast_to(probe(len(self.free)), D.shape[:2])[:, :, None] + 0j

@@ -119,8 +119,9 @@ class FamilyOfMotions:
                      (-1 in (most[1], least[1]), 1 in (most[1], least[1])))
 
     def _climbs(self, low, high, side):
-        """Does V only rise as it leaves the bottom?"""
-        force = side * self.well.force(np.linspace(low, high, GRID))
+        """Does V only rise as it leaves the bottom, where the force itself may jump?"""
+        places = np.linspace(low, high, GRID)
+        force = side * self.well.force(places[1:] if side > 0 else places[:-1])
         return bool(np.all(force >= -TOUCHES * np.abs(force).max())) and bool(force[0 if side < 0 else -1] > 0)
 
     def _growth(self, signal, found):

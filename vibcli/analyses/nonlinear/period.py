@@ -35,7 +35,7 @@ def exact_period(scene: "Scene", values: "Mapping[str, float | mpmath.mpf]", q: 
     if len(scene.q) != 1 or not is_conservative(scene):
         return None
     well, place = Well(scene, {name: float(value) for name, value in values.items()}), float(q)
-    speed = 0.5 * float(well.potential_and_inertia(np.array([place]))[1][0]) * float(v) ** 2
+    speed = 0.5 * float(well.inertia(np.array([place]))[0]) * float(v) ** 2
     require_motion(well, place, speed)
     left, right = (turning_point(well, place, speed, side) for side in (-1, 1))
     if left.q == right.q:
@@ -60,8 +60,13 @@ def period_of(well: Well, scene: "Scene", values: "Mapping[str, float | mpmath.m
 
 def is_conservative(scene: "Scene") -> bool:
     """Is the energy ½ m(q) q̇² + V(q) constant?"""
-    lost = scene.dampers or "C" in scene.matrices or not scene.energies["Phi"].is_zero
-    return not (lost or any(law.damper for law in scene.laws)) and has_potential(scene)
+    return not has_dampers(scene) and has_potential(scene)
+
+
+def has_dampers(scene: "Scene") -> bool:
+    """Does anything lose energy by its speed?"""
+    lost = bool(scene.dampers) or "C" in scene.matrices or not scene.energies["Phi"].is_zero
+    return lost or any(law.damper for law in scene.laws)
 
 
 def has_potential(scene: "Scene") -> bool:

@@ -91,7 +91,7 @@ def _sums(well, pieces, first, apart):
     gain = well.gain(start, inward, pieces.rounding)
     drop = np.where(from_left[:, None], *pieces.drop) - gain.value
     lost = np.where(from_left[:, None], *pieces.error) + gain.error
-    _, m = well.potential_and_inertia(start + inward)
+    m = well.inertia(start + inward)
     with np.errstate(all="ignore"):
         values = np.where(drop > 0, weight[:, None] * way * np.sqrt(m / (2 * drop)), 0.0)
         errors = np.where(drop > lost, values * lost / (2 * drop), np.inf)

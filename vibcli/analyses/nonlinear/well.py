@@ -22,11 +22,13 @@ from vibcli.symbolic.running_errors import Rounded, RunningErrors, error_in
 
 if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 EPS = 2.0**-52
 FINE, COARSE = leggauss(20), leggauss(10)
 PLACES = 0.5 * (1 + np.concatenate((FINE[0], COARSE[0])))   # of both rules, as shares of the way
 GRID = 129              # places of a range between which V′ and what bends change their sign
+ROUGH = 1e-3            # of V′: two rules that differ by more do not know it
 LOOKS = 2               # at ever nearer places, for where V is stationary
 
 
@@ -39,21 +41,22 @@ class Gain(NamedTuple):
 
 class Well:
     """A scene of one coordinate with numbers for its parameters. `bends`: the arguments of |u|, sign u, min … in V and
-    m, as nodes."""
+    m, as nodes; `V`: what stands for the potential, where that is not the one of the scene at rest."""
 
-    def __init__(self, scene: "Scene", floats: Mapping[str, float]):
-        self.q, V, M = scene.q[0], effective_potential(scene), dynamics(scene).M[0, 0]
+    def __init__(self, scene: "Scene", floats: Mapping[str, float], V: "Node | None" = None):
+        self.q, M = scene.q[0], dynamics(scene).M[0, 0]
+        V = effective_potential(scene) if V is None else V
         self.nodes, self.floats = (V, M), floats
         self.slope = gradient(V).get(self.q, scene.table.zero)
         self.bends = kinks_of((V, M, self.slope), self.q)
         slopes = [gradient(u)[self.q] for u in self.bends]
-        self._compiled = Compiled(scene, floats, None, [V, self.slope, M])
+        self._potential = Compiled(scene, floats, None, [V])
         self._bends = Compiled(scene, floats, None, [self.slope, *self.bends, *slopes]) if self.bends else None
-        self._slope = Compiled(scene, floats, None, [self.slope])
+        self._slope, self._inertia = (Compiled(scene, floats, None, [node]) for node in (self.slope, M))
 
-    def potential_and_inertia(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        V, _, m = self._values(self._compiled, q)
-        return V, m
+    def inertia(self, q: np.ndarray) -> np.ndarray:
+        """m."""
+        return self._values(self._inertia, q)[0]
 
     def force(self, q: np.ndarray) -> np.ndarray:
         """V′."""
@@ -71,6 +74,7 @@ class Well:
             return np.inf, np.inf
         return float(error_in(found[0])), float(error_in(found[1]))
 
+    @np.errstate(invalid="ignore")      # where V is infinite nothing is known of what it gains
     def gain(self, start: np.ndarray, way: np.ndarray, rounding: tuple[float, float]) -> Gain:
         """V(start + way) − V(start) where nothing bends between."""
         mean, change = self._mean_force(start, way)
@@ -78,7 +82,7 @@ class Well:
         error = np.abs(way) * (change + rounding[1]) + 4 * EPS * np.abs(value)
         if np.all(error <= 2 * rounding[0]):
             return Gain(value, error)
-        before, after = (self._values(self._compiled, q)[0] for q in (start, start + way))
+        before, after = (self._values(self._potential, q)[0] for q in (start, start + way))
         difference = after - before
         direct = 2 * rounding[0] + EPS * np.abs(difference)
         known = ~(error <= direct)
@@ -90,9 +94,16 @@ class Well:
         mean = forces[..., :FINE[0].size] @ (0.5 * FINE[1])
         return mean, np.abs(mean - forces[..., FINE[0].size:] @ (0.5 * COARSE[1]))
 
+    def is_smooth(self, start: np.ndarray, way: np.ndarray) -> np.ndarray:
+        """On which ways does nothing bend, jump or tend to infinity, as far as two rules for V′ agree?"""
+        with np.errstate(all="ignore"):
+            mean, change = self._mean_force(start, way)
+            size = np.abs(self.force(start)) + np.abs(self.force(start + way))
+            return change <= ROUGH * (np.abs(mean) + size)
+
     def breaks(self, low: float, high: float) -> list[float]:
         """The places between two others where V or m bends or jumps, or V is about stationary, ascending."""
-        kinks = self._kinks(low, high)
+        kinks = self.kinks(low, high)
         found = set(kinks)
         for a, b in pairwise([low, *kinks, high]):
             places = np.linspace(a, b, GRID)[1:-1]
@@ -115,7 +126,8 @@ class Well:
         i = np.flatnonzero((sign[1:] != sign[:-1]) & (sign[1:] != 0) & (places[1:] > places[:-1]))
         return list(zip(places[i].tolist(), places[i + 1].tolist(), strict=True))
 
-    def _kinks(self, low, high):
+    def kinks(self, low: float, high: float) -> list[float]:
+        """The places between two others where V or m bends or jumps, ascending."""
         if not self.bends:
             return []
         n = len(self.bends)

@@ -35,6 +35,11 @@ class Entry(NamedTuple):
     where: Where
     expression: Any = None
 
+    def fits(self, dimension: Any) -> bool:
+        """Has it this dimension, as far as it is written with a unit?"""
+        number = None if self.expression is None else whole_literal(self.expression.tree)
+        return number is None or not number.units or literal_unit(number.units).dimension == dimension
+
 
 class LawTable(NamedTuple):
     """Points (deflection or rate, force); `linear`: is it a straight line beyond its ends? `dimensions`: those of the
@@ -55,7 +60,9 @@ class LawTable(NamedTuple):
             for entry in [point[i].expression for point in self.points if point[i].expression]:
                 reader.expressions[entry.scalar] = Expression(entry.scalar, entry.tree, unit, wanted)
         values = [point[0].value for point in self.points]
-        late = next((b[0] for a, b in pairwise(self.points) if b[0].value <= a[0].value), None)
+        wanted = units.parse_unit(argument).dimension
+        late = next((b[0] for a, b in pairwise(self.points) if b[0].value <= a[0].value
+                     and a[0].fits(wanted) and b[0].fits(wanted)), None)
         if late is not None:
             reader.report(late.where, f"{name} must increase from point to point: this one is not larger than the one "
                           "before", "sort the points, and leave out what stands twice")
@@ -73,10 +80,14 @@ class _Points(Kind):
         pairs = node.items if isinstance(node, Sequence) else ()
         odd = next((pair for pair in pairs if not isinstance(pair, Sequence) or len(pair.items) != 2), None)
         if not isinstance(node, Sequence) or odd is not None:
-            return reader.expected(odd or node, "a point [deflection, force]" if odd else self.wants)
+            count = len(odd.items) if isinstance(odd, Sequence) else None
+            if count is not None:
+                return reader.report(odd.where, "expected a point [deflection or rate, force], found "
+                                     + ("one item" if count == 1 else f"{count} items"))
+            return reader.expected(odd or node, "a point [deflection or rate, force]" if odd else self.wants)
         if len(pairs) < 2:
             return reader.report(node.where, f"expected at least two points, found {len(pairs)}",
-                                 "write " + POINTS.partition("in ")[2])
+                                 "the law runs through its points: give two or more")
         if len(pairs) > MOST:
             return _too_long(reader, node.where)
         points = [[_entry(item, reader) for item in pair.items] for pair in pairs]

@@ -20,6 +20,8 @@ from vibcli.mechanics.nonsmooth import KINKED
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from vibcli.mechanics.configuration import Configuration
 
 MOST_WORK, MOST, LEAST, SAMPLES = 10**6, 60_000, 300, 24
@@ -56,8 +58,10 @@ class Equilibria(NamedTuple):
         return self.indices is not None and not self.indices.agree
 
 
-def find_equilibria(configuration: "Configuration") -> Equilibria:
-    """The Equilibria of a system in numbers; PhysicsError where the bounds are missing or wrong."""
+def find_equilibria(configuration: "Configuration", within: "Mapping[str, tuple[float, float]] | None" = None
+                    ) -> Equilibria:
+    """The Equilibria of a system in numbers, `within` bounds in place of those of the file; PhysicsError where the
+    bounds are missing or wrong."""
     if configuration.numeric.has_free_symbols:
         asked = configuration.spec.get("find")
         raise PhysicsError("all equilibria are searched in numbers only, and this scene has symbols without value",
@@ -66,14 +70,15 @@ def find_equilibria(configuration: "Configuration") -> Equilibria:
     names = [name for name in configuration.scene.coordinates if name not in loose]
     forces = Forces(configuration.numeric, names)
     rests = _reached(configuration)
+    given = _given_bounds(configuration.numeric) if within is None else within
     linear = configuration.system.is_linear and not configuration.scene.table.called.intersection(KINKED)
     if not names:
         return Equilibria([Item(rest, [{name: 1.0} for name in loose]) for rest in rests], {}, True, True, forces)
     if linear:
-        limits = {name: _given_bounds(configuration.numeric).get(name, (-np.inf, np.inf)) for name in names}
+        limits = {name: given.get(name, (-np.inf, np.inf)) for name in names}
         found = Found(forces, _box(forces, limits))
     else:
-        limits, found = _prepared(configuration.numeric, forces, rests)
+        limits, found = _prepared(configuration.numeric, forces, rests, given)
     places = [place for rest in rests if (place := forces.at(forces.vector(rest.values))) is not None]
     for place in places:
         found.add(place)
@@ -96,19 +101,19 @@ def _reached(configuration):
         return []
 
 
-def _prepared(numeric, forces, rests):
+def _prepared(numeric, forces, rests, given):
     """(bounds, an empty Found within them), the scales and periods of the forces being learnt."""
     forces.learn_periods()
-    limits = _bounds(numeric, forces, [rest.values for rest in rests])
+    limits = _bounds(numeric, forces, [rest.values for rest in rests], given)
     low, high = _box(forces, limits)
     forces.learn_sizes(low + (high - low) * fractions for fractions in multistart.spread(len(low), SAMPLES))
     return limits, Found(forces, (low, high))
 
 
-def _bounds(numeric, forces, rests):
-    """{coordinate: (least, greatest)} of the file, else a turn of angles and twice the figure; `rests`: positions of
+def _bounds(numeric, forces, rests, given):
+    """{coordinate: (least, greatest)} that are given, else a turn of angles and twice the figure; `rests`: positions of
     equilibrium that are known, which are kept within."""
-    given, found = _given_bounds(numeric), {}
+    found = {}
     for name, angle, periodic in zip(forces.names, forces.angle, forces.periodic, strict=True):
         drawn = numeric.drawn_floats[name]
         if name in given:

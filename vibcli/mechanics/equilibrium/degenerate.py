@@ -5,11 +5,10 @@ Newton's method gives no more digits than floats have. The stiffness then counts
 the scene, and what is below that as zero.
 """
 
-from contextlib import suppress
 from math import sqrt
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import PhysicsError
+from vibcli.base.errors import Kinked, PhysicsError
 from vibcli.mechanics.equilibrium.equilibrium import EnergyDescent, Equilibrium, relative_residual
 from vibcli.mechanics.high_precision import GUARD, NOTHING, ROUNDED, Degenerate, equilibrium_to
 from vibcli.mechanics.numeric_linearisation import in_numbers
@@ -59,16 +58,20 @@ def sharpened(numeric: "NumericSystem", found: Equilibrium) -> Equilibrium:
     search = EnergyDescent(numeric, found.values)
     vector = search.vector(found.values)
     tiny = any(0 < x < TINY for x in abs(vector / search.scale))
-    with suppress(PhysicsError):
+    try:
         settled = max(abs(search.newton(search.at(vector))), default=0.0) <= UNSETTLED
         if settled and not tiny:
             return found
         position, degenerate = _to_more_digits(numeric, found)
-        found = found._replace(degenerate=degenerate and not settled)
-        if position is not None and max(abs((search.vector(position) - vector) / search.scale)) <= NEAR:
-            found = found._replace(values={
-                name: float(value) if abs(value) > NOTHING * numeric.size_along(name) else 0.0
-                for name, value in position.items()})
+    except Kinked:
+        raise
+    except PhysicsError:
+        return found
+    found = found._replace(degenerate=degenerate and not settled)
+    if position is not None and max(abs((search.vector(position) - vector) / search.scale)) <= NEAR:
+        found = found._replace(values={
+            name: float(value) if abs(value) > NOTHING * numeric.size_along(name) else 0.0
+            for name, value in position.items()})
     return found
 
 
@@ -82,6 +85,10 @@ def _to_more_digits(numeric, found):
             return equilibrium_to(numeric, found, numeric.values(arithmetic), arithmetic), False
         except Degenerate as degenerate:
             return degenerate.position, True
+        except ZeroDivisionError:
+            place = ", ".join(f"{name} = {x:.6g}" for name, x in found.values.items())
+            raise Kinked(f"the scene rests near {place}, where the slope of a force is infinite: no small oscillations "
+                         "are about it", "follow the motion with motion: full") from None
 
 
 def at_limit(configuration: Any, position: Any, felt: Any):

@@ -9,7 +9,7 @@ follow by closing their loops. The end is polished by plain Newton steps until t
 
 import math
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.equilibrium.no_equilibrium import FAR, Undefined, unbounded, unfinished
@@ -23,15 +23,18 @@ if TYPE_CHECKING:
     from vibcli.mechanics.numeric_system import NumericSystem
 
 EPSILON = 2.0**-52
+LEAPING = "sign", "step"
 KNOWN = 1e-7        # of the figure: places nearer than 1e-9 of this are one
 STEPS, POLISH, FARTHEST, HUGE = 300, 12, 1e60, 1e140
+BESIDE = 1e-6       # of the figure
 GROWN, LOWERED, CARRIED = 1e3, 1e-2, 100.0      # of the terms at the start; of the forces there; of the figure
 
 
 class Equilibrium(NamedTuple):
     """Coordinates in equilibrium (numbers by name), whether that is the drawn position, and the largest residual
     relative to the magnitudes of its terms and of K q, the largest that the search met; start: the position that
-    `equilibrium:` names, whose nearest one it is, or None; degenerate: did Newton's method find K singular there?"""
+    `equilibrium:` names, whose nearest one it is, or None; degenerate: did Newton's method find K singular there?
+    jumps: the JumpsAtRest of forces that jump there and bear what balance asks for, or None."""
 
     values: dict
     drawn: bool
@@ -39,6 +42,7 @@ class Equilibrium(NamedTuple):
     steps: int = 0
     start: dict = None
     degenerate: bool = False
+    jumps: Any = None
 
     @property
     def from_start(self) -> dict[str, float] | None:
@@ -72,14 +76,27 @@ def find_equilibrium(numeric: "NumericSystem", start: Mapping[str, float]) -> Eq
         if steps > STEPS and search.balanced(numbers):
             break       # there but for rounding
         if steps > STEPS:
-            raise unbounded(search, q) if conservative else unfinished(search, q, STEPS)
+            return _held(search, q, steps, unbounded(search, q) if conservative else unfinished(search, q, STEPS))
         q, numbers, size, moved = step(q, numbers, size)
         if not moved:
             break
     q, numbers = search.polished(q, numbers)
-    if not search.balanced(numbers) or search.faded(numbers) or search.drowned(q, numbers):
-        raise unbounded(search, q)
+    if not search.balanced(numbers) or search.faded(numbers) or search.drowned(q, numbers) or (
+            search.at_a_pole(q, numbers)):
+        return _held(search, q, steps, unbounded(search, q))
     return Equilibrium(search.here, False, search.relative(numbers), steps)
+
+
+def _held(search, q, steps, refusal):
+    """The Equilibrium where forces jump, next to which a search ends; else the refusal."""
+    if not search.scene.table.called.intersection(LEAPING):
+        raise refusal
+    from vibcli.mechanics.equilibrium.rest_at_jumps import rest_at_jumps
+
+    found = rest_at_jumps(search, q)
+    if found is None:
+        raise refusal
+    return Equilibrium({name: found.values[name] for name in search.names}, False, 0.0, steps, jumps=found)
 
 
 class EnergyDescent:
@@ -171,6 +188,19 @@ class EnergyDescent:
         left = largest(numbers.residual) + 4 * EPSILON * largest(self.met)
         grown = largest(self.met) > GROWN * largest(self.first.residual_size)
         return bool(carried.any()) and grown and left > LOWERED * largest(self.first.residual)
+
+    def at_a_pole(self, q: "np.ndarray", numbers: Numbers) -> bool:
+        """Is the force far larger there than on both sides, and as large as at the start? It then grows without bound
+        towards a place beside it, and only its slope, which is larger still, makes it look like rounding."""
+        np = self.np
+        force = np.array(numbers.residual) * self.scale
+        size, kept = float(np.linalg.norm(force)), (self.here, self.met, self.first)
+        if not size > LOWERED * float(np.linalg.norm(np.array(self.first.residual) * self.scale)):
+            return False
+        beside = [self.defined(q + side * BESIDE * self.scale * force / size) for side in (-1, 1)]
+        self.here, self.met, self.first = kept
+        return all(one is not None and GROWN * float(np.linalg.norm(np.array(one.residual) * self.scale)) < size
+                   for one in beside)
 
     def newton(self, numbers: Numbers) -> "np.ndarray":
         """−K⁻¹ r in scaled coordinates; nothing along what is not held."""

@@ -7,16 +7,18 @@ P = B λ⁴ − N λ² + κ, so that B w⁗ − N w″ + κ w = yᵏ e^{λy}, by
     ∫ φ (B w⁗ − N w″ + κ w) dx = [B (φ w‴ − φ′ w″ + φ″ w′ − φ‴ w) − N (φ w′ − φ′ w)].
 """
 
-from math import comb, factorial
+from math import comb
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.polynomial import polynomial
 
 from vibcli.numerics.pieces.arithmetic import arithmetic_of
 from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.panels import panel_rule
 from vibcli.numerics.pieces.reaction_slopes import reaction_slope
 from vibcli.numerics.pieces.stiffness import stiffness
+from vibcli.numerics.pieces.uniform_fields import fourth_order_integrals
 
 if TYPE_CHECKING:
     from vibcli.numerics.pieces.arithmetic import Arithmetic
@@ -105,9 +107,22 @@ def _by_panels(piece, kappa, one, numbers):
     y, weights = panel_rule(cut, kappa, one.pace, numbers)
     x, found = one.start + cut.length * y, []
     weights = weights * cut.length * one.at(x, numbers)
+    if piece.order == 4 and not piece.gradient:
+        return _by_parity(piece, kappa, x, weights, numbers)
     step, unit = max(1, AT_ONCE // (len(x) * piece.order)), numbers.array(np.eye(piece.order))[:, None, :]
     for i in range(0, len(kappa), step):
         found.append((fields(piece, kappa[i:i + step, None, None], unit, x)[..., 0] * weights).sum(axis=-1))
+    return np.concatenate(found)
+
+
+def _by_parity(piece, kappa, x, weights, numbers):
+    """On a uniform beam, whose four fields share an even and an odd function."""
+    half, rest, found = piece.length / 2, piece.length - x, []
+    near = np.where(x < rest, x, rest) / half
+    xi, step = np.where(x < rest, near - 1, 1 - near), max(1, AT_ONCE // len(x))
+    for i in range(0, len(kappa), step):
+        found.append(fourth_order_integrals(xi, near, weights, half, piece.bending, piece.tension, kappa[i:i + step],
+                                            numbers))
     return np.concatenate(found)
 
 
@@ -122,11 +137,14 @@ def _by_ends(piece, kappa, one, numbers):
 def bracket(piece: "Piece", kappa: np.ndarray, phi: np.ndarray, one: LoadStretch, x: Any) -> np.ndarray:
     """Green's bracket at x of fields φ (…, order) with κ (…) and the w of a stretch."""
     w = np.zeros((4, *kappa.shape), kappa.dtype)
-    for term in one.terms:
-        half = complex(term.coefficient) / 2 * _particular(piece, kappa, term, x - one.origin)
-        mirrored = term._replace(exponent=complex(term.exponent).conjugate())
-        other = complex(term.coefficient).conjugate() / 2 * _particular(piece, kappa, mirrored, x - one.origin)
-        w = w + (half + other if kappa.dtype.kind == "c" else 2 * half.real)
+    for rate, powers in _by_rates(one).items():
+        half = _particular(piece, kappa, rate, powers / 2, x - one.origin)
+        if kappa.dtype.kind != "c":
+            w = w + 2 * half.real
+        elif rate.imag or powers.imag.any():
+            w = w + half + _particular(piece, kappa, rate.conjugate(), powers.conj() / 2, x - one.origin)
+        else:
+            w = w + 2 * half
     found = -piece.tension * (phi[..., 0] * w[1] - phi[..., 1] * w[0])
     if piece.order == 4:
         found = found + piece.bending * (phi[..., 0] * w[3] - phi[..., 1] * w[2] + phi[..., 2] * w[1]
@@ -134,22 +152,28 @@ def bracket(piece: "Piece", kappa: np.ndarray, phi: np.ndarray, one: LoadStretch
     return found
 
 
-def _particular(piece, kappa, term, y):
-    """w, w′, w″, w‴ for yᵏ e^{λy}, (4, …)."""
-    rate, k = complex(term.exponent), term.power
+def _by_rates(one):
+    """{λ: coefficients of 1, y, y² …} of a stretch."""
+    found: dict = {}
+    for coefficient, power, rate in one.terms:
+        powers = found.setdefault(complex(rate), [])
+        powers += [0j] * (power + 1 - len(powers))
+        powers[power] += complex(coefficient)
+    return {rate: np.array(powers) for rate, powers in found.items()}
+
+
+def _particular(piece, kappa, rate, powers, y):
+    """w, w′, w″, w‴ for p(y) e^{λy}, (4, …): with 1/P(λ + μ) = Σ rⱼ μʲ it is w = e^{λy} q, q = Σ rⱼ p⁽ʲ⁾."""
     series = [kappa + piece.bending * rate**4 - piece.tension * rate**2,
               4 * piece.bending * rate**3 - 2 * piece.tension * rate, 6 * piece.bending * rate**2 - piece.tension,
               4 * piece.bending * rate, piece.bending]
     inverse = [1 / series[0]]
-    for i in range(1, k + 1):
-        inverse.append(-sum(series[m] * inverse[i - m] for m in range(1, min(i, 4) + 1)) / series[0])
-    polynomial = [comb(k, i) * factorial(k - i) * inverse[k - i] for i in range(k + 1)]
-    found = []
-    for _ in range(4):
-        found.append(np.exp(rate * y) * sum(c * y**i for i, c in enumerate(polynomial)))
-        steeper = [(i + 1) * polynomial[i + 1] if i < k else 0 * polynomial[0] for i in range(k + 1)]
-        polynomial = [rate * c + d for c, d in zip(polynomial, steeper, strict=True)]
-    return np.array(found)
+    for i in range(1, len(powers)):
+        inverse.append(-sum(series[m] * inverse[i - m] for m in range(1, min(i, 4) + 1) if series[m]) / series[0])
+    slopes = [polynomial.polyval(y, polynomial.polyder(powers, j)) for j in range(len(powers))]
+    q = [sum((slopes[j + m] * inverse[j] for j in range(len(powers) - m)), 0 * inverse[0]) for m in range(4)]
+    return np.exp(rate * y) * np.array([sum(comb(d, m) * rate**(d - m) * q[m] for m in range(d + 1))
+                                        for d in range(4)])
 
 
 def end_loads_slope(piece: "Piece", kappa: Any, form: LoadForm) -> np.ndarray:

@@ -19,7 +19,9 @@ def reaction_slope(piece: "Piece", kappa: Any, function: "Callable") -> np.ndarr
     length, bending, force = (abs(float(value)) for value in (piece.length, piece.bending, piece.tension))
     wave = (12 * bending / length**3 + bending**0.25 * size**0.75 + force / length + np.sqrt(force * size)) / length
     radius, found = RADIUS * wave, 0.0
-    for turn in np.exp(2j * np.pi * (np.arange(TURNS) + 0.5) / TURNS):
+    real = kappa.dtype.kind != "c"          # then the lower half of the circle mirrors the upper one
+    turns = np.exp(2j * np.pi * (np.arange(TURNS) + 0.5) / TURNS)
+    for turn in turns[:TURNS // 2] if real else turns:
         found = found + function(kappa + radius * turn) / turn
     slope = found / (TURNS * radius[..., None])
-    return slope if kappa.dtype.kind == "c" else slope.real
+    return 2 * slope.real if real else slope

@@ -9,7 +9,7 @@ where the roots are near each other, f₁ g₂ − f₂ g₁ = Δ (f′ ḡ − 
 What grows towards an end is scaled to 1 there.
 """
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -27,6 +27,18 @@ class _Pair(NamedTuple):
     other: np.ndarray
 
 
+class _Form(NamedTuple):
+    """The even and odd function at ξ; what multiplies a pair by P, and what crosses two; (C, S) and (d, σ) at the
+    ends."""
+
+    even: _Pair
+    odd: _Pair
+    times: Any
+    cross: Any
+    own: tuple
+    rest: tuple
+
+
 def second_order_fields(xi: np.ndarray, near: np.ndarray, half: np.ndarray, tension: np.ndarray, kappa: np.ndarray,
                         ends: np.ndarray, numbers: "Arithmetic") -> np.ndarray:
     """(u, u′), (…, 2), at ξ, near = 1 − |ξ|, of pieces with end values (…, 2), over flat arrays."""
@@ -41,19 +53,15 @@ def fourth_order_fields(xi: np.ndarray, near: np.ndarray, half: np.ndarray, bend
                         kappa: np.ndarray, ends: np.ndarray, numbers: "Arithmetic") -> np.ndarray:
     """(u, u′, u″, u‴), (…, 4), at ξ, near = 1 − |ξ|, of beams with end values (…, 4), over flat arrays."""
     nu, chi = tension * half * half / bending, kappa * half**4 / bending
-    root = numbers.sqrt(chi)
-    sums = [np.abs(nu + 2 * root), np.abs(nu - 2 * root)]
-    small = np.abs(nu) + 2 * np.abs(root) <= ALIKE
-    alike = ~small & ((sums[0] < 1) | (sums[1] < 1))
     found = np.zeros((*chi.shape, 4), np.result_type(chi, nu, ends, xi))
     real = numbers.is_real(chi) and numbers.is_real(nu) and numbers.is_real(ends)
-    for chosen, form in ((small, _by_series), (alike, _by_means), (~small & ~alike, _by_roots)):
+    for chosen, form in _forms(nu, chi, numbers):
         if chosen.any():
             parts = ends[chosen]
             u_0, t_0, u_l, t_l = (parts[..., i] for i in range(4))
             size = half[chosen]
             amplitudes = ((u_l + u_0) / 2, (t_l - t_0) / 2 * size, (u_l - u_0) / 2, (t_l + t_0) / 2 * size)
-            values = form(nu[chosen], chi[chosen], xi[chosen], near[chosen], amplitudes, numbers)
+            values = _derivatives(form(nu[chosen], chi[chosen], xi[chosen], near[chosen], numbers), amplitudes)
             values = np.stack([value / size**k for k, value in enumerate(values)], axis=-1)
             values = numbers.real(values) if real else values
             if chosen.all():
@@ -62,15 +70,46 @@ def fourth_order_fields(xi: np.ndarray, near: np.ndarray, half: np.ndarray, bend
     return found
 
 
+def fourth_order_integrals(xi: np.ndarray, near: np.ndarray, weights: np.ndarray, half: Any, bending: Any, tension: Any,
+                           kappa: np.ndarray, numbers: "Arithmetic") -> np.ndarray:
+    """Σ weights · u over places ξ of beams of one form, (κ, 4), of the fields that have one end value 1 each."""
+    nu, chi = tension * half * half / bending + 0 * kappa, kappa * half**4 / bending
+    found = np.zeros((*chi.shape, 4), np.result_type(chi, nu, xi, weights))
+    for chosen, form in _forms(nu, chi, numbers):
+        if chosen.any():
+            parts = form(nu[chosen][:, None], chi[chosen][:, None], xi, near, numbers)
+            (c, s), (d, sigma), cross = parts.own, parts.rest, parts.cross
+            even, odd = (_Pair(*((value * weights).sum(axis=-1, keepdims=True) for value in pair))
+                         for pair in (parts.even, parts.odd))
+            u, t = cross(parts.times(s), even) / d / 2, -cross(c, even) / d / 2 * half
+            v, w = cross(c, odd) / sigma / 2, -cross(s, odd) / sigma / 2 * half
+            values = np.concatenate([u - v, w - t, u + v, w + t], axis=-1)
+            found[chosen] = numbers.real(values) if numbers.is_real(chi) and numbers.is_real(nu) else values
+    return found
+
+
+def _forms(nu, chi, numbers):
+    """[(for which, the form in which fields are put there)]."""
+    root = numbers.sqrt(chi)
+    sums = [np.abs(nu + 2 * root), np.abs(nu - 2 * root)]
+    small = np.abs(nu) + 2 * np.abs(root) <= ALIKE
+    alike = ~small & ((sums[0] < 1) | (sums[1] < 1))
+    return (small, _by_series), (alike, _by_means), (~small & ~alike, _by_roots)
+
+
 def _fading(own, here, near, numbers):
     """e to what a function at ξ was scaled by less what it was at the end."""
     return numbers.exp(np.where(here.r == 0, -own.r, -own.r * near))
 
 
-def _by_roots(nu, chi, xi, near, amplitudes, numbers):
+def _by_roots(nu, chi, xi, near, numbers):
     one, other = separate_roots(nu, chi, numbers)
     gap, square = one - other, xi * xi
-    f, g, f_here, g_here = even_functions_of([one, other, one * square, other * square], numbers)
+    if one.shape == square.shape:
+        f, g, f_here, g_here = even_functions_of([one, other, one * square, other * square], numbers)
+    else:
+        f, g = even_functions_of([one, other], numbers)
+        f_here, g_here = even_functions_of([one * square, other * square], numbers)
     f_fading, g_fading = _fading(f, f_here, near, numbers), _fading(g, g_here, near, numbers)
     even = _Pair(f_here.c * f_fading, g_here.c * g_fading)
     odd = _Pair(xi * f_here.s * f_fading, xi * g_here.s * g_fading)
@@ -83,10 +122,10 @@ def _by_roots(nu, chi, xi, near, amplitudes, numbers):
 
     c, s = _Pair(f.c, g.c), _Pair(f.s, g.s)
     d, sigma = cross(times(s), c), cross(c, s)
-    return _derivatives(even, odd, times, cross, (c, s), (d, sigma), amplitudes)
+    return _Form(even, odd, times, cross, (c, s), (d, sigma))
 
 
-def _by_means(nu, chi, xi, near, amplitudes, numbers):
+def _by_means(nu, chi, xi, near, numbers):
     """Near double roots: from A/4 and B/4, of which the second is small."""
     root = numbers.sqrt(chi)
     root = np.where(np.abs(nu + 2 * root) >= np.abs(nu - 2 * root), root, -root)
@@ -98,16 +137,16 @@ def _by_means(nu, chi, xi, near, amplitudes, numbers):
         c = _Pair(f.c * g.c, square * f.s * g.s / 2)
         return f, g, c, _Pair((large * f.s * g.c - little * g.s * f.c) / root, difference)
 
-    f, g, c, s = pairs(xi * 0 + 1)
+    f, g, c, s = pairs(nu * 0 + 1)
     here, _, even, odd = pairs(xi * xi)
     fading = _fading(f, here, near, numbers)
     double, single = f.s * f.c, g.s * g.c * numbers.exp(-2 * f.r)
     rest = ((double + single) / 2, (double - single) / (2 * root))
     even, odd = _Pair(*(value * fading for value in even)), _Pair(*(value * xi * fading for value in odd))
-    return _derivatives(even, odd, *_of_means(nu, chi), (c, s), rest, amplitudes)
+    return _Form(even, odd, *_of_means(nu, chi), (c, s), rest)
 
 
-def _by_series(nu, chi, xi, near, amplitudes, numbers):
+def _by_series(nu, chi, xi, near, numbers):
     """Means and divided differences of Pᵏ by their recurrence."""
     zero = nu * chi * 0
     means, differences = [zero + 1, zero + nu / 2], [zero, zero + 1]
@@ -125,10 +164,9 @@ def _by_series(nu, chi, xi, near, amplitudes, numbers):
                 found[1][j] = found[1][j] + weight * pair[j] / (2 * k + 1)
         return _Pair(*found[0]), _Pair(*found[1])
 
-    (c, s), (even, odd) = pairs(xi * 0 + 1), pairs(xi * xi)
+    (c, s), (even, odd) = pairs(nu * 0 + 1), pairs(xi * xi)
     times, cross = _of_means(nu, chi)
-    return _derivatives(even, _Pair(xi * odd.one, xi * odd.other), times, cross, (c, s),
-                        (cross(times(s), c), cross(c, s)), amplitudes)
+    return _Form(even, _Pair(xi * odd.one, xi * odd.other), times, cross, (c, s), (cross(times(s), c), cross(c, s)))
 
 
 def _of_means(nu, chi):
@@ -144,10 +182,10 @@ def _of_means(nu, chi):
     return times, cross
 
 
-def _derivatives(even, odd, times, cross, own, rest, amplitudes):
+def _derivatives(form, amplitudes):
     """u and its three derivatives by ξ; g of the even part follow one another as C, ξPS, PC, ξP²S, of the odd part
     as ξS, C, ξPS, PC."""
-    c, s = own
+    (even, odd, times, cross, (c, s), rest) = form
     slope = times(odd)
     u, t, v, w = amplitudes[0] / rest[0], amplitudes[1] / rest[0], amplitudes[2] / rest[1], amplitudes[3] / rest[1]
     ps = times(s)

@@ -22,6 +22,7 @@ SECTIONS = {
     "sensitivities": ("sensitivities", "how frequencies change with parameters"),
     "estimates": ("estimates", "estimates of Rayleigh and Dunkerley"),
     "backbone": ("backbone", "the frequency of free motions by their amplitude"),
+    "phase_plane": ("phase_plane", "equilibria by their kinds, and the motion from the start, in the phase plane"),
     "expansion": ("expansion", "the energies by powers of the deviations from equilibrium"),
     "ritz": ("ritz", "bounds of frequencies by assumed shapes"),
     "schematic": ("illustrations", "the figure of the scene"),

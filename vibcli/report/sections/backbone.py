@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from vibcli.base.errors import PhysicsError
 from vibcli.notation.numbers import figure, rounded_up
 from vibcli.quantities.expression import number_of
-from vibcli.report.blocks import TableBlock, paragraph, section
+from vibcli.report.blocks import TableBlock, equations, line, paragraph, section
 from vibcli.report.keys import Key
 from vibcli.report.sections.insight import require_numbers
 from vibcli.report.sections.parameters import unit
@@ -35,21 +35,110 @@ def _asked(problem):
 
 
 def backbone(problem: "Problem", _: "Report"):
+    if problem.numeric.has_free_symbols and len(problem.scene.resting.q) == 1:
+        yield from _in_letters(problem)
+        return
     text, tree, of, most, mode = _asked(problem)
     points, resonance = problem.free_motions.curve(mode, tree, [most * k / ROWS for k in range(1, ROWS + 1)])
-    small, name = _small(problem, mode), _omega(mode)
+    small, name, kappa = _small(problem, mode), _omega(mode), _kappa(problem, text)
     head = (f"amplitude of {symbol(text)}" + f" [{of}]" * bool(of), "ω [rad/s]", "f [Hz]", "T [s]", f"ω/{name}",
             "energy [J]", "relative error ≤")
     rows = [(figure(one.amplitude), figure(one.omega, one.error), figure(one.omega / tau, one.error),
              figure(tau / one.omega, one.error), figure(one.omega / small) if small else "–", figure(one.energy),
              figure(rounded_up(one.error), digits=1)) for one in points]
+    if kappa is not None and small:
+        head = (*head[:2], f"{name}(1 + κ{symbol(_letter(problem))}²)", *head[2:])
+        rows = [(*row[:2], figure(small * (1 + kappa * one.amplitude**2)), *row[2:])
+                for row, one in zip(rows, points, strict=True)]
     told = "The amplitude is half the range of the signal; the energy is counted from the equilibrium."
     left = [name for name in ("dampers", "damping") if problem.spec.get(name)]
     yield from section(
         "Free motions by their amplitude (backbone curve)", TableBlock(head, tuple(rows)), paragraph(told),
         paragraph("The dampers are left out.") if left else None, paragraph(resonance) if resonance else None,
         paragraph(f"Small vibrations have {name} = {figure(small)} rad/s.") if small else paragraph(
-            "There are no small vibrations about the equilibrium to compare with."))
+            "There are no small vibrations about the equilibrium to compare with."),
+        *_begins(problem, name, kappa, of) if kappa is not None and small else (),
+        *_exactly(problem) if list(problem.scene.coordinates) == [text] else ())
+
+
+def _begins(problem, name, kappa, of):
+    """How the frequency begins to hang on the amplitude, and its closed form, in letters where these are known."""
+    from vibcli.analyses.nonlinear.small_amplitudes import kappa_in_letters
+
+    value = "" if kappa is None else figure(kappa) + f" 1/{of}²" * bool(of)
+    letter = symbol(_letter(problem))
+    yield paragraph(f"At small amplitudes {letter}, ω ≈ {name}(1 + κ{letter}²) by the method of Lindstedt and "
+                    "Poincaré:")
+    try:
+        yield equations([line("κ = ", kappa_in_letters(problem.symbolic), f" = {value}" * bool(value))])
+    except PhysicsError:
+        if kappa is None:
+            raise
+        yield equations([line(f"κ = {value}")])
+
+
+def _letter(problem):
+    """A for the amplitude, or what the scene has no other meaning for."""
+    taken = {*problem.scene.parameters.nodes, *problem.scene.coordinates}
+    return next(name for name in ("A", *(f"A_{i}" for i in range(len(taken) + 1))) if name not in taken)
+
+
+def _exactly(problem):
+    """The closed form, where the equilibrium is known in letters and there is one."""
+    from vibcli.analyses.nonlinear.closed_forms import ByGamma, closed_form
+
+    try:
+        found = closed_form(problem.symbolic, problem.scene.table.parameter(_letter(problem)))
+    except PhysicsError:
+        return
+    if isinstance(found, ByGamma):
+        yield paragraph("Exactly, V being a pure power p of the deviation and Γ the gamma function:")
+        yield equations([line("ω = √π Γ(½ + 1/p)/(2 Γ(1 + 1/p)) · ", found.rate), line("p = ", found.p)])
+    elif found is not None:
+        yield paragraph("Exactly, short of a top of V, K = ∫ dθ/√(1 − s sin² θ) from 0 to π/2 being the "
+                        "complete elliptic integral of the first kind:")
+        yield equations([line("ω = π/(2 K) · ", found.rate), line("s = ", found.m)])
+
+
+def _in_letters(problem):
+    """Of a scene in letters with one degree of freedom."""
+    from vibcli.analyses.nonlinear.small_amplitudes import omega_in_letters
+
+    problem.free_motions.require_alone(1)
+    exactly, name = list(_exactly(problem)), _omega(1)
+    try:
+        small = [equations([line(f"{name} = ", omega_in_letters(problem.symbolic))]), *_begins(problem, name, None, "")]
+    except PhysicsError:
+        if not exactly:
+            raise
+        small = []
+    yield from section(
+        "Free motions by their amplitude (backbone curve)", *small, *exactly,
+        paragraph(f"{symbol(_letter(problem))} is the amplitude of {symbol(problem.scene.coordinates[0])}, half its "
+                  "range; a table of frequencies needs numbers."))
+
+
+def _kappa_in_letters(problem):
+    from vibcli.analyses.nonlinear.small_amplitudes import kappa_in_letters
+
+    problem.free_motions.require_alone(1)
+    try:
+        return kappa_in_letters(problem.symbolic)
+    except PhysicsError:
+        return None
+
+
+def _kappa(problem, text):
+    """κ where the amplitude is that of the one coordinate; None where there is none."""
+    from vibcli.analyses.nonlinear.small_amplitudes import kappa_in_numbers
+    from vibcli.symbolic.running_errors import UNIT, number_in
+
+    if list(problem.scene.coordinates) != [text]:
+        return None
+    try:
+        return float(number_in(kappa_in_numbers(problem.configuration, None, UNIT)))
+    except PhysicsError:
+        return None
 
 
 def _omega(number):
@@ -90,15 +179,21 @@ def _around(values):
 
 
 def _found(problem):
+    if problem.numeric.has_free_symbols and len(problem.scene.resting.q) == 1:
+        (text, tree), *_ = trees_asked(problem, WORD)
+        of, known = unit(dimension_of(problem, tree)), list(problem.scene.coordinates) == [text]
+        return KEY.row(text, of, _kappa_in_letters(problem) if known else None, [])
     text, tree, of, most, mode = _asked(problem)
     points = problem.free_motions.curve(mode, tree, [most * k / ROWS for k in range(1, ROWS + 1)]).points
-    return KEY.row(text, of, [dict(one._asdict()) for one in points])
+    return KEY.row(text, of, _kappa(problem, text), [dict(one._asdict()) for one in points])
 
 
 KEY = Key(WORD, "frequency of free motions by their amplitude", _found, of=(
     Key("signal", "the signal whose amplitude counts"),
     Key("unit", "its unit"),
-    Key("points", "a list, one entry to each amplitude", each=(
+    Key("kappa", "κ of ω ≈ ω₀(1 + κA²) at small amplitudes of the one coordinate, an expression of a scene in letters; "
+                 "null of other signals and scenes"),
+    Key("points", "a list, one entry to each amplitude, empty of a scene in letters", each=(
         Key("amplitude", "half the range of the signal"),
         Key("omega", "angular frequency [rad/s]"),
         Key("energy", "energy above that of the equilibrium [J]"),

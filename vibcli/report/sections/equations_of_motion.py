@@ -105,10 +105,16 @@ def _unbent(problem, report):
 
 def _full(problem, report):
     found, loose, title = problem.symbolic.equations, problem.system.scene_with_multipliers, "Equations of motion"
+    if problem.spec.expanded:
+        counted = "" if problem.symbolic.balanced_as_drawn else ", the coordinates counted from it"
+        title += f", to the third order about the equilibrium{counted}"
+    if found.unexpanded:
+        yield from section(title, paragraph(f"none: {found.unexpanded.message} ({found.unexpanded.hint})", hang=0))
+        return
     if not found.full:
         yield from section(title, paragraph(f"not written out for {len(problem.scene.coordinates)} coordinates"))
         return
-    shown, lengths = abbreviated(found.full + found.conditions, report.roots)
+    shown, lengths = abbreviated([*(found.from_rest or found.full), *found.conditions], report.roots)
     labels = [*map(Name, found.names), *[None] * len(found.conditions)]
     lines = []
     for label, node in zip(labels, shown, strict=True):
@@ -169,7 +175,8 @@ def equation_rows(problem: "Problem") -> Iterator[dict[str, str | None]]:
 
 EQUATIONS = Key("equations", "a list, one entry to each coordinate", equation_rows, each=(
     Key("coordinate", "the coordinate"),
-    Key("text", "the full equation of motion in the language of scenes; null where there is none"),
+    Key("text", "the full equation of motion in the language of scenes, with motion: {order: 3} the expanded one; null "
+        "where there is none"),
     Key("latex", "the same in LaTeX"),
     Key("linear_text", "the equation of small oscillations, the coordinates counted from equilibrium"),
     Key("linear_latex", "the same in LaTeX"),

@@ -5,11 +5,12 @@ from typing import TYPE_CHECKING
 
 from vibcli.analyses.modal.stability import FALLING, HELD, NEUTRAL, OPEN, STABLE, UNDECIDED, UNSTABLE, inertless, judged
 from vibcli.notation.numbers import figure, with_unit
-from vibcli.report.blocks import Name, Section, TableBlock, Words, maths, paragraph, section, separated
+from vibcli.report.blocks import Name, Paragraph, Section, TableBlock, Words, maths, paragraph, section, separated
 from vibcli.report.keys import Key
 from vibcli.report.sections.parameters import unit
 
 if TYPE_CHECKING:
+    from vibcli.mechanics.equilibrium.all_equilibria import Equilibria
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
 
@@ -38,10 +39,10 @@ def equilibria(problem: "Problem", _: "Report") -> Iterator[Section]:
         "Equilibria", _table(problem, listed) if listed else paragraph("none"),
         *(paragraph(f"{number}: {warning}", hang=3) for number, warning in warned if warning),
         paragraph("searched: ", *separated(limits)) if limits else None,
-        _others(problem, problem.equilibria))
+        search_told(problem, problem.equilibria))
 
 
-def _others(problem, found):
+def search_told(problem: "Problem", found: "Equilibria") -> Paragraph | None:
     """A paragraph: are there others?"""
     if problem.system.sticking is not None:
         return paragraph(HELD_ELSEWHERE, hang=None)

@@ -38,17 +38,25 @@ def _in_numbers(problem):
     try:
         stable = WORDS[problem.modal.stability.kind]
     except Kinked:
-        stable = "a kink: no small oscillations about it"
+        stable = "a kink: no small oscillations about it" if found.jumps is None else (
+            "a kink: a force jumps there, between whose sides the others are balanced; no small oscillations about it")
     dependent = problem.configuration.dependent_values
     values = [*found.values.items(), *((name, dependent[name]) for name in dependent if name not in found.values)]
     told = separated(maths(Name(name), " = ", *measured(value, problem.system.dimension(name)))
                      for name, value in values)
-    where = "the drawn position" if found.drawn else "shifted from the drawn position"
+    stays = found.drawn or (found.jumps and found.values == problem.numeric.drawn_floats)
+    where = "the drawn position" if stays else "shifted from the drawn position"
     warning = None if stable.startswith("a kink") else bifurcation_warning(stiffness_condition(problem.modal))
     where += "; without friction" if problem.system.sticking is not None else ""
     return [paragraph(*told, f"   ({where})"), _from_start(problem),
             paragraph(f"{stable}; {_balanced(found.residual)}", hang=None),
-            paragraph(warning) if warning else None, *map(paragraph, _of_members(problem))]
+            *_jumping(found), paragraph(warning) if warning else None, *map(paragraph, _of_members(problem))]
+
+
+def _jumping(found):
+    """What stands for the jumps in the balance of forces."""
+    for node, value in found.jumps.senses.items() if found.jumps else ():
+        yield paragraph("balanced with ", maths(node), " = " + figure(value), hang=None)
 
 
 def _of_members(problem):
@@ -154,11 +162,13 @@ def _data(problem):
         return EQUILIBRIUM.row(problem.symbolic.equilibrium_position, problem.scene.dependent, *[None] * 5, [])
     from vibcli.analyses.modal.bifurcation_distance import bifurcation_warning, stiffness_condition
 
-    found, condition = problem.configuration.equilibrium, stiffness_condition(problem.modal)
+    found = problem.configuration.equilibrium
+    condition, stable = (None, None) if found.jumps else (
+        stiffness_condition(problem.modal), problem.modal.stability.stable)
     values, moved = ({name: of[name] for name in problem.scene.coordinates} if of else of
                      for of in (found.values, found.from_start))
-    return EQUILIBRIUM.row(values, problem.configuration.dependent_values, moved, problem.modal.stability.stable,
-                           found.residual, condition, bifurcation_warning(condition), _of_members(problem))
+    return EQUILIBRIUM.row(values, problem.configuration.dependent_values, moved, stable, found.residual,
+                           condition, condition and bifurcation_warning(condition), _of_members(problem))
 
 
 EQUILIBRIUM = Key("equilibrium", "the equilibrium reached from the drawn position, or nearest to the place that "
@@ -169,7 +179,7 @@ EQUILIBRIUM = Key("equilibrium", "the equilibrium reached from the drawn positio
     Key("from_start", "{name: how far it lies from the start that `equilibrium:` names}; null where none is named and "
         "in letters"),
     Key("stable", "true or false (motion that costs no energy counts as stable); null where symbols leave it open, "
-        "or masses that the scene does not give would decide"),
+        "masses that the scene does not give would decide, or a force jumps there"),
     Key("residual", "what is left of the forces, relative to the sum of the magnitudes of their terms"),
     Key("condition", "by which factor a relative change of the data grows in a frequency squared; null in letters, and "
         "where nothing has inertia"),

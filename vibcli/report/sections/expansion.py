@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 WORD, ORDER = "expansion", 4
+SHARES = {"material": "Energy of springs by their material (deflections of the first order alone)",
+          "geometric": "Energy of springs by their geometry (the rest)"}
 ENERGIES = {"V": "Potential energy", "T": "Kinetic energy"}
 
 
@@ -35,6 +37,10 @@ def expansion(problem: "Problem", _: "Report") -> Iterator[Section]:
         lines.append((Heading("in numbers (SI units):") if several and not one.letters else None, one))
     yield from section(f"Deflections of springs, to order {order - 1} about the equilibrium{counted}",
                        *_each(lines, lambda one: _deflections(problem, one)))
+    if any(one.geometric for one in found[-1].springs.values()):
+        for which, title in SHARES.items():
+            yield from section(f"{title}, to order {order}", *_each(lines, lambda one, which=which: _shares(
+                problem, one, which)))
     for which, title in ENERGIES.items():
         yield from section(f"{title}, to order {order} about the equilibrium{counted}",
                            *_each(lines, lambda one, which=which: [line(f"{which} = ", *_sum(
@@ -55,6 +61,11 @@ def _deflections(problem, one):
     return [line(*_sum(problem, one, terms), label=Name(name)) for name, terms in one.deflections.items() if terms]
 
 
+def _shares(problem, one, which):
+    return [line("V = ", *_sum(problem, one, getattr(shares, which)), label=Name(name))
+            for name, shares in one.springs.items()]
+
+
 def _equations(problem, one: "Expansion"):
     return [line(*_sum(problem, one, terms), " = 0", label=Name(name)) for name, terms in zip(
         problem.scene.coordinates, one.equations or (), strict=one.equations is not None)]
@@ -69,40 +80,64 @@ def _sum(problem, one: "Expansion", terms):
     return [table.sum(*((c * product, 1) for c, product in products))]
 
 
+def _missing(problem, one: "Expansion"):
+    """What the equations do not hold."""
+    left = ["dampers"] * any(problem.spec.get(name) for name in ("dampers", "damping"))
+    return left + ["what changes with time"] * one.timed
+
+
 def _left_out(problem, one: "Expansion"):
     if one.equations is None:
         return paragraph("Not written out: loads follow the motion here. `motion: {order: 3}` follows the expanded "
                          "motion.", hang=0)
-    left = ["dampers"] * any(problem.spec.get(name) for name in ("dampers", "damping"))
-    left += ["what changes with time"] * one.timed
+    left = _missing(problem, one)
     return paragraph(f"Left out: {' and '.join(left)}.", hang=0) if left else None
 
 
 def _data(problem):
-    """Of numbers alone, else of letters."""
-    from vibcli.notation.scene_language import language
+    """Of numbers where all parameters have values, with the letters beside them where they are known."""
     from vibcli.results.expansions import expansions
 
     order = _order(problem)
     try:
-        *_, one = expansions(problem, order)
-    except PhysicsError:
-        return None
-    write = language if one.letters else float
+        found = expansions(problem, order)
+    except PhysicsError as refusal:
+        return KEY.row(order, None, None, None, None, None, refusal.message)
+    *_, one = found
+    letters = found[0] if found[0].letters else None
+    springs = [SPRINGS.row(name, *(_rows(one, get(one), letters and get(letters)) for get in (
+        lambda each, name=name: each.deflections[name], lambda each, name=name: each.springs[name].material,
+        lambda each, name=name: each.springs[name].geometric))) for name in one.springs]
+    V, T = (_rows(one, one.energies[which], letters and letters.energies[which]) for which in "VT")
+    equations = None if one.equations is None else [
+        {"coordinate": name, "terms": _rows(one, one.equations[i], letters and letters.equations[i])}
+        for i, name in enumerate(problem.scene.coordinates)]
+    return KEY.row(order, V, T, springs, equations, None if equations is None else _missing(problem, one), None)
 
-    def rows(terms):
-        return [{"product": language(one.product(powers)), "factor": write(c)} for powers, c in terms.items()]
 
-    return KEY.row(order, rows(one.energies["V"]), rows(one.energies["T"]),
-                   None if one.equations is None else [
-                       {"coordinate": name, "terms": rows(terms)}
-                       for name, terms in zip(problem.scene.coordinates, one.equations, strict=True)])
+def _rows(one, terms, letters):
+    """[{product, factor, letters}] of terms, as they are and in letters."""
+    from vibcli.notation.scene_language import language
+
+    return [{"product": language(one.product(powers)), "factor": language(c) if one.letters else float(c),
+             "letters": language(letters[powers]) if letters and powers in letters else None}
+            for powers, c in terms.items()]
 
 
-_TERMS = (Key("product", "of deviations and their rates, in the language of scenes"), Key("factor", "what it has"))
-KEY = Key(WORD, "the energies by powers of the deviations from equilibrium; null where there are none", _data, of=(
+_TERMS = (Key("product", "of deviations and their rates, in the language of scenes"),
+          Key("factor", "what it has, a number where all parameters have values"),
+          Key("letters", "the same as an expression; null where it is not known"))
+SPRINGS = Key("springs", "a list, one entry to each spring", each=(
+    Key("spring", "its name"),
+    Key("stretch", "its deflection from the equilibrium, a list of terms", each=_TERMS),
+    Key("material", "what it has of V by its material, were its deflection of the first order alone", each=_TERMS),
+    Key("geometric", "what its geometry adds: the rest", each=_TERMS)))
+KEY = Key(WORD, "the energies by powers of the deviations from equilibrium", _data, of=(
     Key("order", "of the energies"),
     Key("V", "potential energy, a list of terms", each=_TERMS),
     Key("T", "kinetic energy, a list of terms", each=_TERMS),
+    SPRINGS,
     Key("equations", "a list, one entry to each coordinate; null where loads follow the motion", each=(
-        Key("coordinate", "the coordinate"), Key("terms", "of its left side, whose sum is 0", each=_TERMS)))))
+        Key("coordinate", "the coordinate"), Key("terms", "of its left side, whose sum is 0", each=_TERMS))),
+    Key("left_out", "a list of what the equations do not hold, in words; null where there are none"),
+    Key("reason", "why there is no expansion, in words, else null")))

@@ -14,6 +14,7 @@ from vibcli.reader.sections.find import RESPONSE
 from vibcli.report import blocks
 from vibcli.report.blocks import Name, Section, TableBlock, line, maths, paragraph, section
 from vibcli.report.keys import Key, data
+from vibcli.report.sections.expanded_motion import PERIODS, compared_periods, periods
 from vibcli.report.sections.requested_signals import RequestedSignal, extremes, if_known, names_asked, signals_asked
 from vibcli.report.sections.steady_state import harmonics_of, phase_in, steady_state
 
@@ -52,8 +53,6 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
 
         yield from integration(motion.trajectory())
         if problem.spec.expanded:
-            from vibcli.report.sections.expanded_motion import periods
-
             yield from periods(problem, motion)
     elif motion.KIND in ("small", "steady"):
         from vibcli.report.sections.formulas import formulas
@@ -74,10 +73,11 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
     yield from _at_instants(problem, asked, report.wanted, known)
     if not at_instants_alone(motion, report.wanted):
         yield from _extremes(asked, min(known, motion.until), report.wanted.digits)
-    if motion.KIND == "waves":
+    if motion.KIND in ("waves", "parts"):
         from vibcli.report.sections.fronts import fronts
 
         yield from fronts(asked, motion.until)
+    if motion.KIND == "waves":
         end = motion.alone.still_from(motion.until)
         if 0 < end < inf:
             yield from section("End of the motion", paragraph(f"all is at rest from t = {figure(end)} s on"))
@@ -216,10 +216,11 @@ def response_data(problem: "Problem", wanted: "Wanted") -> dict[str, Any]:
                          [] if alone else one.signal.leaps(end))
              for (one, *both), values in zip(ends, instants, strict=True)]
     missing = unknown(problem, wanted)
-    return data((*KNOWN, UNKNOWN, ESTIMATED), {
+    return data((*KNOWN, PERIODS, UNKNOWN, ESTIMATED), {
         "until": end, "initial": {} if alone else {**places, **{name + "'": v for name, v in speeds.items()}},
         "signals": found, "balance": motion.trajectory().balance.error if motion.KIND == "full" else None,
-        "unknown": missing and missing.message, "estimated": motion.estimated})
+        "unknown": missing and missing.message, "estimated": motion.estimated,
+        "periods": compared_periods(problem, motion)})
 
 
 def _values(problem, one, wanted, known):
@@ -276,4 +277,4 @@ UNKNOWN = Key("unknown", "null, or why the motion is known up to `until` alone, 
 ESTIMATED = Key("estimated", "true where errors of members by modes are estimates of what modes left out add, and no "
                 "bounds; those of travelling waves always are bounds")
 MOTION = Key("response", "of `vibcli response`, and where `find` asks: the motion in time; null where symbols have no "
-             "value", of=(UNKNOWN, *KNOWN, ESTIMATED))
+             "value", of=(UNKNOWN, *KNOWN, PERIODS, ESTIMATED))

@@ -36,8 +36,9 @@ def virtual_work(problem: "Problem", report: "Report") -> Iterator[Section]:
     shown, lengths = abbreviated(generalised_forces(scene), report.roots)
     lines = [line("δA = " + " + ".join(f"Q_{name}·δ{name}" for name in names), hang=2)]
     balanced = _balanced(problem)
+    jumps = balanced and not problem.numeric.has_free_symbols and problem.configuration.equilibrium.jumps
     for name, node in zip(names, shown, strict=True):
-        vanishes = balanced and not (scene.constraints or node.is_zero or problem.system.sticking is not None)
+        vanishes = balanced and not (jumps or scene.constraints or node.is_zero or problem.system.sticking is not None)
         lines.append(line(f"Q_{name} = ", brief(node), " = 0" if vanishes else ""))
     driven = ", and of the inertia of driven motion" if scene.timed and scene.inertias else ""
     where = "at rest in equilibrium" if balanced else "at rest"

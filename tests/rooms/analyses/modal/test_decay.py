@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from support.scenes import problem, problem_of
+from support.scenes import kept_problem_of, problem
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.quantities.expression import measure
@@ -30,7 +30,7 @@ def test_decay_is_zeta_omega_in_every_problem():
     """Of what has no ζ it is −Re λ."""
     seen = set()
     for path in SCENES:
-        for mode in damped(problem_of(path)):
+        for mode in damped(kept_problem_of(path)):
             wanted = -mode.eigenvalue.real if mode.zeta is None else mode.zeta * mode.omega
             assert abs(float(mode.decay - wanted)) <= 1e-13 * abs(mode.omega), path
             seen.add((mode.zeta is None, mode.omega_d is None))

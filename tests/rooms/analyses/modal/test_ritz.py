@@ -8,7 +8,7 @@ from textwrap import dedent
 
 import mpmath
 import pytest
-from support.scenes import problem, problem_of
+from support.scenes import kept_problem_of, problem, problem_of
 
 import vibcli
 from vibcli.base.errors import PhysicsError
@@ -91,7 +91,7 @@ def test_they_are_those_of_the_reduced_matrices_written_by_hand(name):
 @cache
 def in_numbers():
     """The Problems of all files in numbers of which frequencies are found."""
-    return [scene for scene in map(problem_of, PROBLEMS) if not scene.numeric.has_free_symbols
+    return [scene for scene in map(kept_problem_of, PROBLEMS) if not scene.numeric.has_free_symbols
             and scene.scene.q and not scene.spec.choices and _swings(scene)]
 
 

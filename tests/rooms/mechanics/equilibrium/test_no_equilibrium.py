@@ -48,3 +48,14 @@ def test_a_free_network_rests_only_where_its_loads_balance(seed):
         problem(scene).configuration.equilibrium                                              # noqa: B018
     rest = problem(scene + f"  Q: {{at: b{n - 1}, force: -{load}}}\n").configuration.equilibrium.values
     assert all(abs(x) < 1e3 for x in rest.values())
+
+
+def test_a_pole_to_which_the_energy_falls_is_none():
+    """c/(d − x)² pulls harder than k x everywhere before d: k x (d − x)² ≤ 4 k d³/27 < c."""
+    magnet = problem("parameters: {k: 40 N/m, c: 2e-3 N*m^2, d: 5 cm}\ncoordinates: {x: m}\n"
+                     "energies: {T: \"(0.1 kg)*x'^2/2\", V: k*x^2/2 - c/(d - x)}\n")
+    with pytest.raises(PhysicsError, match="the potential energy keeps falling along it"):
+        magnet.configuration.equilibrium  # noqa: B018
+    beyond, = magnet.equilibria.items
+    x = beyond.equilibrium.values["x"]
+    assert 40 * x * (0.05 - x)**2 == pytest.approx(2e-3, rel=1e-13)
