@@ -67,14 +67,21 @@ def annotations(stage: Any, found: Any,
     for name, (middle, normal) in where.items():
         beside = [plane.plus(middle, normal, side) for side in (7.0, -7.0)]
         made.append(space.put(_element(name, sketch), beside))
-    for length in [*dimension.lengths(sketch), *member_words.lengths(stage.strips, sketch)]:
+    made += _lengths(stage, space)
+    put(_gravity(sketch, extent(found + made)))
+    return made + notes.lines(stage, extent(found + made))
+
+
+def _lengths(stage, space):
+    """Those that have room for their label."""
+    found = []
+    for length in [*dimension.lengths(stage.sketch), *member_words.lengths(stage.strips, stage.sketch)]:
         drawn = dimension.draw(length, space)
         if drawn is not None:
             space.add(drawn[0])
             label = space.put(drawn[1], drawn[2], "measure", most=dimension.ROOM)
-            made += [*drawn[0], label] if label is not None else []
-    put(_gravity(sketch, extent(found + made)))
-    return made + notes.lines(stage, extent(found + made))
+            found += [*drawn[0], label] if label is not None else []
+    return found
 
 
 def _shaken(stage):

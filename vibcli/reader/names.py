@@ -58,6 +58,11 @@ def settle(spec: "Spec", reader: Reader) -> "Spec":
     if not circular:
         _cycles(spec, reader, apart | set(values))
     spec = spec._replace(asked_dimension=asked_dimension)
+    return _asked(spec, reader, before)
+
+
+def _asked(spec, reader, before):
+    """With what is chosen, looked for and asked, each checked where there were no more than so many diagnostics."""
     if spec.choices and reader.sound and len(reader.diagnostics) == before:
         from vibcli.reader.choices import check_choices
 

@@ -23,17 +23,19 @@ HALF = Fraction(1, 2)
 
 
 class ByEllipticIntegral(NamedTuple):
-    """ω = ½π · rate / K(m)."""
+    """ω = ½π · rate / K(m), of motions with this energy above that of the equilibrium."""
 
     rate: "Node"
     m: "Node"
+    energy: "Node"
 
 
 class ByGamma(NamedTuple):
-    """ω = rate · √π Γ(½ + 1/p) / (2 Γ(1 + 1/p))."""
+    """ω = rate · √π Γ(½ + 1/p) / (2 Γ(1 + 1/p)), of motions with this energy."""
 
     rate: "Node"
     p: "Node"
+    energy: "Node"
 
 
 def closed_form(symbolic: "SymbolicSystem", A: "Node") -> ByEllipticIntegral | ByGamma | None:
@@ -52,7 +54,7 @@ def closed_form(symbolic: "SymbolicSystem", A: "Node") -> ByEllipticIntegral | B
         found = next(filter(None, (form(V, T0, q, A) for form in (_power, _duffing, _pendulum))), None)
     except ZeroDivisionError:       # a slope of V is infinite in the equilibrium
         return None
-    return found
+    return None if found is None else found._replace(energy=textbook(found.energy))
 
 
 def _duffing(V, T0, q, A):
@@ -60,7 +62,7 @@ def _duffing(V, T0, q, A):
     if V4.is_zero or not is_zero(V - V2 * q**2 - V4 * q**4):
         return None
     hard = textbook(2 * V2 + 4 * V4 * A**2)
-    return ByEllipticIntegral((hard / (2 * T0)) ** HALF, 2 * V4 * A**2 / hard)
+    return ByEllipticIntegral((hard / (2 * T0)) ** HALF, 2 * V4 * A**2 / hard, _at(V, q, A))
 
 
 def _pendulum(V, T0, q, A):
@@ -71,7 +73,7 @@ def _pendulum(V, T0, q, A):
     n = textbook(textbook(-fourth / stiffness) ** HALF)
     if not is_zero(V - stiffness / n**2 * (1 - table.call("cos", n * q))):
         return None
-    return ByEllipticIntegral((stiffness / (2 * T0)) ** HALF, table.call("sin", n * A / 2) ** 2)
+    return ByEllipticIntegral((stiffness / (2 * T0)) ** HALF, table.call("sin", n * A / 2) ** 2, _at(V, q, A))
 
 
 def _power(V, T0, q, A):
@@ -79,7 +81,7 @@ def _power(V, T0, q, A):
     p = textbook(A * _at(slope, V.table.call("sign", A), V.table.number(1)) / right)
     if A in reachable([p]) or is_zero(p - 2) or not is_zero(right - left):
         return None
-    return ByGamma((right / T0) ** HALF / A, p)
+    return ByGamma((right / T0) ** HALF / A, p, right)
 
 
 def _derivative(V, q, order):

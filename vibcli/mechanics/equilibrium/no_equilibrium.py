@@ -33,8 +33,9 @@ def unbounded(search: "EnergyDescent", q: "np.ndarray") -> PhysicsError:
         if _is_held(search, q):
             return Kinked(f"the scene rests near {here}, where a force jumps: it is driven back there from both sides, "
                           "and no small oscillations are about it", "follow the motion with motion: full")
-        return PhysicsError(f"the search for the equilibrium ends near {here}, where forces that jump leave none "
-                            "that is smooth", "round the kink off, or follow the motion with motion: full")
+        return PhysicsError(f"the search for the equilibrium ends near {here} and finds none: where forces "
+                            "jump, bend or have an infinite slope its steps may not settle",
+                            "start nearer to it with `equilibrium:`, or follow the motion with motion: full")
     if search.undefined:
         tables = search.scene.tables_that_end()
         if tables:

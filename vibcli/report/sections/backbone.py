@@ -93,11 +93,12 @@ def _exactly(problem):
         return
     if isinstance(found, ByGamma):
         yield paragraph("Exactly, V being a pure power p of the deviation and Γ the gamma function:")
-        yield equations([line("ω = √π Γ(½ + 1/p)/(2 Γ(1 + 1/p)) · ", found.rate), line("p = ", found.p)])
+        yield equations([line("ω = √π Γ(½ + 1/p)/(2 Γ(1 + 1/p)) · ", found.rate), line("p = ", found.p),
+                         line("E = ", found.energy)])
     elif found is not None:
         yield paragraph("Exactly, short of a top of V, K = ∫ dθ/√(1 − s sin² θ) from 0 to π/2 being the "
                         "complete elliptic integral of the first kind:")
-        yield equations([line("ω = π/(2 K) · ", found.rate), line("s = ", found.m)])
+        yield equations([line("ω = π/(2 K) · ", found.rate), line("s = ", found.m), line("E = ", found.energy)])
 
 
 def _in_letters(problem):
@@ -115,7 +116,7 @@ def _in_letters(problem):
     yield from section(
         "Free motions by their amplitude (backbone curve)", *small, *exactly,
         paragraph(f"{symbol(_letter(problem))} is the amplitude of {symbol(problem.scene.coordinates[0])}, half its "
-                  "range; a table of frequencies needs numbers."))
+                  "range, E the energy above that of the equilibrium; a table of frequencies needs numbers."))
 
 
 def _kappa_in_letters(problem):

@@ -74,16 +74,20 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
     if not at_instants_alone(motion, report.wanted):
         yield from _extremes(asked, min(known, motion.until), report.wanted.digits)
     if motion.KIND in ("waves", "parts"):
-        from vibcli.report.sections.fronts import fronts
+        yield from _by_waves(motion, asked)
+    missing = unknown(problem, report.wanted)
+    if missing is not None:
+        raise missing
 
-        yield from fronts(asked, motion.until)
+
+def _by_waves(motion, asked):
+    from vibcli.report.sections.fronts import fronts
+
+    yield from fronts(asked, motion.until)
     if motion.KIND == "waves":
         end = motion.alone.still_from(motion.until)
         if 0 < end < inf:
             yield from section("End of the motion", paragraph(f"all is at rest from t = {figure(end)} s on"))
-    missing = unknown(problem, report.wanted)
-    if missing is not None:
-        raise missing
 
 
 def _require_quick(problem, asked, wanted):

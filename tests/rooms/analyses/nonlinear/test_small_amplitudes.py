@@ -1,5 +1,7 @@
 """How the frequency begins to hang on the amplitude, and closed forms at any, against quadrature by mpmath."""
 
+import math
+
 import mpmath
 import pytest
 from mpmath import mp
@@ -89,6 +91,11 @@ CLOSED = {
                 {"m": "2 kg", "c": "90 N/m^(3/2)"}, 0.4)}
 
 
+ENERGIES = {"pendulum": lambda A: 2 * 9.81 * 0.7 * (1 - math.cos(A)), "hardening": lambda A: 150 * A**2 + 22.5 * A**4,
+            "softening": lambda A: 150 * A**2 - 22.5 * A**4, "cubic": lambda A: 22.5 * A**4,
+            "contact": lambda A: 36 * A**2.5}
+
+
 @pytest.mark.parametrize("name", CLOSED)
 def test_closed_forms_are_the_frequencies_by_quadrature(name):
     text, given, amplitude = CLOSED[name]
@@ -96,11 +103,12 @@ def test_closed_forms_are_the_frequencies_by_quadrature(name):
     symbolic = model._problem.symbolic
     A = symbolic.scene.resting.table.parameter("A")
     found = closed_form(symbolic, A)
-    rate, other = evaluate(list(found), Floats, {"A": amplitude, **NUMBERS})
+    rate, other, energy = evaluate(list(found), Floats, {"A": amplitude, **NUMBERS})
     if isinstance(found, ByGamma):
         omega = mp.sqrt(mp.pi) * mp.gamma(0.5 + 1 / other) / (2 * mp.gamma(1 + 1 / other)) * rate
     else:
         omega = mp.pi / (2 * mp.ellipk(other)) * rate
+    assert energy == pytest.approx(ENERGIES[name](amplitude), rel=1e-13)
     exact = model.with_values(**given)[f"backbone[1](x)({amplitude}{'' if name == 'pendulum' else ' m'})"]
     assert float(omega) == pytest.approx(exact.value, rel=1e-13)
 
