@@ -47,7 +47,7 @@ def backbone(problem: "Problem", _: "Report"):
              figure(tau / one.omega, one.error), figure(one.omega / small) if small else "–", figure(one.energy),
              figure(rounded_up(one.error), digits=1)) for one in points]
     if kappa is not None and small:
-        head = (*head[:2], f"{name}(1 + κ{symbol(_letter(problem))}²)", *head[2:])
+        head = (*head[:2], _early(problem, name), *head[2:])
         rows = [(*row[:2], figure(small * (1 + kappa * one.amplitude**2)), *row[2:])
                 for row, one in zip(rows, points, strict=True)]
     told = "The amplitude is half the range of the signal; the energy is counted from the equilibrium."
@@ -62,25 +62,31 @@ def backbone(problem: "Problem", _: "Report"):
 
 
 def _begins(problem, name, kappa, of):
-    """How the frequency begins to hang on the amplitude, and its closed form, in letters where these are known."""
-    from vibcli.analyses.nonlinear.small_amplitudes import kappa_in_letters
-
+    """How the frequency begins to hang on the amplitude, in letters where these are known."""
     value = "" if kappa is None else figure(kappa) + f" 1/{of}²" * bool(of)
-    letter = symbol(_letter(problem))
-    yield paragraph(f"At small amplitudes {letter}, ω ≈ {name}(1 + κ{letter}²) by the method of Lindstedt and "
-                    "Poincaré:")
+    own = _letter(problem, "kappa")
+    yield paragraph(f"At small amplitudes {_letter(problem, 'A')}, ω ≈ {_early(problem, name)} by the method of "
+                    "Lindstedt and Poincaré:")
     try:
-        yield equations([line("κ = ", kappa_in_letters(problem.symbolic), f" = {value}" * bool(value))])
+        yield equations([line(f"{own} = ", problem.free_motions.kappa_in_letters(1), f" = {value}" * bool(value))])
     except PhysicsError:
         if kappa is None:
             raise
-        yield equations([line(f"κ = {value}")])
+        yield equations([line(f"{own} = {value}")])
 
 
-def _letter(problem):
-    """A for the amplitude, or what the scene has no other meaning for."""
+def _early(problem, name):
+    return f"{name}(1 + {_letter(problem, 'kappa')}{_letter(problem, 'A')}²)"
+
+
+def _letter(problem, usual):
+    """The usual letter of a formula, or one for which the scene has no other meaning."""
+    return symbol(_free_name(problem, usual))
+
+
+def _free_name(problem, usual):
     taken = {*problem.scene.parameters.nodes, *problem.scene.coordinates}
-    return next(name for name in ("A", *(f"A_{i}" for i in range(len(taken) + 1))) if name not in taken)
+    return next(name for name in (usual, *(f"{usual}_{i}" for i in range(len(taken) + 1))) if name not in taken)
 
 
 def _exactly(problem):
@@ -88,24 +94,26 @@ def _exactly(problem):
     from vibcli.analyses.nonlinear.closed_forms import ByGamma, closed_form
 
     try:
-        found = closed_form(problem.symbolic, problem.scene.table.parameter(_letter(problem)))
+        found = closed_form(problem.symbolic, problem.scene.table.parameter(_free_name(problem, "A")))
     except PhysicsError:
         return
+    K, s, p, E = (_letter(problem, usual) for usual in "KspE")
     if isinstance(found, ByGamma):
-        yield paragraph("Exactly, V being a pure power p of the deviation and Γ the gamma function:")
-        yield equations([line("ω = √π Γ(½ + 1/p)/(2 Γ(1 + 1/p)) · ", found.rate), line("p = ", found.p),
-                         line("E = ", found.energy)])
+        yield paragraph(f"Exactly, V being a pure power {p} of the deviation and Γ the gamma function:")
+        yield equations([line(f"ω = √π Γ(½ + 1/{p})/(2 Γ(1 + 1/{p})) · ", found.rate), line(f"{p} = ", found.p),
+                         line(f"{E} = ", found.energy)])
     elif found is not None:
-        yield paragraph("Exactly, short of a top of V, K = ∫ dθ/√(1 − s sin² θ) from 0 to π/2 being the "
+        yield paragraph(f"Exactly, short of a top of V, {K} = ∫ dθ/√(1 − {s} sin² θ) from 0 to π/2 being the "
                         "complete elliptic integral of the first kind:")
-        yield equations([line("ω = π/(2 K) · ", found.rate), line("s = ", found.m), line("E = ", found.energy)])
+        yield equations([line(f"ω = π/(2 {K}) · ", found.rate), line(f"{s} = ", found.m),
+                         line(f"{E} = ", found.energy)])
 
 
 def _in_letters(problem):
     """Of a scene in letters with one degree of freedom."""
     from vibcli.analyses.nonlinear.small_amplitudes import omega_in_letters
 
-    problem.free_motions.require_alone(1)
+    _require_alone(problem)
     exactly, name = list(_exactly(problem)), _omega(1)
     try:
         small = [equations([line(f"{name} = ", omega_in_letters(problem.symbolic))]), *_begins(problem, name, None, "")]
@@ -113,31 +121,37 @@ def _in_letters(problem):
         if not exactly:
             raise
         small = []
+    A, E = (_letter(problem, usual) for usual in "AE")
+    energy = f", {E} the energy above that of the equilibrium" * bool(exactly)
     yield from section(
         "Free motions by their amplitude (backbone curve)", *small, *exactly,
-        paragraph(f"{symbol(_letter(problem))} is the amplitude of {symbol(problem.scene.coordinates[0])}, half its "
-                  "range, E the energy above that of the equilibrium; a table of frequencies needs numbers."))
+        paragraph(f"{A} is the amplitude of {symbol(problem.scene.coordinates[0])}, half its range{energy}; a table of "
+                  "frequencies needs numbers."))
+
+
+def _require_alone(problem):
+    """PhysicsError where another family than the first is asked for."""
+    find = problem.spec.get("find")
+    record = find.about(WORD) if find is not None else None
+    problem.free_motions.require_alone(1 if record is None else record.get("mode", 1))
 
 
 def _kappa_in_letters(problem):
-    from vibcli.analyses.nonlinear.small_amplitudes import kappa_in_letters
-
-    problem.free_motions.require_alone(1)
+    _require_alone(problem)
     try:
-        return kappa_in_letters(problem.symbolic)
+        return problem.free_motions.kappa_in_letters(1)
     except PhysicsError:
         return None
 
 
 def _kappa(problem, text):
     """κ where the amplitude is that of the one coordinate; None where there is none."""
-    from vibcli.analyses.nonlinear.small_amplitudes import kappa_in_numbers
     from vibcli.symbolic.running_errors import UNIT, number_in
 
     if list(problem.scene.coordinates) != [text]:
         return None
     try:
-        return float(number_in(kappa_in_numbers(problem.configuration, None, UNIT)))
+        return float(number_in(problem.free_motions.kappa(1, None, UNIT)))
     except PhysicsError:
         return None
 

@@ -135,10 +135,30 @@ def test_a_hilltop_has_neither():
         kappa_in_letters(symbolic)
 
 
-def test_a_letter_of_the_scene_is_not_the_amplitude(tmp_path, capsys):
+def told(tmp_path, capsys, scene, code=0):
+    """What `solve` prints of a scene in letters."""
     path = tmp_path / "scene.yaml"
-    path.write_text("parameters: {m: , k: , A: }\nfind: [{backbone: {of: [x], up_to: 1 m}}]\n"
-                    + BODY.replace("LAW", "k*d + A*d^3"))
-    assert run(["solve", str(path)]) == 0
-    report = capsys.readouterr().out
+    path.write_text(scene)
+    assert run(["solve", str(path)]) == code
+    return "".join(capsys.readouterr())
+
+
+BACKBONE = "find: [{backbone: {of: [x], up_to: 1 m}}]\n"
+
+
+def test_a_letter_of_the_scene_is_not_the_amplitude(tmp_path, capsys):
+    report = told(tmp_path, capsys, "parameters: {m: , k: , A: }\n" + BACKBONE + BODY.replace("LAW", "k*d + A*d^3"))
     assert "ω = π/(2 K) · √((k + A·A_0²)/m)" in report and "A_0 is the amplitude of x" in report
+
+
+def test_no_letter_of_the_scene_means_something_else_in_a_formula(tmp_path, capsys):
+    report = told(tmp_path, capsys, "parameters: {s: , K: , E: , kappa: }\n" + BACKBONE + BODY.replace(
+        "LAW", "K*d + E*kappa*d^3").replace("mass: m", "mass: s"))
+    assert "ω = π/(2 K_0) · √((K + E·κ·A²)/s)" in report and "s_0 = " in report and "E_0 = " in report
+    assert "κ_0 = 3·E·κ/(8·K)" in report and "ω₁(1 + κ_0A²)" in report
+
+
+def test_another_family_than_the_first_is_refused_in_letters_too(tmp_path, capsys):
+    report = told(tmp_path, capsys, "parameters: {m: , k: }\n" + BACKBONE.replace("1 m", "1 m, mode: 2")
+                  + BODY.replace("LAW", "k*d"), 4)
+    assert "one degree of freedom has one family of free motions, found the index 2" in report
