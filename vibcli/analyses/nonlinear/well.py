@@ -50,6 +50,7 @@ class Well:
         self.slope = gradient(V).get(self.q, scene.table.zero)
         self.bends = kinks_of((V, M, self.slope), self.q)
         slopes = [gradient(u)[self.q] for u in self.bends]
+        self.ending = scene.endings(floats)
         self._potential = Compiled(scene, floats, None, [V])
         self._bends = Compiled(scene, floats, None, [self.slope, *self.bends, *slopes]) if self.bends else None
         self._errors = RunningErrors(Floats)
