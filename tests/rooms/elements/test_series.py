@@ -267,3 +267,19 @@ def test_a_part_of_one_side():
 def test_what_is_open_between_parts(second, third, told):
     with pytest.raises(vibcli.PhysicsError, match=told):
         _ = _let_go([{"k": "k1"}, {"law": second}, {"law": third}], "1 cm", g="5e4 N/m^3")["law[s](1 cm)"].value
+
+
+def test_the_error_of_the_series_where_the_motion_starts(tmp_path, capsys):
+    """F = k x/2 + … of two springs k and k d + g d³: the force by a root beside its terms to d³."""
+    path = tmp_path / "scene.yaml"
+    path.write_text("parameters: {k: 800 N/m, g: 3e5 N/m^3}\nbodies: {block: {mass: 2 kg, slide: x}}\nsprings:\n  s:\n"
+                    "    series: [{k: k}, {law: k*d + g*d^3}]\n    between: [ground, block]\n  t: {k: k, between: "
+                    "[ground, block]}\ninitial: {x: 0.1 m}\nfind: [expansion]\n")
+    inner = brentq(lambda d: 800 * (0.1 - d) - 800 * d - 3e5 * d**3, 0, 0.1, xtol=1e-17)
+    assert run(["solve", str(path), "--json"]) == 0
+    one, = json.loads(capsys.readouterr().out)["expansion"]["series"]
+    assert one == {"spring": "s", "deflection": 0.1, "force": pytest.approx(800 * (0.1 - inner), rel=1e-13),
+                   "series": pytest.approx(400 * 0.1 + 3e5 / 16 * 0.1**3, rel=1e-13)}
+    assert run(["solve", str(path)]) == 0
+    off = 100 * (one["series"] / one["force"] - 1)
+    assert f"its series to d^3 gives 58.75 N ({off:.2g} % too much)" in " ".join(capsys.readouterr().out.split())
