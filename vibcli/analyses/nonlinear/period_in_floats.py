@@ -20,7 +20,7 @@ from vibcli.analyses.nonlinear.well import EPS, Well
 if TYPE_CHECKING:
     from vibcli.analyses.nonlinear.turning_points import TurningPoint
 
-FARTHEST, STEP, FINEST = 3.9, 0.5, 1 / 64
+FARTHEST, STEP, ROUGH, FINEST = 3.9, 0.5, 0.25, 1 / 64
 ENOUGH = 4 * EPS
 SAMPLES = 20                # places at which the rounding of V is found
 SHIFT = 1e-7                # of the reach: by so much the ends are moved to see what that does to the period
@@ -51,12 +51,12 @@ def periods_between(well: Well, left: np.ndarray, right: np.ndarray) -> tuple[np
     """The same of many motions in one well, their turning points as rows q and bounds of their errors."""
     breaks = np.array(well.breaks(left[0].min(), right[0].max()))
     rounding = _rounding(well, left[0], right[0], breaks)
-    time, error = _times(well, _pieces(well, left[0], right[0], breaks, rounding), FINEST)
+    time, error, roughly = _times(well, _pieces(well, left[0], right[0], breaks, rounding), FINEST)
     shift = SHIFT * (right[0] - left[0])
     for ends, end in (((left[0] - shift, right[0]), left), ((left[0], right[0] + shift), right)):
         if end[1].any():
-            moved, _ = _times(well, _pieces(well, *ends, breaks, rounding), STEP / 4)
-            error += np.where(end[1] > 0, np.abs(moved - time) / shift * end[1], 0.0)
+            *_, moved = _times(well, _pieces(well, *ends, breaks, rounding), ROUGH)
+            error += np.where(end[1] > 0, np.abs(moved - roughly) / shift * end[1], 0.0)
     return 2 * time, 2 * error
 
 
@@ -97,9 +97,9 @@ def _added_up(steps, errors):
 
 
 def _times(well, pieces, finest):
-    """(∫ √(m/(2(E − V))) dq, bound) of each motion."""
+    """(∫ √(m/(2(E − V))) dq, bound, the same by the step ROUGH) of each motion."""
     total, error, bound = np.zeros((3, len(pieces.a)))
-    found, left = np.full(len(pieces.a), np.inf), np.arange(len(pieces.a))
+    found, left, roughly = np.full(len(pieces.a), np.inf), np.arange(len(pieces.a)), None
     step, first, apart = STEP, 0.0, STEP
     while left.size:
         value, lost = _sums(well, pieces.of(left), first, apart)
@@ -111,8 +111,9 @@ def _times(well, pieces, finest):
             change = np.abs(now - before)
         bound[left] = change + error[left] * step + 8 * EPS * now
         left = left[~((change <= ENOUGH * now) | (step <= finest) | ~np.isfinite(now))]
+        roughly = found.copy() if step == ROUGH else roughly
         first, apart, step = step / 2, step, step / 2
-    return found, bound
+    return found, bound, found if roughly is None else roughly
 
 
 def _sums(well, pieces, first, apart):
