@@ -238,7 +238,10 @@ def test_json_keys_are_those_that_are_printed(capsys, tmp_path):
     slider = tmp_path / "slider.yaml"
     slider.write_text("bodies: {p: {mass: 1 kg, at: [0, 0], slide: x}}\nmotion: {order: 3}\ninitial: {x: 1 cm}\n"
                       "springs: {s: {k: 1 N/m, preload: 1 N, between: [[0, 1 m], p]}}\n", encoding="utf-8")
-    for command, file, *options in (("frequencies", bar), ("response", bar), ("response", slider),
+    chain = tmp_path / "chain.yaml"
+    chain.write_text("bodies: {p: {mass: 1 kg, slide: x}}\nsprings:\n  s:\n    series: [{k: 2 N/m}, {law: 3 N/m*d + 4 "
+                     "N/m^3*d^3}]\n    between: [ground, p]\ninitial: {x: 1 cm}\nfind: [expansion]\n", encoding="utf-8")
+    for command, file, *options in (("frequencies", bar), ("solve", chain), ("response", bar), ("response", slider),
                                     ("response", slider, "--phase-plane")):
         code, out, _ = call(capsys, command, str(file), "--json", *options)
         assert code == 0

@@ -37,13 +37,15 @@ class Spent(Exception):
 
 
 class Work:
-    """patience: the factor of all limits; cut: was a closed form given up at its limit? tell(what, part, bounded):
-    shows on a terminal how far the outermost task has come, what=None that it has ended."""
+    """patience: the factor of all limits; cut: was a closed form given up at its limit? interrupted: was it, what was
+    found being kept? tell(what, part, bounded): shows on a terminal how far the outermost task has come, what=None that
+    it has ended."""
 
-    __slots__ = ("cut", "open", "patience", "tell")
+    __slots__ = ("cut", "interrupted", "open", "patience", "tell")
 
     def __init__(self, patience: int = 1, tell: Any = None):
-        self.patience, self.tell, self.open, self.cut = patience, tell, [], False
+        self.patience, self.tell, self.open = patience, tell, []
+        self.cut = self.interrupted = False
 
     @contextmanager
     def task(self, what: str, limit: float = inf, refusal: Callable | None = None) -> "Iterator[Task]":
@@ -67,6 +69,10 @@ class Work:
     def give_up_closed_form(self) -> None:
         """A closed form is given up at its limit."""
         self.cut = True
+
+    def interrupt(self) -> None:
+        """It is interrupted, and goes on with what was found."""
+        self.interrupted = True
 
     def step(self, steps: int = 1) -> None:
         """Steps of the innermost task, where there is one."""

@@ -49,6 +49,8 @@ def print_scenes(problems: "Sequence[tuple[str | None, Problem]]", sections: Cal
                 _print_at_once(found, case, output)
                 if report.refusal and not isinstance(report.refusal, Unknown):
                     raise report.refusal
+            if problem.work.interrupted:
+                break
             if curves:
                 curves(problem)
             if output.kind != "json" and report.refusal:
@@ -66,6 +68,9 @@ def print_scenes(problems: "Sequence[tuple[str | None, Problem]]", sections: Cal
         write_documents(list(found.values()), output)
     if timings:
         show_timings(solved)
+    if any(problem.work.interrupted for _, problem in problems):
+        click.echo("interrupted", err=True)
+        return 130
     return 4 if refused else 0
 
 

@@ -81,32 +81,32 @@ def _in_parallel(parts, x):
 
 def _in_series(parts, records, scene, x, name):
     """One Component of several in series."""
-    positive = []
+    positive: list[Any] | None = []
     for part, record in zip(parts, records, strict=True):
         found = rises_where(part.force, x)
         rises = found is not None and all(scene.number(node) > 0 for node in found)
-        unit = ("rad" if "torsion" in record else "m") + ("/s" if "c" in record.element.fields else "")
-        fault = not_in_series(part.force, x, scene, rises, unit)
+        fault = not_in_series(part.force, x, scene)
         if fault is not None:
             where = record["law"].where if "law" in record else record.where
             scene.report(where, f"this part of '{name}' in series {fault.what}", fault.hint)
             return None
-        positive += found
+        positive = positive + found if rises and positive is not None else None
     groups = _groups(parts, x)
     if len(groups) == 1:
         law, shifts = groups[0].law, [x]
     else:
-        law, shifts = _solved(groups, x, name, positive)
+        unit = ("rad" if "torsion" in records[0] else "m") + ("/s" if "c" in records[0].element.fields else "")
+        law, shifts = _solved(groups, x, name, positive, unit)
     inner = {i: shift * share for group, shift in zip(groups, shifts, strict=True) for i, share in group.shares}
     return Component(*law, tuple((inner[i], part) for i, part in enumerate(parts)), True)
 
 
-def _solved(groups, x, name, positive):
+def _solved(groups, x, name, positive, unit):
     """(PartLaw, deflections of the groups) by inner equilibrium."""
-    nodes = [node for group in groups for node in group.law] + positive
+    nodes = [node for group in groups for node in group.law] + (positive or [])
     definitions = x.table.definitions
     symbols = [part for part in evaluable(nodes) if part.op == "symbol" and part is not x and part not in definitions]
-    series = SeriesOfLaws(name, [group.law for group in groups], x, symbols, list(dict.fromkeys(positive)))
+    series = SeriesOfLaws(name, [group.law for group in groups], x, symbols, positive, unit)
     law = PartLaw(series.called("force", x, symbols), series.called("energy", x, symbols))
     return law, [series.called(i + 1, x, symbols) for i in range(len(groups))]
 

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
 
 SLENDER, SMALL = 10.0, 0.1
+ROUNDING = 1e-9         # of the length: supports that are nearer are one
 
 
 def member_warnings(configuration: "Configuration") -> list[str]:
@@ -39,15 +40,20 @@ def _from_equilibrium(configuration, name):
 
 
 def _thick(member: "Member", configuration):
-    """L/h below 10, where shear and rotary inertia count (Timoshenko 1921)."""
-    depths = [segment.section.depth for segment in member.segments if segment.section is not None]
-    if not depths:
-        return
-    length, *sizes = evaluate([member.length, *depths], Floats, configuration.numeric.floats)
-    ratio = length / max(sizes)
+    """L/h below 10 between supports, where shear and rotary inertia count (Timoshenko 1921)."""
+    deep = [segment for segment in member.segments if segment.section is not None]
+    floats = configuration.numeric.floats
+    held = evaluate([station.place for station in member.stations if station.u.is_zero], Floats, floats)
+    length, = evaluate([member.length], Floats, floats)
+    stops = sorted({0.0, *held, length})
+    spans = [(a, b) for a, b in pairwise(stops) if b - a > ROUNDING * length]
+    parts = [evaluate([part.start, part.end, part.section.depth], Floats, floats) for part in deep]
+    ratios = [((b - a) / depth, a, b) for a, b in spans for start, end, depth in parts if start < b and end > a]
+    ratio, a, b = min(ratios, default=(SLENDER, 0.0, 0.0))
     if ratio < SLENDER:
-        yield (f"'{member.name}' is thick: L/h is {ratio:.3g}, below 10; shear and rotary inertia, which are left out, "
-               "lower its frequencies")
+        where = f" between {a:.6g} m and {b:.6g} m" if len(spans) > 1 else ""
+        yield (f"'{member.name}' is thick{where}: L/h is {ratio:.3g}, below 10; shear and rotary inertia, which are "
+               "left out, lower its frequencies")
 
 
 def _turned(member, configuration):

@@ -50,8 +50,10 @@ def _force(problem, tree, args):
         arithmetic, values = _numbers(problem)
         force = law.at(arithmetic, values, argument_in(problem, tree.args[0], arithmetic, values))
         if not abs(number_in(force)) < float("inf"):
-            raise PhysicsError(f"'{tree.indices[0]}' has no force at this deflection: its law is not defined there",
-                               "a law from a table goes on beyond its ends with beyond: linear")
+            ending = problem.scene.endings(problem.numeric.floats)
+            raise PhysicsError(f"'{tree.indices[0]}' has no force at this deflection: " + (
+                ending.what if ending else "its law is not defined there"),
+                ending.hint if ending else "look for roots of what becomes negative")
         return force
     return _in_digits(problem, find)
 

@@ -45,7 +45,12 @@ class FamiliesOfModes:
             found = family.motions(amplitudes)
         except EndOfFamily as error:
             raise PhysicsError(f"{error.message}: family {number} is followed up to "
-                               f"{amplitude_told(self.problem, tree, error.largest)}", error.hint) from None
+                                f"{amplitude_told(self.problem, tree, error.largest)}", error.hint) from None
+        except KeyboardInterrupt:
+            if not family.found:
+                raise
+            self.problem.work.interrupt()
+            found = family.found
         points = [BackbonePoint(one.amplitude, one.motion.w * family.balance.scale, family.balance.energy(one.motion),
                                 one.error) for one in found]
         return Backbone(points, self._told(tree, family, found, number))

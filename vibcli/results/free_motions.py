@@ -5,9 +5,12 @@ from functools import cached_property
 from math import tau
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from vibcli.analyses.nonlinear.backbone import Backbone, BackbonePoint
 from vibcli.analyses.nonlinear.family import FamilyOfMotions, NoSuchAmplitude, function_of_place
-from vibcli.analyses.nonlinear.period import period_of
+from vibcli.analyses.nonlinear.motions_by_amplitude import motions_by_amplitude
+from vibcli.analyses.nonlinear.period import periods_of
 from vibcli.analyses.nonlinear.well import Well
 from vibcli.base.errors import PhysicsError
 from vibcli.results.motion_signals import amplitude_told, node_of, require_families, require_positive
@@ -51,8 +54,8 @@ class FreeMotions:
             return point.omega, point.error
         _require_first(number)
         require_positive(amplitude)
-        period, error = self._period(self._motion(tree, amplitude).ends)
-        return tau / period, error + 2.0**-52
+        point, = self.curve(number, tree, [amplitude]).points
+        return point.omega, point.error
 
     def require_alone(self, number: int) -> None:
         """PhysicsError of several degrees of freedom, and of another family than the first."""
@@ -75,34 +78,29 @@ class FreeMotions:
         self.require_alone(number)
         return kappa_in_letters(self.problem.symbolic)
 
-    def _period(self, ends):
-        with_digits = self.problem.numeric.values(multiprecision())
-        return period_of(self.family.well, self.scene, with_digits, (ends[1].q, 0.0), ends)
-
     def curve(self, number: int, tree: Any, amplitudes: "Sequence[float]") -> Backbone:
         """Those of a family, counted from 1, with these amplitudes."""
         if self.several is not None:
             return self.several.curve(number, tree, amplitudes)
         _require_first(number)
-        signal = self._signal(tree)
-        return Backbone([self._point(self._motion(tree, amplitude, signal), amplitude) for amplitude in amplitudes],
-                        None)
+        node = node_of(self.problem, tree)
+        motions = self._motions(tree, node, np.array(amplitudes))
+        with_digits = self.problem.numeric.values(multiprecision())
+        periods = periods_of(self.family.well, self.scene, with_digits, node, motions, amplitudes)
+        return Backbone([BackbonePoint(amplitude, tau / period, energy, error + 2.0**-52)
+                         for amplitude, energy, (period, error) in zip(amplitudes, motions.energy.tolist(), periods,
+                                                                       strict=True)], None)
 
-    def _point(self, motion, amplitude):
-        period, error = self._period(motion.ends)
-        return BackbonePoint(amplitude, tau / period, self.family.energy(motion), error + 2.0**-52)
-
-    def _motion(self, tree, amplitude, signal=None):
+    def _motions(self, tree, node, amplitudes):
         try:
-            return self.family.motion(signal or self._signal(tree), amplitude)
+            return motions_by_amplitude(self.family, self._signal(node), amplitudes)
         except NoSuchAmplitude as error:
             if error.largest is None:
                 raise
             raise PhysicsError(f"{error.message}: they end at {amplitude_told(self.problem, tree, error.largest)}",
                                "beyond that a motion passes a top of V, or nothing turns it round") from None
 
-    def _signal(self, tree):
-        node = node_of(self.problem, tree)
+    def _signal(self, node):
         compiled = Compiled(self.scene, self.problem.numeric.floats, None, [node])
         return function_of_place(self.family.well, compiled, node)
 

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from vibcli.scene.contents import Contents
     from vibcli.scene.coordinates import SceneCoordinates
     from vibcli.scene.energy_terms import Term
+    from vibcli.symbolic.defined_functions import Ending
     from vibcli.symbolic.node import Node
 
 CONNECTIONS = ("springs", "dampers", "laws", "inertias")        # of the inertias those that exert a force
@@ -212,10 +213,15 @@ class Scene:
                         bounds[sign.args[0]] = law.bound
         return owners, bounds
 
-    def tables_that_end(self) -> list[str]:
-        """The names of the laws that have no value beyond the ends of their tables."""
-        return list(dict.fromkeys(law.owner for law in self.laws for part in reachable([law.potential(self)])
-                                  if part.name in self.table.functions and self.table.functions[part.name].ends))
+    def endings(self, floats: Mapping[str, float]) -> "Ending | None":
+        """Why laws have no value beyond some deflection, the parameters being numbers; None where all go on."""
+        found = {}
+        for call in reachable([law.potential(self) for law in self.laws]):
+            function = self.table.functions.get(call.name)
+            if call.op == "call" and function is not None:
+                ending = function.ending(evaluate(list(call.args[1:]), Floats, floats))
+                found |= {ending.what: ending} if ending else {}
+        return next(iter(found.values()))._replace(what=" or ".join(found)) if found else None
 
     def undriven(self, kind: str) -> "list[Term]":
         """Terms, or laws, as functions of the symbols of driven displacements, which are zero as drawn."""

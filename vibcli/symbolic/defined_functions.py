@@ -4,7 +4,7 @@ Their arguments are all that they depend on, so that they are functions in the s
 expressions again, which may call them: derivatives of any order follow.
 """
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import evaluate
@@ -17,6 +17,13 @@ if TYPE_CHECKING:
     import numpy as np
 
     from vibcli.symbolic.node import Node
+
+
+class Ending(NamedTuple):
+    """Why a function has no value beyond some argument, as a clause, and what may be done."""
+
+    what: str
+    hint: str
 
 
 class DefinedFunction:
@@ -55,6 +62,10 @@ class DefinedFunction:
                   _senses: "Sequence[float | np.ndarray]") -> "np.ndarray":
         """The values for arrays where each of `kinks` has a sense, ±1; smooth beyond its zero, where that is known."""
         return self.on_arrays(*args)
+
+    def ending(self, _args: "Sequence[float]") -> Ending | None:
+        """Why it has no value beyond some first argument, the others being these; None where it has one everywhere."""
+        return None
 
     def kinks(self, _node: "Node") -> "Sequence[Node]":
         """What vanishes where a call bends or jumps, in its table."""

@@ -10,14 +10,14 @@ deflections dᵢ, where Σ dᵢ = D and all forces Fᵢ(dᵢ, p) are one. With r
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from vibcli.symbolic.defined_functions import DefinedFunction
+from vibcli.symbolic.defined_functions import DefinedFunction, Ending
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import multiprecision
 from vibcli.symbolic.expression import Table
 from vibcli.symbolic.transfer_between_tables import written_in
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     import mpmath
     import numpy as np
@@ -34,8 +34,9 @@ class InnerState(NamedTuple):
 
 
 class FunctionOfSeries(DefinedFunction):
-    """One function of a SeriesOfLaws: `from_parts(solution, args, arithmetic)` is its value, `template(i)` its slope
-    by an argument as an expression of D, p and dᵢ."""
+    """One function of a SeriesOfLaws: `from_parts(state, of_parts)` is its value, of_parts("stiffnesses") or
+    ("energies") being those of the parts there; `template(i)` its slope by an argument as an expression of D, p and
+    dᵢ."""
 
     kind: Any
     letter = ""
@@ -52,7 +53,7 @@ class FunctionOfSeries(DefinedFunction):
     def template(self, i: int) -> "Node":
         raise NotImplementedError
 
-    def from_parts(self, found: InnerState, args: "Sequence[Any]", arithmetic: Any) -> Any:
+    def from_parts(self, found: InnerState, of_parts: "Callable[[str], Any]") -> Any:
         raise NotImplementedError
 
     def slope(self, node: "Node", i: int) -> "Node":
@@ -78,17 +79,36 @@ class FunctionOfSeries(DefinedFunction):
     def at(self, *args: "float | mpmath.mpf") -> "float | mpmath.mpf":
         if any(hasattr(arg, "_mpf_") for arg in args):
             deflections, force = self.parts.precisely(args)
-            found = self.from_parts(InnerState(deflections[:, 0], force[0]), args, multiprecision())
+            found = self._value(InnerState(deflections[:, 0], force[0]), args, multiprecision())
             return found.item() if hasattr(found, "item") else found
         return float(self.on_arrays(*args))
 
     def on_arrays(self, *args: "float | np.ndarray") -> "np.ndarray":
         from vibcli.symbolic.array_arithmetic import Arrays
 
-        return self.from_parts(self.parts.solution(args), args, Arrays)
+        return self._value(self.parts.solution(args), args, Arrays)
+
+    def _value(self, found, args, arithmetic):
+        return self.from_parts(found, lambda what: self.parts.evaluated(what, args, arithmetic, found.deflections))
+
+    def on_senses(self, args: "Sequence[float | np.ndarray]",
+                  senses: "Sequence[float | np.ndarray]") -> "np.ndarray":
+        found, of_parts = self.parts.on_senses(args, senses)
+        return self.from_parts(found, of_parts.__getitem__)
 
     def folded(self, table: Table, args: "Sequence[Node]") -> "Node | None":
         return table.zero if args[0].is_zero else None
+
+    def ending(self, args: "Sequence[float]") -> Ending | None:
+        found = None if self.parts.rises else self.parts.branch(args).ending(self.parts.unit)
+        if found is None:
+            return None
+        name = self.parts.name.partition(".")[0]
+        return Ending(f"the parts of '{name}' in series {found}", "their branch from rest alone is followed: "
+                                "ask for what stays on it, or put bodies between the parts")
+
+    def kinks(self, node: "Node") -> "list[Node]":
+        return [self.parts.written(u, node) for u in self.parts.sided.kinks]
 
 
 class Energy(FunctionOfSeries):
@@ -103,8 +123,8 @@ class Energy(FunctionOfSeries):
         return self.parts.table.total([gradient(energy).get(p, self.parts.table.zero)
                                        for energy in self.parts.energies])
 
-    def from_parts(self, found: InnerState, args: "Sequence[Any]", arithmetic: Any) -> Any:
-        return sum(self.parts.evaluated(self.parts.energies, args, arithmetic, found.deflections))
+    def from_parts(self, found: InnerState, of_parts: "Callable[[str], Any]") -> Any:
+        return sum(of_parts("energies"))
 
     def from_series(self, force: list[Any], inner: list[list[Any]], number: Any, value: Any) -> list[Any]:
         return [value(), *(c * number(Fraction(1, k + 1)) for k, c in enumerate(force))]
@@ -120,7 +140,7 @@ class Force(FunctionOfSeries):
             return self.parts.calls[f"{self.parts.name}.stiffness"]
         return self.parts.force_by(self.parts.p[i - 1])
 
-    def from_parts(self, found: InnerState, args: "Sequence[Any]", arithmetic: Any) -> Any:
+    def from_parts(self, found: InnerState, of_parts: "Callable[[str], Any]") -> Any:
         return found.force
 
     def from_series(self, force: list[Any], inner: list[list[Any]], number: Any, value: Any) -> list[Any]:
@@ -142,10 +162,10 @@ class Stiffness(FunctionOfSeries):
             bends[j].get(p, table.zero) + bends[j].get(d, table.zero) * parts.deflection_by(j, p))
             for j, d in enumerate(parts.d)])
 
-    def from_parts(self, found: InnerState, args: "Sequence[Any]", arithmetic: Any) -> Any:
+    def from_parts(self, found: InnerState, of_parts: "Callable[[str], Any]") -> Any:
         import numpy as np
 
-        slopes = self.parts.evaluated(self.parts.stiffnesses, args, arithmetic, found.deflections)
+        slopes = of_parts("stiffnesses")
         with np.errstate(divide="ignore"):
             soft = sum(slope == 0 for slope in slopes) > 0
             give = sum(1 / np.where(slope == 0, slope + 1, slope) for slope in slopes)
@@ -155,7 +175,7 @@ class Stiffness(FunctionOfSeries):
         return [c * number(k) for k, c in enumerate(force)][1:]
 
     def positive_where(self, node: "Node", x: "Node") -> "list[Node] | None":
-        if any(arg.mask & x.mask for arg in node.args[1:]):
+        if not self.parts.rises or any(arg.mask & x.mask for arg in node.args[1:]):
             return None
         return written_in(node.table, self.parts.positive, {p.name: arg for p, arg in zip(
             self.parts.p, node.args[1:], strict=True)})
@@ -186,7 +206,7 @@ class Deflection(FunctionOfSeries):
     def template(self, i: int) -> "Node":
         return self.parts.deflection_by(self.i, self.parts.p[i - 1]) if i else self.parts.ratio(self.i)
 
-    def from_parts(self, found: InnerState, args: "Sequence[Any]", arithmetic: Any) -> Any:
+    def from_parts(self, found: InnerState, of_parts: "Callable[[str], Any]") -> Any:
         return found.deflections[self.i]
 
     def from_series(self, force: list[Any], inner: list[list[Any]], number: Any, value: Any) -> list[Any]:

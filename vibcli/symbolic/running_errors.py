@@ -64,6 +64,7 @@ class RunningErrors:
 
     def __init__(self, inner: Any, unit: Any = UNIT):
         self.inner, self.unit = inner, unit
+        self._duals: Any = None
         self.pi = Rounded(inner.pi, unit * abs(inner.pi), unit)
         self.functions = {name: self._function(name) for name in inner.functions}
 
@@ -129,4 +130,5 @@ class RunningErrors:
         """∂f/∂xᵢ at the values of its arguments."""
         from vibcli.symbolic.dual_numbers import Dual, Duals, slope
 
-        return slope(Duals(self.inner).functions[name](*[Dual(x, 1) if i == j else x for j, x in enumerate(values)]))
+        self._duals = self._duals or Duals(self.inner)
+        return slope(self._duals.functions[name](*[Dual(x, 1) if i == j else x for j, x in enumerate(values)]))

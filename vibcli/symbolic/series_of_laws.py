@@ -1,9 +1,10 @@
 """Parts in series, functions of their deflection D and of their parameters p: the inner deflections dᵢ, at which
 Σ dᵢ = D and all forces Fᵢ(dᵢ, p) are one, in floats and in more digits.
 
-All Fᵢ rise and vanish at 0, so that there is one inner equilibrium.
+Where all Fᵢ rise and vanish at 0 there is one inner equilibrium; others are followed from rest.
 """
 
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.symbolic.derivatives import gradient, substitute
@@ -18,7 +19,12 @@ if TYPE_CHECKING:
     import mpmath
     import numpy as np
 
+    from vibcli.symbolic.branch_in_series import BranchInSeries
     from vibcli.symbolic.node import Node
+
+
+KEPT, ROUNDS, SIDED = 64, 60, 5     # branches; of Newton in many digits, and beyond a kink
+NEAR = 2.0**-40             # of a deflection: its next step would be the square of that
 
 
 class PartLaw(NamedTuple):
@@ -32,12 +38,27 @@ class PartLaw(NamedTuple):
         return PartLaw(*substitute(self, {x: u}))
 
 
+class SidedLaws:
+    """Laws that bend, as functions that are smooth while each of `kinks`, expressions of dᵢ and p, has a sense."""
+
+    def __init__(self, kinks: "list[Node]", compiled: "Callable", count: int):
+        self.kinks, self._compiled, self.count = kinks, compiled, count
+
+    def __call__(self, d: "np.ndarray", p: "Sequence[Any]", senses: "Sequence[Any]") -> "tuple[np.ndarray, ...]":
+        """(forces, stiffnesses, energies), each of the shape of d."""
+        import numpy as np
+
+        found = np.array([value + 0 * d[0] for value in self._compiled(d, p, senses)])
+        return found[:self.count], found[self.count:2 * self.count], found[2 * self.count:]
+
+
 class SeriesOfLaws:
     """The functions `name.energy`, `name.force`, `name.stiffness`, `name.1`, `name.2`, … of parts in series, of which
-    the laws are functions of x and of the symbols `parameters`; `positive`: what has to be so that they all rise."""
+    the laws are functions of x and of the symbols `parameters`; `positive`: what has to be so that they all rise, None
+    where they may not: then they are followed from rest (branch_in_series.py)."""
 
     def __init__(self, name: str, laws: "Sequence[PartLaw]", x: "Node", parameters: "Sequence[Node]",
-                 positive: "Sequence[Node]" = ()):
+                 positive: "Sequence[Node] | None" = (), unit: str = "m"):
         self.name, self.count = name, len(laws)
         self.table = table = Table()
         self.D = table.variable("D")
@@ -46,7 +67,8 @@ class SeriesOfLaws:
         known = {symbol.name: p for symbol, p in zip(parameters, self.p, strict=True)}
         own = [written_in(table, law, {**known, x.name: d}) for law, d in zip(laws, self.d, strict=True)]
         self.forces, self.energies = [force for force, _ in own], [energy for _, energy in own]
-        self.positive = written_in(table, positive, known)
+        self.rises, self.unit = positive is not None, unit
+        self.positive = written_in(table, list(dict.fromkeys(positive or ())), known)
         self.stiffnesses = [gradient(force).get(d, table.zero) for force, d in zip(self.forces, self.d, strict=True)]
         kinds = [Energy(self), Force(self), Stiffness(self), *(Deflection(self, i) for i in range(self.count))]
         self.functions = {function.name: function for function in kinds}
@@ -54,6 +76,39 @@ class SeriesOfLaws:
         self.calls = {name: table.call(name, self.D, *self.p) for name in self.functions}
         self._compiled: Callable | None = None
         self._solved: tuple[list[Any], Any] = [], None
+        self._sided: tuple[list[Any], Any] = [], None
+        self._branches: dict[tuple[float, ...], BranchInSeries] = {}
+
+    @cached_property
+    def sided(self) -> SidedLaws:
+        """The laws as smooth functions between their kinks."""
+        switches: dict[Node, str] = {}
+        found = self._function([*self.forces, *self.stiffnesses, *self.energies], switches)
+        return SidedLaws(list(switches), found, self.count)
+
+    def on_senses(self, args: "Sequence[Any]", senses: "Sequence[Any]") -> "tuple[InnerState, dict[str, Any]]":
+        """The inner state where the kinks have senses, going on smoothly beyond their zeros, and the stiffnesses and
+        energies of the parts there."""
+        import numpy as np
+
+        from vibcli.symbolic.branch_in_series import newton_step
+
+        given = [*args, *senses]
+        if len(self._sided[0]) == len(given) and all(map(np.array_equal, self._sided[0], given)):
+            return self._sided[1]
+        D, *p = np.broadcast_arrays(*args) if np.ndim(args[0]) else args
+        d = self.solution(args).deflections
+        with np.errstate(all="ignore"):
+            for _ in range(SIDED):
+                step = newton_step(d, D, *self.sided(d, p, senses)[:2])
+                d = np.where(np.isfinite(step), d + step, d)
+                if not np.any(np.abs(step) > NEAR * np.abs(d)):
+                    break
+            forces, slopes, energies = self.sided(d, p, senses)
+        force = np.take_along_axis(forces, np.argmin(np.abs(slopes), axis=0)[None], axis=0)[0]
+        found = InnerState(d, force), {"stiffnesses": slopes, "energies": energies}
+        self._sided = [np.array(one) for one in given], found
+        return found
 
     def called(self, kind: Any, D: "Node", parameters: "Sequence[Node]") -> "Node":
         """The call of a function of it in the table of D."""
@@ -100,13 +155,40 @@ class SeriesOfLaws:
         signs = evaluate(self.positive, Arrays, self._values(p))
         if not all(np.all(sign > 0) for sign in signs):
             total = total * np.nan
-        near = None if found is None else found.deflections
-        found = InnerState(*deflections(lambda d: laws(d, p), total, self.count, near=near))
-        lost = np.isfinite(total) & ~np.isfinite(found.force)
-        if np.any(lost):
-            found = self._beyond_floats(found, lost, args)
+        if not self.rises:
+            found = self._from_rest(total, p)
+        else:
+            near = None if found is None else found.deflections
+            found = InnerState(*deflections(lambda d: laws(d, p), total, self.count, near=near))
+            lost = np.isfinite(total) & ~np.isfinite(found.force)
+            if np.any(lost):
+                found = self._beyond_floats(found, lost, args)
         self._solved = [np.array(arg) for arg in args], found
         return found
+
+    def _from_rest(self, total, p):
+        """On the branch from rest."""
+        import numpy as np
+
+        if all(np.ndim(value) == 0 or np.all(value == np.ravel(value)[0]) for value in p):
+            return InnerState(*self.branch([float(np.ravel(value)[0]) for value in p]).deflections(total))
+        total, *p = np.broadcast_arrays(total, *p)
+        each = [self.branch(list(map(float, row))).deflections(np.array([D]))
+                for D, *row in zip(total.ravel(), *(value.ravel() for value in p), strict=True)]
+        d, force = (np.stack([one[k] for one in each], axis=-1)[..., 0, :] for k in (0, 1))
+        return InnerState(d.reshape(-1, *total.shape), force.reshape(total.shape))
+
+    def branch(self, p: "Sequence[float]") -> "BranchInSeries":
+        """That from rest, where the parameters are numbers."""
+        from vibcli.symbolic.branch_in_series import BranchInSeries
+
+        key = tuple(p)
+        if key not in self._branches:
+            laws = self._laws()
+            if len(self._branches) >= KEPT:
+                self._branches.clear()
+            self._branches[key] = BranchInSeries(lambda d: laws(d, p), self.count)
+        return self._branches[key]
 
     def _beyond_floats(self, found, lost, args):
         """The solution where forces on the way to it are larger or smaller than floats can be."""
@@ -126,21 +208,24 @@ class SeriesOfLaws:
         """(d, p) -> (forces, slopes), compiled."""
         import numpy as np
 
-        from vibcli.symbolic.numeric_code import Source, function
-
         if self._compiled is None:
-            slots = {symbol: symbol.name for symbol in (*self.d, *self.p)}
-            source = Source(slots, {}, None)
-            texts = source.add([*self.forces, *self.stiffnesses])
-            heads = [f"{','.join(symbol.name for symbol in symbols)},={name}"
-                     for symbols, name in ((self.d, "d"), (self.p, "p")) if symbols]
-            self._compiled = function("d,p", heads + source.lines, f"({','.join(texts)},)", source.called.values())
+            self._compiled = self._function([*self.forces, *self.stiffnesses], None)
         compiled, n = self._compiled, self.count
 
         def laws(d, p):
-            found = compiled(d, p)
+            found = compiled(d, p, ())
             return tuple(np.array([value + 0 * d[0] for value in half]) for half in (found[:n], found[n:]))
         return laws
+
+    def _function(self, nodes, switches):
+        """Expressions as a function of (d, p, senses of the switches)."""
+        from vibcli.symbolic.numeric_code import Source, function
+
+        source = Source({symbol: symbol.name for symbol in (*self.d, *self.p)}, {}, switches)
+        texts = source.add(nodes)
+        given = ([d.name for d in self.d], "d"), ([p.name for p in self.p], "p"), ((switches or {}).values(), "g")
+        heads = [f"{','.join(names)},={name}" for names, name in given if names]
+        return function("d,p,g", heads + source.lines, f"({','.join(texts)},)", source.called.values())
 
     def precisely(self, args: "Sequence[mpmath.mpf]") -> InnerState:
         """The same for mpmath numbers."""
@@ -160,14 +245,31 @@ class SeriesOfLaws:
             return column[:self.count], column[self.count:]
         if not all(sign > 0 for sign in evaluate(self.positive, arithmetic, known)):
             args = mpmath.nan, *args[1:]
-        found = deflections(laws, np.array([mpmath.mpf(args[0])], dtype=object), self.count, kind)
-        return InnerState(*found)
+        total = np.array([mpmath.mpf(args[0])], dtype=object)
+        if self.rises:
+            return InnerState(*deflections(laws, total, self.count, kind))
+        return self._polished(laws, total, self.solution([float(arg) for arg in args]).deflections)
+
+    def _polished(self, laws, total, near):
+        """In more digits, from deflections in floats."""
+        import mpmath
+        import numpy as np
+
+        from vibcli.symbolic.branch_in_series import newton_step
+
+        d = np.array([[mpmath.mpf(float(x))] for x in near], dtype=object)
+        for _ in range(ROUNDS if total[0] and mpmath.isfinite(sum(d[:, 0])) else 0):
+            step = newton_step(d, total, *laws(d))
+            d = d + step
+            if max(abs(step[:, 0])) <= mpmath.eps * max(abs(d[:, 0])):
+                break
+        forces, slopes = laws(d)
+        return InnerState(d, forces[int(np.argmin(abs(slopes[:, 0])))])
 
     def _values(self, p: "Sequence[Any]") -> dict[str, Any]:
         return {symbol.name: value for symbol, value in zip(self.p, p, strict=True)}
 
-    def evaluated(self, nodes: "Sequence[Node]", args: "Sequence[Any]", arithmetic: Any,
-                  inner: "np.ndarray") -> list[Any]:
-        """Expressions of dᵢ and p in numbers."""
-        return evaluate(nodes, arithmetic, {**self._values(args[1:]),
+    def evaluated(self, what: str, args: "Sequence[Any]", arithmetic: Any, inner: "np.ndarray") -> list[Any]:
+        """The `stiffnesses` or `energies` of the parts in numbers."""
+        return evaluate(getattr(self, what), arithmetic, {**self._values(args[1:]),
                                             **{d.name: x for d, x in zip(self.d, inner, strict=True)}})

@@ -6,7 +6,7 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
-from vibcli.symbolic.defined_functions import DefinedFunction
+from vibcli.symbolic.defined_functions import DefinedFunction, Ending
 from vibcli.symbolic.monotone_cubics import cubics, energies
 
 if TYPE_CHECKING:
@@ -160,6 +160,10 @@ class LawFromTable(DefinedFunction):
 
     def positive_where(self, node: "Node", x: "Node") -> "list[Node] | None":
         return [] if self.order == 1 and self.law.linear and self.law.rises else None
+
+    def ending(self, _args: "Sequence[float]") -> Ending | None:
+        return Ending(f"the table of '{self.law.name.partition('.')[0]}' ends",
+                      "give that table more points, or let it go on with beyond: linear") if self.ends else None
 
     def kinks(self, node: "Node") -> "list[Node]":
         return [node.args[0] - place for place in self.law.kinks]

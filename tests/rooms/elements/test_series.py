@@ -2,6 +2,7 @@
 
 import json
 
+import mpmath
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
@@ -171,3 +172,114 @@ def test_parts_side_by_side_have_rows_of_their_own():
     assert middles[0][0] < 160 / 3 < min(x for x, _ in middles[1:])
     assert rows(chain) == 2 and offsets([{"c": 1}, chain], 20.0) == [18.0, -10.0]
     assert offsets([{"k": 1}, {"k": 2}], 20.0) == [10.0, -10.0]
+
+
+def _let_go(parts, place, **values):
+    """A block of 2 kg on parts in series, let go at a place."""
+    given = {"k1": "300 N/m", "k2": "200 N/m", **values}
+    used = {name: value for name, value in given.items() if name in str(parts)}
+    return vibcli.load({"parameters": {"m": "2 kg", **used},
+                        "bodies": {"block": {"mass": "m", "slide": "x"}}, "motion": "full", "initial": {"x": place},
+                        "springs": {"s": {"series": parts, "between": ["ground", "block"]}}})
+
+
+SOFTENING = [{"k": "k1"}, {"law": "k2*d - g*d^3"}]
+
+
+def test_a_softening_part():
+    model = _let_go(SOFTENING, "5 cm", g="5e4 N/m^3")
+    with mpmath.workdps(25):
+        def inner(D):
+            return mpmath.findroot(lambda d: 300 * (D - d) - 200 * d + 50000 * d**3, 0.6 * D)
+
+        def V(D):
+            d = inner(D)
+            return 150 * (D - d) ** 2 + 100 * d**2 - 12500 * d**4
+
+        def part(u):
+            D = A * mpmath.sin(u)
+            return A * mpmath.cos(u) / mpmath.sqrt(V(A) - V(D)) if u < end else 0
+        A, end = mpmath.mpf("0.05"), mpmath.pi / 2 * (1 - mpmath.mpf(10) ** -12)
+        exact = 4 * mpmath.quad(part, [0, mpmath.pi / 4, mpmath.pi / 2], maxdegree=5)
+    assert model["period(x)"].value == pytest.approx(float(exact), rel=1e-11)
+    assert model["law[s](4 cm)"].value == pytest.approx(
+        300 * (0.04 - brentq(lambda d: 300 * (0.04 - d) - 200 * d + 5e4 * d**3, 0, 0.03, xtol=1e-17)), rel=1e-13)
+    assert model["law[s, d^3]"].value == pytest.approx(-5e4 * 0.6**4, rel=1e-13)
+
+
+@pytest.mark.parametrize("asked", ["law[s](7 cm)", "period(x)", "x(0.1 s)"])
+def test_a_snap_is_told(asked):
+    """It snaps where 300 = 3·5e4 d² − 200: d = 1/√300, F = 200 d − 5e4 d³, D = d + F/300."""
+    d = 1 / np.sqrt(300)
+    place = d + (200 * d - 5e4 * d**3) / 300
+    with pytest.raises(vibcli.PhysicsError, match=f"parts of 's' in series snap at a deflection of ±{place:.6g} m, "
+                       "beyond which no inner equilibrium is near"):
+        _ = _let_go(SOFTENING, "7 cm", g="5e4 N/m^3")[asked].value
+
+
+def test_a_snap_to_another_inner_equilibrium():
+    """A cubic and a softening part: beyond the snap the other branch goes back to D = 0.05 m, where d = 0.0365…"""
+    model = _let_go([{"law": "b*d^3"}, {"law": "k2*d - g*d^3"}], "2 cm", g="5e4 N/m^3", b="4e5 N/m^3")
+
+    def total(d):
+        return d + np.cbrt((200 * d - 5e4 * d**3) / 4e5)
+    d = np.linspace(1 / 30, 0.062, 2_000_001)
+    top = int(np.argmax(total(d)))
+    with pytest.raises(vibcli.PhysicsError) as caught:
+        _ = model["law[s](8 cm)"].value
+    assert f"±{total(d)[top]:.6g} m: they have several inner equilibria between" in str(caught.value)
+
+
+def test_a_bend_of_a_part():
+    """Below e the second part has k₂, above it k₂ + b more: pieces of sines."""
+    model = _let_go([{"k": "k1"}, {"law": "k2*d + b*max(d - e, 0)"}], "5 cm", b="800 N/m", e="1 cm")
+    soft, stiff = 120.0, 300 * 1000 / 1300
+    bend, force = 0.01 * 500 / 300, 2.0
+    fast, slow = np.sqrt(stiff / 2), np.sqrt(soft / 2)
+    shift = bend - force / stiff                    # where the stiff line would have no force
+    t1 = np.arccos((bend - shift) / (0.05 - shift)) / fast
+    speed = fast * np.sqrt((0.05 - shift) ** 2 - (bend - shift) ** 2)
+    size, phase = np.hypot(bend, speed / slow), np.arctan2(bend, speed / slow)
+    assert model["period(x)"].value == pytest.approx(2 * t1 + 2 * (phase + np.pi / 2) / slow, rel=1e-12)
+    assert model["x(0.3 s)"].value == pytest.approx(-size * np.sin(slow * (0.3 - t1) - phase), rel=1e-11)
+
+
+def test_a_part_with_play():
+    model = _let_go([{"k": "k1"}, {"law": "k2*(max(d - e, 0) - max(-d - e, 0))"}], "5 cm", e="1 cm")
+    w = np.sqrt(60.0)
+    assert model["period(x)"].value == pytest.approx(2 * np.pi / w + 4 * 0.01 / (0.04 * w), rel=1e-12)
+    assert model["law[s](5 mm)"].value == 0
+    assert model["s.stretch.2(0 s)"].value == pytest.approx(0.05 - 0.04 * 120 / 300, rel=1e-12)
+
+
+def test_a_part_of_one_side():
+    model = _let_go([{"k": "k1"}, {"law": "k2*max(d, 0)"}], "5 cm")
+    assert model["law[s](3 cm)"].value == pytest.approx(3.6, rel=1e-13)
+    assert model["law[s](-3 cm)"].value == 0
+    w = np.sqrt(60.0)
+    assert model["x(0.3 s)"].value == pytest.approx(-0.05 * w * (0.3 - np.pi / 2 / w), rel=1e-12)
+
+
+@pytest.mark.parametrize(("second", "third", "told"), [
+    ("k2*d - g*d^3", "2*k2*d - 8*g*d^3", "give way at one force"),
+    ("k2*max(d, 0)", "k1*max(d, 0)", "level over a stretch"),
+    ("g*d*d*1 m", "k1*d", "falls from rest")])
+def test_what_is_open_between_parts(second, third, told):
+    with pytest.raises(vibcli.PhysicsError, match=told):
+        _ = _let_go([{"k": "k1"}, {"law": second}, {"law": third}], "1 cm", g="5e4 N/m^3")["law[s](1 cm)"].value
+
+
+def test_the_error_of_the_series_where_the_motion_starts(tmp_path, capsys):
+    """F = k x/2 + … of two springs k and k d + g d³: the force by a root beside its terms to d³."""
+    path = tmp_path / "scene.yaml"
+    path.write_text("parameters: {k: 800 N/m, g: 3e5 N/m^3}\nbodies: {block: {mass: 2 kg, slide: x}}\nsprings:\n  s:\n"
+                    "    series: [{k: k}, {law: k*d + g*d^3}]\n    between: [ground, block]\n  t: {k: k, between: "
+                    "[ground, block]}\ninitial: {x: 0.1 m}\nfind: [expansion]\n")
+    inner = brentq(lambda d: 800 * (0.1 - d) - 800 * d - 3e5 * d**3, 0, 0.1, xtol=1e-17)
+    assert run(["solve", str(path), "--json"]) == 0
+    one, = json.loads(capsys.readouterr().out)["expansion"]["series"]
+    assert one == {"spring": "s", "deflection": 0.1, "force": pytest.approx(800 * (0.1 - inner), rel=1e-13),
+                   "series": pytest.approx(400 * 0.1 + 3e5 / 16 * 0.1**3, rel=1e-13)}
+    assert run(["solve", str(path)]) == 0
+    off = 100 * (one["series"] / one["force"] - 1)
+    assert f"its series to d^3 gives 58.75 N ({off:.2g} % too much)" in " ".join(capsys.readouterr().out.split())

@@ -22,6 +22,15 @@ def test_a_beam_shorter_than_ten_times_its_height_is_thick(length, thick):
     assert [sentence.startswith("'arm' is thick") for sentence in found] == [True] * thick
 
 
+@pytest.mark.parametrize(("place", "told_of"), [
+    ("0.5 m", " between 0 m and 0.5 m"), ("1.4 m", " between 0 m and 1.4 m"), ("1.5 m", "")])
+def test_a_short_span_of_a_long_beam_is_told(place, told_of):
+    """h = 0.15 m: L/h is below 10 where supports are less than 1.5 m apart; what hangs over is 2 m and more."""
+    found = told(f"length: 4 m, E: 11 GPa, rho: 600 kg/m^3, section: {{rectangle: [0.3 m, 0.15 m]}}, left: pinned, "
+                 f"attached: [{{at: {place}, support: pinned}}, {{at: 1 m, mass: M}}]")
+    assert [sentence.split(":")[0] for sentence in found] == [f"'arm' is thick{told_of}"] * bool(told_of)
+
+
 @pytest.mark.parametrize(("slope", "large"), [(0.11, True), (0.09, False)])
 def test_a_turn_of_more_than_a_tenth_is_told(slope, large):
     EI = 2 * 9.81 * 1.5**2 / (2 * slope)

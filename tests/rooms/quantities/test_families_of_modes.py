@@ -141,3 +141,27 @@ def test_an_internal_resonance_is_told_and_the_family_named(tmp_path, capsys):
     assert run(["frequencies", str(file), "--backbone", "--json"]) == 0
     points = json.loads(capsys.readouterr().out)["backbone"]["points"]
     assert points[-1]["omega"] == pytest.approx(asked(text, "backbone[2](x)(10 cm)")[0], rel=1e-14)
+
+
+def test_an_interrupt_keeps_the_motions_that_were_found(tmp_path, capsys, monkeypatch):
+    from vibcli.analyses.nonlinear.family_of_mode import FamilyOfMode
+
+    landed = FamilyOfMode._landed
+
+    def interrupted(self, *args):
+        if len(self.found) == 3:
+            raise KeyboardInterrupt
+        return landed(self, *args)
+
+    file = tmp_path / "blocks.yaml"
+    file.write_text(PAIR + "find: [{backbone: {of: [x], up_to: 1 m}}]\n")
+    assert run(["frequencies", str(file), "--backbone", "--save", str(tmp_path / "curve.svg")]) == 0
+    whole = capsys.readouterr().out
+    (tmp_path / "curve.svg").unlink()
+    monkeypatch.setattr(FamilyOfMode, "_landed", interrupted)
+    assert run(["frequencies", str(file), "--backbone", "--save", str(tmp_path / "curve.svg")]) == 130
+    told = capsys.readouterr()
+    assert "Interrupted: 3 of 10 motions were found." in told.out and told.err == "interrupted\n"
+    rows = [line for line in whole.splitlines() if line.startswith(("  0.1 ", "  0.2 ", "  0.3 "))]
+    assert len(rows) == 3 and all(row in told.out for row in rows)
+    assert not (tmp_path / "curve.svg").exists()

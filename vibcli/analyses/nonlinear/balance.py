@@ -1,6 +1,7 @@
 """Harmonics that obey the equations of motion at as many places, by Newton's method, and how well they know ω.
 
-r(θⱼ) = 0 at θⱼ = π j/N, j = 0 … N, with one condition more, closes the N + 1 coefficients of each coordinate and ω. At
+r(θⱼ) = 0 at θⱼ = π j/N, j = 0 … N, with one condition more, closes the N + 1 coefficients of each coordinate and ω; of
+equations that are odd in the deviations odd harmonics and a quarter of the period suffice. At
 twice as many places r does not vanish; with J y = e_ω of the equations there the error of ω is at most Σ |y| |r|, to
 first order, r being found in long doubles and bounds of what rounding leaves of it being added.
 """
@@ -40,6 +41,7 @@ class HarmonicBalance:
 
     def __init__(self, equations: FreeEquations, number: int):
         self.equations, self.number, self.scale = equations, number, float(equations.omegas[number])
+        self.harmonics = slice(1, None, 2) if equations.odd else slice(None)    # those that a motion has
 
     def solved(self, start: CosineMotion,
                closing: "Callable[[CosineMotion], ClosingCondition]") -> ConvergedMotion | None:
@@ -51,7 +53,7 @@ class HarmonicBalance:
                 found = np.linalg.solve(J, right)
             except np.linalg.LinAlgError:
                 return None
-            step, tangent = (_motion(column, motion) for column in found.T)
+            step, tangent = (self._motion(column, motion) for column in found.T)
             motion = CosineMotion(motion.a + step.a, motion.w + step.w)
             change = step.size / motion.size + abs(step.w / motion.w) if motion.size else np.inf
             if not change < max(2.0, 4 * last) or not motion.w > 0:
@@ -65,13 +67,13 @@ class HarmonicBalance:
         """[J; closing] and its right sides: −(r, closing), and 1 in the last row. finer: so many times the places."""
         harmonics = len(motion.a) - 1
         cells = finer * harmonics
-        n, table = self.equations.n, cosines(cells, cells)
-        a = motion.with_harmonics(cells).a
+        n, table = self.equations.n, cosines(cells, cells, odd=self.equations.odd)
+        a = motion.with_harmonics(cells).a[self.harmonics]
         eta, slope, bend = (a.T @ part for part in table)
         found = self.equations.slopes(self.scale, motion.w, eta, slope, bend)
-        count = (cells + 1) * n
+        count = len(a) * n
         J = np.empty((count + 1, count + 1))
-        block = J[:-1, :-1].reshape(cells + 1, n, cells + 1, n)
+        block = J[:-1, :-1].reshape(len(a), n, len(a), n)
         for part, basis, factor in ((found.mass, table.bend, motion.w**2), (found.stiffness, table.value, 1.0),
                                     (found.damping, table.slope, motion.w)):
             if basis is table.slope and not part.any():
@@ -82,25 +84,30 @@ class HarmonicBalance:
             else:
                 block += grown
         J[:-1, -1] = found.by_w.T.ravel()
-        J[-1, :-1] = CosineMotion(closing.by_a, 0.0).with_harmonics(cells).a.ravel()
+        J[-1, :-1] = CosineMotion(closing.by_a, 0.0).with_harmonics(cells).a[self.harmonics].ravel()
         J[-1, -1] = closing.by_w
         right = np.zeros((count + 1, 2))
         right[:-1, 0], right[-1] = -found.residual.T.ravel(), (-closing.value, 1.0)
         return J, right
+
+    def _motion(self, column, like):
+        a = np.zeros(like.a.shape)
+        a[self.harmonics] = column[:-1].reshape(-1, a.shape[1])
+        return CosineMotion(a, float(column[-1]))
 
     def refined(self, motion: CosineMotion, closing: "Callable[[CosineMotion], ClosingCondition]") -> CosineMotion:
         """By a last step from r in long doubles."""
         condition = closing(motion)
         J, right = self._system(motion, condition)
         right[:-1, 0] = -self._residual(motion, 1).ravel()
-        step = _motion(np.linalg.solve(J, right[:, 0]), motion)
+        step = self._motion(np.linalg.solve(J, right[:, 0]), motion)
         return CosineMotion(motion.a + step.a, motion.w + step.w)
 
     def _residual(self, motion, finer):
         """r in long doubles, of shape (places, n)."""
         harmonics = len(motion.a) - 1
-        table = cosines(harmonics, finer * harmonics, True)
-        eta, slope, bend = (motion.a.T @ part for part in table)
+        table = cosines(harmonics, finer * harmonics, True, self.equations.odd)
+        eta, slope, bend = (motion.a[self.harmonics].T @ part for part in table)
         found = self.equations.residual(self.scale, np.longdouble(motion.w), eta, slope, bend)
         return np.asarray(found.T, float)
 
@@ -115,15 +122,15 @@ class HarmonicBalance:
             return np.inf
         left = np.abs(self._residual(motion, 2)) + self._rounding(motion)
         own = 4 * 2.0**-52
-        total = float(y[:-1] @ left.ravel()) + float(y[-1]) * own * abs(float(closing(motion).by_a.ravel()
-                                                                           @ motion.a.ravel()))
+        condition = float((closing(motion).by_a * motion.a).sum())
+        total = float(y[:-1] @ left.ravel()) + float(y[-1]) * own * abs(condition)
         return SAFE * total / motion.w + own if np.isfinite(total) else np.inf
 
     def _rounding(self, motion):
         """Of r, the largest of some places, of shape (n,)."""
         k = np.arange(len(motion.a))
         found = []
-        for share in PLACES:
+        for share in PLACES[:2] if self.equations.odd else PLACES:
             angle = np.pi * share * k
             rows = np.cos(angle), -k * np.sin(angle), -k * k * np.cos(angle)
             found.append([motion.a.T @ row for row in rows])
@@ -132,10 +139,6 @@ class HarmonicBalance:
     def energy(self, motion: CosineMotion) -> float:
         """Above that of the equilibrium [J]: V at the end of the way."""
         return self.equations.energy(motion.a.sum(axis=0))
-
-
-def _motion(column, like):
-    return CosineMotion(column[:-1].reshape(like.a.shape), float(column[-1]))
 
 
 def _apart(one, other):

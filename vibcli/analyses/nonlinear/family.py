@@ -82,27 +82,22 @@ class FamilyOfMotions:
                 slope = self._growth(signal, found)
                 newton = place - (found.size - wanted) / slope if slope else trial
                 if abs(newton - place) <= 2 * EPS * abs(newton - self.bottom) or found.size == wanted:
-                    return self._known(found)
+                    return self._known(signal, found, wanted)
                 trial = newton if low < newton < high else trial
             if trial in (low, high):
                 break
             place, found = trial, self._range(signal, trial)
-        if found is None or abs(found.size - wanted) > 1e-12 * wanted:
-            last = self._range(signal, low)
+        last = self._range(signal, low) if found is None else found
+        noise = last and float(self._slopes(signal, last)[0]) * last.ends[0].error
+        if last is None or abs(last.size - wanted) > 1e-12 * wanted + noise:
             raise NoSuchAmplitude(last and last.size / 2)
-        return self._known(found)
+        return self._known(signal, last, wanted)
 
     def energy(self, motion: MotionOfFamily) -> float:
         """E − V at the equilibrium."""
         right = motion.ends[1].q
         stops = np.array([self.bottom, *self.well.breaks(self.bottom, right), right])
         return float(self.well.gain(stops[:-1], np.diff(stops), self.well.rounding(right)).value.sum())
-
-    def _known(self, found):
-        """Its ends as well as the amplitude tells them."""
-        left, right = found.ends
-        slack = 2 * EPS * (right.q - left.q)
-        return found._replace(ends=tuple(end._replace(error=end.error + slack) for end in (left, right)))
 
     def _range(self, signal, right):
         """That of the motion that comes to rest there; None where it is none of the family."""
@@ -124,14 +119,29 @@ class FamilyOfMotions:
         force = side * self.well.force(places[1:] if side > 0 else places[:-1])
         return bool(np.all(force >= -TOUCHES * np.abs(force).max())) and bool(force[0 if side < 0 else -1] > 0)
 
+    def _known(self, signal, found, wanted):
+        """Its ends as well as the amplitude tells them."""
+        (left, right), missing = found.ends, abs(found.size - wanted)
+        at_right = 2 * EPS * (right.q - left.q) + (missing / self._growth(signal, found) if missing else 0.0)
+        at_left = at_right * max(1.0, self._follows(found))
+        return found._replace(ends=(left._replace(error=left.error + at_left), right._replace(error=at_right)))
+
     def _growth(self, signal, found):
         """How the range grows with the right end."""
+        at_left, at_right = self._slopes(signal, found)
+        return float(at_right + at_left * self._follows(found))
+
+    def _follows(self, found):
+        """How far the left end goes as the right one does."""
+        at_left, at_right = (abs(self.well.force_at(end.q)) for end in found.ends)
+        return at_right / at_left if at_left else 0.0
+
+    def _slopes(self, signal, found):
+        """Those of the signal at the ends that count, without signs."""
         left, right = (end.q for end in found.ends)
         step = 1e-6 * (right - left)
         values = signal(np.array([left, left + step, right - step, right]))
-        slopes = np.abs([values[1] - values[0], values[3] - values[2]]) / step * found.at_ends
-        at_left = self.well.force_at(left)
-        return float(slopes[1] + slopes[0] * abs(self.well.force_at(right) / at_left)) if at_left else 0.0
+        return np.abs([values[1] - values[0], values[3] - values[2]]) / step * found.at_ends
 
 
 def _most(signal, low, high, sense):

@@ -55,6 +55,7 @@ class FamilyOfMode:
 
     def __init__(self, equations: FreeEquations, number: int, signal: AmplitudeOfSignal):
         self.equations, self.number, self.signal = equations, number, signal
+        self.found: list[MotionOfAmplitude] = []
         self.balance, self.most = HarmonicBalance(equations, number), min(MOST, UNKNOWNS // equations.n)
         self._require_alone()
 
@@ -71,8 +72,8 @@ class FamilyOfMode:
 
     def motions(self, amplitudes: Sequence[float]) -> list[MotionOfAmplitude]:
         """Those with the amplitudes, in the order in which the family passes them, up to the largest for the first
-        time; EndOfFamily where it is not reached."""
-        wanted, found = sorted(amplitudes), []
+        time; EndOfFamily where it is not reached. `found` has those that were found when it is interrupted."""
+        wanted, found = sorted(amplitudes), self.found
         state, step = self._start(wanted[0]), WIDEST
         largest = state.amplitude
         for _ in range(STEPS):

@@ -8,6 +8,7 @@ Dampers are left out of h.
 """
 
 from collections.abc import Mapping
+from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
 
 EPS = 2.0**-52
 STIFF, SAME = 1e-9, 1e-6        # relative: a smaller ω² is none; nearer frequencies are the same
+EVEN = 1e-13                    # of forces: less is none
 TRIALS, ODD = 3, 1e-9           # states at which forces are compared with those of the reversed motion
 
 
@@ -59,6 +61,8 @@ class FreeEquations:
         self._sloped = Compiled(scene, floats, None,
                                 [*self.entries, *self.h, *(slope for *_, slope in moved), *by_q, *by_v])
         self._potential = Compiled(scene, floats, None, [effective_potential(scene)])
+        self._errors = RunningErrors(Floats)
+        self._rounded = {name: Rounded(value, EPS / 2 * abs(value)) for name, value in floats.items()}
         self.bent = any(part.op == "call" and part.name in SWITCHED for part in reachable(parts.nodes()))
         self.omegas, self.shapes = self._small_vibrations()
 
@@ -93,6 +97,14 @@ class FreeEquations:
             raise PhysicsError("forces of this scene turn with the sense of the motion (a frame that turns): families "
                                "of free motions of several degrees are found where a motion runs backwards as well",
                                "ask for omega[1], or for the motion from `initial`")
+
+    @cached_property
+    def odd(self) -> bool:
+        """Do the forces of opposite motions only differ in their sign?"""
+        eta, slope, bend = np.random.default_rng(2).standard_normal((3, self.n, TRIALS)) * 0.3 * self._reach()
+        scale = float(self.omegas[0])
+        there, back = (self.residual(scale, 1.0, s * eta, s * slope, s * bend) for s in (1, -1))
+        return bool(np.all(np.abs(there + back) <= EVEN * np.abs(there).max()))
 
     def _reach(self):
         """A length in modal coordinates of the size of the scene."""
@@ -155,11 +167,10 @@ class FreeEquations:
         """What the rounding of parameters and of the arithmetic leaves of r at most, of shape (n,), at one place."""
         omega, Phi = scale * w, self.shapes
         q, v, a = self.rest + Phi @ eta, omega * (Phi @ slope), omega**2 * (Phi @ bend)
-        values = {name: Rounded(value, EPS / 2 * abs(value)) for name, value in self.floats.items()}
-        values |= {x.name: float(y) for x, y in (*zip(self.scene.q, q, strict=True),
+        values = self._rounded | {x.name: float(y) for x, y in (*zip(self.scene.q, q, strict=True),
                                                  *zip(self.scene.v, v, strict=True))}
         try:
-            found = [float(error_in(x)) for x in evaluate([*self.entries, *self.h], RunningErrors(Floats), values)]
+            found = [float(error_in(x)) for x in evaluate([*self.entries, *self.h], self._errors, values)]
         except (ZeroDivisionError, OverflowError, ValueError):
             return np.full(self.n, np.inf)
         error = np.array(found[len(self.pairs):])

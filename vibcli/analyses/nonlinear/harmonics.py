@@ -41,9 +41,11 @@ class Cosines(NamedTuple):
 
 
 @lru_cache(40)
-def cosines(harmonics: int, cells: int, longer: bool = False) -> Cosines:
-    """At θ = π j/cells, j = 0 … cells; longer: in long doubles."""
+def cosines(harmonics: int, cells: int, longer: bool = False, odd: bool = False) -> Cosines:
+    """At θ = π j/cells, j = 0 … cells; longer: in long doubles; odd: odd harmonics alone, at θ < π/2."""
     k, j = np.arange(harmonics + 1)[:, None], np.arange(cells + 1)
+    if odd:
+        k, j = k[1::2], j[:len(j) // 2]
     angle = np.longdouble(4) * np.arctan(np.longdouble(1)) * ((k * j) % (2 * cells)) / np.longdouble(cells)
     return _rounded(k, np.cos(angle), np.sin(angle), np.longdouble if longer else float)
 

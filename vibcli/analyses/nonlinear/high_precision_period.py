@@ -13,6 +13,7 @@ from collections.abc import Mapping
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
+from vibcli.analyses.nonlinear.well import EPS
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.energies import effective_potential
 from vibcli.mechanics.equations_of_motion import dynamics
@@ -33,6 +34,7 @@ STEPS, SECANTS = 60, 40
 NEAR = 2.0**-50
 LOST = ("this motion does not come back: nothing turns it round", "ask for its value at a time")
 ROUNDING = 1e-14
+ABOUT, ALIKE = 1e-3, 1e-50          # of the range of a signal: it is about that, and that
 
 
 class Energies:
@@ -82,14 +84,55 @@ def precise_period(energies: Energies, well: "Well", start: "tuple[Any, Any]",
 
     with mpmath.workdps(DIGITS):
         q, v = map(mpmath.mpf, start)
-        if not energies.known_at(q):
+        return (float(_period(energies, well, q, v, ends)), ROUNDING) if energies.known_at(q) else None
+
+
+def period_at_amplitude(energies: Energies, well: "Well", signal: "Node", amplitude: float,
+                        ends: "tuple[TurningPoint, TurningPoint]") -> tuple[float, float] | None:
+    """The same of the motion in which a signal has an amplitude, its turning points being known about; the error is
+    that of a float for the amplitude, too."""
+    import mpmath
+
+    with mpmath.workdps(DIGITS):
+        right = mpmath.mpf(ends[1].q)
+        if not energies.known_at(right):
             return None
-        level, m = energies(q)
-        energy = level + m * v**2 / 2
-        stops = [_end(energies, well, energy, q, v, end, side) for end, side in zip(ends, (-1, 1), strict=True)]
-        places = sorted(_kink(energies, well, place) for place in well.breaks(*map(float, stops)))
-        stops[1:1] = [place for place in places if stops[0] < place < stops[1]]
-        return float(2 * sum(time_between(energies, energy, *piece) for piece in pairwise(stops))), ROUNDING
+        rights = [_right_end(energies, well, signal, 2 * amplitude * (1 + part), ends) for part in (0, mpmath.mpf(EPS))]
+        if None in rights:
+            rights = [right, right - ends[1].error]
+        period, other = (_period(energies, well, q, mpmath.mpf(0), ends) for q in rights)
+        return float(period), ROUNDING + float(abs(other / period - 1))
+
+
+def _right_end(energies, well, signal, wanted, ends):
+    """The right turning point of the motion in which a signal differs so much at the two, by secants; None where it
+    does not about there."""
+    import mpmath
+
+    def missing(right):
+        left = _end(energies, well, energies(right)[0], right, 0, ends[0], -1)
+        return abs(energies.of(signal, right) - energies.of(signal, left)) - wanted
+
+    x = mpmath.mpf(ends[1].q)
+    y = x - mpmath.mpf(2) ** -60 * (x - ends[0].q)
+    at_x, at_y = missing(x), missing(y)
+    if abs(at_x) > ABOUT * wanted:
+        return None
+    for _ in range(SECANTS):
+        if at_x == at_y or abs(at_x) <= ALIKE * wanted:
+            break
+        x, y = x - at_x * (y - x) / (at_y - at_x), x
+        at_x, at_y = missing(x), at_x
+    return x
+
+
+def _period(energies, well, q, v, ends):
+    level, m = energies(q)
+    energy = level + m * v**2 / 2
+    stops = [_end(energies, well, energy, q, v, end, side) for end, side in zip(ends, (-1, 1), strict=True)]
+    places = sorted(_kink(energies, well, place) for place in well.breaks(*map(float, stops)))
+    stops[1:1] = [place for place in places if stops[0] < place < stops[1]]
+    return 2 * sum(time_between(energies, energy, *piece) for piece in pairwise(stops))
 
 
 def _end(energies, well, energy, q, v, end, side):
@@ -98,18 +141,21 @@ def _end(energies, well, energy, q, v, end, side):
 
     if not v and end.q == float(q) and not end.error:
         return q
-    inner = outer = mpmath.mpf(end.q)
     step = mpmath.mpf(max(end.error, NEAR * abs(end.q), 1e-300))
+    inner, outer = (mpmath.mpf(end.q) + sense * side * step for sense in (-1, 1))
     for _ in range(STEPS):
         if energies.left(energy, inner) > 0:
             break
         inner -= side * step
         step *= 2
-    step = mpmath.mpf(max(end.error, NEAR * abs(end.q), 1e-300))
+    step = abs(outer - end.q)
     for _ in range(STEPS):
+        is_beyond = side * well.force_at(float(outer)) <= 0
+        if is_beyond:
+            outer = last_place(lambda x: side * energies.of(well.slope, x) > 0, inner, outer)[1]
         if energies.left(energy, outer) <= 0:
             return last_place(lambda x: energies.left(energy, x) > 0, inner, outer)[1]
-        if side * well.force_at(float(outer)) <= 0:
+        if is_beyond:
             break
         outer += side * step
         step *= 2

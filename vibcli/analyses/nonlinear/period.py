@@ -6,22 +6,27 @@
 """
 
 from collections.abc import Mapping
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from vibcli.analyses.nonlinear.period_in_floats import period_between
-from vibcli.analyses.nonlinear.turning_points import RESTS, require_motion, turning_point
+from vibcli.analyses.nonlinear.period_in_floats import period_between, periods_between
+from vibcli.analyses.nonlinear.turning_points import RESTS, TurningPoint, require_motion, turning_point
 from vibcli.analyses.nonlinear.well import Well
 from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     import mpmath
 
-    from vibcli.analyses.nonlinear.turning_points import TurningPoint
+    from vibcli.analyses.nonlinear.motions_by_amplitude import MotionsOfFamily
     from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 GOOD, ENOUGH = 1e-14, 1e-6      # relative errors of a period: more digits are not asked for, nothing is told
+IN_A_TABLE = 5e-13              # the same of each of many; it bounds more than rounding does
 LIMIT = ("the period of this motion is not found: it comes to rest only in the limit",
          "start it a little off the unstable equilibrium")
 
@@ -47,12 +52,31 @@ def period_of(well: Well, scene: "Scene", values: "Mapping[str, float | mpmath.m
               ends: "tuple[TurningPoint, TurningPoint]") -> tuple[float, float]:
     """(period [s], relative error) of the motion from a start (q, v) that comes to rest at two ends: in more digits
     where floats know it by less than they could, if V is known in letters."""
-    period, error = period_between(well, *ends)
-    if error <= GOOD * period:
-        return period, error / period
     from vibcli.analyses.nonlinear.high_precision_period import Energies, precise_period
 
-    found = precise_period(Energies(scene, values), well, start, ends)
+    return _known(*period_between(well, *ends), GOOD,
+                  lambda: precise_period(Energies(scene, values), well, start, ends))
+
+
+def periods_of(well: Well, scene: "Scene", values: "Mapping[str, float | mpmath.mpf]", signal: "Node",
+               motions: "MotionsOfFamily", amplitudes: "Sequence[float]") -> list[tuple[float, float]]:
+    """The same of the motions in which a signal, an expression of the coordinate, has these amplitudes."""
+    from vibcli.analyses.nonlinear.high_precision_period import Energies, period_at_amplitude
+
+    def sharply(k):
+        ends = TurningPoint(*motions.left[:, k]), TurningPoint(*motions.right[:, k])
+        return period_at_amplitude(Energies(scene, values), well, signal, amplitudes[k], ends)
+
+    good = IN_A_TABLE if len(amplitudes) > 1 else GOOD
+    found = zip(*map(np.ndarray.tolist, periods_between(well, motions.left, motions.right)), strict=True)
+    return [_known(period, error, good, partial(sharply, k)) for k, (period, error) in enumerate(found)]
+
+
+def _known(period, error, good, sharply):
+    """(the period, its relative error), in more digits where it is not good so."""
+    if error <= good * period:
+        return period, error / period
+    found = sharply()
     if found is None and not error <= ENOUGH * period:
         raise PhysicsError(*LIMIT)
     return found or (period, error / period)

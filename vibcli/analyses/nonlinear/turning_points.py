@@ -11,8 +11,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.numerics.root_finding import last_place
 
 RESTS = ("the scene is at rest: its motion has no period", "give it an `initial` state that is none of equilibrium")
-LEAVES = ("this motion does not come back: it reaches a place where its forces are not defined",
-          "ask for its value at a time; a law from a table goes on beyond its ends with beyond: linear")
+LEAVES = "this motion does not come back: it reaches a place where its forces are not defined"
 AT_REST = 4 * EPS
 FIRST, GROWTH, WIDEST = 0.05, 1.1, 5.0      # steps of what a linear spring would go, no longer than so many of these …
 FARTHER = 0.05                              # … or of the way gone
@@ -52,8 +51,13 @@ def turning_point(well: Well, q: float, speed: float, side: int) -> TurningPoint
         if found is not None:
             return _refined(well, q, speed, side, found, rounding)
         if gone is None:
-            raise PhysicsError(*LEAVES)
+            raise PhysicsError(*_leaves(well))
     raise PhysicsError("this motion does not come back: nothing turns it round", "ask for its value at a time")
+
+
+def _leaves(well):
+    ending = well.ending
+    return (f"{LEAVES}: {ending.what}", ending.hint) if ending else (LEAVES, "ask for its value at a time")
 
 
 def _edges(q, side, scale):

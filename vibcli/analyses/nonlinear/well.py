@@ -50,8 +50,11 @@ class Well:
         self.slope = gradient(V).get(self.q, scene.table.zero)
         self.bends = kinks_of((V, M, self.slope), self.q)
         slopes = [gradient(u)[self.q] for u in self.bends]
+        self.ending = scene.endings(floats)
         self._potential = Compiled(scene, floats, None, [V])
         self._bends = Compiled(scene, floats, None, [self.slope, *self.bends, *slopes]) if self.bends else None
+        self._errors = RunningErrors(Floats)
+        self._rounded = {name: Rounded(value, EPS / 2 * abs(value)) for name, value in floats.items()}
         self._slope, self._inertia = (Compiled(scene, floats, None, [node]) for node in (self.slope, M))
 
     def inertia(self, q: np.ndarray) -> np.ndarray:
@@ -67,9 +70,8 @@ class Well:
 
     def rounding(self, q: float) -> tuple[float, float]:
         """Bounds of the errors of V and V′ there, those of the numbers of the parameters included."""
-        values = {name: Rounded(value, EPS / 2 * abs(value)) for name, value in self.floats.items()}
         try:
-            found = evaluate([self.nodes[0], self.slope], RunningErrors(Floats), {**values, self.q.name: q})
+            found = evaluate([self.nodes[0], self.slope], self._errors, {**self._rounded, self.q.name: q})
         except (ZeroDivisionError, OverflowError, ValueError):
             return np.inf, np.inf
         return float(error_in(found[0])), float(error_in(found[1]))

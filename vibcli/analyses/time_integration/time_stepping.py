@@ -278,15 +278,16 @@ class March:
             self.q, self.v = self.system.projected(t, self.q, self.v, self.g)
 
     def undefined(self) -> PhysicsError:
+        ending = self.system.scene.endings(self.system.floats)
         return PhysicsError(f"the forces of this scene are not defined at t = {self.t:.6g} s, in the position that the "
-                            "motion reaches", "look for roots of what becomes negative, or ends that meet")
+                            "motion reaches" + (f": {ending.what}" if ending else ""), ending.hint if ending else
+                            "look for roots of what becomes negative, or ends that meet")
 
     def singular(self) -> PhysicsError:
-        tables = self.system.scene.tables_that_end()
-        if tables:
-            return PhysicsError(f"the motion cannot be followed beyond t = {self.t:.9g} s: there it reaches an end of "
-                                f"the table of {' or '.join(map(repr, tables))}, or a force or a linkage is singular",
-                                "give that table more points, or let it go on with beyond: linear")
+        ending = self.system.scene.endings(self.system.floats)
+        if ending:
+            return PhysicsError(f"the motion cannot be followed beyond t = {self.t:.9g} s: there {ending.what}, or a "
+                                "force or a linkage is singular", ending.hint)
         return PhysicsError(f"the motion cannot be followed beyond t = {self.t:.9g} s: it grows without bound there, "
                             "or a force or a linkage is singular", "ask for an earlier end, or mind the signs of "
                             "stiffness and damping")

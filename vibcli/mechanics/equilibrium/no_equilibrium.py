@@ -37,12 +37,11 @@ def unbounded(search: "EnergyDescent", q: "np.ndarray") -> PhysicsError:
                             "jump, bend or have an infinite slope its steps may not settle",
                             "start nearer to it with `equilibrium:`, or follow the motion with motion: full")
     if search.undefined:
-        tables = search.scene.tables_that_end()
-        if tables:
+        ending = search.scene.endings(search.numeric.floats)
+        if ending:
             return NoEquilibrium(f"no equilibrium is reached from the {_origin(search)}: its forces drive '{name}' to "
-                                 f"{search.named_plainly(q)[name]:.6g}, and just beyond they are not known: there the "
-                                 f"table of {' or '.join(map(repr, tables))} ends",
-                                 "give that table more points, or let it go on with beyond: linear" + ALONE,
+                                 f"{search.named_plainly(q)[name]:.6g}, and just beyond they are not known: there "
+                                 f"{ending.what}", ending.hint + ALONE,
                                  search.numeric.spec.origin(name).where)
         return NoEquilibrium(f"no equilibrium is reached from the {_origin(search)}: its forces drive '{name}' to "
                              f"{search.named_plainly(q)[name]:.6g}, and just beyond they are not finite numbers",

@@ -55,6 +55,7 @@ def backbone(problem: "Problem", _: "Report"):
     yield from section(
         "Free motions by their amplitude (backbone curve)", TableBlock(head, tuple(rows)), paragraph(told),
         paragraph("The dampers are left out.") if left else None, paragraph(resonance) if resonance else None,
+        paragraph(f"Interrupted: {len(points)} of {ROWS} motions were found.") if problem.work.interrupted else None,
         paragraph(f"Small vibrations have {name} = {figure(small)} rad/s.") if small else paragraph(
             "There are no small vibrations about the equilibrium to compare with."),
         *_begins(problem, name, kappa, of) if kappa is not None and small else (),

@@ -1,9 +1,11 @@
 """The energies of a scene by powers of the deviations from equilibrium, and the equations of motion so truncated."""
 
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
+from vibcli.notation.numbers import figure
 from vibcli.report import blocks
 from vibcli.report.blocks import Heading, Name, Section, line, paragraph, section
 from vibcli.report.keys import Key
@@ -36,7 +38,8 @@ def expansion(problem: "Problem", _: "Report") -> Iterator[Section]:
     for one in found:
         lines.append((Heading("in numbers (SI units):") if several and not one.letters else None, one))
     yield from section(f"Deflections of springs, to order {order - 1} about the equilibrium{counted}",
-                       *_each(lines, lambda one: _deflections(problem, one)))
+                       *_each(lines, lambda one: _deflections(problem, one)),
+                       *_series(problem, order - 1))
     if any(one.geometric for one in found[-1].springs.values()):
         for which, title in SHARES.items():
             yield from section(f"{title}, to order {order}", *_each(lines, lambda one, which=which: _shares(
@@ -47,6 +50,19 @@ def expansion(problem: "Problem", _: "Report") -> Iterator[Section]:
                                problem, one, one.energies[which]))]))
     yield from section(f"Equations of motion, to order {order - 1} about the equilibrium{counted}",
                        *_each(lines, lambda one: _equations(problem, one)), _left_out(problem, found[0]))
+
+
+def _series(problem, order):
+    """How far the series of forces are off where the motion starts."""
+    from vibcli.results.truncated_forces import truncated_forces
+
+    for one in truncated_forces(problem, order):
+        length, force = ("rad", "N·m") if "torsion" in problem.spec.get("springs")[one.spring] else ("m", "N")
+        off = one.series / one.force - 1 if one.force else math.inf
+        gives = f"its series to d^{order} gives {figure(one.series)} {force}"
+        yield paragraph(f"Where the motion starts {one.spring} is deflected by {figure(one.deflection)} {length}: its "
+                        f"force is {figure(one.force)} {force}, {gives} "
+                        f"({100 * abs(off):.2g} % too {'much' if off > 0 else 'little'}).", hang=0)
 
 
 def _each(lines, told):
@@ -97,12 +113,13 @@ def _left_out(problem, one: "Expansion"):
 def _data(problem):
     """Of numbers where all parameters have values, with the letters beside them where they are known."""
     from vibcli.results.expansions import expansions
+    from vibcli.results.truncated_forces import truncated_forces
 
     order = _order(problem)
     try:
         found = expansions(problem, order)
     except PhysicsError as refusal:
-        return KEY.row(order, None, None, None, None, None, refusal.message)
+        return KEY.row(order, None, None, None, None, None, None, refusal.message)
     *_, one = found
     letters = found[0] if found[0].letters else None
     springs = [SPRINGS.row(name, *(_rows(one, get(one), letters and get(letters)) for get in (
@@ -112,7 +129,8 @@ def _data(problem):
     equations = None if one.equations is None else [
         {"coordinate": name, "terms": _rows(one, one.equations[i], letters and letters.equations[i])}
         for i, name in enumerate(problem.scene.coordinates)]
-    return KEY.row(order, V, T, springs, equations, None if equations is None else _missing(problem, one), None)
+    series = [SERIES.row(*row) for row in truncated_forces(problem, order - 1)]
+    return KEY.row(order, V, T, springs, series, equations, None if equations is None else _missing(problem, one), None)
 
 
 def _rows(one, terms, letters):
@@ -132,11 +150,15 @@ SPRINGS = Key("springs", "a list, one entry to each spring", each=(
     Key("stretch", "its deflection from the equilibrium, a list of terms", each=_TERMS),
     Key("material", "what it has of V by its material, were its deflection of the first order alone", each=_TERMS),
     Key("geometric", "what its geometry adds: the rest", each=_TERMS)))
+SERIES = Key("series", "a list, one entry to each spring whose force is no polynomial, where the motion starts", each=(
+    Key("spring", "its name"), Key("deflection", "there"), Key("force", "there"),
+    Key("series", "what its series about zero deflection gives there, to one order less than the energies")))
 KEY = Key(WORD, "the energies by powers of the deviations from equilibrium", _data, of=(
     Key("order", "of the energies"),
     Key("V", "potential energy, a list of terms", each=_TERMS),
     Key("T", "kinetic energy, a list of terms", each=_TERMS),
     SPRINGS,
+    SERIES,
     Key("equations", "a list, one entry to each coordinate; null where loads follow the motion", each=(
         Key("coordinate", "the coordinate"), Key("terms", "of its left side, whose sum is 0", each=_TERMS))),
     Key("left_out", "a list of what the equations do not hold, in words; null where there are none"),
