@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.elements.graded_beam import graded_beam
 from vibcli.elements.member_springs import springs_across, springs_along
-from vibcli.language.named_elements import load
 
 if TYPE_CHECKING:
     from vibcli.elements.member import Member, Station
@@ -16,11 +15,8 @@ if TYPE_CHECKING:
 
 
 def add_pieces(member: "Member", scene: Any) -> None:
-    """Add the pieces of a member."""
-    for i, (segment, left, right) in enumerate(pieces_of(member, scene)):
-        if member.line is not None:
-            load("member_plane").add_placed_piece(member, segment, left, right, i, scene)
-            continue
+    """Add the pieces of a member that is not drawn."""
+    for segment, left, right in pieces_of(member, scene):
         tension = preload_of(member, scene)
         if member.kind.bends:
             add_across(segment, left, right, tension, scene)
