@@ -9,7 +9,7 @@ import numpy as np
 from vibcli.analyses.nonlinear.backbone import Backbone, BackbonePoint
 from vibcli.analyses.nonlinear.family_of_mode import EndOfFamily, FamilyOfMode
 from vibcli.analyses.nonlinear.free_equations import FreeEquations
-from vibcli.analyses.nonlinear.harmonics import AmplitudeOfSignal
+from vibcli.analyses.nonlinear.harmonics import AmplitudeOfCombination, AmplitudeOfSignal
 from vibcli.base.errors import PhysicsError
 from vibcli.results.motion_signals import amplitude_told, node_of, require_positive
 from vibcli.symbolic.derivatives import gradient
@@ -73,4 +73,5 @@ class FamiliesOfModes:
                                "force", "ask for a function of the places alone, without rates")
         by_q = [slopes.get(q, self.scene.table.zero) for q in self.scene.q]
         compiled = Compiled(self.scene, self.problem.numeric.floats, None, [node, *by_q])
-        return AmplitudeOfSignal(compiled, self.equations.rest, self.equations.shapes)
+        kind = AmplitudeOfSignal if any(slope.mask for slope in by_q) else AmplitudeOfCombination
+        return kind(compiled, self.equations.rest, self.equations.shapes)
