@@ -5,7 +5,7 @@ from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
-from vibcli.elements.graded_beam import graded_beam
+from vibcli.elements.graded_beam import graded_beam, plainly
 from vibcli.elements.member_springs import springs_across, springs_along
 
 if TYPE_CHECKING:
@@ -73,11 +73,12 @@ def add_graded(owner: str, segment: "MemberSegment", left: "Station", right: "St
                gradient: "Node", scene: Any) -> "Node":
     """A piece of a beam whose tension has a gradient; its mean displacement across."""
     ends, length = [*left.motions, *right.motions], right.place - left.place
-    sample = scene.table.sample
-    scene.table.resample(None)      # nothing in its long numbers has to cancel
-    piece = graded_beam(scene, length, segment.stiffness, tension, gradient, segment.foundation)
-    springs, mean = piece.springs(owner, ends), piece.mean(owner, ends)
-    scene.table.resample(sample)
+
+    def found():
+        piece = graded_beam(scene, length, segment.stiffness, tension, gradient, segment.foundation)
+        return piece.springs(owner, ends), piece.mean(owner, ends)
+
+    springs, mean = plainly(scene, found)
     _add(segment, left, right, (segment.stiffness, tension, gradient), ends, springs, scene)
     return mean
 
