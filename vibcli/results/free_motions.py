@@ -12,7 +12,7 @@ from vibcli.analyses.nonlinear.family import FamilyOfMotions, NoSuchAmplitude, f
 from vibcli.analyses.nonlinear.motions_by_amplitude import motions_by_amplitude
 from vibcli.analyses.nonlinear.period import periods_of
 from vibcli.analyses.nonlinear.well import Well
-from vibcli.base.errors import PhysicsError
+from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.results.motion_signals import amplitude_told, node_of, require_families, require_positive
 from vibcli.symbolic.evaluation import multiprecision
 from vibcli.symbolic.numeric_code import Compiled
@@ -58,17 +58,19 @@ class FreeMotions:
         return point.omega, point.error
 
     def require_alone(self, number: int) -> None:
-        """PhysicsError of several degrees of freedom, and of another family than the first."""
+        """NotInLetters of several degrees of freedom; PhysicsError of another family than the first."""
         if self.several is not None:
-            raise PhysicsError("how ω begins to hang on the amplitude is found of one degree of freedom",
-                               "ask for backbone[1](x)(A) at an amplitude A")
+            raise NotInLetters("how ω begins to hang on the amplitude is found in letters of one degree of freedom",
+                               "give the parameters values")
         _require_first(number)
 
-    def kappa(self, number: int, digits: int | None, unit: float) -> Any:
-        """κ of ω ≈ ω₀(1 + κA²), with the bound of its error."""
+    def kappa(self, number: int, name: str, digits: int | None, unit: float) -> Any:
+        """κ of ω ≈ ω₀(1 + κA²), A being the amplitude of a coordinate, with the bound of its error."""
+        if self.several is not None:
+            return self.several.kappa(number, name)
         from vibcli.analyses.nonlinear.small_amplitudes import kappa_in_numbers
 
-        self.require_alone(number)
+        _require_first(number)
         return kappa_in_numbers(self.problem.configuration, digits, unit)
 
     def kappa_in_letters(self, number: int) -> "Node":
