@@ -74,9 +74,14 @@ def find_equilibrium(numeric: "NumericSystem", start: Mapping[str, float]) -> Eq
 
 
 def _held(search, q, steps, refusal):
-    """The Equilibrium where forces jump, next to which a search ends; else the refusal."""
+    """The Equilibrium that more digits tell, or where forces jump, next to which a search ends; else the refusal."""
     if not search.scene.table.called.intersection(LEAPING):
-        raise refusal
+        from vibcli.mechanics.equilibrium.rest_in_digits import rest_in_digits
+
+        place = rest_in_digits(search.numeric)
+        if place is None:
+            raise refusal
+        return Equilibrium(place, False, 0.0, steps)
     from vibcli.mechanics.equilibrium.rest_at_jumps import rest_at_jumps
 
     found = rest_at_jumps(search, q)
