@@ -1,4 +1,4 @@
-"""k1 (D − d) = k2 d − γ d³ is solved by bisection between 0 and the stretch at which the insert gives way; the period is
+"""k1 (D − d) = k2 d − γ d³ is solved between 0 and the stretch at which the insert gives way; the period is
 4 ∫ dx/√(2 (V(a) − V(x))/m) with x = a sin θ. Small stretches share D by k1/(k1 + k2)."""
 from mpmath import cos, findroot, mp, mpf, pi, quad, sin, sqrt
 
