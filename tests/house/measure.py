@@ -3,6 +3,7 @@
 import ast
 import sys
 from collections import defaultdict
+from fnmatch import fnmatchcase
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))       # run as a script it finds the tree that it is in
@@ -19,6 +20,8 @@ FLOOR = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
 GROUND = 3          # floors that serve everyone: what is called there counts as no visit
 TREES = ("tree", "quantity", "literal")
 NODES = "vibcli.symbolic.expression"
+LOADER = "named_elements"       # of language/: what it loads is loaded for those who ask it
+LOADERS = ("load", "Lazy", "LazyKind")
 
 
 def module_of(path, package=PACKAGE):
@@ -45,7 +48,8 @@ class House:
         self.trees = {module_of(path, package): ast.parse(path.read_text(encoding="utf-8"))
                       for path in sorted(package.rglob("*.py"))}
         self.nodes = {module: list(ast.walk(tree)) for module, tree in self.trees.items()}
-        self.imports = {module: sorted(self._imports(module)) for module in self.trees}
+        self.written = {module: self._imports(module) for module in self.trees}
+        self.imports = {module: sorted(found | self._dispatched(module)) for module, found in self.written.items()}
 
     def _imports(self, module):
         """{(module imported, line)}, at any depth of the file, those of types alone left out; relative imports are none
@@ -67,6 +71,41 @@ class House:
                         name = name.rpartition(".")[0]
                     found.add((name, node.lineno))
         return found - {(module, line) for _, line in found}
+
+    def _dispatched(self, module):
+        """{(module, line)} of what a module imports by the names in a table."""
+        return {(name, node.lineno) for node in self.nodes[module] if isinstance(node, ast.Call)
+                for name in self._by_name(module, node) if name != module}
+
+    def _by_name(self, module, call):
+        """The modules that a call imports by name, import_module(f"vibcli.ROOM.{name}") or load(name, room): those of
+        which the tables tell that the file takes from the face of the folder; of none, its own."""
+        called = call.func.id if isinstance(call.func, ast.Name) else None
+        if called == "import_module" and not module.endswith(f".{LOADER}"):
+            folder, name = _pattern(call.args[0]).split("*")[0].rstrip("."), "*"
+        elif called in LOADERS and call.args and self._takes(module, LOADER):
+            name, room = (*map(_pattern, call.args), "elements")[:2]
+            folder = f"{self.package.name}.{room}"
+        else:
+            return ()
+        words = self._words(folder, module) if "*" in name else {name}
+        return {f"{folder}.{word}".replace("/", ".") for word in words if fnmatchcase(word, name)} & self.trees.keys()
+
+    def _takes(self, module, source):
+        """The names that a module takes from files of that name."""
+        return {alias.name for node in self.nodes[module] if isinstance(node, ast.ImportFrom)
+                and f"{node.module}".endswith(source) for alias in node.names}
+
+    def _words(self, folder, module):
+        """The texts in the tables that a module takes from the face of a folder; where it takes none its own."""
+        taken, told = self._takes(module, folder), self.nodes.get(folder, ())
+        tables = {node.targets[0].id: node for node in told if isinstance(node, ast.Assign)}
+        needed = [tables[name] for name in taken if name in tables] or [self.trees[module]]
+        for node in needed:     # grows by the tables that a table is made of
+            needed += [tables[part.id] for part in ast.walk(node) if isinstance(part, ast.Name)
+                       and part.id in tables and tables[part.id] not in needed]
+        return {part.value for node in needed for part in ast.walk(node)
+                if isinstance(part, ast.Constant) and isinstance(part.value, str)}
 
     def upward(self):
         """Imports from a room on the same floor or a higher one, as text; the package itself opens the door, api/."""
@@ -93,9 +132,11 @@ class House:
 
         return max(map(height, list(below)))
 
-    def circles(self):
-        """Files that import each other, at any depth of import, as sorted tuples of modules (Tarjan 1972)."""
-        graph = {module: {name for name, _ in imports} for module, imports in self.imports.items()}
+    def circles(self, by_name=False):
+        """Files that import each other, at any depth of import, by the names in a table too where asked, as sorted
+        tuples of modules (Tarjan 1972)."""
+        every = self.imports if by_name else self.written
+        graph = {module: {name for name, _ in imports} for module, imports in every.items()}
         number, low, stack, found = {}, {}, [], []
 
         def visit(module):
@@ -176,6 +217,15 @@ class House:
         return sum(path.read_text(encoding="utf-8").count("\n") for path in self.package.rglob("*.py"))
 
 
+def _pattern(node):
+    """A text, with * for what is computed."""
+    if isinstance(node, ast.JoinedStr):
+        return "".join(map(_pattern, node.values))
+    if isinstance(node, ast.BinOp):
+        return _pattern(node.left) + _pattern(node.right)
+    return node.value if isinstance(node, ast.Constant) else "*"
+
+
 def _last_name(node):
     while isinstance(node, ast.Attribute):
         return node.attr
@@ -228,6 +278,7 @@ def main():
         ("files directly in vibcli/ + rooms", f"{len(flat)} + {len(rooms_of - {p.stem for p in flat})}"),
         ("floors", house.floors()), ("import arrows between rooms", len(house.arrows())),
         ("import circles of files", len(house.circles())),
+        ("the same by the names in tables too", len(house.circles(by_name=True))),
         ("rooms that `frequencies` of a mass on a spring enters", f"{len(rooms)}: {' '.join(sorted(rooms))}"),
         ("moves between rooms in that run / in `check` of max(x)", f"{moves} / {in_check}"),
         ("functions of mechanics and analyses that take the whole problem", len(house.taking_problem())),

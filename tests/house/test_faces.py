@@ -62,9 +62,12 @@ def test_analyses_of_modes_are_functions_of_their_files_and_what_has_particulars
         assert particulars is None or is_a_line(particulars)
 
 
-def test_symbols_are_the_files_of_their_folder():
-    files = {path.stem for path in (PACKAGE / "drawing" / "symbols").glob("*.py")} - {"__init__"}
+def test_symbols_are_the_files_that_draw_what_joins_two_ends():
+    files = {path.stem for path in (PACKAGE / "drawing" / "symbols").glob("*.py")
+             if defines(path, "NAMED_BY") and defines(path, "between")}
     assert {file for file, _ in SYMBOLS.values()} == files
+    assert set(SYMBOLS) == {name for name in elements.ELEMENTS
+                            if getattr(import_module(f"vibcli.elements.{name}").ELEMENT, "signals", None)}
     assert all(is_a_line(about) for _, about in SYMBOLS.values())
 
 

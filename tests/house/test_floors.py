@@ -43,6 +43,23 @@ def test_no_circle_of_files(house):
     assert house.circles() == []
 
 
+def test_what_imports_by_the_names_in_a_table_is_imported_by_none_of_it(house):
+    """But for quantities: an argument of one names others, and each is found in the file that the table tells."""
+    assert [{module.rpartition(".")[0] for module in circle} for circle in house.circles(by_name=True)] == [
+        {"vibcli.quantities"}]
+
+
+def test_a_circle_by_the_names_in_a_table_is_seen(planted):
+    house = planted({"scene/__init__.py": "INNER = {'b': 'c'}\nTABLE = {'a': 'a', **INNER}\nOTHER = {'d': 'd'}\n",
+                     "scene/a.py": "from vibcli.scene import d\n", "scene/b.py": "", "scene/c.py": "",
+                     "scene/d.py": "from importlib import import_module\nfrom vibcli.scene import TABLE\n\n\n"
+                                   "def f(name):\n    return import_module(f'vibcli.scene.{TABLE[name]}')\n"})
+    assert house.circles() == []
+    assert house.circles(by_name=True) == [("vibcli.scene.a", "vibcli.scene.d")]
+    assert {name for name, _ in house.imports["vibcli.scene.d"]} == {"vibcli.scene", "vibcli.scene.a", "vibcli.scene.b",
+                                                                    "vibcli.scene.c"}
+
+
 def test_a_circle_is_seen(planted):
     house = planted({"scene/a.py": "from vibcli.scene import b\n", "scene/c.py": "from vibcli.scene.a import x\n",
                      "scene/b.py": "def f():\n    import vibcli.scene.c\n"})

@@ -78,8 +78,12 @@ class MotionEquation:
 
 def equations_of(problem: "Problem") -> dict[str, MotionEquation]:
     """{coordinate: its equation}."""
+    from vibcli.base.errors import PhysicsError
     from vibcli.report.sections.equations_of_motion import equation_rows
 
+    if problem.scene.pieces:
+        raise PhysicsError("the equations of motion of members are partial differential equations, which the report "
+                           "writes out", "ask for frequencies, modes or frequency responses")
     equations, found = problem.symbolic.equations, {}
     for i, row in enumerate(equation_rows(problem)):
         name = row["coordinate"]

@@ -4,8 +4,8 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.inverse.symbolic_quantity_conditions import quantity_in_letters, response_of, size_of
+from vibcli.quantities.energies import equation_number, require_sum
 from vibcli.quantities.expression import lowered
-from vibcli.quantities.matrices import coordinate_number
 from vibcli.quantities.quantity import declared
 from vibcli.symbolic.syntax import QuantityRef, parts_of
 
@@ -33,12 +33,13 @@ def expression_in_letters(problem: "Problem", expression: "Expression") -> "Node
 def state_function(problem: "Problem", tree: QuantityRef) -> "Node":
     """T, V, Phi or Q[q], or the left side of an equation of motion, as a function of coordinates and velocities."""
     if tree.head in ("T", "V", "Phi"):
+        require_sum(problem, tree.head)
         return problem.symbolic.energies[tree.head]
     if tree.head == "Q":
         return declared(tree).symbolic(problem, tree)
     if tree.head == "motion" and problem.spec.expanded:
         return declared(tree).symbolic(problem, tree)
-    i = coordinate_number(problem, tree.indices[0])
+    i = equation_number(problem, tree.indices[0])
     equations, name = problem.symbolic.equations, problem.scene.coordinates[i]
     if tree.head == "motion" and equations.full:
         return equations.full[equations.names.index(name)]

@@ -17,7 +17,10 @@ def load(scene: str | os.PathLike[str] | Mapping[str, object]) -> Model:
 
 
 def loads(text: str, folder: str | os.PathLike[str] = ".") -> Model:
-    """The Model of the text of a scene; `folder`: where its records lie."""
+    """The Model of the text of a scene; `folder`: where its records lie. SpecError where it is invalid."""
+    if not isinstance(text, str):
+        raise TypeError(f"expected the text of a scene, found {type(text).__name__}; vibcli.load takes files "
+                        "and mappings")
     return _model(text_source(text, folder))
 
 

@@ -45,6 +45,8 @@ class SceneDrawing(NamedTuple):
 
     def data(self, kind: str = "svg") -> bytes:
         """The bytes of a png, svg or pdf."""
+        if f".{kind}" not in SUFFIXES:
+            raise ValueError(f"a picture is a {' or '.join(SUFFIXES)}, not a .{kind}".replace(".", ""))
         from vibcli.drawing.canvas.matplotlib_canvas import picture
 
         return picture(self.primitives, kind)

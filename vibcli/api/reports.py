@@ -125,12 +125,13 @@ def _responses(problem, word, parts, wanted):
 
 def _insight(problem, words, sections):
     from vibcli.report import keys
-    from vibcli.report.sections.insight import insight, require_numbers
+    from vibcli.report.section_keys import section_keys
+    from vibcli.report.sections.insight import require_numbers
 
     try:
         for word in words:
             require_numbers(problem, word)
-        return keys.data(insight(words), problem)
+        return keys.data(section_keys(words), problem)
     except PhysicsError as error:
         if not _without_slope(problem, error, sections):
             raise

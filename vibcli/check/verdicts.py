@@ -11,8 +11,8 @@ from vibcli.base.errors import PhysicsError
 from vibcli.check.comparison import compared
 from vibcli.check.instances import Instances
 from vibcli.check.tolerance import EXACT, is_exact
+from vibcli.quantities.energies import equation_number
 from vibcli.quantities.expression import lowered, measure
-from vibcli.quantities.matrices import coordinate_number
 from vibcli.quantities.quantity import EQUATION, OF_STATE, TRUTH, asked_in, declared, kind_of
 from vibcli.quantities.response import ALONG
 from vibcli.results.random_states import at_states, states
@@ -170,7 +170,7 @@ def _at_states(problem, answer, head, ours):
 def _compare_equation(problem, answer, head):
     """Are the two left sides proportional at random states?"""
     scene = problem.scene
-    i = coordinate_number(problem, answer.asked.tree.indices[0])
+    i = equation_number(problem, answer.asked.tree.indices[0])
     expected = _expected_node(problem, answer.expected)
     at, groups = states(problem)
     if head == "equation":

@@ -5,10 +5,10 @@ A placed body contributes ½ m (ẋ_C² + ẏ_C²) + ½ J_C θ̇² and its weigh
 parallel axis theorem; a part with `cut: true` counts negative.
 """
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.elements import ELEMENTS, body_checks
+from vibcli.elements.rigid_body import MOTIONS, Body
 from vibcli.elements.shapes import LAWS, NEEDS
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Choice, Flag, Many, Quantity
@@ -17,8 +17,6 @@ from vibcli.language.named_place import DRAWN
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
-    from vibcli.language.spec import Spec
-    from vibcli.symbolic.node import Node
 
 _LENGTH, _ANGLE = Quantity("m"), Quantity("rad")
 _SHAPE = {
@@ -45,7 +43,6 @@ PART = Element("part", "One of several shapes welded into a body.",
                settle=body_checks.part, example="welded_parts")
 ROUND = tuple(shape for shape, sizes in NEEDS.items() if "radius" in sizes)
 CLOSE = 1e-9
-MOTIONS = tuple(name for name, (section, _) in ELEMENTS.items() if section is None and not name.endswith("_part"))
 ELEMENT = Element(
     "body",
     "A rigid body or particle: its shape and mass, where it is drawn, and the one key that says how it may move; "
@@ -63,73 +60,6 @@ ELEMENT = Element(
     settle=body_checks.body,
     example="bodies_of_every_shape",
 )
-
-
-class Body(NamedTuple):
-    """A body as built: mass centre as drawn, mass and J_C (nodes), frame, or its lumped motion.
-
-    pieces: (mass, centre, J_C) of the welded parts where T is the sum of theirs, else None. rims: the centres as drawn
-    of its round shapes, and rolling_radius their radius, None of none or several. normal: the unit vector from the
-    surface that it rolls or slides on to the body; reach: from the first of two contacts to the centre, along it.
-    """
-
-    name: str
-    record: Any
-    mass: Any = None
-    inertia: Any = None
-    centre: tuple = None
-    pieces: list = None
-    rims: tuple = ()
-    rolling_radius: Any = None
-    frame: Any = None
-    lumped: tuple = None
-    normal: tuple = None
-    reach: Any = None
-
-    @property
-    def moves(self) -> bool:
-        """Has it a motion of its own?"""
-        return any(key in self.record for key in MOTIONS)
-
-    @property
-    def touched(self):
-        """Names of the surfaces that it rolls or slides on."""
-        return [reference.text for reference in touched(self.record)]
-
-    @property
-    def nodes(self) -> "list[Node]":
-        """The expressions of the coordinates that it is made of."""
-        frame = self.frame.nodes if self.frame is not None else []
-        return [*frame, *(self.lumped or ())[1:], *(self.normal or ())]
-
-    def over(self, new: "Mapping[Node, Node]") -> "Body":
-        """Itself with its expressions replaced, {node: node}."""
-        return self._replace(frame=self.frame and self.frame.over(new),
-                             lumped=self.lumped and (self.lumped[0], new[self.lumped[1]]),
-                             normal=self.normal and tuple(new[node] for node in self.normal))
-
-
-def touched(record: "Record"):
-    """References to the surfaces that a body of this record rolls or slides on."""
-    motion = next((record[key] for key in ("roll", "slide") if key in record), {})
-    return [motion["surface"]] if "surface" in motion else list(motion.get("between", ()))
-
-
-def carriers(record: "Record", spec: "Spec") -> list[str]:
-    """Names of the bodies that the motion of a body of this record refers to."""
-    names = [record["weld"].text] if "weld" in record else []
-    motion = next((record[key] for key in MOTIONS if key in record and key != "weld"), {})
-    names += [motion[key].text for key in ("carrier", "at") if hasattr(motion.get(key), "text")]
-    carried = [spec.get("surfaces")[reference.text] for reference in touched(record)]
-    names += [surface["body"].text for surface in carried if "body" in surface]
-    points = spec.get("points") or {}
-    bodies = [points[n]["body"].text if n in points and "body" in points[n] else n for n in names]
-    found = [n for n in bodies if n not in points]
-    if any(n in (spec.get("member_points") or {}) for n in found):
-        from vibcli.elements.member_fields import bodies_that_hold
-
-        return [body for n in found for body in bodies_that_hold(n, spec)]
-    return found
 
 
 def build(record: "Record", scene: Any) -> Body:

@@ -6,8 +6,8 @@ acts as the pure force m₀ e Ω² (cos Ωt, sin Ωt).
 
 from typing import TYPE_CHECKING, Any
 
-from vibcli.elements.body import carriers
 from vibcli.elements.ends import angle_of, axis_of, slope_of, station_of
+from vibcli.elements.rigid_body import carriers
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import BODY, Load, NameOf, OneOf, Quantity, vector
 from vibcli.language.named_elements import load

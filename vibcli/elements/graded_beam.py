@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from vibcli.elements.graded_part import GradedPart, graded_part
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
     from vibcli.symbolic.node import Node
 
 MEASURE = 5.0           # ν + γ + 2√χ of a part at most
@@ -67,6 +69,24 @@ class GradedBeam(NamedTuple):
         return [table.defined(f"{owner}.u{j}", self.derivative(order, at, row[:4], row[4]))
                 for j, row in enumerate(unit, 1)]
 
+    def shapes(self, places: "Sequence[Node]", owner: str) -> "list[list[Node]]":
+        """[u that end values of 1 each leave] at places."""
+        table, number = self.scene.table, self.scene.number
+        one, zero = table.one, table.zero
+        cuts = [self._cuts([one if i == j else zero for i in range(4)], zero) for j in range(4)]
+        part, free, parts, found = self.length / len(self.parts), {}, {}, []
+        for i, place in enumerate(places):
+            k = min(int(number(place) / number(part)), len(self.parts) - 1)
+            if k not in free:
+                parts[k] = self.parts[k].named(f"{owner}.{k}")
+                free[k] = [[table.defined(f"{owner}.{k}{a}{b}", c) for b, c in enumerate(
+                    self.parts[k].free([*cut[k], *cut[k + 1]]))] for a, cut in enumerate(cuts)]
+            eta = table.defined(f"{owner}.eta{i}", (2 * place - (2 * k + 1) * part) / part * table.pi)
+            basis = [table.defined(f"{owner}.s{i}{j}", one) for j, one in enumerate(parts[k].basis(eta))]
+            found.append([table.defined(f"{owner}.u{i}{j}", table.total([a * b for a, b in zip(
+                basis, row, strict=True)])) for j, row in enumerate(free[k])])
+        return found
+
     def _cuts(self, ends, load):
         """(u, θ) at all cuts, ends included."""
         found = [ends[2:]]
@@ -91,6 +111,30 @@ class GradedBeam(NamedTuple):
         shifted = [k * (even[3] - even[1]) / 2, k * (even[3] + even[1]),
                    k * (even[3] + even[1] + self.length / 2 * (even[2] - even[0])), k * (even[0] + even[2])]
         return [[*row, entry] for row, entry in zip(found, shifted, strict=False)] + [shifted]
+
+
+def graded_mean(scene: Any, owner: str, numbers: "Sequence[Node]", ends: "list[Node]") -> "Node":
+    """∫ u dx/l of a piece given by its length, B, N, N′ and k."""
+    return plainly(scene, lambda: graded_beam(scene, *numbers).mean(owner, ends))
+
+
+def graded_shapes(scene: Any, owner: str, numbers: "Sequence[Node]", places: "Sequence[Node]") -> "list[list[Node]]":
+    """u at places that end values of 1 each leave, [[u₀, θ₀, u_l, θ_l] of each place]."""
+    return plainly(scene, lambda: graded_beam(scene, *numbers).shapes(places, owner))
+
+
+def graded_stiffness(scene: Any, numbers: "Sequence[Node]") -> "list[list[Node]]":
+    """By the end values (u₀, θ₀, u_l, θ_l)."""
+    return plainly(scene, lambda: graded_beam(scene, *numbers).joined[-1][0])
+
+
+def plainly(scene: Any, find: "Callable[[], Any]") -> Any:
+    """Without asking for signs: nothing in the long numbers of a piece has to cancel."""
+    sample = scene.table.sample
+    scene.table.resample(None)
+    found = find()
+    scene.table.resample(sample)
+    return found
 
 
 def graded_beam(scene: Any, length: "Node", bending: "Node", tension: "Node", gradient: "Node",

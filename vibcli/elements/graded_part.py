@@ -37,13 +37,28 @@ class GradedPart(NamedTuple):
 
     def derivative(self, order: int, eta: "Node", ends: "list[Node]", load: "Node") -> "Node":
         """∂ᵒʳᵈᵉʳu/∂xᵒʳᵈᵉʳ at η between ends that move, under an even load."""
-        u0, t0, ul, tl = ends
-        r = [(ul + u0) / 2, (ul - u0) / 2, (tl - t0) * self.unit / 2, (tl + t0) * self.unit / 2]
         scaled = load * self.unit**4 / self.bending
-        r = [one - scaled * own for one, own in zip(r, self.own, strict=True)]
-        free = [self.scene.table.total([row[i] * r[i] for i in range(4)]) for row in self.by_ends]
+        free = self.free(ends, scaled)
         parts = [self._at(self.series[j], order, eta) * c for j, c in enumerate([*free, scaled])]
         return self.scene.table.total(parts) / self.unit**order
+
+    def free(self, ends: "list[Node]", scaled: "Node | None" = None) -> "list[Node]":
+        """c₀ … c₃ between ends that move, under an even load, q a⁴/B."""
+        u0, t0, ul, tl = ends
+        r = [(ul + u0) / 2, (ul - u0) / 2, (tl - t0) * self.unit / 2, (tl + t0) * self.unit / 2]
+        if scaled is not None:
+            r = [one - scaled * own for one, own in zip(r, self.own, strict=True)]
+        return [self.scene.table.total([row[i] * r[i] for i in range(4)]) for row in self.by_ends]
+
+    def named(self, owner: str) -> "GradedPart":
+        """With symbols for the coefficients of its series, so that sums of them stay short."""
+        define = self.scene.table.defined
+        return self._replace(series=[[define(f"{owner}.c{j}{k}", c) for k, c in enumerate(one)]
+                                     for j, one in enumerate(self.series)])
+
+    def basis(self, eta: "Node") -> "list[Node]":
+        """The series of c₀ … c₃ at η."""
+        return [self._at(series, 0, eta) for series in self.series[:4]]
 
     def _at(self, series, order, eta):
         found = self.scene.table.zero

@@ -8,6 +8,7 @@ Within a piece the deflection is found where it is cut: both parts take what is 
 
 from typing import TYPE_CHECKING, Any
 
+from vibcli.elements.graded_beam import graded_shapes, graded_stiffness, plainly
 from vibcli.elements.member_springs import springs_across, springs_along
 from vibcli.elements.rest_shapes import basis_at, shares
 from vibcli.symbolic.antiderivatives import from_zero
@@ -28,13 +29,24 @@ def end_forces(scene: Any, piece: "RestPiece", parts: "Sequence[Node]", x: "Node
     left = [q for q, known in zip(parts, found, strict=True) if known is None]
     if left:
         rule = rule_for(left, x, (scene.table.zero, piece.length), scene.sample, piece.longest(scene))
-        basis = list(zip(*(basis_at(scene, piece, one.place) for one in rule), strict=True))
-        rows = list(zip(*shares(scene, piece), strict=True))
+        by_rule = _under_graded if piece.graded else _under
         for i, q in enumerate(parts):
             if found[i] is None:
-                sums = [weighed(q, x, rule, values) for values in basis]
-                found[i] = [scene.table.total([c * one for c, one in zip(row, sums, strict=True)]) for row in rows]
+                found[i] = by_rule(scene, piece, rule, lambda shape, q=q: weighed(q, x, rule, shape))
     return found
+
+
+def _under(scene, piece, rule, integrated):
+    basis = zip(*(basis_at(scene, piece, one.place) for one in rule), strict=True)
+    sums = [integrated(values) for values in basis]
+    return [scene.table.total([c * one for c, one in zip(row, sums, strict=True)])
+            for row in zip(*shares(scene, piece), strict=True)]
+
+
+def _under_graded(scene, piece, rule, integrated):
+    return plainly(scene, lambda: [
+        scene.table.defined(f"held.F{i}", integrated(shape)) for i, shape in enumerate(zip(*graded_shapes(
+            scene, "held", piece.numbers, [one.place for one in rule]), strict=True))])
 
 
 def by_parts(scene: Any, piece: "RestPiece", q: "Node", x: "Node") -> "list[Node] | None":
@@ -90,6 +102,8 @@ def _of_state(piece, at, moved, pulled, order):
 def _stiffness(scene, piece, first):
     """That of one end, its end values from the `first` on."""
     count = 4 if piece.bends else 2
+    if piece.graded:
+        return [row[first:first + 2] for row in graded_stiffness(scene, piece.numbers)[first:first + 2]]
     ends = [scene.table.variable(f"end value {i}") for i in range(count)]
     if piece.bends:
         springs = springs_across(scene, piece.length, piece.bending, piece.tension, piece.foundation, ends)

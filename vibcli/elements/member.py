@@ -185,7 +185,10 @@ def _built(name, kind, record, scene):
         member = load("member_plane").placed(member, places, held, scene)._replace(
             settled=tensions is None or tensions.settled, tie=scene.tie(name))
     scene.members[name] = member
-    add_pieces(member, scene)
+    if line is None:
+        add_pieces(member, scene)
+    else:
+        load("member_plane").add_placed_pieces(member, scene)
     member = member._replace(stations=[station for station in member.stations if station.u is not None])
     scene.members[name] = member
     if member.stretching:

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from vibcli.elements.graded_beam import graded_beam
+from vibcli.elements.graded_beam import graded_beam, plainly
 from vibcli.elements.loaded_rest import held_deflection
 from vibcli.elements.rest_shapes import deflection
 from vibcli.symbolic.antiderivatives import antiderivative
@@ -21,8 +21,8 @@ def static_signal(scene: "Scene", signal: "PlaceSignal") -> "Node":
     if signal.motion is not None:
         return signal.motion
     own, piece = _given_along(scene, signal), signal.piece(scene)
-    if piece.bends and not piece.gradient.is_zero:
-        return signal.factor * _graded(scene, signal, piece)
+    if piece.graded:
+        return signal.factor * (_graded(scene, signal, piece) + _held(scene, signal, piece))
     if None in signal.ends:
         return signal.factor * _slack(scene, signal, piece)
     xi = scene.table.variable("the place on a piece")
@@ -44,13 +44,22 @@ def _slack(scene, signal, piece):
 
 def _graded(scene, signal, piece):
     """Of a beam under a tension that varies along it."""
-    sample = scene.table.sample
-    scene.table.resample(None)
-    shares = graded_beam(scene, piece.length, piece.bending, piece.tension, piece.gradient, piece.foundation).shares(
-        signal.order, signal.at, f"{signal.member.name}.{signal.number + 1}")
-    scene.table.resample(sample)
+    shares = plainly(scene, lambda: graded_beam(scene, *piece.numbers).shares(
+        signal.order, signal.at, f"{signal.member.name}.{signal.number + 1}"))
     return scene.table.total([share * part for share, part in zip(shares, [*signal.ends, signal.weight(scene)],
                                                                   strict=True)])
+
+
+def _held(scene, signal, piece):
+    """What uneven loads leave between held ends."""
+    xi, found = scene.table.variable("the place on a piece"), scene.table.zero
+    for load in signal.uneven(scene):
+        q, = substitute([load.q], {load.x: signal.left.place + xi})
+        try:
+            found = found + held_deflection(scene, piece, q, xi, signal.at, signal.order)
+        except NotSmooth as error:
+            scene.report(load.where, f"'{load.owner}' {error.message}", error.hint)
+    return found
 
 
 def _at(scene, load, xi, order, place):

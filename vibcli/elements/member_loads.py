@@ -8,6 +8,7 @@ SpreadForce.
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from vibcli.elements.graded_beam import graded_mean
 from vibcli.elements.loaded_rest import by_parts, end_forces
 from vibcli.elements.member_pieces import pieces_of
 from vibcli.elements.member_places import ROUNDING
@@ -61,15 +62,15 @@ def add_spread_load(record: "Record", member: "Member", scene: Any) -> None:
         return
     vibrates = _on_slack(member, low, high, scene)      # between a station and a slack end
     if vibrates and not q.is_zero:
-        _not_yet(record, scene)
+        _on_slack_end(record, scene)
         return
     for i, (segment, left, right) in enumerate(pieces_of(member, scene)):
         middle = (scene.number(left.place) + scene.number(right.place)) / 2
         if low < middle < high:
             is_light = segment.inertia.is_zero and segment.drag.is_zero
             vibrates = vibrates or not is_light
-            _on_piece(record, load if is_light else load._replace(in_time=scene.table.zero), member, segment, left,
-                      right, member.tension(i, segment, scene), scene)
+            _on_piece(record, load if is_light else load._replace(in_time=scene.table.zero), member, i,
+                      (segment, left, right), scene)
     if vibrates:
         _vibrating(record, load, scene)
 
@@ -94,30 +95,35 @@ def _vibrating(record, load, scene):
         scene.add_spread_force(load.member, load.start, load.end, along, moving, load.x)
 
 
-def _on_piece(record, load, member, segment, left, right, tension, scene):
+def _on_piece(record, load, member, i, placed, scene):
+    segment, left, right = placed
     if load.q.is_zero and load.in_time.is_zero:
-        return None
+        return
+    tension = member.tension(i, segment, scene)
     length = right.place - left.place
     ends = [*member.motions(left), *member.motions(right)]
-    bends, foundation = member.kind.bends, segment.foundation
+    piece = RestPiece(length, member.kind.bends, segment.stiffness, *tension, segment.foundation)
     if load.even:
-        mean = (mean_across(scene, length, segment.stiffness, tension[0], foundation, ends) if bends else
-                mean_along(scene, length, tension[0], foundation, ends, tension[1]))
-        if bends and not tension[1].is_zero:
-            return _not_yet(record, scene)
-        scene.add_force(load.q * length, load.in_time * length, mean)
-        return None
-    if bends and not tension[1].is_zero:
-        return _not_yet(record, scene)
+        scene.add_force(load.q * length, load.in_time * length, _mean(scene, f"{member.name}.{i + 1}", piece, ends))
+        return
     xi = scene.table.variable("the place on a piece")
-    piece = RestPiece(length, bends, segment.stiffness, *tension, foundation)
     try:
         for part, in_time in ((load.q, False), (load.in_time, True)):
             for end, force in zip(ends, _put(scene, piece, part, left.place, load, xi), strict=True):
                 scene.add_force(*((scene.table.zero, force) if in_time else (force, scene.table.zero)), end)
     except NotSmooth as error:
         scene.report(record["per_length"].where, f"'{record.name}' {error.message}", error.hint)
-    return None
+
+
+def _mean(scene, owner, piece, ends):
+    """∫ u dx/l without loads of its own, by which loads spread evenly act."""
+    length, bends, *stiff = piece
+    if piece.graded:
+        return graded_mean(scene, owner, piece.numbers, ends)
+    B, tension, gradient, foundation = stiff
+    if bends:
+        return mean_across(scene, length, B, tension, foundation, ends)
+    return mean_along(scene, length, tension, foundation, ends, gradient)
 
 
 def _put(scene, piece, part, start, load, xi):
@@ -137,6 +143,6 @@ def _put(scene, piece, part, start, load, xi):
             for i in range(len(rows[0]))]
 
 
-def _not_yet(record, scene):
-    scene.report(record["per_length"].where, "such a load on a member under tension or on a foundation does not work "
-                 "yet", "let forces act at points of the member")
+def _on_slack_end(record, scene):
+    scene.report(record["per_length"].where, "a steady load up to an end of a string that bears no tension is not "
+                 "found", "let forces act at points of the member")

@@ -5,9 +5,8 @@ from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
-from vibcli.elements.graded_beam import graded_beam
+from vibcli.elements.graded_beam import graded_beam, plainly
 from vibcli.elements.member_springs import springs_across, springs_along
-from vibcli.language.named_elements import load
 
 if TYPE_CHECKING:
     from vibcli.elements.member import Member, Station
@@ -16,11 +15,8 @@ if TYPE_CHECKING:
 
 
 def add_pieces(member: "Member", scene: Any) -> None:
-    """Add the pieces of a member."""
-    for i, (segment, left, right) in enumerate(pieces_of(member, scene)):
-        if member.line is not None:
-            load("member_plane").add_placed_piece(member, segment, left, right, i, scene)
-            continue
+    """Add the pieces of a member that is not drawn."""
+    for segment, left, right in pieces_of(member, scene):
         tension = preload_of(member, scene)
         if member.kind.bends:
             add_across(segment, left, right, tension, scene)
@@ -77,11 +73,12 @@ def add_graded(owner: str, segment: "MemberSegment", left: "Station", right: "St
                gradient: "Node", scene: Any) -> "Node":
     """A piece of a beam whose tension has a gradient; its mean displacement across."""
     ends, length = [*left.motions, *right.motions], right.place - left.place
-    sample = scene.table.sample
-    scene.table.resample(None)      # nothing in its long numbers has to cancel
-    piece = graded_beam(scene, length, segment.stiffness, tension, gradient, segment.foundation)
-    springs, mean = piece.springs(owner, ends), piece.mean(owner, ends)
-    scene.table.resample(sample)
+
+    def found():
+        piece = graded_beam(scene, length, segment.stiffness, tension, gradient, segment.foundation)
+        return piece.springs(owner, ends), piece.mean(owner, ends)
+
+    springs, mean = plainly(scene, found)
     _add(segment, left, right, (segment.stiffness, tension, gradient), ends, springs, scene)
     return mean
 

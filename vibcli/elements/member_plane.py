@@ -9,7 +9,7 @@ held to what parts along the line, that is a condition. A beam with EA stretches
 from typing import TYPE_CHECKING, Any
 
 from vibcli.elements.member_line import Station
-from vibcli.elements.member_pieces import add_across, add_along, add_graded, add_piece, preload_of
+from vibcli.elements.member_pieces import add_across, add_along, add_graded, add_piece, pieces_of, preload_of
 from vibcli.elements.member_springs import mean_across, mean_along
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import HALF
@@ -87,8 +87,13 @@ def _along(member, places, held, scene):
     return [base] * len(places), ()
 
 
-def add_placed_piece(member: "Member", segment: "MemberSegment", left: Station, right: Station, i: int,
-                     scene: Any) -> None:
+def add_placed_pieces(member: "Member", scene: Any) -> None:
+    """Add the pieces of a member in the plane."""
+    for i, (segment, left, right) in enumerate(pieces_of(member, scene)):
+        _add_placed(member, segment, left, right, i, scene)
+
+
+def _add_placed(member, segment, left, right, i, scene):
     """The i-th piece of a member in the plane: its springs, its inertia both ways, its weight."""
     length = right.place - left.place
     mass = segment.inertia * length

@@ -7,7 +7,7 @@ from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import BODY, Kind, MotionField
 
 if TYPE_CHECKING:
-    from vibcli.elements.body import Body
+    from vibcli.elements.rigid_body import Body
     from vibcli.language.reader import Record
 
 _LENGTH, _ANGLE = MotionField("m"), MotionField("rad")

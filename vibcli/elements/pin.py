@@ -6,7 +6,7 @@ from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import BODY, PLACE, Flag, MotionField
 
 if TYPE_CHECKING:
-    from vibcli.elements.body import Body
+    from vibcli.elements.rigid_body import Body
     from vibcli.language.reader import Record
 
 ELEMENT = Element(

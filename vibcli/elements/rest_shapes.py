@@ -34,9 +34,21 @@ class RestPiece(NamedTuple):
         """Does it deflect in a polynomial?"""
         return self.foundation.is_zero and self.gradient.is_zero and (not self.bends or self.tension.is_zero)
 
+    @property
+    def graded(self) -> bool:
+        """Is it a beam whose tension varies along it?"""
+        return self.bends and not self.gradient.is_zero
+
+    @property
+    def numbers(self) -> "list[Node]":
+        """Its length, B, N, N′ and k."""
+        return [self.length, self.bending, self.tension, self.gradient, self.foundation]
+
     def longest(self, scene: Any) -> float:
         """The length over which its deflections grow by e⁸ at the most."""
         tension, foundation = (abs(scene.number(node)) for node in (self.tension, self.foundation))
+        if self.graded:
+            tension = max(tension, abs(scene.number(self.tension + self.gradient * self.length)))
         if self.bends:
             bending = abs(scene.number(self.bending))
             rate = ((tension + 2 * (foundation * bending) ** 0.5) / bending) ** 0.5

@@ -10,8 +10,8 @@ The angles θ and ψ are relative to the surface's carrier; `turn` is θ in the 
 
 from typing import TYPE_CHECKING, Any
 
-from vibcli.elements.body import Body, touched
 from vibcli.elements.contact import CircleContact, LineContact
+from vibcli.elements.rigid_body import Body, touched
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Many, MotionField, NameOf, Quantity
 from vibcli.language.named_place import DRAWN

@@ -25,12 +25,13 @@ class InnerParts(Many):
         return {"type": "array", "items": {"$ref": f"#/definitions/{self.kind.name}"}, "minItems": self.least}
 
 
-def part_element(whole: str, key: str, about: str, unit: str, turning: str) -> Element:
-    """The element of a part of a spring or damper, `key` being its coefficient in a unit, or in that of torsion."""
+def part_element(whole: str, part: Lazy, key: str, about: str, unit: str, turning: str) -> Element:
+    """The element of a part of a spring or damper, `part` where it stands within one, `key` being its coefficient in a
+    unit, or in that of torsion."""
     rate = key == "c"
     law = "its force as a function of the rate v of its own length" if rate else (
         "its tension as a function of its own deflection d")
-    inner = InnerParts(Lazy(f"{whole}_part"), 2, named="a list of two parts or more")
+    inner = InnerParts(part, 2, named="a list of two parts or more")
     return Element(f"part of a {whole}", f"A part of a {whole} that consists of several, in series or in parallel.", {
         key: Field(Quantity(unit), about),
         "torsion": Field(Torsion(turning), f"its torsional coefficient, where the {whole} turns; `true` beside a law"),

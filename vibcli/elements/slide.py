@@ -7,7 +7,7 @@ from vibcli.language.kinds import BODY, MotionField, NameOf, vector
 from vibcli.symbolic.derivatives import gradient
 
 if TYPE_CHECKING:
-    from vibcli.elements.body import Body
+    from vibcli.elements.rigid_body import Body
     from vibcli.language.reader import Record
     from vibcli.symbolic.node import Node
 

@@ -59,7 +59,8 @@ ELEMENT = Element(
                      "law), or a table: points, or {table: a file or points, columns: [1, 2], units: [mm, N], beyond: "
                      "linear}"),
         "series": Field(Many(Lazy("spring_part"), 2, named="a list of two parts or more"),
-                        "its parts one behind the other, which share the force: [{k: k1}, {k: k2}]"),
+                        "its parts one behind the other, which share the force: [{k: k1}, {k: k2}]; where one "
+                        "softens or goes slack they are followed from rest, up to where they snap"),
         "parallel": Field(Many(Lazy("spring_part"), 2, named="a list of two parts or more"),
                           "its parts side by side, which share the deflection; nested in `series` or alone"),
         "between": Field(ENDS, "its two ends [A, B]; the stretch grows as B leaves A"),

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.language.kinds import BODY
 
 if TYPE_CHECKING:
-    from vibcli.elements.body import Body
+    from vibcli.elements.rigid_body import Body
     from vibcli.language.reader import Reference
 
 ELEMENT = BODY

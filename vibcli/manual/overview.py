@@ -1,6 +1,6 @@
 """The first page of the manual: a scene, and what there is to look up."""
 
-from vibcli.elements.body import MOTIONS
+from vibcli.elements.rigid_body import MOTIONS
 from vibcli.elements.shapes import NEEDS
 from vibcli.manual import scenes, topics
 from vibcli.manual.catalogue import Catalogue

@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
-from vibcli.elements.body import MOTIONS
+from vibcli.elements.rigid_body import MOTIONS
 from vibcli.elements.shapes import LAWS, NEEDS
 from vibcli.manual import scenes, topics
 from vibcli.manual.layout import blocks, in_short, paragraph, table

@@ -1,8 +1,13 @@
 """Energies and equations of motion: functions of coordinates and velocities, compared as such."""
 
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import PhysicsError
 from vibcli.quantities.matrices import coordinate_number
 from vibcli.quantities.quantity import EQUATION, FUNCTION, Declaration
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
 
 
 def _require_no_damping(problem):
@@ -11,20 +16,39 @@ def _require_no_damping(problem):
                            "ask for equation[…] or C[…]")
 
 
+def equation_number(problem: "Problem", name: str) -> int:
+    """The number of a coordinate among the equations of motion; refused where that is one of a member."""
+    i = coordinate_number(problem, name)
+    if any(node.mask & problem.scene.q[i].mask for piece in problem.scene.pieces for node in piece.s):
+        raise PhysicsError(f"'{name}' moves a member: its equation is a condition at the end of a "
+                           "partial differential one, which `vibcli equations` writes out",
+                           "ask for frequencies, modes or frequency responses")
+    return i
+
+
 def _motion(problem, tree):
     from vibcli.mechanics.lagrange import equation_of
 
     _require_no_damping(problem)
+    i = equation_number(problem, tree.indices[0])
     if problem.spec.expanded:
-        return problem.symbolic.expanded_equations[0][coordinate_number(problem, tree.indices[0])]
-    return equation_of(problem.scene, coordinate_number(problem, tree.indices[0]))
+        return problem.symbolic.expanded_equations[0][i]
+    return equation_of(problem.scene, i)
+
+
+def require_sum(problem: "Problem", head: str) -> None:
+    """Refuse an energy or Φ that `damping` or members have a part in."""
+    if head == "Phi":
+        _require_no_damping(problem)
+    if any(head != "Phi" or not piece.drag.is_zero for piece in problem.scene.pieces):
+        raise PhysicsError(f"{head} of members is an integral along them, which `vibcli equations` writes out",
+                           "ask for frequencies, modes or frequency responses")
 
 
 def _energy(problem, tree):
     from vibcli.mechanics.energies import dissipation, kinetic, potential
 
-    if tree.head == "Phi":
-        _require_no_damping(problem)
+    require_sum(problem, tree.head)
     return {"T": kinetic, "V": potential, "Phi": dissipation}[tree.head](problem.scene)
 
 

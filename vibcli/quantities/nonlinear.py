@@ -26,8 +26,8 @@ def _at_fold(problem, tree, args):
 
 
 def _kappa(problem, tree, args):
-    digits = problem.digits
-    return measured(problem.free_motions.kappa(int(tree.indices[0]), digits, unit(problem)),
+    digits, ((name, _),) = problem.digits, powers_in(problem.spec, tree.indices[1], 2)
+    return measured(problem.free_motions.kappa(int(tree.indices[0]), name, digits, unit(problem)),
                     10.0**-digits if digits else 0.0)
 
 
@@ -44,7 +44,8 @@ def _dimension(spec: "Spec", tree: "QuantityRef") -> Any:
 QUANTITIES = {
     "backbone": Declaration(
         "factor κ of the square of the amplitude A of a coordinate, half its range, in the angular frequency "
-        "ω ≈ ω₀(1 + κA²) of small free motions of one degree of freedom (Lindstedt and Poincaré); with two brackets "
+        "ω ≈ ωᵢ(1 + κA²) of small free motions of family i (Lindstedt and Poincaré), of several degrees of freedom in "
+        "numbers and away from internal resonances 1:1, 1:2, 1:3; with two brackets "
         "`backbone[1](x)(10 cm)` is the angular frequency at an amplitude", None, _kappa,
         ("number", "square"), dimension=_dimension, symbolic=_kappa_in_letters, several=True),
     "backbone()": Declaration(

@@ -4,7 +4,6 @@ from math import isfinite
 from typing import Any
 
 from vibcli.base.errors import PhysicsError
-from vibcli.quantities.precise_numbers import settled
 from vibcli.quantities.quantity import (
     ERROR,
     EXACT,
@@ -26,6 +25,8 @@ def _measured(number):
     """(value, relative error bound) of a number of a signal, which comes with a function that gives its absolute error;
     hints speak of that signal."""
     def value(problem, tree, args):
+        from vibcli.quantities.precise_numbers import settled
+
         try:
             found, off = number(problem, tree, args)
             kind = problem.response_of(tree).KIND

@@ -2,6 +2,7 @@
 
 from vibcli.analyses import OF_MODES
 from vibcli.report.keys import Key, documented
+from vibcli.report.section_keys import section_keys
 from vibcli.report.sections.accelerations import ACCELERATIONS
 from vibcli.report.sections.backbone import KEY as BACKBONE
 from vibcli.report.sections.design_parameters import CHOSEN
@@ -11,7 +12,6 @@ from vibcli.report.sections.equilibrium import EQUILIBRIUM, STICKING
 from vibcli.report.sections.equivalents import KEY as EQUIVALENTS
 from vibcli.report.sections.expansion import KEY as EXPANSION
 from vibcli.report.sections.frequency_response import FREQUENCY_RESPONSE
-from vibcli.report.sections.insight import insight
 from vibcli.report.sections.member_modes import COUNT, MEMBERS
 from vibcli.report.sections.phase_plane import KEY as PHASE_PLANE
 from vibcli.report.sections.response import MOTION
@@ -29,5 +29,5 @@ KEYS = dict(documented((
         "one without inertia no modes, in words; absent otherwise"),
     MODES._replace(each=(*MODES.each, MEMBERS)), COUNT, DAMPED_MODES, MOTION, FREQUENCY_RESPONSE,
     EQUIVALENTS, BACKBONE, EXPANSION, PHASE_PLANE,
-    Key("insight", "only where `find` or --insight asks for it", of=insight(OF_MODES)), POLYNOMIAL,
+    Key("insight", "only where `find` or --insight asks for it", of=section_keys(OF_MODES)), POLYNOMIAL,
     Key("cases", "{name: the same keys}, where the file has cases"))))

@@ -9,7 +9,8 @@ import numpy as np
 from vibcli.analyses.nonlinear.backbone import Backbone, BackbonePoint
 from vibcli.analyses.nonlinear.family_of_mode import EndOfFamily, FamilyOfMode
 from vibcli.analyses.nonlinear.free_equations import FreeEquations
-from vibcli.analyses.nonlinear.harmonics import AmplitudeOfSignal
+from vibcli.analyses.nonlinear.harmonics import AmplitudeOfCombination, AmplitudeOfSignal
+from vibcli.analyses.nonlinear.small_amplitudes_of_modes import kappa_of_mode, near_resonance
 from vibcli.base.errors import PhysicsError
 from vibcli.results.motion_signals import amplitude_told, node_of, require_positive
 from vibcli.symbolic.derivatives import gradient
@@ -17,6 +18,7 @@ from vibcli.symbolic.numeric_code import Compiled
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.running_errors import Rounded
 
 
 class FamiliesOfModes:
@@ -35,10 +37,7 @@ class FamiliesOfModes:
 
     def curve(self, number: int, tree: Any, amplitudes: Sequence[float]) -> Backbone:
         """The motions of the family of a mode, counted from 1, with these amplitudes of a signal."""
-        n = len(self.scene.q)
-        if not 1 <= number <= n:
-            raise PhysicsError(f"this scene has {n} families of free motions, found the index {number}",
-                               f"write an index from 1 to {n}")
+        self._require_number(number)
         require_positive(min(amplitudes))
         family = FamilyOfMode(self.equations, number - 1, self._range(tree))
         try:
@@ -54,6 +53,25 @@ class FamiliesOfModes:
         points = [BackbonePoint(one.amplitude, one.motion.w * family.balance.scale, family.balance.energy(one.motion),
                                 one.error) for one in found]
         return Backbone(points, self._told(tree, family, found, number))
+
+    def kappa(self, number: int, name: str) -> "Rounded":
+        """κ of ω ≈ ωᵢ(1 + κA²), A being the amplitude of a coordinate, with the bound of its error."""
+        self._require_number(number)
+        return kappa_of_mode(self.problem.configuration, self.equations, number - 1,
+                             self.scene.coordinates.index(name))
+
+    def near_resonance(self, number: int) -> str | None:
+        """What narrows κ to the smallest amplitudes, in words."""
+        found = near_resonance(self.equations, number - 1)
+        return found and (f"Mode {found[0] + 1} has nearly {found[1]} times the frequency of mode {number} (internal "
+                          f"resonance 1:{found[1]}): κ tells ω at amplitudes far below those where they may "
+                          "exchange energy.")
+
+    def _require_number(self, number):
+        n = len(self.scene.q)
+        if not 1 <= number <= n:
+            raise PhysicsError(f"this scene has {n} families of free motions, found the index {number}",
+                               f"write an index from 1 to {n}")
 
     def _told(self, tree, family, found, number):
         """The first motion with an internal resonance, in words."""
@@ -73,4 +91,5 @@ class FamiliesOfModes:
                                "force", "ask for a function of the places alone, without rates")
         by_q = [slopes.get(q, self.scene.table.zero) for q in self.scene.q]
         compiled = Compiled(self.scene, self.problem.numeric.floats, None, [node, *by_q])
-        return AmplitudeOfSignal(compiled, self.equations.rest, self.equations.shapes)
+        kind = AmplitudeOfSignal if any(slope.mask for slope in by_q) else AmplitudeOfCombination
+        return kind(compiled, self.equations.rest, self.equations.shapes)

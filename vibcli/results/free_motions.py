@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vibcli.analyses.nonlinear.backbone import Backbone, BackbonePoint
-from vibcli.analyses.nonlinear.family import FamilyOfMotions, NoSuchAmplitude, function_of_place
+from vibcli.analyses.nonlinear.family import FamilyOfMotions, NoSuchAmplitude, function_of_place, rests_between
 from vibcli.analyses.nonlinear.motions_by_amplitude import motions_by_amplitude
 from vibcli.analyses.nonlinear.period import periods_of
 from vibcli.analyses.nonlinear.well import Well
-from vibcli.base.errors import PhysicsError
+from vibcli.base.errors import Kinked, NotInLetters, PhysicsError
 from vibcli.results.motion_signals import amplitude_told, node_of, require_families, require_positive
 from vibcli.symbolic.evaluation import multiprecision
 from vibcli.symbolic.numeric_code import Compiled
@@ -42,10 +42,19 @@ class FreeMotions:
     @cached_property
     def family(self) -> FamilyOfMotions:
         """About the equilibrium."""
-        at_rest = self.problem.configuration.at_rest
-        q = self.scene.q[0]
-        return FamilyOfMotions(Well(self.scene, self.problem.numeric.floats), at_rest[q.name],
-                      self.scene.unit_of(self.scene.coordinates[0]))
+        well = Well(self.scene, self.problem.numeric.floats)
+        return FamilyOfMotions(well, self._bottom(well), self.scene.unit_of(self.scene.coordinates[0]))
+
+    def _bottom(self, well):
+        """The place of the equilibrium; where the slope of a force is infinite there, it is as drawn."""
+        name = self.scene.q[0].name
+        try:
+            return self.problem.configuration.at_rest[name]
+        except Kinked:
+            place = self.problem.numeric.drawn_floats[name]
+            if not rests_between(well, place):
+                raise
+            return place
 
     def omega(self, number: int, tree: Any, amplitude: float) -> tuple[float, float]:
         """(angular frequency [rad/s], relative error) of the motion in which a signal has an amplitude."""
@@ -58,17 +67,19 @@ class FreeMotions:
         return point.omega, point.error
 
     def require_alone(self, number: int) -> None:
-        """PhysicsError of several degrees of freedom, and of another family than the first."""
+        """NotInLetters of several degrees of freedom; PhysicsError of another family than the first."""
         if self.several is not None:
-            raise PhysicsError("how ω begins to hang on the amplitude is found of one degree of freedom",
-                               "ask for backbone[1](x)(A) at an amplitude A")
+            raise NotInLetters("how ω begins to hang on the amplitude is found in letters of one degree of freedom",
+                               "give the parameters values")
         _require_first(number)
 
-    def kappa(self, number: int, digits: int | None, unit: float) -> Any:
-        """κ of ω ≈ ω₀(1 + κA²), with the bound of its error."""
+    def kappa(self, number: int, name: str, digits: int | None, unit: float) -> Any:
+        """κ of ω ≈ ω₀(1 + κA²), A being the amplitude of a coordinate, with the bound of its error."""
+        if self.several is not None:
+            return self.several.kappa(number, name)
         from vibcli.analyses.nonlinear.small_amplitudes import kappa_in_numbers
 
-        self.require_alone(number)
+        _require_first(number)
         return kappa_in_numbers(self.problem.configuration, digits, unit)
 
     def kappa_in_letters(self, number: int) -> "Node":

@@ -96,7 +96,7 @@ class ModalResponse(ResponseOfMembers):
         from vibcli.analyses.continuous.mode_basis import ModeBasis
         from vibcli.analyses.continuous.real_modes import RealModes
 
-        modes = self.natural.first(count)
+        transfer, modes = self._transfer, self.natural.first(count)
         basis = ModeBasis(modes, self.linear.pieces)
         inputs, damping, given = self._felt(basis), self._damping(basis), self.problem.modal.member_damping
         creeping = given is not None and given.creeps
@@ -104,7 +104,7 @@ class ModalResponse(ResponseOfMembers):
         start = [one.of_modes(basis.squares, plain) for one, plain in zip(starts, self._start(basis), strict=True)]
         shaking = self._shaking(basis)
         modes = RealModes(basis, inputs, start, damping, creeping, disturbed if shaking is None else None, shaking)
-        return ModalMotion(modes, self._transfer, self._forces, self.problem.work)
+        return ModalMotion(modes, transfer, self._forces, self.problem.work)
 
     def _felt(self, basis):
         """What each mode feels of each channel."""

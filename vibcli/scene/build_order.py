@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from vibcli.elements.body import carriers
+from vibcli.elements.rigid_body import carriers
 
 if TYPE_CHECKING:
     from vibcli.language.spec import Spec

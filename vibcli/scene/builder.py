@@ -26,7 +26,7 @@ from vibcli.symbolic.transfer_between_tables import copied
 if TYPE_CHECKING:
     from fractions import Fraction
 
-    from vibcli.elements.body import Body
+    from vibcli.elements.rigid_body import Body
     from vibcli.language.spec import Spec
     from vibcli.scene.member_tensions import Tensions
     from vibcli.scene.scene import Variant

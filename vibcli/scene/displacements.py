@@ -9,7 +9,7 @@ from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
-    from vibcli.elements.body import Body
+    from vibcli.elements.rigid_body import Body
     from vibcli.language.reader import Expression
     from vibcli.scene.expressions import Expressions
     from vibcli.scene.places import Frame

@@ -32,6 +32,11 @@ class PieceTerm(NamedTuple):
     springs: int
 
     @property
+    def drag(self) -> "Node":
+        """The drag per length c."""
+        return self.coefficients[5]
+
+    @property
     def nodes(self) -> "list[Node]":
         """The expressions that it is made of."""
         return [self.start, *self.coefficients, *self.s]

@@ -7,8 +7,8 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
     from vibcli.base.errors import Where
-    from vibcli.elements.body import Body
     from vibcli.elements.member import Member
+    from vibcli.elements.rigid_body import Body
     from vibcli.language.reader import Expression, Record, Reference
     from vibcli.language.spec import Spec
     from vibcli.scene.expressions import Expressions

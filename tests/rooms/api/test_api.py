@@ -338,3 +338,37 @@ def test_the_scene_chooses():
     for answer in model._as_read.spec.answers:
         assert model[answer.asked.text].value is not None
     assert inspect.ismethod(model.draw) and model.draw().primitives
+
+
+WITH_A_BEAM = {
+    "parameters": {"m": "2 kg", "k": "800 N/m", "L": "1 m", "mu": "2 kg/m", "EI": "30 N*m^2"},
+    "beams": {"arm": {"length": "L", "EI": "EI", "mass_per_length": "mu", "left": "clamped"},
+              "mast": {"length": "L", "EI": "EI", "mass_per_length": "mu", "left": {"clamped": "cart"}}},
+    "points": {"tip": {"body": "arm", "at": "L"}},
+    "bodies": {"b": {"mass": "m", "slide": "x"}, "cart": {"mass": "m", "slide": "y"}},
+    "springs": {"s": {"k": "k", "between": ["tip", "b"]}},
+    "dampers": {"d": {"c": "2 N*s/m", "between": ["b", "ground"]}},
+}
+
+
+def test_no_energy_or_equation_leaves_members_out():
+    """T of the beams is an integral and y moves one of them, whose equation is no ordinary one; x moves none."""
+    p = vibcli.load(WITH_A_BEAM)
+    for asked in ("T", "V", "motion[y]", "equation[y]"):
+        with pytest.raises(vibcli.PhysicsError, match=r"of members is an integral|moves a member"):
+            p[asked]
+    with pytest.raises(vibcli.PhysicsError, match="partial differential equations"):
+        print(p.equations)
+    assert str(p["motion[x]"].expression).startswith("m*x'' + 2*x' + k*x")
+    assert str(p["Phi"].expression) == "x'^2"
+    asked = vibcli.load(WITH_A_BEAM | {"answers": {"T": "m*(x'^2 + y'^2)/2", "equation[y]": "m*y'' = 0"}})
+    verdicts = check(asked._problem)
+    assert [verdict.agrees for verdict in verdicts] == [False, False]
+    assert all("vibcli equations" in verdict.refusal.message for verdict in verdicts)
+
+
+def test_what_is_no_text_and_no_kind_of_picture_is_told():
+    with pytest.raises(TypeError, match=r"expected the text of a scene, found int; vibcli.load takes"):
+        vibcli.loads(5)
+    with pytest.raises(ValueError, match="a picture is a png or svg or pdf, not a xyz"):
+        vibcli.load(DRIVEN).draw().data("xyz")

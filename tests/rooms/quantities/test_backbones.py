@@ -126,3 +126,31 @@ def test_a_curve_is_printed_drawn_and_in_the_json(tmp_path, capsys):
 def test_a_curve_that_is_asked_wrongly_is_told(asked_for, message):
     with pytest.raises(SpecError, match=message):
         problem(DUFFING + f"find: [{{backbone: {asked_for}}}]\n")
+
+
+CUBE_ROOT = """
+parameters: {m: 2 kg, a: 3 N/m^(1/3)}
+bodies: {block: {mass: m, slide: x}}
+springs: {s: {law: a*sign(d)*abs(d)^(1/3), between: [ground, block]}}
+"""
+
+
+def test_a_power_law_without_slope_at_rest(tmp_path, capsys):
+    """ω = √π Γ(½ + 1/p)/Γ(1/p) · p √(c A^(p − 2)/(2m)) of V = c |x|^p; here p = 4/3, c = 3a/4."""
+    found, error = asked(CUBE_ROOT, "backbone[1](x)(10 cm)")
+    with mpmath.workdps(30):
+        p, c, A = mpmath.mpf(4) / 3, mpmath.mpf(9) / 4, mpmath.mpf("0.1")
+        exact = mpmath.sqrt(mpmath.pi) * mpmath.gamma(0.5 + 1 / p) / mpmath.gamma(1 / p) * p * mpmath.sqrt(
+            c * A ** (p - 2) / (2 * 2))
+        assert abs(found / exact - 1) <= error <= 2e-14
+    file = tmp_path / "root.yaml"
+    file.write_text(CUBE_ROOT.replace("2 kg", "{unit: kg}").replace("3 N/m^(1/3)", "{unit: N/m^(1/3)}")
+                    + "find: [{backbone: {up_to: 10 cm}}]\n")
+    assert run(["frequencies", str(file), "--backbone"]) == 0
+    told = capsys.readouterr().out
+    assert "(1/A)^(1/3)·√(3·a/(2·m))" in told and "p = 4/3" in told
+
+
+def test_a_kink_that_drives_away_has_no_family():
+    with pytest.raises(PhysicsError, match="slope of a force is infinite"):
+        asked(CUBE_ROOT.replace("law: a*", "law: -a*"), "backbone[1](x)(10 cm)")

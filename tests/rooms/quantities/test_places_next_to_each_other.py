@@ -7,6 +7,7 @@ import pytest
 from mpmath import mp, mpf
 from support.scenes import problem
 
+from vibcli.base.errors import NoEquilibrium
 from vibcli.language.signals_of_places import with_places
 from vibcli.quantities.expression import measure
 from vibcli.symbolic.parser import parse
@@ -81,3 +82,32 @@ def test_peak(apart):
         place = mpf(measured(one, "peak[1](frf[wing.u(0.5 m), drive]).Omega")[0])
         exact, *beside = (abs(deflection(apart, mpmath.mpc(0, place * (1 + off)))) for off in (0, -1e-6, 1e-6))
         assert abs(value - exact) <= 2 * error * exact + 1e-12 * exact and max(beside) < exact
+
+
+@pytest.mark.parametrize("apart", [1e-5, 1e-6, 1e-8])
+def test_equilibrium(apart):
+    """A spring takes R = k u off the tip load F of a cantilever: by superposition."""
+    one = problem(f"""
+        beams: {{b: {{length: 1 m, EI: 100 N*m^2, mass_per_length: 1 kg/m, left: clamped,
+                    attached: [{{at: 0.5 m, mass: 1 kg}}, {{at: 0.5 m + {apart} m, k: 5 kN/m}}]}}}}
+        points: {{tip: {{body: b, at: 1 m}}}}
+        forces: {{load: {{at: tip, force: 10 N}}}}
+        """)
+    a = 0.5 + apart
+    under = a**2 * (3 - a) / 600
+    R = 10 * under / (1 / 5000 + a**3 / 300)
+    for text, exact in (("b.u(1 m)", 10 / 300 - R * under), ("b.moment(0 m)", 10 - R * a)):
+        found, error = measured(one, f"equilibrium[{text}]")
+        assert abs(found - exact) <= (error + 1e-14) * abs(exact)
+
+
+def test_what_nothing_holds_is_still_refused():
+    """A free beam under a load, with places next to each other."""
+    one = problem("""
+        beams: {b: {length: 1 m, EI: 100 N*m^2, mass_per_length: 1 kg/m,
+                    attached: [{at: 0.5 m, mass: 1 kg}, {at: 0.50001 m, k: 5 kN/m}]}}
+        points: {tip: {body: b, at: 1 m}}
+        forces: {load: {at: tip, force: 10 N}}
+        """)
+    with pytest.raises(NoEquilibrium):
+        one.configuration.at_rest  # noqa: B018

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 import yaml
 
+from vibcli.base.errors import SpecError
 from vibcli.language.document.document import read
 from vibcli.mechanics.energies import dissipation, generalised_force, kinetic, potential
 from vibcli.mechanics.inputs_outputs.displacements import displacement
@@ -128,7 +129,12 @@ def test_how_a_body_is_put_together_changes_nothing(way):
         scene = plain(path)
         other = rewritten(scene, way)
         if other is not None and swept < MOST:
-            wanted, found = described(built(scene, path)), described(built(other, path))
+            try:
+                wanted = described(built(scene, path))
+            except SpecError as error:
+                assert "is not taut" in str(error)      # its tension is found from its equilibrium
+                continue
+            found = described(built(other, path))
             size = max(map(abs, wanted), default=0.0)
             assert found == pytest.approx(wanted, rel=1e-9, abs=1e-11 * size), path.stem
             swept += 1

@@ -51,8 +51,9 @@ class DampedBasis(ModeBasis):
         for group in series.groups:
             numbers = group.numbers + len(resting)
             self.shapes[:, numbers] = group.shapes[:, :matrix.n].T
-            for one in in_floats(group.pieces):
-                home, part = on_part(self.placed, one, numbers, one.piece.reaction(self.rates[numbers]), group.shapes)
+            for place, one in enumerate(in_floats(group.pieces)):
+                home, part = on_part(self.placed, one, numbers, one.piece.reaction(self.rates[numbers]), group.shapes,
+                                     group.motions.get(place))
                 self.parts[home].append(part)
 
 

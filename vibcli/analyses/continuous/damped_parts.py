@@ -64,15 +64,6 @@ class DampedPart(PartWithModes):
 
     def zeros_within(self, radius: float) -> int | None:
         """As of argument_count."""
-        return zeros_within(self.matrix, radius)
-
-    @property
-    def beside(self) -> bool:
-        """Has it short pieces, between places next to each other?"""
-        return self._near is not self.matrix
-
-    def counted(self, radius: float) -> int | None:
-        """The same, beside short pieces too."""
         return zeros_within(self._near, radius)
 
     def roots(self, radius: float, effort: float, known: Sequence[DampedRoot], least: float,
@@ -93,7 +84,7 @@ class DampedPart(PartWithModes):
 
     def _seen(self, shape):
         """A shape over the coordinates of the scene."""
-        return shape if not self.beside else self._near.relative.matrix(self.matrix.n) @ shape
+        return self._near.in_scene(shape[None])[1][0]
 
     def _estimates(self, radius, effort):
         """Those of eigenvalues within a radius."""
@@ -112,14 +103,14 @@ class DampedPart(PartWithModes):
 
     def series(self, rates: np.ndarray, radius: float, top: float, effort: int) -> RootsOfPart:
         """The known rates, those within a radius, and what is found beyond it up to about a frequency."""
-        divisions = Divisions(self.matrix)
+        divisions = Divisions(self._near)
         starts = self._starts(rates, radius, top, effort)
         inner = inner_estimates(self.matrix.pieces, radius, max(abs(starts).max(initial=0.0), top))
         found = settled_from(divisions, starts, inner)
         roots = distinct(np.concatenate([rates, found[abs(found) > radius * (1 - ALIKE * 0.01)]]))
         values, errors, groups = polished(divisions, roots)
-        return RootsOfPart(values, errors, [ShapesOf(self.numbered(one.pieces), one.numbers, self.placed(one.shapes))
-                                            for one in groups])
+        return RootsOfPart(values, errors, [
+            ShapesOf(self.numbered(one.pieces), one.numbers, self.placed(one.shapes), one.motions) for one in groups])
 
     def _starts(self, rates, radius, top, effort):
         if not self.matrix.pieces:
@@ -130,8 +121,6 @@ class DampedPart(PartWithModes):
 class StillPart(PartWithModes):
     """One that nothing damps: its natural modes."""
 
-    beside = False
-
     def __init__(self, matrix: DynamicMatrix, coordinates: Sequence[int], n: int, natural: Modes):
         super().__init__(matrix, coordinates, n)
         self._natural = natural
@@ -140,8 +129,6 @@ class StillPart(PartWithModes):
         """How many λ = ± iω, none of which grows, have |λ| < radius; None where one is next to it."""
         low, high = (len(self._natural.up_to(radius * side)) for side in (1 - SURE * 1e-6, 1 + SURE * 1e-6))
         return 2 * low if low == high else None
-
-    counted = zeros_within
 
     def roots(self, radius: float, effort: float, known: Sequence[DampedRoot], least: float,
               edge: float) -> list[DampedRoot]:

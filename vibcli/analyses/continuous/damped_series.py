@@ -5,6 +5,7 @@ once from many places. As D is symmetric its vectors are those of both sides: x 
 D⁻¹ = Σ x xᵀ/(s − λ).
 """
 
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -18,7 +19,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.numerics.fixed_point import count_floats
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Iterator, Mapping, Sequence
 
     from vibcli.analyses.continuous.damped_parts import DampedPart, StillPart
     from vibcli.analyses.continuous.damped_source import Region
@@ -37,12 +38,19 @@ GAPS = 6                # between roots that are tried in turn for the circle
 
 
 class ShapesOf(NamedTuple):
-    """Roots of which the same pieces move: their numbers, and x over the coordinates of the rows of these, (roots, n).
-    """
+    """Roots of which the same pieces move: their numbers, and x over the coordinates of the rows of these, (roots, n);
+    motions: u₀, θ₀, w, ψ of short ones, {place among the pieces: (roots, 4)}."""
 
     pieces: "Sequence[PlacedPiece]"
     numbers: np.ndarray
     shapes: np.ndarray
+    motions: "Mapping[int, np.ndarray]" = MappingProxyType({})
+
+    def among(self, numbers: np.ndarray, count: int) -> "ShapesOf":
+        """Those of the first `count` roots, which are numbered anew."""
+        kept = numbers < count
+        motions = {place: own[kept] for place, own in self.motions.items()}
+        return ShapesOf(self.pieces, numbers[kept], self.shapes[kept], motions)
 
 
 class DampedSeries(NamedTuple):
@@ -103,9 +111,6 @@ def damped_series(known: "Known | DampedSeries", count: int) -> DampedSeries:
         radius = _circle(known.parts, values, min(count, len(values)), known.resting)
         if radius is not None and (errors[:np.searchsorted(abs(values), radius)] < SURE).all():
             return _within(radius, known, own, values, errors, order)
-        if any(part.beside for part in known.parts):
-            raise PhysicsError("so many damped modes are not found beside places next to each other on a member",
-                               "move these further apart, or put what they hold at one place")
     if not (errors < SURE).all():
         raise PhysicsError("two damped modes of members are one, or nearly so: a mode is damped critically",
                            "give it a little more or less damping")
@@ -263,7 +268,8 @@ def polished(divisions: Divisions, s: np.ndarray) -> tuple[np.ndarray, np.ndarra
         spread = abs(found).sum(axis=1) ** 2
         felt = (abs(found) * given[at_own]).sum(axis=1) ** 2
         errors[place] = UNIT * ((SLACK * GUARD * spread + GIVEN * felt) / abs(steep) / abs(values[place]) + 4)
-        groups.append(ShapesOf(matrix.pieces, place, units[at_own] * found / np.sqrt(steep)[:, None]))
+        pieces, shapes, motions = matrix.in_scene(units[at_own] * found / np.sqrt(steep)[:, None])
+        groups.append(ShapesOf(pieces, place, shapes, motions))
     values = np.where(abs(values.imag) <= 2 * errors * abs(values), values.real, values)
     order = np.argsort(abs(values), kind="stable")
     place = np.argsort(order)
@@ -306,8 +312,7 @@ def _within(radius, known, parts, rates, errors, order):
     for one in parts:
         place = order[first:first + len(one.values)]
         for group in one.groups:
-            numbers = place[group.numbers]
-            kept.append(ShapesOf(group.pieces, numbers[numbers < count], group.shapes[numbers < count]))
+            kept.append(group.among(place[group.numbers], count))
         first += len(one.values)
     of_parts = [one.values[abs(one.values) < radius] for one in parts]
     return DampedSeries(known.parts, radius, of_parts, rates[:count], errors[:count], kept, known.resting)

@@ -194,7 +194,7 @@ class DampedModes:
 
 def _counted(parts, radius):
     """How many λ all parts have in |λ| < radius; None where that is not certain."""
-    found = [part.counted(radius) for part in parts]
+    found = [part.zeros_within(radius) for part in parts]
     return None if None in found else sum(found)
 
 

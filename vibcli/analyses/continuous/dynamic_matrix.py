@@ -139,6 +139,19 @@ class DynamicMatrix:
         """A row over the coordinates of the scene as one over those of D."""
         return row if self.relative is None or not self.relative.rows else self.relative.row(row)
 
+    def in_scene(self, shapes: np.ndarray) -> "tuple[Sequence[PlacedPiece], np.ndarray, dict[int, np.ndarray]]":
+        """Pieces as they are given, shapes (…, n) over the coordinates of D as ones over those of these, and u₀, θ₀, w,
+        ψ of short pieces, {number of a piece: (…, 4)}."""
+        short = self.relative.short if self.relative is not None else {}
+        return self._given[1], shapes @ self.to_scene.T, {number: np.stack(
+            [sum((x * shapes[..., i] for i, x in row.items()), 0 * shapes[..., 0]) for row in rows], axis=-1)
+            for number, rows in short.items()}
+
+    @property
+    def to_scene(self) -> np.ndarray:
+        """T, q = T p of the coordinates p of D: the identity where these are those of the scene."""
+        return np.eye(self.n) if self.relative is None else self.relative.matrix(self.n)
+
     def is_short(self, number: int) -> bool:
         """Has a piece relative coordinates?"""
         return self.relative is not None and number in self.relative.short

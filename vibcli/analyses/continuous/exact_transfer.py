@@ -10,6 +10,7 @@ import numpy as np
 
 from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix
 from vibcli.numerics.pieces.fields import fields
+from vibcli.numerics.pieces.relative import relative_fields, told
 from vibcli.numerics.pieces.stiffness import stiffness
 
 if TYPE_CHECKING:
@@ -32,6 +33,7 @@ class ExactTransfer:
     def __init__(self, polynomial: np.ndarray, pieces: "Sequence[PlacedPiece]", driven: Sequence[DrivenEnd],
                  spread: "Sequence[SpreadDrive]" = ()):
         self.matrix, self.pieces, self.driven = DynamicMatrix(polynomial, pieces), list(pieces), list(driven)
+        self._near = DynamicMatrix(polynomial, pieces, kept=())
         self.n, self.spread = polynomial.shape[-1], list(spread)
 
     @property
@@ -41,7 +43,8 @@ class ExactTransfer:
 
     def at(self, output: "LinearOutput", s: np.ndarray) -> np.ndarray:
         """(channels, number of s): the output, its constant and channels left out, for a unit e^{st} on each."""
-        x = self._moved(s)
+        p, T = self._moved(s), self._near.to_scene
+        x = np.tensordot(T, p, 1)
         found = np.zeros(x.shape[1:], complex)
         for power, part in enumerate((output.q, output.v, output.a)):
             for i, factor in part.items():
@@ -53,14 +56,27 @@ class ExactTransfer:
             for channel, drive in enumerate(self.driven, self.n):
                 if drive.piece == place.piece:
                     ends[channel, :, drive.end] += 1.0
-            values = fields(one.piece, one.piece.reaction(s), ends, place.x)[..., place.along]
+            values = self._field(place, s, p, ends)[..., place.along]
             for channel, spread in enumerate(self.spread, self.n + len(self.driven)):
                 values[channel] += spread.between(one, s, place.x, place.along)
             found += factor * s**place.rates * values
         return found
 
+    def _field(self, place, s, p, ends):
+        """u and its derivatives at a place, (channels, number of s, order)."""
+        one = self.pieces[place.piece].piece
+        kappa = one.reaction(s)
+        found = fields(one, kappa, ends, place.x)
+        rows = self._near.relative.short.get(place.piece) if self._near.relative is not None else None
+        if rows is None or any(drive.piece == place.piece for drive in self.driven):
+            return found
+        motions = np.stack([sum(x * p[i] for i, x in row.items()) + 0 * p[0] for row in rows], axis=-1)
+        long = told(one, kappa)
+        found[:, long] = relative_fields(one, kappa[long], motions[:, long], np.full(kappa[long].shape, place.x))
+        return found
+
     def _moved(self, s):
-        """(n, channels, number of s): the coordinates."""
+        """(n, channels, number of s): the coordinates of D."""
         forces = np.zeros((len(s), self.n, self.channels), complex)
         forces[:, range(self.n), range(self.n)] = 1.0
         for channel, drive in enumerate(self.driven, self.n):
@@ -77,8 +93,8 @@ class ExactTransfer:
                         forces[:, i, channel] += v * put[:, a]
         if not self.n:
             return np.zeros((0, self.channels, len(s)), complex)
-        D = np.moveaxis(self.matrix.at(s).D, -1, 0)
-        return np.moveaxis(np.linalg.solve(D, forces), 0, -1)
+        D, T = np.moveaxis(self._near.at(s).D, -1, 0), self._near.to_scene
+        return np.moveaxis(np.linalg.solve(D, T.T @ forces), 0, -1)
 
     def at_rest(self, q: np.ndarray) -> np.ndarray:
         """The forces that hold coordinates q at rest: D(0) q."""

@@ -11,8 +11,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from vibcli.analyses.continuous.short_pieces import relative_coordinates
 from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.piece import Piece
+from vibcli.numerics.pieces.relative import relative_fields, relative_stiffness, told
 from vibcli.numerics.pieces.stiffness import stiffness
 
 if TYPE_CHECKING:
@@ -21,26 +23,43 @@ if TYPE_CHECKING:
     from vibcli.mechanics.factored_system import PlacedPiece
 
 SAME = 1e-12        # of a length
+INSIDE = 1e-3       # of a part of a piece: what no division of pieces is as near to their ends as
+PLACED = 2.0**-51   # of a place, which is rounded as the difference of two
 
 
 class ModesOnPart(NamedTuple):
     """What modes number `modes` do on a part of a piece, from `start` of the piece on: κ of each, (modes,), and their
-    end values, (modes, order)."""
+    end values, (modes, order); motions: u₀, θ₀, w, ψ of a short piece of a beam, (modes, 4)."""
 
     modes: np.ndarray
     start: float
     piece: Piece
     kappa: np.ndarray
     ends: np.ndarray
+    motions: np.ndarray | None = None
 
     def along(self, x: "float | np.ndarray") -> np.ndarray:
         """u and its derivatives at the distance x from the start of the whole piece, (…, modes, order)."""
         y = np.clip(np.asarray(x, float)[..., None] - self.start, 0.0, self.piece.length)
-        return fields(self.piece, self.kappa, self.ends, y)
+        found = fields(self.piece, self.kappa, self.ends, y)
+        if self.motions is None:
+            return found
+        long = told(self.piece, self.kappa)
+        found[..., long, :] = relative_fields(self.piece, self.kappa[long], self.motions[long],
+                                              np.broadcast_to(y, found.shape[:-1])[..., long])
+        return found
 
     def forces(self) -> np.ndarray:
         """Those that its ends need, (modes, order)."""
-        return np.einsum("kab,kb->ka", stiffness(self.piece, self.kappa), self.ends)
+        found = np.einsum("kab,kb->ka", stiffness(self.piece, self.kappa), self.ends)
+        if self.motions is None:
+            return found
+        long = told(self.piece, self.kappa)
+        own = np.einsum("kab,kb->ka", relative_stiffness(self.piece, self.kappa[long])[0], self.motions[long])
+        own[:, 0] -= own[:, 2]
+        own[:, 1] -= self.piece.length * own[:, 2] + own[:, 3]
+        found[long] = own
+        return found
 
 
 class ModeBasis:
@@ -62,21 +81,27 @@ class ModeBasis:
     def _divide(self, numbers, motions):
         """Adds the ModesOnParts of modes whose pieces are divided in the same way."""
         shapes = np.array([[float(x) for x in motion.shape] for motion in motions])
-        for one in in_floats(motions[0].system.ordered):
+        left = _motions(motions)
+        for place, one in enumerate(in_floats(motions[0].system.ordered)):
             kappa = one.piece.foundation - one.piece.inertia * self.squares[numbers]
-            home, part = on_part(self.placed, one, numbers, kappa, shapes)
+            home, part = on_part(self.placed, one, numbers, kappa, shapes, left.get(place))
             self.parts[home].append(part)
 
     def field(self, piece: int, x: "float | np.ndarray", along: int = 0) -> np.ndarray:
         """The along-th derivative by x of all modes at x of a piece, (…, N)."""
         found = np.zeros((*np.shape(x), self.shapes.shape[1]), self.shapes.dtype)
         for part in self.parts[piece]:
-            inside = (np.asarray(x) >= part.start - SAME * part.piece.length) & (
-                np.asarray(x) <= part.start + part.piece.length * (1 + SAME))
+            off = self._off(piece)
+            inside = (np.asarray(x) >= part.start - off) & (np.asarray(x) <= part.start + part.piece.length + off)
             if inside.any():
                 values = part.along(x)[..., along]
                 found[..., part.modes] = np.where(np.asarray(inside)[..., None], values, found[..., part.modes])
         return found
+
+    def _off(self, piece):
+        """What places on a piece are rounded by."""
+        whole = self.placed[piece]
+        return SAME * whole.piece.length + PLACED * (abs(whole.start) + whole.piece.length)
 
     def rows(self, output: "LinearOutput") -> np.ndarray:
         """(3, N): what an output reads of each η, η̇ and η̈."""
@@ -91,10 +116,10 @@ class ModeBasis:
     def end_forces(self, piece: int, end: int) -> np.ndarray:
         """(N,): the force that an end value of a piece needs in each mode."""
         found, length = np.zeros(self.shapes.shape[1], self.shapes.dtype), self.placed[piece].piece.length
-        half = self.placed[piece].piece.order // 2
+        half, off = self.placed[piece].piece.order // 2, self._off(piece)
         for part in self.parts[piece]:
-            last = part.start + part.piece.length >= (1 - SAME) * length
-            if (end < half and part.start <= SAME * length) or (end >= half and last):
+            last = part.start + part.piece.length >= length - off
+            if (end < half and part.start <= off) or (end >= half and last):
                 found[part.modes] = part.forces()[:, end]
         return found
 
@@ -106,12 +131,30 @@ def in_floats(placed: "Sequence[PlacedPiece]") -> "list[PlacedPiece]":
 
 
 def on_part(placed: "Sequence[PlacedPiece]", one: "PlacedPiece", numbers: np.ndarray, kappa: np.ndarray,
-            shapes: np.ndarray) -> tuple[int, ModesOnPart]:
+            shapes: np.ndarray, motions: np.ndarray | None = None) -> tuple[int, ModesOnPart]:
     """What modes do on a piece, a part of one of those placed, and the number of that; shapes (modes, coordinates)."""
-    home = next(p for p, whole in enumerate(placed) if whole.owner == one.owner
-                and -SAME * whole.piece.length <= one.start - whole.start < (1 - SAME) * whole.piece.length)
+    home = max((p for p, whole in enumerate(placed) if whole.owner == one.owner
+                and whole.start <= one.start + INSIDE * one.piece.length), key=lambda p: placed[p].start)
     ends = np.stack([shapes @ _row(row, shapes.shape[1]) for row in one.rows], axis=-1)
-    return home, ModesOnPart(numbers, one.start - placed[home].start, one.piece, kappa, ends)
+    return home, ModesOnPart(numbers, one.start - placed[home].start, one.piece, kappa, ends, motions)
+
+
+def _motions(motions):
+    """u₀, θ₀, w, ψ of short pieces from shapes in more digits, {place of the piece: (modes, 4)}."""
+    system = motions[0].system
+    if system.digits is None:
+        return {}
+    from vibcli.analyses.continuous.mode_source import working
+
+    found = {}
+    with working(system.digits):
+        for number in relative_coordinates(system.ordered).short:
+            one = system.ordered[number]
+            u, turn, end, last = ([sum(x * motion.shape[i] for i, x in row.items()) for motion in motions]
+                                  for row in one.rows)
+            away = [b - a - one.piece.length * slope for a, slope, b in zip(u, turn, end, strict=True)]
+            found[number] = np.array([u, turn, away, np.subtract(last, turn)], float).T
+    return found
 
 
 def _row(row, n):

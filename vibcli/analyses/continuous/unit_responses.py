@@ -14,7 +14,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from vibcli.analyses.continuous.short_pieces import relative_coordinates
 from vibcli.numerics.pieces.arithmetic import arithmetic_of
+from vibcli.numerics.pieces.relative import in_relative_motions
 from vibcli.numerics.pieces.stiffness import stiffness_and_slope
 
 if TYPE_CHECKING:
@@ -36,17 +38,18 @@ class UnitLoads(NamedTuple):
 def motions_squared(K: np.ndarray, M: np.ndarray, pieces: "Sequence[PlacedPiece]", loads: UnitLoads,
                     sigma: np.ndarray) -> np.ndarray:
     """gᵢᵀ ∂D/∂s² gⱼ of all columns, (number of σ, columns, columns); K, M: (n, n), without the pieces."""
-    n, columns = loads.forces.shape
+    n, near = len(loads.forces), relative_coordinates(pieces)
+    T = near.matrix(n)
+    K, M = T.T @ K @ T, T.T @ M @ T
     D = np.repeat((K + sigma[:, None, None] ** 2 * M).astype(float), 1, axis=0)
-    right = np.repeat(loads.forces[None].astype(float), len(sigma), axis=0)
+    right = np.repeat((T.T @ loads.forces)[None].astype(float), len(sigma), axis=0)
     known = []
     for number, one in enumerate(pieces):
-        d, slope = stiffness_and_slope(one.piece, one.piece.inertia * sigma**2 + one.piece.foundation)
-        rows, cut = np.zeros((len(one.rows), n)), np.zeros((len(one.rows), columns))
-        for end, row in enumerate(one.rows):
-            for i, x in row.items():
-                rows[end, i] = x
-            cut[end] = loads.ends.get((number, end), 0.0)
+        kappa = one.piece.inertia * sigma**2 + one.piece.foundation
+        d, slope = stiffness_and_slope(one.piece, kappa)
+        if number in near.short:
+            d, slope = in_relative_motions(one.piece, kappa, d, slope)
+        rows, cut = _of_ends(near, number, n), _cut(loads, number, one.piece, number in near.short)
         D += np.einsum("ai,sab,bj->sij", rows, d, rows, optimize=True)
         right -= np.einsum("ai,sab,bc->sic", rows, d, cut, optimize=True)
         known.append((rows, cut, one.piece.inertia * slope))
@@ -55,6 +58,26 @@ def motions_squared(K: np.ndarray, M: np.ndarray, pieces: "Sequence[PlacedPiece]
     for rows, cut, slope in known:
         ends = rows @ x + cut
         found += np.einsum("sac,sab,sbd->scd", ends, slope, ends, optimize=True)
+    return found
+
+
+def _of_ends(near, number, n):
+    """The rows of the motions of a piece, (motions, n)."""
+    rows = near.short.get(number, near.ends[number])
+    found = np.zeros((len(rows), n))
+    for motion, row in enumerate(rows):
+        for i, x in row.items():
+            found[motion, i] = x
+    return found
+
+
+def _cut(loads, number, piece, short):
+    """The dislocations of the ends of a piece, (motions, columns), of short ones as u₀, θ₀, w, ψ."""
+    none = np.zeros(loads.forces.shape[1])
+    found = np.array([none + loads.ends.get((number, end), none) for end in range(piece.order)])
+    if short:
+        found[2:] -= found[:2]
+        found[2] -= piece.length * found[1]
     return found
 
 

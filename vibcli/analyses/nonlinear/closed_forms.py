@@ -10,6 +10,7 @@ K(m) = ∫₀^½π dθ/√(1 − m sin²θ), the complete elliptic integral of t
 from fractions import Fraction
 from typing import TYPE_CHECKING, NamedTuple
 
+from vibcli.base.errors import Kinked
 from vibcli.mechanics.energies import effective_potential, kinetic
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.expression_graph import reachable
@@ -42,19 +43,38 @@ def closed_form(symbolic: "SymbolicSystem", A: "Node") -> ByEllipticIntegral | B
     """That of a scene whose equilibrium is known in letters, A being the amplitude; None of other ones."""
     scene = symbolic.scene.resting
     (q,), (v,), table = scene.q, scene.v, scene.table
-    place = symbolic.equilibrium_position[q.name]
+    place = _place(symbolic, q)
     V, T = (substitute([node], {q: place + q})[0] for node in (effective_potential(scene), kinetic(scene)))
     T0 = textbook(gradient(gradient(T)[v])[v] / 2)
     if T0.mask & (q.mask | v.mask):
         return None
     V = V - substitute([V], {q: table.zero})[0]
     try:
-        if any(table.is_positive(textbook(-_at(*one))) for one in ((V, q, A), (_derivative(V, q, 2), q, table.zero))):
-            return None         # V falls from there
+        if _falls(V, q, A):
+            return None
         found = next(filter(None, (form(V, T0, q, A) for form in (_power, _duffing, _pendulum))), None)
     except ZeroDivisionError:       # a slope of V is infinite in the equilibrium
         return None
     return None if found is None else found._replace(energy=textbook(found.energy))
+
+
+def _falls(V, q, A):
+    """Does V fall from 0?"""
+    table = V.table
+    if table.is_positive(textbook(-_at(V, q, A))):
+        return True
+    try:
+        return table.is_positive(textbook(-_at(_derivative(V, q, 2), q, table.zero)))
+    except ZeroDivisionError:       # its slope has no bound there, and it rises to A
+        return False
+
+
+def _place(symbolic, q):
+    """The equilibrium; where V has a kink there, as drawn: what is a pure power of the deviation rests there."""
+    try:
+        return symbolic.equilibrium_position[q.name]
+    except Kinked:
+        return symbolic.scene.resting.drawn_position.get(q, q.table.zero)
 
 
 def _duffing(V, T0, q, A):

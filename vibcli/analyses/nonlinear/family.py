@@ -156,6 +156,13 @@ def _most(signal, low, high, sense):
     return float(values[i]), 1 if i else -1
 
 
+def rests_between(well: Well, place: float) -> bool:
+    """Do the forces beside a place drive back to it from both sides?"""
+    step = SMALL * (abs(place) or 1.0)
+    left, right = well.force(np.array([place - step, place + step]))
+    return bool(left < 0 < right)
+
+
 def function_of_place(well: Well, compiled: Callable, node: "Node") -> Callable:
     """The signal of an expression of the coordinate, as a function of arrays of places; PhysicsError where the speed is
     in it."""

@@ -12,6 +12,7 @@ import numpy as np
 from vibcli.symbolic.numeric_code import Compiled
 
 FINER, NEWTON = 4, 8        # places to a harmonic where the extremes of a signal are looked for
+SETTLED = 1e-9              # a step of θ after which an extreme, where the rate vanishes, is known to rounding
 
 
 class CosineMotion(NamedTuple):
@@ -94,7 +95,7 @@ class AmplitudeOfSignal:
         a, b = np.pi * (i - 0.25) / cells, np.pi * (i + 0.25) / cells
         f, g = self._rate(motion, a), self._rate(motion, b)
         for _ in range(NEWTON):
-            if f == g or abs(b - a) < 1e-14:
+            if f == g or abs(b - a) < SETTLED:
                 break
             a, b, f = b, b - g * (b - a) / (g - f), g
             if abs(b - np.pi * i / cells) > np.pi / cells:
@@ -106,6 +107,43 @@ class AmplitudeOfSignal:
         table = _at(len(motion.a) - 1, np.array([theta]))
         slopes = self._signal(motion.a.T @ table.value)[1]
         return float(slopes[:, 0] @ (motion.a.T @ table.slope[:, 0]))
+
+
+class AmplitudeOfCombination(AmplitudeOfSignal):
+    """That of a signal whose slopes are the same everywhere: it is a sum of cosines itself."""
+
+    def __init__(self, compiled: Compiled, rest: np.ndarray, shapes: np.ndarray):
+        super().__init__(compiled, rest, shapes)
+        self.slopes = self._signal(np.zeros((len(rest), 1)))[1][:, 0]
+
+    def by_mode(self, number: int) -> float:
+        """|∂s/∂η|."""
+        return abs(float(self.slopes[number]))
+
+    def of(self, motion: CosineMotion) -> tuple[float, np.ndarray]:
+        """(half the range, its derivatives by a)."""
+        s = motion.a @ self.slopes
+        cells = FINER * max(len(s) - 1, 4)
+        values = s @ cosines(len(s) - 1, cells).value
+        most, least = (self._cosines_at(s, int(i), cells) for i in (values.argmax(), values.argmin()))
+        apart = 0.5 * (most - least)
+        return float(s @ apart), np.outer(apart, self.slopes)
+
+    def _cosines_at(self, s, i, cells):
+        """cos kθ at an extreme near place i, by Newton's method."""
+        if i in (0, cells):
+            return cosines(len(s) - 1, cells).value[:, i]
+        k, place = np.arange(len(s)), np.pi * i / cells
+        theta = place
+        for _ in range(NEWTON):
+            rate, bend = (k * s) @ np.sin(k * theta), (k * k * s) @ np.cos(k * theta)
+            step = -rate / bend if bend else np.inf
+            if not abs(theta + step - place) <= np.pi / cells:
+                return np.cos(k * place)
+            theta += step
+            if abs(step) < SETTLED:
+                break
+        return np.cos(k * theta)
 
 
 def _at(harmonics, theta) -> Cosines:

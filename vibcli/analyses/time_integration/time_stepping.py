@@ -9,7 +9,7 @@ from vibcli.analyses.time_integration.collocation_step import Window, iterated, 
 from vibcli.analyses.time_integration.driven_places import Driven
 from vibcli.analyses.time_integration.error_scales import EPSILON, Sizes
 from vibcli.analyses.time_integration.fast_oscillation import fast_part
-from vibcli.base.errors import PhysicsError
+from vibcli.analyses.time_integration.march_ends import singular, undefined
 from vibcli.base.work import Spent, Task
 from vibcli.numerics.collocation_rule import rule
 from vibcli.symbolic.numeric_code import rooted
@@ -82,7 +82,7 @@ class March:
         """The next Window, at most up to the instant `limit`."""
         a = self.accelerations(np.array([self._soon(limit)]), self.q[:, None], self.v[:, None])
         if not np.isfinite(a).all():
-            raise self.undefined()
+            raise undefined(self.system, self.t)
         left = limit - self.t
         wanted = min(self.H, left if left <= self.H or left >= 2 * self.H else 0.5 * left)
         H = self.driven.resolved(self.t, wanted, self.rule)
@@ -105,7 +105,7 @@ class March:
             H *= 0.5 if done is None else 0.7
             guess = np.repeat(a, self.rule.points, 1)
             if max(SHORTEST * self.t, 1e-300) > H:
-                raise self.singular()
+                raise singular(self.system, self.t)
         window = Window(self.rule, self.t, H, self.q, self.v, done.A, self.g, self.slides)
         self.settling -= 1
         self._steer(H, done.iterations, used, wanted > H, bool(tails))
@@ -276,21 +276,6 @@ class March:
         """Put the state on the constraints of an instant, from which it drifts by rounding."""
         if self.system.m:
             self.q, self.v = self.system.projected(t, self.q, self.v, self.g)
-
-    def undefined(self) -> PhysicsError:
-        ending = self.system.scene.endings(self.system.floats)
-        return PhysicsError(f"the forces of this scene are not defined at t = {self.t:.6g} s, in the position that the "
-                            "motion reaches" + (f": {ending.what}" if ending else ""), ending.hint if ending else
-                            "look for roots of what becomes negative, or ends that meet")
-
-    def singular(self) -> PhysicsError:
-        ending = self.system.scene.endings(self.system.floats)
-        if ending:
-            return PhysicsError(f"the motion cannot be followed beyond t = {self.t:.9g} s: there {ending.what}, or a "
-                                "force or a linkage is singular", ending.hint)
-        return PhysicsError(f"the motion cannot be followed beyond t = {self.t:.9g} s: it grows without bound there, "
-                            "or a force or a linkage is singular", "ask for an earlier end, or mind the signs of "
-                            "stiffness and damping")
 
     def endless(self) -> tuple[str, str]:
         """(why it was stopped, what may be done)."""

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from vibcli.drawing.layout.captions import raw
 
 if TYPE_CHECKING:
-    from vibcli.elements.body import Body
+    from vibcli.elements.rigid_body import Body
     from vibcli.language.reader import Expression
     from vibcli.scene.scene import Scene
 

@@ -1,30 +1,7 @@
-"""How each thing of a scene looks, by name: the file that draws it, and as what."""
+"""How each thing of a scene looks; of what joins two ends, by the name of the element, the file that draws it."""
 
 SYMBOLS = {
-    "appearance": ("appearance", "which look each placed body has: that of its shape, else of what it does"),
-    "arrow": ("arrow", "straight and round arrows with a filled head"),
-    "body": ("bodies", "outlines carried along, pins and bearings, the floors that bodies slide on"),
-    "connection": ("connection", "what joins two places, side by side where the ends are the same; walls"),
-    "coordinate": ("coordinate", "arrows of the coordinates at what they move, and of what is driven in time"),
     "damper": ("damper", "a dashpot, also along an arc about a joint"),
-    "dimension": ("dimension", "dimension lines of lengths that a body shows, where there is room"),
-    "end": ("member_ends", "what holds members and is attached to them: walls, springs, masses, discs"),
-    "force": ("load", "arrows of forces at their points, round ones of moments; unbalances"),
-    "guided": ("path", "the curve on which a particle moves that expressions of one coordinate place"),
     "inerter": ("inerter", "a rack that turns a flywheel, also along an arc about a joint"),
-    "joint": ("joint", "what twists, at the joint about which it turns"),
-    "look": ("look", "the outlines of a body as drawn, which its frame carries along"),
-    "member": ("member", "bars, shafts, beams and strings, straight or bent, and what they rest on"),
-    "member_name": ("member_words", "names of members, lengths along them, loads and points on them"),
-    "mode": ("mode_shape", "the displaced position over that of equilibrium in grey"),
-    "part": ("parts", "parts of springs and dampers: in series in a row, in parallel between two bars"),
-    "pin": ("pinned", "bodies without a shape that turn about a pin: pendulums, hubs, arms"),
-    "point": ("posts", "thin rods from a body to the places that it carries and that are not on it"),
-    "rope": ("rope", "ropes and belts: tangents between circles, arcs around them"),
-    "scene": ("abstract", "a scene without bodies: a box that says what is given"),
-    "shapes": ("shape", "outlines of the shapes of bodies"),
-    "slide": ("sliding", "bodies without a shape that slide: blocks, carts, wedges, knots"),
     "spring": ("spring", "a zigzag, an elastic shaft, a spiral about a joint"),
-    "support": ("support", "hinges, bearings on the ground, walls, rollers"),
-    "surface": ("tracks", "the ground under what rolls or slides on lines, circles and curves"),
 }

@@ -13,7 +13,7 @@ from vibcli.drawing.symbols.shape import BALL, outline
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
     from vibcli.drawing.layout.ties import Ties
-    from vibcli.elements.body import Body
+    from vibcli.elements.rigid_body import Body
 
 RIM, CORNER = 8.0, 4.5
 

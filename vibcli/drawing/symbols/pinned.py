@@ -12,7 +12,7 @@ from vibcli.drawing.symbols.shape import BALL, ROD
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
     from vibcli.drawing.layout.ties import Ties
-    from vibcli.elements.body import Body
+    from vibcli.elements.rigid_body import Body
 
 HUB, BEYOND = 11.0, 26.0
 

@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
     from vibcli.drawing.layout.ties import Ties
     from vibcli.drawing.symbols.look import Look
-    from vibcli.elements.body import Body
+    from vibcli.elements.rigid_body import Body
 
 SLACK = 2.5     # points
 

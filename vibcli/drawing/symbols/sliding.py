@@ -11,7 +11,7 @@ from vibcli.drawing.symbols.tracks import contacts, curve_points, free_side
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
     from vibcli.drawing.layout.ties import Ties
-    from vibcli.elements.body import Body
+    from vibcli.elements.rigid_body import Body
     from vibcli.language.reader import Record
 
 BLOCK, FLAT, BAR, DECK, DEEP = (36.0, 25.0), (22.0, 13.0), (26.0, 5.0), 19.0, 70.0

@@ -9,7 +9,8 @@ from math import sqrt
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Kinked, PhysicsError
-from vibcli.mechanics.equilibrium.equilibrium import EnergyDescent, Equilibrium, relative_residual
+from vibcli.mechanics.equilibrium.energy_descent import EnergyDescent
+from vibcli.mechanics.equilibrium.equilibrium import Equilibrium, relative_residual
 from vibcli.mechanics.high_precision import GUARD, NOTHING, ROUNDED, Degenerate, equilibrium_to
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.evaluation import Floats, multiprecision

@@ -7,7 +7,7 @@ from vibcli.base.errors import Kinked, NoEquilibrium, PhysicsError
 if TYPE_CHECKING:
     import numpy as np
 
-    from vibcli.mechanics.equilibrium.equilibrium import EnergyDescent
+    from vibcli.mechanics.equilibrium.energy_descent import EnergyDescent
 
 ALONE = ", or ask for what needs none: find: [accelerations]"
 FAR, BESIDE = 1e6, 1e-6      # of the size of the figure

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     import numpy as np
 
-    from vibcli.mechanics.equilibrium.equilibrium import EnergyDescent
+    from vibcli.mechanics.equilibrium.energy_descent import EnergyDescent
     from vibcli.symbolic.node import Node
 
 NEAR, NOTHING = 1e-3, 1e-25             # of the figure

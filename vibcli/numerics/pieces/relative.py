@@ -19,18 +19,30 @@ SHORT = 16.0        # κ l⁴/B, N l²/B and n l³/B up to which the bⱼ tell d
 
 
 @cache
-def _integrals() -> tuple[np.ndarray, ...]:
-    """∫ f″g″, ∫ f′g′, ∫ ξ f′g′ and ∫ f g over 0 ≤ ξ ≤ 1, f and g of 1, ξ, 3ξ² − 2ξ³, ξ³ − ξ² and the bⱼ."""
+def _functions() -> list[np.ndarray]:
+    """1, ξ, 3ξ² − 2ξ³, ξ³ − ξ² and the bⱼ as Legendre series of t = 2ξ − 1."""
     from numpy.polynomial import legendre
 
-    at, weights = legendre.leggauss(POINTS)
     shapes = [np.array(c) for c in ([1.0], [0.5, 0.5], [0.5, 0.6, 0.0, -0.1], [-1 / 12, -0.05, 1 / 12, 0.05])]
     for j in range(FUNCTIONS):
         bend = np.zeros(j + 3)
         bend[-1] = np.sqrt(2 * j + 5) / 4       # ξ = (1 + t)/2: two integrals over t are four of those over ξ
         shapes.append(legendre.legint(bend, 2, lbnd=-1))
-    rows = [np.array([2**order * legendre.legval(at, legendre.legder(c, order)) for c in shapes]) for order in range(3)]
-    u, slope, bend = rows
+    return shapes
+
+
+def _values(t, order):
+    """The order-th derivatives by ξ of all functions, (functions, …)."""
+    from numpy.polynomial import legendre
+
+    return np.array([2**order * legendre.legval(t, legendre.legder(c, order)) for c in _functions()])
+
+
+@cache
+def _integrals() -> tuple[np.ndarray, ...]:
+    """∫ f″g″, ∫ f′g′, ∫ ξ f′g′ and ∫ f g over 0 ≤ ξ ≤ 1, f and g of all functions."""
+    at, weights = np.polynomial.legendre.leggauss(POINTS)
+    u, slope = _values(at, 0), _values(at, 1)
     S = np.diag([0.0, 0, 0, 0, *np.ones(FUNCTIONS)])
     S[2:4, 2:4] = [[12, -6], [-6, 4]]
     return S, (slope * weights / 2) @ slope.T, (slope * weights * (1 + at) / 4) @ slope.T, (u * weights / 2) @ u.T
@@ -45,18 +57,31 @@ def told(piece: "Piece", kappa: np.ndarray) -> np.ndarray:
 
 def relative_stiffness(piece: "Piece", kappa: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(d, ∂d/∂κ), each (…, 4, 4), of the motions u₀, θ₀, w, ψ; of doubles."""
-    S, T, T_along, M = _integrals()
-    L, B, N, n, kappa = (np.asarray(x)[..., None, None] for x in np.broadcast_arrays(
-        piece.length, piece.bending, piece.tension, piece.gradient, kappa))
-    whole = (B / L**3) * S + (N / L) * T + n * T_along + (kappa * L) * M
-    across = whole[..., 4:, :4]
-    inner = -np.linalg.solve(whole[..., 4:, 4:], across)
-    d = whole[..., :4, :4] + np.swapaxes(across, -1, -2) @ inner
-    moved = np.concatenate([np.broadcast_to(np.eye(4), (*inner.shape[:-2], 4, 4)), inner], axis=-2)
+    L, M = np.asarray(np.broadcast_arrays(piece.length, kappa)[0])[..., None, None], _integrals()[-1]
+    whole, moved = _moved(piece, kappa)
+    d = whole[..., :4, :4] + np.swapaxes(whole[..., 4:, :4], -1, -2) @ moved[..., 4:, :]
     slope = L * (np.swapaxes(moved, -1, -2) @ (M @ moved))
     turn = np.ones((*d.shape[:-2], 4))
     turn[..., 1::2] = L[..., 0]
     return tuple(part * turn[..., :, None] * turn[..., None, :] for part in (d, slope))
+
+
+def _moved(piece, kappa):
+    """The stiffness of all functions, and what each does as u₀, θ₀ l, w and ψ l are 1, (…, functions, 4)."""
+    S, T, T_along, M = _integrals()
+    L, B, N, n, kappa = (np.asarray(x)[..., None, None] for x in np.broadcast_arrays(
+        piece.length, piece.bending, piece.tension, piece.gradient, kappa))
+    whole = (B / L**3) * S + (N / L) * T + n * T_along + (kappa * L) * M
+    inner = -np.linalg.solve(whole[..., 4:, 4:], whole[..., 4:, :4])
+    return whole, np.concatenate([np.broadcast_to(np.eye(4), (*inner.shape[:-2], 4, 4)), inner], axis=-2)
+
+
+def relative_fields(piece: "Piece", kappa: np.ndarray, motions: np.ndarray, x: np.ndarray) -> np.ndarray:
+    """(u, u′, u″, u‴) at 0 ≤ x ≤ l of a piece in floats that moves by u₀, θ₀, w, ψ: motions (…, 4), as fields."""
+    L = piece.length
+    parts = (_moved(piece, kappa)[1] @ (motions * [1.0, L, 1.0, L])[..., None])[..., 0]
+    t = 2 * np.asarray(x) / L - 1
+    return np.stack([np.einsum("f...,...f->...", _values(t, order), parts) / L**order for order in range(4)], axis=-1)
 
 
 def in_relative_motions(piece: "Piece", kappa: np.ndarray, d: np.ndarray, slope: np.ndarray

@@ -40,7 +40,7 @@ def backbone(problem: "Problem", _: "Report"):
         return
     text, tree, of, most, mode = _asked(problem)
     points, resonance = problem.free_motions.curve(mode, tree, [most * k / ROWS for k in range(1, ROWS + 1)])
-    small, name, kappa = _small(problem, mode), _omega(mode), _kappa(problem, text)
+    small, name, kappa = _small(problem, mode), _omega(mode), _kappa(problem, text, mode)
     head = (f"amplitude of {symbol(text)}" + f" [{of}]" * bool(of), "ω [rad/s]", "f [Hz]", "T [s]", f"ω/{name}",
             "energy [J]", "relative error ≤")
     rows = [(figure(one.amplitude), figure(one.omega, one.error), figure(one.omega / tau, one.error),
@@ -58,15 +58,16 @@ def backbone(problem: "Problem", _: "Report"):
         paragraph(f"Interrupted: {len(points)} of {ROWS} motions were found.") if problem.work.interrupted else None,
         paragraph(f"Small vibrations have {name} = {figure(small)} rad/s.") if small else paragraph(
             "There are no small vibrations about the equilibrium to compare with."),
-        *_begins(problem, name, kappa, of) if kappa is not None and small else (),
+        *_begins(problem, mode, kappa, of) if kappa is not None and small else (),
         *_exactly(problem) if list(problem.scene.coordinates) == [text] else ())
 
 
-def _begins(problem, name, kappa, of):
+def _begins(problem, mode, kappa, of):
     """How the frequency begins to hang on the amplitude, in letters where these are known."""
     value = "" if kappa is None else figure(kappa) + f" 1/{of}²" * bool(of)
     own = _letter(problem, "kappa")
-    yield paragraph(f"At small amplitudes {_letter(problem, 'A')}, ω ≈ {_early(problem, name)} by the method of "
+    early = _early(problem, _omega(mode))
+    yield paragraph(f"At small amplitudes {_letter(problem, 'A')}, ω ≈ {early} by the method of "
                     "Lindstedt and Poincaré:")
     try:
         yield equations([line(f"{own} = ", problem.free_motions.kappa_in_letters(1), f" = {value}" * bool(value))])
@@ -74,6 +75,9 @@ def _begins(problem, name, kappa, of):
         if kappa is None:
             raise
         yield equations([line(f"{own} = {value}")])
+    several = problem.free_motions.several
+    if several is not None and (near := several.near_resonance(mode)):
+        yield paragraph(near)
 
 
 def _early(problem, name):
@@ -117,7 +121,7 @@ def _in_letters(problem):
     _require_alone(problem)
     exactly, name = list(_exactly(problem)), _omega(1)
     try:
-        small = [equations([line(f"{name} = ", omega_in_letters(problem.symbolic))]), *_begins(problem, name, None, "")]
+        small = [equations([line(f"{name} = ", omega_in_letters(problem.symbolic))]), *_begins(problem, 1, None, "")]
     except PhysicsError:
         if not exactly:
             raise
@@ -145,14 +149,14 @@ def _kappa_in_letters(problem):
         return None
 
 
-def _kappa(problem, text):
-    """κ where the amplitude is that of the one coordinate; None where there is none."""
+def _kappa(problem, text, mode):
+    """κ where the amplitude is that of a coordinate; None where there is none."""
     from vibcli.symbolic.running_errors import UNIT, number_in
 
-    if list(problem.scene.coordinates) != [text]:
+    if text not in problem.scene.coordinates:
         return None
     try:
-        return float(number_in(problem.free_motions.kappa(1, None, UNIT)))
+        return float(number_in(problem.free_motions.kappa(mode, text, None, UNIT)))
     except PhysicsError:
         return None
 
@@ -201,14 +205,14 @@ def _found(problem):
         return KEY.row(text, of, _kappa_in_letters(problem) if known else None, [])
     text, tree, of, most, mode = _asked(problem)
     points = problem.free_motions.curve(mode, tree, [most * k / ROWS for k in range(1, ROWS + 1)]).points
-    return KEY.row(text, of, _kappa(problem, text), [dict(one._asdict()) for one in points])
+    return KEY.row(text, of, _kappa(problem, text, mode), [dict(one._asdict()) for one in points])
 
 
 KEY = Key(WORD, "frequency of free motions by their amplitude", _found, of=(
     Key("signal", "the signal whose amplitude counts"),
     Key("unit", "its unit"),
-    Key("kappa", "κ of ω ≈ ω₀(1 + κA²) at small amplitudes of the one coordinate, an expression of a scene in letters; "
-                 "null of other signals and scenes"),
+    Key("kappa", "κ of ω ≈ ωᵢ(1 + κA²) at small amplitudes of a coordinate, an expression of a scene in letters; "
+                 "null of other signals, and where there is none"),
     Key("points", "a list, one entry to each amplitude, empty of a scene in letters", each=(
         Key("amplitude", "half the range of the signal"),
         Key("omega", "angular frequency [rad/s]"),

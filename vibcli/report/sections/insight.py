@@ -1,11 +1,9 @@
 """Tables of numbers by name and mode, which shares and sensitivities are told in."""
 
 from collections.abc import Callable, Mapping, Sequence
-from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from vibcli.report.blocks import Paragraph, Section, TableBlock, paragraph, section
-from vibcli.report.sections import SECTIONS
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
@@ -23,11 +21,6 @@ def grid(title: str, columns: Any, write: Callable, *told: Paragraph) -> tuple[S
     left += [f"{len(names) - ROWS} more rows"] * (len(names) > ROWS)
     return section(title, TableBlock(("", *(head for head, _ in shown)), tuple(rows)),
                    paragraph(f"… {' and '.join(left)}: see --json", hang=None) if left else None, *told) if rows else ()
-
-
-def insight(words: Any):
-    """The keys of the JSON of what is found about modes, each said in the file that writes the section of a word."""
-    return tuple(import_module(f"vibcli.report.sections.{SECTIONS[word][0]}").KEY for word in words)
 
 
 def require_numbers(problem: "Problem", word: str) -> None:

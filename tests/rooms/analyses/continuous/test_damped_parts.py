@@ -81,7 +81,7 @@ def within(gap):
     system = problem(BESIDE.format(gap)).configuration.linear_system
     part, = damped_parts(system, dynamic_matrix(system))
     roots = part.roots(300.0, 1, (), 0.0, 0.0)
-    assert part.counted(300.0) == 4 == 2 * len(roots) and max(root.error for root in roots) < 1e-11
+    assert part.zeros_within(300.0) == 4 == 2 * len(roots) and max(root.error for root in roots) < 1e-11
     return [root.value for root in roots]
 
 
