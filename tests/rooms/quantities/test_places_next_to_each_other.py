@@ -84,6 +84,24 @@ def test_peak(apart):
         assert abs(value - exact) <= 2 * error * exact + 1e-12 * exact and max(beside) < exact
 
 
+@pytest.mark.parametrize("apart", ["1e-3", "1e-6"])
+def test_natural_frequencies_in_floats(apart):
+    """Of the bare beam with its mass and spring: the determinant of transfer matrices changes its sign within them."""
+    one = problem(dedent(SCENE.format(apart=apart, Omega=10)).replace(", {at: 0.5 m, c: 0.3 N*s/m}", ""))
+    for mode in one.modal.modes.first(9):
+        with mpmath.workdps(60):
+            low, high = (_determinant(mpf(apart), mpf(float(mode.omega)) * (1 + side * (mpf(float(mode.error)) + 2e-15)))
+                         for side in (-1, 1))
+        assert low * high < 0 and mode.error < 1e-12
+    assert mode.motion.system.digits is None and mode.index == 9
+
+
+def _determinant(e, omega):
+    s = mpmath.mpc(0, omega)
+    whole = (piece(mpf("0.7") - e, s) * spot(100) * piece(e, s) * spot(mpf("0.2") * s * s) * piece(mpf("0.3"), s))
+    return mpmath.re(mpmath.det(whole[2:4, 2:4]))
+
+
 @pytest.mark.parametrize("apart", [1e-5, 1e-6, 1e-8])
 def test_equilibrium(apart):
     """A spring takes R = k u off the tip load F of a cantilever: by superposition."""

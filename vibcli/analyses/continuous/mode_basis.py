@@ -140,8 +140,12 @@ def on_part(placed: "Sequence[PlacedPiece]", one: "PlacedPiece", numbers: np.nda
 
 
 def _motions(motions):
-    """u₀, θ₀, w, ψ of short pieces from shapes in more digits, {place of the piece: (modes, 4)}."""
+    """u₀, θ₀, w, ψ of short pieces, {place of the piece: (modes, 4)}; from shapes in more digits where there are."""
     system = motions[0].system
+    if motions[0].relative is not None:
+        shapes = np.array([motion.relative for motion in motions])
+        return {place: np.stack([shapes @ _row(row, system.n) for row in rows], axis=-1)
+                for place, rows in system.short.items()}
     if system.digits is None:
         return {}
     from vibcli.analyses.continuous.mode_source import working

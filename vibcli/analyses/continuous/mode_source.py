@@ -125,7 +125,7 @@ class NaturalModes:
             with working(digits):
                 found = found or ground(self._at(digits), rigid, sure)
         if found is not None:
-            return found, rigid_shapes(self.elements, self._at(None).system, rigid) if rigid else None
+            return found, rigid_shapes(self.elements, self._at(None).system.plain, rigid) if rigid else None
         with working(DEEPER[-1]):
             near = flat(self._at(DEEPER[-1]))
             if near is None:

@@ -38,7 +38,8 @@ TIGHT = 1 + 1e-6    # where there are several
 
 class NaturalFrequency(NamedTuple):
     """A natural frequency: z = ω² (negative: growth rate √−z), the relative bound of √|z|, the shape, xᵀD′x = 1, over
-    the coordinates of `system`, which begin with those of the scene; curves: it along a uniform member."""
+    the coordinates of `system`, which begin with those of the scene; curves: it along a uniform member; relative: it
+    over the coordinates of D, where these are others."""
 
     index: int      # type: ignore[assignment]
     z: Any
@@ -46,6 +47,7 @@ class NaturalFrequency(NamedTuple):
     shape: np.ndarray
     system: "ContinuousSystem"
     curves: "UniformCurves | None" = None
+    relative: np.ndarray | None = None
 
 
 def natural_frequencies(counts: KnownCounts, first: int, last: int) -> dict[int, NaturalFrequency]:
@@ -157,7 +159,9 @@ def certified(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, indices:
         left = left[~good]
         error[left] *= 2
     bounds = np.where(proved, error + GUARD * system.unit / 3, DOUBTED).astype(float)
-    return {number: NaturalFrequency(number, z[at], float(bounds[at]), x[:, at] / np.sqrt(inertia[at]), system)
+    shapes = x / np.sqrt(inertia)
+    return {number: NaturalFrequency(number, z[at], float(bounds[at]), system.in_scene(shapes[:, at]), system,
+                                     relative=None if system.near is None else shapes[:, at])
             for at, number in enumerate(numbers.tolist())}
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vibcli.numerics.pieces.piece import Piece
+from vibcli.numerics.pieces.relative import in_relative_motions
 from vibcli.numerics.pieces.stiffness import stiffness_and_slope
 
 if TYPE_CHECKING:
@@ -15,12 +16,14 @@ if TYPE_CHECKING:
 
 
 class PieceGroup:
-    """pieces: PlacedPieces of one order, with or without tension and gradient as one; equal ones are evaluated once."""
+    """pieces: PlacedPieces of one order, with or without tension and gradient as one; equal ones are evaluated once.
+    short: their rows are those of u₀, θ₀, w, ψ."""
 
-    __slots__ = ("_ends", "_entries", "_factors", "_same", "_sources", "_starts", "pieces", "stacked")
+    __slots__ = ("_ends", "_entries", "_factors", "_same", "_sources", "_starts", "pieces", "short", "stacked")
 
-    def __init__(self, pattern: "Pattern", pieces: "Sequence[PlacedPiece]", digits: int | None):
-        self.pieces = list(pieces)
+    def __init__(self, pattern: "Pattern", pieces: "Sequence[PlacedPiece]", digits: int | None,
+                 short: bool = False):
+        self.pieces, self.short = list(pieces), short
         kind: Any = float if digits is None else object
         self._same, distinct = _distinct(placed.piece for placed in pieces)
         self.stacked, count = stacked(distinct, kind), len(distinct)
@@ -47,6 +50,8 @@ class PieceGroup:
             return
         kappa = self.stacked.foundation - self.stacked.inertia * z
         d, d_slope = stiffness_and_slope(self.stacked, kappa)
+        if self.short:
+            d, d_slope = in_relative_motions(self.stacked, kappa, d, d_slope)
         terms = self._terms(d)
         found[self._entries] += np.add.reduceat(terms, self._starts, axis=0)
         sizes[self._entries] += np.add.reduceat(abs(terms), self._starts, axis=0)

@@ -15,6 +15,7 @@ import numpy as np
 
 from vibcli.analyses.continuous.piece_groups import PieceGroup
 from vibcli.analyses.continuous.refinement import divided
+from vibcli.analyses.continuous.short_pieces import relative_coordinates
 from vibcli.numerics.sparse_elimination import Elimination, Pattern
 
 if TYPE_CHECKING:
@@ -42,8 +43,22 @@ class Matrix:
                 self.magnitudes[i, j] += max((sizes or {}).get((i, j), 0), abs(x))
 
 
+    def over(self, T: np.ndarray) -> "Matrix":
+        """Tᵀ A T of floats."""
+        found = []
+        for entries, turn in ((self.entries, T), (self.magnitudes, abs(T))):
+            full = np.zeros((len(T), len(T)))
+            for (i, j), x in entries.items():
+                full[i, j] = full[j, i] = float(x)
+            found.append(turn.T @ full @ turn)
+        entries, sizes = ({(i, j): float(part[i, j]) for i, j in zip(*np.nonzero(found[1]), strict=True)}
+                          for part in found)
+        return Matrix((), entries, sizes)
+
+
 class ContinuousSystem:
-    """D and J of a system of n coordinates, in floats or, `digits` given, in numbers of mpmath.
+    """D and J of a system of n coordinates, in floats, then over the `near` relative coordinates of short pieces where
+    there are any, or, `digits` given, in numbers of mpmath.
 
     pieces: PlacedPieces; stiffness, inertia: Matrix; turning: the entries of G. unit: the rounding of a number;
     fine: a relative bound that need not be narrower; aside: the part of a z by which one stays away from where D has
@@ -51,9 +66,16 @@ class ContinuousSystem:
     """
 
     def __init__(self, n: int, stiffness: Matrix, inertia: Matrix, turning: Mapping[tuple[int, int], Any],
-                 pieces: "Sequence[PlacedPiece]", digits: int | None = None):
-        self.n, self.stiffness, self.inertia, self.turning = n, stiffness, inertia, turning
-        self.pieces, self.digits = tuple(pieces), digits
+                 pieces: "Sequence[PlacedPiece]", digits: int | None = None, plain: bool = False):
+        self.n, self.turning, self.digits, self._plain = n, turning, digits, plain
+        self._given = stiffness, inertia, tuple(pieces)
+        near = None if plain or digits is not None or any(turning.values()) else relative_coordinates(pieces)
+        self.near = near if near is not None and near.short else None
+        if self.near is not None:
+            stiffness, inertia = (part.over(self.near.matrix(n)) for part in (stiffness, inertia))
+            moved = [self.near.short.get(k, ends) for k, ends in enumerate(self.near.ends)]
+            pieces = [placed._replace(rows=rows) for placed, rows in zip(pieces, moved, strict=True)]
+        self.stiffness, self.inertia, self.pieces = stiffness, inertia, tuple(pieces)
         self.unit = 2.0 ** -53 if digits is None else 10.0 ** -digits
         self.aside = 2.0 ** -20 if digits is None else self.number(10) ** (-digits // 3)
         self.fine = 4 * self.unit if digits is None else 10.0 ** (20 - digits)
@@ -62,7 +84,10 @@ class ContinuousSystem:
         tied = [pair for part in (stiffness.entries, inertia.entries, turning) for pair in part]
         tied += [(i, j) for piece in self.pieces for i in _touched(piece) for j in _touched(piece)]
         self.pattern = Pattern(n, tied)
-        self.groups = [PieceGroup(self.pattern, group, digits) for group in _alike(self.pieces)]
+        alike = _alike(self.pieces, self.near.short if self.near is not None else ())
+        self._order = [k for numbers in alike for k in numbers]
+        self.groups = [PieceGroup(self.pattern, [self.pieces[k] for k in numbers], digits, self.is_short(numbers[0]))
+                       for numbers in alike]
         self._constant = self._columns(stiffness.entries), self._columns(inertia.entries)
         self._sizes = self._columns(stiffness.magnitudes), self._columns(inertia.magnitudes)
         self._turning = self._columns({(i, j): x for (i, j), x in turning.items() if i < j}) if any(
@@ -118,19 +143,38 @@ class ContinuousSystem:
 
     def refined(self, places: Mapping[int, Any]) -> "ContinuousSystem":
         """The same with further nodes within pieces, {index of the piece: part of its length}, free to move there."""
-        pieces, n = [], self.n
+        pieces, n, (stiffness, inertia, _) = [], self.n, self._given
         for index, placed in enumerate(self.ordered):
             if index not in places:
                 pieces.append(placed)
                 continue
             pieces += _divided(placed, places[index], n, self.number)
             n += placed.piece.order // 2
-        return ContinuousSystem(n, self.stiffness, self.inertia, self.turning, pieces, self.digits)
+        return ContinuousSystem(n, stiffness, inertia, self.turning, pieces, self.digits, self._plain)
+
+    def is_short(self, number: int) -> bool:
+        """Has a piece relative coordinates?"""
+        return self.near is not None and number in self.near.short
+
+    @property
+    def plain(self) -> "ContinuousSystem":
+        """The same over the coordinates of the scene."""
+        stiffness, inertia, pieces = self._given
+        return ContinuousSystem(self.n, stiffness, inertia, self.turning, pieces, self.digits, True)
+
+    def in_scene(self, shape: np.ndarray) -> np.ndarray:
+        """A shape over the coordinates of D as one over those of the scene."""
+        return shape if self.near is None else self.near.matrix(self.n) @ shape
 
     @property
     def ordered(self) -> "list[PlacedPiece]":
-        """The pieces in the order of `held`."""
-        return [placed for group in self.groups for placed in group.pieces]
+        """The pieces in the order of `held`, over the coordinates of the scene."""
+        return [self._given[2][k] for k in self._order]
+
+    @property
+    def short(self) -> dict[int, tuple]:
+        """{place among those: the rows of u₀, θ₀, w, ψ over the coordinates of D} of short pieces."""
+        return {place: self.pieces[k].rows for place, k in enumerate(self._order) if self.is_short(k)}
 
 
 def continuous_system(elements: Any, digits: int | None = None) -> ContinuousSystem:
@@ -162,12 +206,12 @@ def _touched(placed):
     return {i for row in placed.rows for i, x in row.items() if x}
 
 
-def _alike(pieces):
-    """Pieces that one formula serves, together."""
+def _alike(pieces, short):
+    """The numbers of pieces that one formula serves, together."""
     groups = defaultdict(list)
-    for placed in pieces:
+    for number, placed in enumerate(pieces):
         piece = placed.piece
-        groups[piece.order, bool(piece.tension), bool(piece.gradient)].append(placed)
+        groups[piece.order, bool(piece.tension), bool(piece.gradient), number in short].append(number)
     return list(groups.values())
 
 
