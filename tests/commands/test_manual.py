@@ -241,7 +241,12 @@ def test_json_keys_are_those_that_are_printed(capsys, tmp_path):
     chain = tmp_path / "chain.yaml"
     chain.write_text("bodies: {p: {mass: 1 kg, slide: x}}\nsprings:\n  s:\n    series: [{k: 2 N/m}, {law: 3 N/m*d + 4 "
                      "N/m^3*d^3}]\n    between: [ground, p]\ninitial: {x: 1 cm}\nfind: [expansion]\n", encoding="utf-8")
-    for command, file, *options in (("frequencies", bar), ("solve", chain), ("response", bar), ("response", slider),
+    sweep = ("sweep", scenes.path("mass_spring_damper"), "--over", "k=-1 .. 800", "--points", "3")
+    coupled = tmp_path / "coupled.yaml"
+    coupled.write_text("parameters: {k: 1 N/m}\nbodies: {a: {mass: 1 kg, slide: x}, b: {mass: 1 kg, slide: y}}\n"
+                       "springs: {s: {k: k, stretch: x}, t: {k: 1 N/m, stretch: y}}\n", encoding="utf-8")
+    for command, file, *options in (sweep, ("sweep", coupled, "--over", "k=0.5 .. 2"),
+                                    ("frequencies", bar), ("solve", chain), ("response", bar), ("response", slider),
                                     ("response", slider, "--phase-plane")):
         code, out, _ = call(capsys, command, str(file), "--json", *options)
         assert code == 0

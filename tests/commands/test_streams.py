@@ -14,14 +14,16 @@ from vibcli.cli import COMMANDS, run, streams
 ROOT = Path(__file__).parents[2]
 INVALID = str(ROOT / "tests" / "bad" / "parts_with_several_circles.yaml")
 SCENE = """
+parameters: {k: 4 N/m}
 bodies: {a: {mass: 1 kg, slide: x}}
-springs: {s: {k: 4 N/m, between: [ground, a]}}
+springs: {s: {k: k, between: [ground, a]}}
 forces: {f: {at: a, force: 3 N*cos(1 rad/s*t)}}
 answers:
   omega[NUMBER]: RATE rad/s
 """
 SILENT = ("draw", "animate")        # these print nothing on stdout
 CALLS = {"explain": ["springs"], "schema": [], "new": []}       # the others read a scene
+MORE = {"sweep": ["--over", "k=3 .. 5"]}
 pytestmark = pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")
 
 
@@ -34,7 +36,7 @@ def imported(tmp_path_factory):
     with redirect_stdout(StringIO()), redirect_stderr(StringIO()):
         for command in COMMANDS:
             files = ["-o", str(folder / f"{command}.{'gif' if command == 'animate' else 'png'}")] * (command in SILENT)
-            assert run([command, *CALLS.get(command, [str(scene)]), *files]) == 0
+            assert run([command, *CALLS.get(command, [str(scene)]), *MORE.get(command, []), *files]) == 0
 
 
 @pytest.fixture
@@ -85,7 +87,7 @@ def _put(number, how, file):
 @pytest.mark.sweep
 @pytest.mark.parametrize("command", COMMANDS)
 def test_each_command(call, command):
-    args = [command, *CALLS.get(command, ["right.yaml"])]
+    args = [command, *CALLS.get(command, ["right.yaml"]), *MORE.get(command, [])]
     code, out, err = call(args)
     assert code == 0
     if command in SILENT:

@@ -13,14 +13,16 @@ from vibcli.cli import COMMANDS, new, pictures, run
 from vibcli.cli.reports import SUFFIXES
 
 SCENE = """
+parameters: {k: 4 N/m}
 bodies: {a: {mass: 1 kg, slide: x}}
-springs: {s: {k: 4 N/m, between: [ground, a]}}
+springs: {s: {k: k, between: [ground, a]}}
 forces: {f: {at: a, force: 3 N*cos(1 rad/s*t)}}
 """
 REPORTS = ("solve", "equations", "frequencies", "response", "frf")
 WRITING = {**{f"{command} -o": (command, "-o", "r.md") for command in REPORTS}, "draw": ("draw", "-o", "d.svg"),
            "animate": ("animate", "-o", "a.gif"), "response --save": ("response", "--save", "r.csv"),
            "frf --save": ("frf", "--save", "f.svg"), "frequencies --save": ("frequencies", "--save", "e.png"),
+           "sweep -o": ("sweep", "-o", "r.md"), "sweep --save": ("sweep", "--save", "k.csv"),
            "json": ("solve", "-o", "s.json"), "new": ("new", "-o", "n.yaml")}
 
 
@@ -32,7 +34,8 @@ def scene(tmp_path, monkeypatch):
 
 
 def arguments(command, option, name):
-    return [command, *([] if command == "new" else ["scene.yaml"]), option, name]
+    return [command, *([] if command == "new" else ["scene.yaml"]), *["--over", "k=3 .. 5"] * (command == "sweep"),
+            option, name]
 
 
 def test_every_command_that_writes_is_there():

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from vibcli.api.expressions import MotionEquation, SymbolicExpression
     from vibcli.api.pictures import SceneDrawing
     from vibcli.api.response import SampledResponse
+    from vibcli.api.sweep import SweptValues
     from vibcli.api.values import QuantityValue
     from vibcli.report.blocks import Document
     from vibcli.results.problem import Problem
@@ -60,6 +61,13 @@ class Model:
                 raise SpecError([Diagnostic(Where(f"with_values {name}", 1, 1, 0), str(error))]) from None
         problem = problem_of(self._source, found)
         return Model(self._source, problem if self._case is None else _case(problem, self._case), found, self._case)
+
+    def sweep(self, *quantities: str, **parameters: "ArrayLike") -> "SweptValues":
+        """Quantities over ascending values of parameters, in the unit of the file; over two, over their grid. The
+        scene is derived once, and evaluated by arrays where they settle it."""
+        from vibcli.api.sweep import swept
+
+        return swept(self._as_read, quantities, parameters)
 
     @property
     def omega(self) -> "ndarray | list[SymbolicExpression]":

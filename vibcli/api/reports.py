@@ -63,7 +63,7 @@ def data(problem: "Problem", parts: Sequence[str], normalise: str, digits: int |
 
     if digits is not None:
         _require_numbers(problem)
-    found = {"title": problem.spec.get("title"), "coordinates": list(problem.scene.coordinates)}
+    found: dict = {"title": problem.spec.get("title"), "coordinates": list(problem.scene.coordinates)}
     if problem.choice is not None:
         from vibcli.report.sections.design_parameters import CHOSEN
 
@@ -88,6 +88,10 @@ def data(problem: "Problem", parts: Sequence[str], normalise: str, digits: int |
     found |= {word: _responses(problem, word, parts, wanted) for word in sections if word in RESPONSES}
     found |= keys.data([import_module(f"vibcli.report.sections.{word}").KEY
                         for word in OF_ONE_KEY if word in sections], problem)
+    if "sweep" in sections:
+        from vibcli.report.sections.sweep import KEY, sweep_data
+
+        return found | {KEY.name: sweep_data(wanted.sweep)}
     if words := [word for word in sections if word in OF_MODES]:
         found["insight"] = _insight(problem, words, sections)
     return found

@@ -53,7 +53,12 @@ def quantity_value(problem: "Problem", text: str) -> QuantityValue:
 
 def quantity_asked(spec: "Spec", text: str) -> "Expression":
     """The text as a quantity of this scene; SpecError where it is none."""
-    asked, reader = given_expression(text, "the quantity"), Reader(members=spec.members)
+    return checked_quantity(spec, given_expression(text, "the quantity"))
+
+
+def checked_quantity(spec: "Spec", asked: "Expression") -> "Expression":
+    """The same of an Expression."""
+    reader = Reader(members=spec.members)
     asked = asked.with_tree(reader.at_places(asked.tree))
     asked = check_question(spec, reader, asked)
     if reader.diagnostics:

@@ -22,6 +22,7 @@ COMMANDS = {
     "animate": "A mode, or the motion in time, as an animated gif or a page for the browser.",
     "response": "The motion in time, free or forced: numbers, plots, data files.",
     "frf": "Frequency responses: resonances, bandwidths, plots, data files.",
+    "sweep": "Quantities over one or two parameters: tables, curves, contours.",
     "check": "Compare the answers in scene files with the results.",
     "explain": "The manual of the scene language, word by word.",
     "schema": "The JSON Schema of scene files, for editors.",

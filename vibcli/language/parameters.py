@@ -29,7 +29,7 @@ WIDEST = 4096       # bits
 def overridden(record: Record, tree: Number | Product | Sum, scalar: Any, reader: Reader) -> Record:
     """The Record of a parameter with another value; a bare number takes the unit in which the file gives it."""
     number = whole_literal(tree)
-    if number and not number.units and (unit := _unit_of(record)):
+    if number and not number.units and (unit := unit_text(record)):
         was = parse("1 " + unit)
         tree, scalar = _with_unit(tree, was.units), Scalar(f"{scalar.text} {unit}", scalar.where)
     value = Expression(scalar, with_record_calls(tree, reader.records))
@@ -39,7 +39,7 @@ def overridden(record: Record, tree: Number | Product | Sum, scalar: Any, reader
     return record.with_values({**record, "value": value})
 
 
-def _unit_of(record):
+def unit_text(record: Record) -> str:
     """The text of the unit in which the file gives a parameter, '' where it gives none."""
     if "value" not in record:
         return record.get("unit", "")
@@ -148,7 +148,7 @@ class Parameters:
 
         found = dict(given or {})
         for name in self.order:
-            if name in self.definitions:
+            if name in self.definitions and name not in found:
                 value = evaluate_rational([self.definitions[name]], found)
                 if value is not None and bits(value[0]) <= WIDEST:
                     found[name] = value[0]

@@ -20,6 +20,8 @@ ALIASES = {
     "initial conditions": "initial", "beats": "beat_period", "overshoots": "overshoot",
     "phase plane": "phase_plane", "phase portrait": "phase_plane", "separatrix": "phase_plane",
     "saddle": "phase_plane", "orbit": "phase_plane", "orbits": "phase_plane",
+    "campbell": "sweep", "campbell diagram": "sweep", "veering": "sweep", "crossing": "sweep", "over": "sweep",
+    "contours": "sweep", "branch": "sweep", "branches": "sweep",
     "frequency response": "frequency_response", "resonance": "frequency_response",
     "resonances": "frequency_response", "absorber": "frequency_response", "isolation": "frequency_response",
     "receptance": "frequency_response", "mobility": "frequency_response", "bandwidth": "frequency_response",

@@ -23,6 +23,9 @@ PYTHON = [
          "r[\"s.force\"]; `.unit(signal)`; `.unknown` says why it is not known to its end; `points=1001` instants"),
         ("p.frf(\"x\", \"drive\", omega=array)", "the complex frequency response of a signal to a unit of an input, at "
          "angular frequencies in rad/s, or at frequencies in Hz with `f=array`"),
+        ("p.sweep(\"omega[1]\", \"zeta[1]\", k=array)", "quantities over ascending values of a parameter, or over the "
+         "grid of two, in the unit of the file: `.over`, `.values` and `.units` by name, `.branches` of natural modes, "
+         "`.meetings`, `.gaps`"),
         ("p.draw()", "the figure; `p.draw(mode=1, both=True)` a mode shape on it. `.save(\"scene.png\")` writes it, "
          "`.data(\"svg\")` gives its bytes"),
         ("p.diagrams()", "forces and moments along members in equilibrium; `p.diagrams(mode=2)`, `p.diagrams(at=0.04)` "

@@ -112,6 +112,25 @@ PHASE_PLANE = [
     "slack), loops closed numerically, `damping:` of the whole, and letters.",
 ]
 
+SWEEP = [
+    "`vibcli sweep FILE --over 'k=400 N/m .. 1.2 kN/m' --of 'omega[1]' --of 'zeta[1]'` tells quantities over a "
+    "parameter of the file: any that `answers` may ask for, and expressions of some; the natural frequencies unless "
+    "named. The scene is derived once. Each value is that of the scene with this parameter, as `--set` gives it.",
+    [
+        ("--points N", "how many values; `--log` spaces them by one ratio. A bare number has the unit of the other "
+         "end, or that of the file."),
+        ("--over twice", "the grid of two parameters, as tables and contours"),
+        ("branches", "omega[i] stays the i-th in ascending order. Natural modes are followed by their shapes besides: "
+         "where branches change places, the branch of each mode stands beside it, and it is told where they cross, or "
+         "veer: come near and take each other's shape."),
+        ("gaps", "Where a quantity has no value its curve has a gap, and the reason is told once."),
+        ("Campbell diagram", "over a rate, such as Omega of what turns, the lines ω = Ω and 2Ω are drawn too"),
+        ("--plot, --save", "curves in the terminal, or in files: pictures, .csv, .npz, .json; `--json` tells all"),
+    ],
+    "What is chosen by the scene is chosen anew at each value. Not to be swept over is what other parameters define, "
+    "and a range at whose ends there is no such scene. An interrupt keeps what was found.",
+]
+
 FREQUENCY_RESPONSE = [
     "`vibcli frf FILE` finds H(Omega), the complex amplitude of a signal of small oscillations over that of an input "
     "which vibrates with Omega; the signal lags behind the input by θ = −arg H. Without dampers peaks are infinite.",

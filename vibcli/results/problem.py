@@ -80,9 +80,10 @@ class Problem:
         """The same scene with values for its symbols, drawn anew."""
         return Problem(self.spec, {**self.numeric.given, **given}, self.work)
 
-    def sharing(self, given: "Mapping[str, Fraction]") -> "Problem":
-        """The same with the expressions of this scene: for values on which no sign in its geometry hangs."""
-        return self.about(Configuration(self.numeric.sharing(given)))
+    def sharing(self, given: "Mapping[str, Fraction]", known: tuple = (None, None)) -> "Problem":
+        """The same with the expressions of this scene: for values on which no sign in its geometry hangs; `known`: its
+        natural modes and its damped ones, each None where they are to be found."""
+        return self._copy(modal=ModalAnalysis(Configuration(self.numeric.sharing(given)), known=known), end=None)
 
     def until(self, end: Any) -> "Problem":
         """The same scene with its motion looked at until an instant [s]."""

@@ -40,3 +40,15 @@ def called_functions(nodes: "Sequence[Node]") -> "list[DefinedFunction]":
     """The functions that elements define and expressions call: they have no form in the language of scenes."""
     return [part.table.functions[part.name] for part in reachable(nodes)
             if part.op == "call" and part.name in part.table.functions]
+
+
+def fingerprint(nodes: "Sequence[Node]") -> tuple:
+    """What tells expressions of different tables apart: equal of those that were built alike, in the same order."""
+    order = {node: number for number, node in enumerate(evaluable(nodes))}
+
+    def told(arg):
+        part, factor = arg if isinstance(arg, tuple) else (arg, None)
+        return order.get(part, part.coefficient), factor
+
+    return (*((node.op, node.name, node.coefficient, node.mask, node in node.table.positive, *map(told, node.args))
+              for node in order), tuple(order[node] for node in nodes))

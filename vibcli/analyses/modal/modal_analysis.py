@@ -31,10 +31,10 @@ MORE = 20           # digits that tell them apart
 
 class ModalAnalysis:
     """The modes of a Configuration. `free`: the number of directions in which it is known to move freely, where it is
-    one of a family of equilibria."""
+    one of a family of equilibria; `known`: modes that are known, natural ones and damped ones, else None."""
 
-    def __init__(self, configuration: "Configuration", free: int = 0):
-        self.configuration, self.free = configuration, free
+    def __init__(self, configuration: "Configuration", free: int = 0, known: tuple = (None, None)):
+        self.configuration, self.free, self._known = configuration, free, known
         self.numeric, self.system, self.spec = configuration.numeric, configuration.system, configuration.spec
         self.work, self.costs = configuration.work, configuration.costs
         self._results, self._scales, self._fields = {}, {}, {}
@@ -46,6 +46,8 @@ class ModalAnalysis:
     @Stage
     def modes(self) -> Modes:
         """The modes of the system without its dampers; none where it would not oscillate."""
+        if self._known[0] is not None:
+            return Modes(self._known[0])
         from vibcli.analyses.modal.modes import natural_modes
 
         elements = self.configuration.linear_system
@@ -71,6 +73,8 @@ class ModalAnalysis:
     @Stage
     def damped(self) -> Modes | None:
         """The damped modes; None where nothing damps."""
+        if self._known[1] is not None:
+            return Modes(self._known[1])
         elements = self.configuration.linear_system
         if self.member_damping is not None:
             return self._rated(self.modes, self.member_damping)

@@ -27,11 +27,13 @@ LIKE = 4.0              # κ up to this times another have its parts
 
 
 class _Tree(NamedTuple):
-    """One piece at several κ: cuts, (levels, from parts to the whole), 1/√Z at the nodes (nodes, κ, m/2)."""
+    """One piece at several κ: cuts, (levels, from parts to the whole), 1/√Z at the nodes (nodes, κ, m/2), and the
+    coefficients of the power series in all parts."""
 
     cuts: list
     levels: list
     scale: np.ndarray
+    series: tuple
 
 
 def mirrored(piece: "Piece") -> "Piece":
@@ -133,10 +135,11 @@ def _tree(piece, kappa, numbers):
     cuts = parts_of(piece, max(float(abs(value)) for value in kappa))
     scale = _scale(piece, cuts, kappa, numbers)
     ports = np.concatenate([scale[:-1], scale[1:]], axis=-1)
-    levels = [scattered(*part_stiffness(piece, cuts, kappa, numbers), ports, numbers)]
+    series = coefficients(piece, cuts, kappa, numbers)
+    levels = [scattered(*part_stiffness(piece, cuts, kappa, series, numbers), ports, numbers)]
     while len(levels[-1].s) > 1:
         levels.append(joined(levels[-1], numbers))
-    return _Tree(cuts, levels, scale)
+    return _Tree(cuts, levels, scale, series)
 
 
 def _scale(piece, cuts, kappa, numbers):
@@ -171,39 +174,56 @@ def _negative(tree, i, numbers):
 
 
 def _fields(piece, kappa, ends, x, numbers):
-    """At a κ each: what goes into the whole goes into its parts, whose end values follow."""
-    known: dict = {}
-    own = np.array([known.setdefault(value, len(known)) for value in kappa.tolist()], int)
-    values = np.array(list(known), kappa.dtype)
+    """At a κ each: what goes into the whole goes into its parts, whose end values follow; those of one κ and the same
+    end values are one field at several places."""
+    at, own = _distinct(kappa)
+    first, field = _distinct(np.stack([own, *(_distinct(column)[1] for column in ends.T)], axis=-1))
+    values, of = kappa[at], own[first]
     tree = _tree(piece, values, numbers)
-    slack = piece.order == 2 and is_slack(piece)
-    scale = _ports(tree, -1)[0, own]
-    d = stiffness_again(tree.levels[-1], _ports(tree, -1), numbers)[0][0, own]
-    if slack:
-        ends = ends * numbers.array([0, 1])
-    inward = ((ends[:, None, :] @ d)[:, 0] * scale + numbers.i * ends / scale)[None]
-    for level in reversed(tree.levels[:-1]):
-        inward = divided(level.s[:, own], inward, numbers)
-    outward = (tree.levels[0].s[:, own] @ inward[..., None])[..., 0]
-    parts = (inward - outward) / (2 * numbers.i) * _ports(tree, 0)[:, own]
-    found, index = _within(piece, tree.cuts, (values, own), parts, x, numbers)
-    if slack and (index == 0).any():
-        first = np.flatnonzero(index == 0)
-        found[first] = _near_slack(piece, tree.cuts[1], kappa[first], parts[0, first, 1], x[first], numbers)
+    parts = _part_ends(piece, tree, of, ends[first], numbers)
+    found, index = _within(piece, tree, (of, field), parts, x, numbers)
+    if piece.order == 2 and is_slack(piece) and (index == 0).any():
+        near = np.flatnonzero(index == 0)
+        found[near] = _near_slack(piece, tree.cuts[1], kappa[near], parts[0, field[near], 1], x[near], numbers)
     return found
 
 
-def _within(piece, cuts, kappas, parts, x, numbers):
-    """(the series of the part in which each place lies, from its end values; the number of that part); kappas: (κ, the
-    number of that of each field)."""
-    kappa, own = kappas
-    places, (c, _, half) = numbers.array(cuts), coefficients(piece, cuts, kappa, numbers)
-    index = np.clip(np.searchsorted(places.astype(float), x.astype(float), side="right") - 1, 0, len(cuts) - 2)
+def _distinct(values):
+    """(places of the values, or rows, that differ, the number of each among these)."""
+    if values.dtype.kind != "O":
+        _, places, numbers = np.unique(values, axis=0, return_index=True, return_inverse=True)
+        return places, numbers.reshape(-1)
+    known: dict = {}
+    numbers = np.array([known.setdefault(value, len(known)) for value in values.tolist()], int)
+    return np.unique(numbers, return_index=True)[1], numbers
+
+
+def _part_ends(piece, tree, of, ends, numbers):
+    """The end values of all parts, (parts, fields, order), of fields with these end values; of: the numbers of their
+    κ."""
+    scale = _ports(tree, -1)[0, of]
+    d = stiffness_again(tree.levels[-1], _ports(tree, -1), numbers)[0][0, of]
+    if piece.order == 2 and is_slack(piece):
+        ends = ends * numbers.array([0, 1])
+    inward = ((ends[:, None, :] @ d)[:, 0] * scale + numbers.i * ends / scale)[None]
+    for level in reversed(tree.levels[:-1]):
+        inward = divided(level.s[:, of], inward, numbers)
+    outward = (tree.levels[0].s[:, of] @ inward[..., None])[..., 0]
+    return (inward - outward) / (2 * numbers.i) * _ports(tree, 0)[:, of]
+
+
+def _within(piece, tree, which, parts, x, numbers):
+    """(the series of the part in which each place lies, from its end values; the number of that part); which: (the
+    number of the κ of each field, the number of the field at each place)."""
+    (of, field), places, (c, _, half) = which, numbers.array(tree.cuts), tree.series
+    index = np.clip(np.searchsorted(places.astype(float), x.astype(float), side="right") - 1, 0, len(places) - 2)
     values = np.concatenate([np.stack([end_sums(c, eta, j, numbers) / half**j for j in range(piece.order // 2)],
                                       axis=-2) for eta in (-1, 1)], axis=-2)
-    weights = (numbers.inverse(values[index, own]) @ parts[index, np.arange(len(x))][:, :, None])[..., 0]
+    weights = (numbers.inverse(values)[:, of] @ parts[..., None])[..., 0]
     eta = (x - (places[index] + places[index + 1]) / 2) / half[index, 0, 0]
-    terms = (c[:, index, own] * weights).sum(axis=-1)
+    met, place = _distinct(index * len(of) + field)
+    part, one = index[met], field[met]
+    terms = (c[:, part, of[one]] * weights[part, one]).sum(axis=-1)[:, place]
     return np.stack([sums(terms, eta, j) / half[index, 0, 0] ** j for j in range(piece.order)], axis=-1), index
 
 

@@ -68,10 +68,10 @@ def is_slack(piece: "Piece") -> bool:
     return bool(abs(piece.tension) <= NIL * abs(piece.gradient * piece.length))
 
 
-def part_stiffness(piece: "Piece", cuts: list, kappa: np.ndarray,
+def part_stiffness(piece: "Piece", cuts: list, kappa: np.ndarray, series: tuple,
                    numbers: "Arithmetic") -> tuple[np.ndarray, np.ndarray]:
-    """(d, ∂d/∂κ) of all parts, (parts, κ, m, m)."""
-    ends, forces, slopes, force_slopes = _end_values(piece, cuts, kappa, numbers)
+    """(d, ∂d/∂κ) of all parts, (parts, κ, m, m), from their `coefficients`."""
+    ends, forces, slopes, force_slopes = _end_values(piece, cuts, series, numbers)
     inverse = numbers.inverse(ends)
     stiffness = forces @ inverse
     slope = (force_slopes - stiffness @ slopes) @ inverse
@@ -132,9 +132,9 @@ def slack_series(piece: "Piece", x: Any, kappa: np.ndarray, numbers: "Arithmetic
     return found[0], found[1], found[2] * x / piece.gradient, found[3] * x / piece.gradient
 
 
-def _end_values(piece, cuts, kappa, numbers):
+def _end_values(piece, cuts, series, numbers):
     """End values and end forces of the solutions, rows, and their derivatives by κ: arrays (parts, κ, m, m)."""
-    c, dc, half = coefficients(piece, cuts, kappa, numbers)
+    c, dc, half = series
     places = numbers.array(cuts)
     found = []
     for series in (c, dc):

@@ -23,6 +23,7 @@ SECTIONS = {
     "estimates": ("estimates", "estimates of Rayleigh and Dunkerley"),
     "backbone": ("backbone", "the frequency of free motions by their amplitude"),
     "phase_plane": ("phase_plane", "equilibria by their kinds, and the motion from the start, in the phase plane"),
+    "sweep": ("sweep", "quantities over one or two parameters"),
     "expansion": ("expansion", "the energies by powers of the deviations from equilibrium"),
     "ritz": ("ritz", "bounds of frequencies by assumed shapes"),
     "schematic": ("illustrations", "the figure of the scene"),

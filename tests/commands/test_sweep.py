@@ -1,0 +1,137 @@
+"""`vibcli sweep`: tables, curves and data over parameters; what cannot be swept over."""
+
+import csv
+import json
+
+import pytest
+
+from vibcli.cli import run
+from vibcli.plots.words import width
+
+TWO = """title: Two oscillators on a weak spring
+parameters: {m: 1 kg, k1: 100 N/m, k2: 100 N/m, kc: 1 N/m, s: 2*kc, c: 0.5 N*s/m}
+bodies: {a: {mass: m, slide: x1}, b: {mass: m, slide: x2}}
+springs: {s1: {k: k1, stretch: x1}, s2: {k: k2, stretch: x2}, sc: {k: s/2, stretch: x2 - x1}}
+dampers: {d: {c: c, stretch: x1}}
+"""
+RODS = """title: A rotor
+parameters: {m: 1 kg, k: 400 N/m, Omega: 10 rad/s}
+bodies:
+  disc: {at: [0, 0], pin: {by: Omega*t}}
+  bead: {mass: m, at: [0, 0], move: {by: [u, v, 0], carrier: disc}}
+energies: {V: k*(u^2 + v^2)/2}
+"""
+
+
+@pytest.fixture
+def scene(tmp_path):
+    path = tmp_path / "two.yaml"
+    path.write_text(TWO, encoding="utf-8")
+    return str(path)
+
+
+def out_of(capsys, *args, code=0):
+    assert run(["sweep", *args]) == code
+    return capsys.readouterr()
+
+
+def test_a_table_tells_where_branches_veer(scene, capsys):
+    out = out_of(capsys, scene, "--over", "k1=50 N/m .. 150", "--of", "omega[1]", "--of", "zeta[1]",
+                 "--points", "5").out
+    rows = [line.split() for line in out.splitlines() if line.strip()[:1].isdigit()]
+    assert [row[0] for row in rows] == ["50", "75", "100", "125", "150"] and rows[2][1] == "10"
+    assert "ω₁ [rad/s]" in out and "ζ₁" in out and "Branches 1 and 2 veer at k₁ = 100.0" in out
+
+
+def test_branches_that_cross_have_a_column(scene, capsys):
+    out = out_of(capsys, scene, "--set", "kc=0", "--over", "k1=50 .. 170", "--of", "omega[1]", "--points", "4").out
+    assert "cross at k₁ = 100 N/m" in out
+    assert [line.split()[2] for line in out.splitlines() if line.strip()[:1].isdigit()] == ["1", "1", "2", "2"]
+
+
+def test_natural_frequencies_unless_asked(scene, capsys):
+    assert "ω₁ [rad/s]  ω₂ [rad/s]" in out_of(capsys, scene, "--over", "m=500 g .. 2 kg", "--points", "3").out
+
+
+def test_its_data(scene, capsys):
+    found = json.loads(out_of(capsys, scene, "--over", "k1=0.05 N/mm .. 150 N/m", "--of", "omega[2]", "--points", "3",
+                              "--json").out)["sweep"]
+    assert found["over"] == [{"name": "k1", "unit": "N/mm", "values": [0.05, 0.1, 0.15]}]
+    one, = found["quantities"]
+    assert one["values"][1] == pytest.approx(102**0.5, rel=1e-15)
+    assert one["unit"] == "rad/s" and one["branch"] == [2] * 3
+
+
+def test_values_without_answer_are_gaps(scene, capsys):
+    out = out_of(capsys, scene, "--over", "k1=-10 .. 10", "--of", "omega[1]", "--points", "5").out
+    assert "ω₁: no value for k₁ = -10 … -5 N/m: mode 1 is unstable: it has a growth rate, no frequency." in out
+    assert [line.split()[1] for line in out.splitlines() if line.split()[:1] in (["-10"], ["-5"])] == ["–", "–"]
+
+
+def test_it_is_plotted_and_saved(scene, capsys, tmp_path, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    target, picture = tmp_path / "k.csv", tmp_path / "k.svg"
+    out = out_of(capsys, scene, "--over", "k1=50 .. 150", "--of", "omega[1]", "--of", "omega[2]", "--points", "9",
+                 "--plot", "--save", str(target), "--save", str(picture)).out
+    assert max(map(width, out[out.rindex("Two osc"):].splitlines())) <= 80
+    assert "ω₁, ω₂ [rad/s]" in out and "k₁ [N/m]" in out
+    rows = list(csv.reader(target.read_text().splitlines()))
+    assert rows[0] == ["k1 [N/m]", "omega[1] [rad/s]", "branch of omega[1] []", "omega[2] [rad/s]",
+                       "branch of omega[2] []"]
+    assert len(rows) == 10 and float(rows[5][1]) == pytest.approx(10, rel=1e-15)
+    assert b"<svg" in picture.read_bytes()
+    assert run(["sweep", scene, "--over", "k1=1 .. 2", "--save", str(target)]) == 2
+
+
+def test_two_parameters_are_a_grid_with_contours(scene, capsys, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    out = out_of(capsys, scene, "--over", "k1=50 .. 150", "--over", "k2=50 .. 100", "--of", "omega[1]", "--points", "9",
+                 "--plot").out
+    assert "k₂ = 50 N/m" in out and "k₂ = 100 N/m" in out and "ω₁ = 8 rad/s" in out
+    found = json.loads(out_of(capsys, scene, "--over", "k1=50 .. 150", "--over", "k2=50 .. 100", "--of", "omega[1]",
+                              "--points", "3", "--json").out)["sweep"]
+    assert len(found["quantities"][0]["values"]) == 9 and found["quantities"][0]["branch"] is None
+
+
+def test_a_campbell_diagram(tmp_path, capsys, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    path = tmp_path / "rotor.yaml"
+    path.write_text(RODS, encoding="utf-8")
+    out = out_of(capsys, str(path), "--over", "Omega=1 .. 15", "--points", "8", "--plot").out
+    rows = [list(map(float, line.split())) for line in out.splitlines()[5:13]]
+    assert len(rows) == 8
+    for Omega, low, high in rows:
+        assert (low, high) == (pytest.approx(20 - Omega, rel=1e-5), pytest.approx(20 + Omega, rel=1e-5))
+    assert "1×" in out and "2×" in out
+
+
+@pytest.mark.parametrize(("over", "said"), [
+    ("k9=1 .. 2", "the file has no parameter 'k9'"),
+    ("k1=5 .. 1", "the range is empty: 5 is not below 1"),
+    ("k1=5", "write NAME=LOW .. HIGH"),
+    ("k1=1 kg .. 2 kg", "the unit of 'k1' does not fit, as in 100 N/m"),
+    ("k1=1 N/m .. 2 m", "do not go together"),
+    ("k1=a .. 2", "'a' is no number with a unit"),
+    ("s=1 .. 2", "'s' is defined by 'kc': vary that"),
+    ("m=-1 kg .. 1 kg", "there is no such scene at m = -1 kg: the mass is -1 kg, expected zero or more")])
+def test_what_cannot_be_swept_over(scene, capsys, over, said):
+    assert said in out_of(capsys, scene, "--over", over, code=2).err
+
+
+@pytest.mark.parametrize(("options", "said"), [
+    (["--over", "k1=1 .. 2", "--of", "omgea[1]"], "did you mean 'omega'?"),
+    (["--over", "k1=1 .. 2", "--of", "motion[x1]"], "is a function of the state, no number"),
+    (["--over", "k1=1 .. 2", "--over", "k1=1 .. 2"], "'k1' is swept over twice"),
+    (["--over", "k1=-1 .. 2", "--log"], "begin above zero"),
+    (["--over", "k1=1 .. 2", "--over", "k2=1 .. 2", "--over", "m=1 .. 2"], "more than twice"),
+    (["--over", "k1=1 .. 2", "--over", "k2=1 .. 2", "--points", "5000"], "the limit is 1000000")])
+def test_what_cannot_be_asked(scene, capsys, options, said):
+    assert run(["sweep", scene, *options]) in (2, 3)
+    assert said in capsys.readouterr().err
+
+
+def test_letters_need_values(tmp_path, capsys):
+    path = tmp_path / "letters.yaml"
+    path.write_text(TWO.replace("m: 1 kg", "m: {unit: kg}"), encoding="utf-8")
+    assert "these parameters have none: m" in out_of(capsys, str(path), "--over", "k1=1 .. 2", code=2).err
+    assert "ω₁" in out_of(capsys, str(path), "--over", "m=1 kg .. 2 kg", "--points", "3").out

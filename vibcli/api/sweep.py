@@ -1,0 +1,101 @@
+"""Quantities of a scene over arrays of values of its parameters, for Python."""
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+from vibcli.api.axis import of_numbers
+from vibcli.api.source import settled
+from vibcli.api.values import checked_quantity, given_expression, unit_of
+from vibcli.base.errors import Diagnostic, SpecError, Where
+from vibcli.quantities.quantity import OF_STATE, kind_of
+from vibcli.quantities.sweep import Sweep, SweptAxis
+
+if TYPE_CHECKING:
+    from numpy import ndarray
+    from numpy.typing import ArrayLike
+
+    from vibcli.language.reader import Expression
+    from vibcli.results.branches import Meeting
+    from vibcli.results.problem import Problem
+
+MOST = 1_000_000        # values of all axes together
+
+
+class SweptValues(NamedTuple):
+    """over: {parameter: array in SI units}; values: {quantity: array over them, in SI units, NaN where there is no
+    value}; units: {quantity: its unit}; branches: {quantity of a natural mode: which branch, followed by its shape, the
+    mode belongs to}; meetings: where branches cross or veer; gaps: [(quantities, places in the arrays, why)]."""
+
+    over: "dict[str, ndarray]"
+    values: "dict[str, ndarray]"
+    units: dict[str, str]
+    branches: "dict[str, ndarray]"
+    meetings: "list[Meeting]"
+    gaps: list[tuple]
+
+
+def swept(problem: "Problem", quantities: Sequence[str], parameters: "Mapping[str, ArrayLike]") -> SweptValues:
+    """Quantities over one parameter, or over the grid of several, whose numbers are in the unit of the file."""
+    import numpy as np
+
+    try:
+        axes = [of_numbers(problem.spec, name, np.asarray(numbers, float).ravel().tolist())
+                for name, numbers in parameters.items()]
+        found = sweep(problem, axes, [given_expression(text, "the quantity") for text in quantities])
+        quantities = [one.text for one in found.asked]
+    except ValueError as error:
+        raise SpecError([Diagnostic(Where("sweep", 1, 1, 0), str(error))]) from None
+    values = dict(zip(quantities, found.columns, strict=True))
+    branches = {text: branch for text, one in zip(quantities, found.asked, strict=True)
+                if (branch := found.branch(one)) is not None}
+    return SweptValues(
+        {axis.name: np.array(axis.in_si) for axis in axes}, values,
+        dict(zip(quantities, found.units, strict=True)), branches,
+        [] if found.branches is None else found.branches.meetings, [tuple(gap) for gap in found.gaps])
+
+
+def sweep(problem: "Problem", axes: Sequence[SweptAxis], asked: "Sequence[Expression]") -> Sweep:
+    """The Sweep of quantities, of the natural frequencies where none is named; ValueError where that cannot be,
+    SpecError where a quantity is none of the scene."""
+    if not axes:
+        raise ValueError("name a parameter to sweep over")
+    if len({axis.name for axis in axes}) < len(axes):
+        raise ValueError(f"'{axes[0].name}' is swept over twice")
+    total = 1
+    for axis in axes:
+        total *= len(axis.values)
+    if total > MOST:
+        raise ValueError(f"{total} values are asked for; the limit is {MOST}")
+    _require_values(problem, {axis.name for axis in axes})
+    checked = [checked_quantity(problem.spec, one) for one in asked or _natural(problem, axes)]
+    for one in checked:
+        _require_number(problem, one)
+    found = Sweep(problem, axes, checked, [unit_of(problem.spec, one) for one in checked], settled)
+    if found.invalid_end is not None:
+        values, message = found.invalid_end
+        raise ValueError(f"there is no such scene at {values}: {message}")
+    return found
+
+
+def _require_values(problem, swept_over):
+    left = [name for name, record in problem.spec.parameters.items()
+            if "value" not in record and name not in swept_over and name not in problem.spec.choices]
+    if left:
+        raise ValueError(f"a sweep needs numbers, and these parameters have none: {', '.join(left)}; give them with "
+                         "--set, or values in the file")
+
+
+def _natural(problem, axes):
+    """The natural frequencies of the scene at the middle of its ranges."""
+    from vibcli.results.variants import Variants
+
+    middle = Variants(problem, {axis.name: axis.values for axis in axes}, settled).alone(
+        tuple(len(axis.values) // 2 for axis in axes))
+    if isinstance(middle, Exception):
+        raise middle
+    return [given_expression(f"omega[{mode.index}]", "the quantity") for mode in middle.modal.modes.shown()]
+
+
+def _require_number(problem, asked):
+    if kind_of(problem.spec, asked.tree) in OF_STATE:
+        raise ValueError(f"'{asked.text}' is a function of the state, no number")
