@@ -83,8 +83,8 @@ def shapes_told(count: int) -> int:
 
 def shapes(names: Sequence[str], numbers: Sequence[int], found: Sequence[list[complex]],
            write: Callable = _real) -> list[Paragraph | TableBlock | None]:
-    """Blocks of the shapes of modes of these numbers, the first `shapes_told` of them: a column a mode, or a line a mode where
-    there are many."""
+    """Blocks of the shapes of modes of these numbers, the first `shapes_told` of them: a column a mode, or a line a
+    mode where there are many."""
     if len(numbers) > MANY:
         return [*(paragraph(f"mode {i}: " + " ".join(write(value) for value in shape[:LONGEST])
                             + (" …" if len(shape) > LONGEST else ""), hang=None)
