@@ -28,7 +28,7 @@ quick: lint
 
 test: lint
 	$(BIN)/pytest -q -n 2
-	$(BIN)/vibcli check --quiet problems
+	$(BIN)/vibcli check --quiet --jobs 2 problems
 
 bench: $(BIN)/pytest
 	$(BIN)/python -m vibcli.bench

@@ -96,9 +96,9 @@ def run(args: list[str] | None = None) -> int:
         click.echo("interrupted", err=True)
         return 130
     except Exception as error:  # the last resort: no traceback reaches a user
-        click.echo(f"vibcli: an error of its own: {type(error).__name__}: {str(error)[:200]}\n"
-                   "Please report it with the file that shows it; VIBCLI_TRACEBACK=1 shows where it happened.",
-                   err=True)
+        from vibcli.cli.common import show_fault
+
+        show_fault(error)
         if os.environ.get("VIBCLI_TRACEBACK"):
             raise
         return 101

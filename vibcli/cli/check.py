@@ -1,16 +1,34 @@
 """`vibcli check PATH…`: the answers in problem files against the results."""
 
 import os
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Any, NamedTuple
 
 import click
 
 from vibcli.api.source import settled
 from vibcli.base.errors import PhysicsError, SpecError
-from vibcli.cli.common import _sources, color_option, load, patience_option, show_diagnostics, show_refusal
+from vibcli.cli.common import (
+    _sources,
+    color_option,
+    load,
+    patience_option,
+    show_diagnostics,
+    show_fault,
+    show_refusal,
+)
 
-GRAVEST = (3, 4, 1, 0)
+GRAVEST = (101, 3, 4, 1, 0)
+
+
+class CheckedFile(NamedTuple):
+    """What is known of a file that was checked: its exit code, could it not be checked? and the data of its answers."""
+
+    file: str
+    code: int
+    failed: bool
+    answers: list
 
 
 @click.command("check")
@@ -19,41 +37,71 @@ GRAVEST = (3, 4, 1, 0)
               help="Give a parameter another value, in every file: k=500 in the file's unit, or 'k=0.5 N/mm'.")
 @click.option("--json", "as_json", is_flag=True, help="Verdicts as JSON.")
 @click.option("--quiet", "-q", is_flag=True, help="Print only what does not agree.")
+@click.option("--jobs", "-j", type=click.IntRange(1, 256), default=1, metavar="N",
+              help="Check N files at a time, in processes of their own.")
 @patience_option
 @color_option
-def command(paths: Sequence[str], settings: Sequence[Any], as_json: bool, quiet: bool, patience: int) -> int:
+def command(paths: Sequence[str], settings: Sequence[Any], as_json: bool, quiet: bool, jobs: int,
+            patience: int) -> int:
     """Compare the answers in scene files (and in folders of them) with the results.
 
     Exit code: 0 all agree, 1 an answer differs, 3 a file is invalid, 4 a scene cannot be solved or whether an answer
-    agrees is uncertain (of several the gravest of 3, 4, 1), 5 no answer was found to check.
+    agrees is uncertain (of several the gravest of 3, 4, 1), 5 no answer was found to check, 130 interrupted: what was
+    found by then is told.
     """
     files = [file for path in paths for file in _files(path)]
-    counts = {"agree": 0, "differ": 0, "uncertain": 0, "files": 0, "failed": 0}
-    codes, data = [0], []
-    for file in files:
-        code, verdicts = _check_file(file, settings, patience)
-        codes.append(code)
-        counts["files"] += 1
-        counts["failed"] += _failed(code, verdicts)
-        for name, agrees in (("agree", True), ("differ", False), ("uncertain", None)):
-            counts[name] += sum(v.agrees is agrees for v in verdicts)
-        if as_json:
-            data.append({"file": file, "exit_code": code, "answers": [_data(v) for v in verdicts]})
-        else:
-            _print(file, verdicts, quiet, _failed(code, verdicts))
+    tell, found, interrupted = None if as_json else partial(_print, quiet=quiet), [], False
+    try:
+        for one in _each(files, jobs, tell, settings, patience):
+            found.append(one)
+    except KeyboardInterrupt:
+        interrupted = True
     if as_json:
         import json
 
+        data = [{"file": one.file, "exit_code": one.code, "answers": list(one.answers)} for one in found]
         click.echo(json.dumps(data, ensure_ascii=False, allow_nan=False, indent=1))
     else:
-        click.echo(_summary(counts))
-    code = next(code for code in GRAVEST if code in codes)
-    return 5 if code == 0 and not counts["agree"] else code
+        click.echo(_summary(found))
+    if interrupted:
+        raise KeyboardInterrupt
+    code = next(code for code in GRAVEST if code in {0, *(one.code for one in found)})
+    return 5 if code == 0 and not any(answer["agrees"] for one in found for answer in one.answers) else code
+
+
+def _each(files, jobs, tell, settings, patience):
+    """The CheckedFile of each file, in their order, printed."""
+    if jobs > 1 and len(files) > 1:
+        from vibcli.cli.jobs import in_processes
+
+        yield from in_processes(partial(checked_file, tell=tell, settings=settings, patience=patience), files,
+                                min(jobs, len(files)))
+        return
+    for file in files:
+        yield checked_file(file, tell, settings, patience)
+
+
+def checked_file(file: str, tell: Callable | None, settings: Sequence[str], patience: int) -> CheckedFile:
+    """What the check of a file found; `tell` prints it. A fault of ours is told and leaves the other files."""
+    try:
+        code, verdicts = _check_file(file, settings, patience)
+    except (click.ClickException, click.Abort):
+        raise
+    except Exception as error:
+        click.echo(f"{file}:", err=True)
+        show_fault(error)
+        if os.environ.get("VIBCLI_TRACEBACK"):
+            raise
+        code, verdicts = 101, []
+    failed = _failed(code, verdicts)
+    if tell:
+        tell(file, verdicts, failed=failed)
+    return CheckedFile(file, code, failed, [_data(verdict) for verdict in verdicts])
 
 
 def _failed(code, verdicts):
     """Is a file invalid, or could an answer not be found? What is uncertain was."""
-    return code == 3 or (code == 4 and (not verdicts or any(v.refusal and v.agrees is False for v in verdicts)))
+    return code in (3, 101) or (code == 4 and (not verdicts or any(v.refusal and v.agrees is False for v in verdicts)))
 
 
 def _files(path):
@@ -158,15 +206,18 @@ def _data(verdict):
             "estimated": verdict.estimated, "remark": verdict.remark}
 
 
-def _summary(counts):
-    parts = [f"{_count(counts['agree'], 'answer')} agree" + "s" * (counts["agree"] == 1)]
-    if counts["differ"]:
-        parts.append(f"{counts['differ']} differ" + "s" * (counts["differ"] == 1))
-    if counts["uncertain"]:
-        parts.append(f"{counts['uncertain']} {'is' if counts['uncertain'] == 1 else 'are'} uncertain")
-    if counts["failed"]:
-        parts.append(f"{_count(counts['failed'], 'file')} could not be checked")
-    return f"{', '.join(parts)} in {_count(counts['files'], 'file')}"
+def _summary(found):
+    agreed = [answer["agrees"] for one in found for answer in one.answers]
+    agree, differ, uncertain = (sum(one is value for one in agreed) for value in (True, False, None))
+    failed = sum(one.failed for one in found)
+    parts = [f"{_count(agree, 'answer')} agree" + "s" * (agree == 1)]
+    if differ:
+        parts.append(f"{differ} differ" + "s" * (differ == 1))
+    if uncertain:
+        parts.append(f"{uncertain} {'is' if uncertain == 1 else 'are'} uncertain")
+    if failed:
+        parts.append(f"{_count(failed, 'file')} could not be checked")
+    return f"{', '.join(parts)} in {_count(len(found), 'file')}"
 
 
 def _count(number, what):

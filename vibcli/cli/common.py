@@ -129,7 +129,7 @@ def show_diagnostics(diagnostics: Sequence[Diagnostic]) -> None:
     """Diagnostics on stderr, each with its line and a caret."""
     from vibcli.base.diagnostics import render
 
-    color = _color(sys.stderr)
+    color = colored(sys.stderr)
     for diagnostic in diagnostics:
         lines = _lines(diagnostic.where) if diagnostic.where else ()
         click.echo(render(diagnostic, lines, color), err=True, color=color)
@@ -155,7 +155,14 @@ def show_refusal(error: PhysicsError, file: str | None = None) -> None:
     show_diagnostics([Diagnostic(where, error.message, error.hint)])
 
 
-def _color(stream):
+def show_fault(error: Exception) -> None:
+    """A fault of ours on stderr."""
+    click.echo(f"vibcli: an error of its own: {type(error).__name__}: {str(error)[:200]}\n"
+               "Please report it with the file that shows it; VIBCLI_TRACEBACK=1 shows where it happened.", err=True)
+
+
+def colored(stream: Any) -> bool:
+    """Are colours for a stream?"""
     context = click.get_current_context(silent=True)
     if context is not None and context.color is not None:
         return context.color

@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.mechanics.factored_system import FactoredSystem
 from vibcli.mechanics.linearisation import Linearisation, nodes_of
-from vibcli.symbolic.evaluation import evaluate, evaluate_rational
+from vibcli.symbolic.evaluation import Floats, evaluate, evaluate_rational
+from vibcli.symbolic.float_code import compiled
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -13,6 +14,33 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 ALIKE = 2.0**-46
+OFTEN, KEPT, LONGEST = 6, 8, 20_000      # evaluations before one is compiled; forms that are remembered; expressions
+
+
+class _Evaluations:
+    """The values of the expressions of Linearisations; those that floats are put into again and again are compiled."""
+
+    def __init__(self):
+        self._known: dict[int, list] = {}       # {id: [form, expressions, how often, function]}, the oldest first
+
+    def of(self, form: Linearisation, arithmetic: Any, values: Mapping[str, Any]) -> "dict[Node, Any]":
+        """{expression: value}."""
+        entry = self._known.get(id(form))
+        if entry is None:
+            entry = self._known[id(form)] = [form, list(dict.fromkeys(nodes_of(form))), 0, None]
+            if len(self._known) > KEPT:
+                self._known.pop(next(iter(self._known)))
+        _, nodes, count, function = entry
+        if arithmetic is not Floats:
+            return dict(zip(nodes, evaluate(nodes, arithmetic, values), strict=True))
+        entry[2] = count + 1
+        if function is None and count >= OFTEN and len(nodes) <= LONGEST:
+            function = entry[3] = compiled(nodes)
+        found = evaluate(nodes, arithmetic, values) if function is None else function(values)
+        return dict(zip(nodes, found, strict=True))
+
+
+_EVALUATIONS = _Evaluations()
 
 
 class Numbers(NamedTuple):
@@ -26,8 +54,7 @@ class Numbers(NamedTuple):
 def in_numbers(form: Linearisation, arithmetic: Any, values: Mapping[str, Any],
                rational: "Mapping[str, Fraction] | None" = None):
     """The Numbers of a Linearisation. `rational`: exact values of the symbols, for rows that are exactly rational."""
-    unique = list(dict.fromkeys(nodes_of(form)))
-    known = dict(zip(unique, evaluate(unique, arithmetic, values), strict=True))
+    known = _EVALUATIONS.of(form, arithmetic, values)
     n, zero = form.n, arithmetic.number(form.table.zero.coefficient)
     K, size = {}, {}
     residual, residual_size = [zero] * n, [zero] * n

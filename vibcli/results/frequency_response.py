@@ -36,6 +36,7 @@ class FrequencyResponse:
         self.transfer = transfer(problem.configuration, signal, driver, modal=problem.modal)
         self._fixed: dict[str, Any] = {}
         self._listed: dict[float, Listing] = {}
+        self._known: dict[tuple[str, int], Any] = {}
 
     def at(self, Omega: float) -> tuple[complex, float]:
         """(complex H, relative error bound)."""
@@ -116,11 +117,20 @@ class FrequencyResponse:
 
     def half_power_of(self, number: int) -> tuple[float, float]:
         """(Ω₁, Ω₂) about a peak, counted from 1."""
+        return self._once("half power", number, self._half_power)
+
+    def _half_power(self, number):
         from vibcli.analyses.frequency_response.peaks import half_power
 
         peak, found = self._numbered(number, "peaks", "peak")
         with self.problem.work.task("the search for half-power points", MOST):
             return half_power(self.transfer, peak, found.extremes)
+
+    def _once(self, what, number, find):
+        """What is found of a peak, kept."""
+        if (what, number) not in self._known:
+            self._known[what, number] = find(number)
+        return self._known[what, number]
 
     def quality(self, number: int) -> float:
         """Q of a peak, counted from 1."""
@@ -143,6 +153,9 @@ class FrequencyResponse:
 
     def error_of_peak(self, number: int) -> tuple[float, float]:
         """(|δΩ|, relative error of |H|) of a peak, counted from 1."""
+        return self._once("top", number, self._error_of_peak)
+
+    def _error_of_peak(self, number):
         peak = self.peak(number)
         if peak.value is None:
             return self.transfer.error_of_pole(peak.Omega), 0.0
@@ -154,6 +167,9 @@ class FrequencyResponse:
 
     def errors_of_half_power(self, number: int) -> tuple[float, float]:
         """(|δΩ₁|, |δΩ₂|) of the half-power points about a peak."""
+        return self._once("levels", number, self._errors_of_half_power)
+
+    def _errors_of_half_power(self, number):
         off = self.error_of_peak(number)[1]
         low, high = (self.errors.of_level(Omega, off) for Omega in self.half_power_of(number))
         return low, high

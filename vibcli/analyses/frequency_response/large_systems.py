@@ -20,7 +20,8 @@ def chosen(system: Any) -> Callable:
     """The method for this system; None where none of them fits."""
     order, width = _ordered(system)
     if width <= NARROW:
-        return lambda system, s, steep=False: _banded(system, s, steep, order, width)
+        bands = _bands(system, order, width)
+        return lambda system, s, steep=False: _banded(system, s, steep, order, width, bands)
     reduced = _reduced(system)
     if reduced is None:
         return None
@@ -43,14 +44,19 @@ def _ordered(system):
     return order, int(np.abs(rows - columns).max(initial=0))
 
 
-def _banded(system, s, steep, order, width):
+def _bands(system, order, width):
+    """K, C, M as LAPACK stores bands, with room for what pivoting adds."""
+    at, bands = np.arange(system.n), np.zeros((3, 3 * width + 1, system.n))
+    rows, columns = np.nonzero(np.abs(at[:, None] - at) <= width)
+    for k, matrix in enumerate((system.K, system.C, system.M)):
+        bands[k, 2 * width + rows - columns, columns] = matrix[np.ix_(order, order)][rows, columns]
+    return bands
+
+
+def _banded(system, s, steep, order, width, bands):
     from scipy.linalg import lapack
 
     n, at = system.n, np.arange(system.n)
-    bands = np.zeros((3, 3 * width + 1, n))
-    for k, matrix in enumerate((system.K, system.C, system.M)):
-        rows, columns = np.nonzero(np.abs(at[:, None] - at) <= width)
-        bands[k, 2 * width + rows - columns, columns] = matrix[np.ix_(order, order)][rows, columns]
     scale = scales(system, s)[:, order]
     b, c = polynomial(system.b, s)[:, order] * scale, polynomial(system.c, s)[:, order] * scale
     rows = np.clip(np.arange(3 * width + 1)[:, None] - 2 * width + at, 0, n - 1)

@@ -27,8 +27,7 @@ def of_value(system: "TransferFunction", data: "DataErrors", Omega: float) -> fl
     of_b, of_c, of_d = (polynomial(np.abs(part), np.array([large]))[0] for part in (system.b, system.c, system.d))
     D = system.K + s[0] * system.C + s[0]**2 * system.M
     terms = np.abs(system.K) + large * np.abs(system.C) + large**2 * np.abs(system.M)
-    inverse = np.linalg.pinv(D)
-    x, y = inverse @ b, np.abs(c @ inverse)
+    x, y = _solved(D, b), np.abs(_solved(D.T, c))
     missed = GIVEN * of_b + (n + 4) * EPSILON * terms @ np.abs(x)
     for k, ((weights, rows), entries) in enumerate(zip(data.weights, data.entries, strict=True)):
         missed = missed + large**k * (np.abs(rows).T @ (weights * np.abs(rows @ x)) + entries @ np.abs(x))
@@ -37,3 +36,11 @@ def of_value(system: "TransferFunction", data: "DataErrors", Omega: float) -> fl
     found = found + 2 * DATA * large * abs(slope(system.c, s)[0] @ x + slope(system.d, s)[0])
     found = float(abs(found) + GIVEN * of_d + 8 * EPSILON * abs(c @ x + d))
     return found * large**system.order * (1.0 + 2 * system.order * DATA)
+
+
+def _solved(D, right):
+    """D⁻¹ of a vector, of least squares where D is singular."""
+    try:
+        return np.linalg.solve(D, right)
+    except np.linalg.LinAlgError:
+        return np.linalg.pinv(D) @ right

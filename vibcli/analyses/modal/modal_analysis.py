@@ -128,14 +128,21 @@ class ModalAnalysis:
 
     def shape(self, mode: "DampedMode | Mode", how: str = "first") -> "list[complex | mpmath.mpf]":
         """The shape of a mode in the normalisation asked for, as a list of numbers."""
-        from vibcli.analyses.modal.normalisation import cleaned, normalised, weights
+        from vibcli.analyses.modal.normalisation import cleaned, normalised
 
         if not self.scene.members or not hasattr(mode, "motion"):
-            return normalised(mode.shape, how, weights(self.configuration.linear_system))
+            return normalised(mode.shape, how, self._weights)
         told = self.told_apart(mode)
         factor = self.scale(told, how)
         found = [x * factor for x in told.shape]
         return [cleaned(x if told is mode else complex(x) if x.imag else float(x.real)) for x in found]
+
+    @cached_property
+    def _weights(self):
+        """Of each coordinate, by which amplitudes of different units are compared."""
+        from vibcli.analyses.modal.normalisation import weights
+
+        return weights(self.configuration.linear_system)
 
     def told_apart(self, mode: Any) -> "Mode":
         """A Mode of members in more digits where another frequency is so close that its shape in floats is a mix of
@@ -151,11 +158,9 @@ class ModalAnalysis:
 
     def scale(self, mode: Any, how: str = "first") -> "float | mpmath.mpf":
         """What the shape of a Mode of a scene with members, of unit modal mass, is multiplied by."""
-        from vibcli.analyses.modal.normalisation import weights
-
         if (id(mode), how) not in self._scales:
-            found = weights(self.configuration.linear_system)
-            self._scales[id(mode), how] = mode, self.fields(mode).scale(how, found, len(self.spec.coordinates))
+            scale = self.fields(mode).scale(how, self._weights, len(self.spec.coordinates))
+            self._scales[id(mode), how] = mode, scale
         return self._scales[id(mode), how][1]
 
     def fields(self, mode: Any) -> "ModeFields":

@@ -76,13 +76,19 @@ def polar(value: complex) -> str:
     return f"{size:.4g} ∠ {degrees(angle):.4g}°" if abs(degrees(angle)) > 1e-9 else f"{size:.4g}"
 
 
+def shapes_told(count: int) -> int:
+    """Of how many modes the shapes are told where there are so many."""
+    return min(count, LONGEST) if count > MANY else count
+
+
 def shapes(names: Sequence[str], numbers: Sequence[int], found: Sequence[list[complex]],
            write: Callable = _real) -> list[Paragraph | TableBlock | None]:
-    """Blocks of the shapes of modes of these numbers: a column a mode, or a line a mode where there are many."""
-    if len(found) > MANY:
+    """Blocks of the shapes of modes of these numbers, the first `shapes_told` of them: a column a mode, or a line a
+    mode where there are many."""
+    if len(numbers) > MANY:
         return [*(paragraph(f"mode {i}: " + " ".join(write(value) for value in shape[:LONGEST])
                             + (" …" if len(shape) > LONGEST else ""), hang=None)
                   for i, shape in zip(numbers[:LONGEST], found, strict=False)),
-                paragraph("…", hang=None) if len(found) > LONGEST else None]
+                paragraph("…", hang=None) if len(numbers) > LONGEST else None]
     rows = [(maths(Name(name)), *(write(shape[i]) for shape in found)) for i, name in enumerate(names)]
     return [TableBlock(("", *(f"mode {i}" for i in numbers)), tuple(rows))]

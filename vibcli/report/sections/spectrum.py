@@ -9,7 +9,7 @@ from vibcli.base.errors import Inertless
 from vibcli.report.blocks import Section, TableBlock, equations, line, paragraph, section
 from vibcli.report.keys import Key, data
 from vibcli.report.sections.equilibrium import EQUILIBRIUM
-from vibcli.report.sections.mode_tables import damped_row, mode_row, polar, repeated, shapes
+from vibcli.report.sections.mode_tables import damped_row, mode_row, polar, repeated, shapes, shapes_told
 from vibcli.report.sections.shown_modes import shown, shown_damped
 
 if TYPE_CHECKING:
@@ -179,7 +179,7 @@ def modes(problem: "Problem", report: "Report") -> Iterator[Section]:
 
 def _shapes(problem, report, modes, title, only_complex=False):
     names = problem.scene.coordinates
-    found = [problem.modal.shape(mode, report.normalise) for mode in modes]
+    found = [problem.modal.shape(mode, report.normalise) for mode in modes[:shapes_told(len(modes))]]
     out_of_phase = any(abs(complex(value).imag) > 1e-9 * abs(value) for shape in found for value in shape)
     numbers = [mode.index for mode in modes]
     if out_of_phase:

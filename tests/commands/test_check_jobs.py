@@ -1,0 +1,71 @@
+"""`vibcli check --jobs N`: the same bytes in the same order, an interrupt and a fault of one file leave the others."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from vibcli.cli import check, run
+
+ROOT = Path(__file__).parents[2]
+SCENE = """
+bodies: {a: {mass: MASS kg, slide: x}}
+springs: {s: {k: 4 N/m, between: [ground, a]}}
+answers:
+  omega[1]: 2 rad/s
+"""
+
+
+@pytest.fixture
+def folder(tmp_path):
+    for number, text in enumerate((SCENE.replace("MASS", "1"), SCENE.replace("MASS", "2"), "bodies: {a: 1}\n",
+                                   SCENE.replace("MASS", "0"), "title: nothing\n", SCENE.replace("MASS", "1"))):
+        (tmp_path / f"{number}.yaml").write_text(text)
+    return tmp_path
+
+
+@pytest.mark.parametrize("options", [[], ["--quiet"], ["--json"], ["--color", "always"], ["--set", "k=3"]])
+def test_the_same_bytes_in_the_same_order(folder, options, capfd):
+    found = []
+    for jobs in ("1", "3"):
+        code = run(["check", str(folder), "--jobs", jobs, *options])
+        found.append((code, *capfd.readouterr()))
+    assert found[0] == found[1] and found[0][0] in (2, 3)
+
+
+def test_a_fault_of_one_file_leaves_the_others(folder, capfd, monkeypatch):
+    whole = check._check_file
+
+    def faulty(file, *rest):
+        if file.endswith("1.yaml"):
+            raise RuntimeError("broken")
+        return whole(file, *rest)
+
+    monkeypatch.setattr(check, "_check_file", faulty)
+    assert run(["check", str(folder), "--json"]) == 101
+    out, err = capfd.readouterr()
+    assert [one["exit_code"] for one in json.loads(out)] == [0, 101, 3, 4, 0, 0]
+    assert "1.yaml" in err and "RuntimeError: broken" in err
+
+
+def test_an_interrupt_tells_what_was_found(tmp_path):
+    (tmp_path / "0.yaml").write_text(SCENE.replace("MASS", "1"))
+    long = (ROOT / "problems/7_forced_two_degrees/pendulum_as_absorber_of_a_platform.yaml").read_text()
+    for number in range(1, 9):
+        (tmp_path / f"{number}.yaml").write_text(long)
+    process = subprocess.Popen([sys.executable, "-m", "vibcli", "check", "-j", "2", str(tmp_path)], text=True,
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True,
+                               env={**os.environ, "PYTHONUNBUFFERED": "1"})
+    assert "0.yaml" in process.stdout.readline()
+    os.killpg(process.pid, signal.SIGINT)
+    out, err = process.communicate(timeout=60)
+    assert process.returncode == 130 and "interrupted" in err and "Traceback" not in err
+    assert "1 answer agrees in 1 file" in out or "answers agree in" in out
+    time.sleep(0.1)
+    with pytest.raises(ProcessLookupError):
+        os.killpg(process.pid, 0)
