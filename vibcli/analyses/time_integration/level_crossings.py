@@ -71,14 +71,12 @@ def _away(signal, level, window, size):
 def extreme(trajectory: Any, signal: Callable, start: float, end: float, sense: int) -> tuple[float, float]:
     """(instant, value) of the largest (sense 1) or smallest (−1) value in [start, end]; where the signal jumps, the
     limits on both sides count."""
-    candidates, turns, before = [start, end], [], {}
-    for window, t, series in _series(trajectory, signal, start, end):
+    candidates, before, parts = [start, end], {}, list(_series(trajectory, signal, start, end))
+    for window, _, series in parts:
         last = min(window.start + window.end, trajectory.end)
         candidates += [window.start, last]
         before[float(last)] = float(series.sum()), float(np.abs(series).sum())
-        slope = legendre.legder(series)
-        if np.abs(slope).max(initial=0.0) > NOTHING * np.abs(series).max(initial=0.0):
-            turns += [(float(t(x)), window.length) for x in _roots(slope)]
+    turns = _turns(parts, start, end, sense)
     times = np.array(sorted({float(time) for time in [*candidates, *(turn for turn, _ in turns)]
                              if start <= time <= end}))
     values, jumps = np.array(signal(times), dtype=float), set()
@@ -92,6 +90,30 @@ def extreme(trajectory: Any, signal: Callable, start: float, end: float, sense: 
     if beside and best not in jumps and start < times[best] < end:      # the end of a window next to its turn
         best = int(np.searchsorted(times, min(beside, key=lambda turn: abs(turn - times[best]))))
     return float(times[best]), float(values[best])
+
+
+def _turns(parts, start, end, sense):
+    """[(instant, length of its window)] at which a signal turns, in the windows that can hold its extreme from start to
+    end: none of them exceeds c₀ + |c₁| + |c₂| + …, and those that come nearest to the largest value are looked at
+    first."""
+    series = np.array([one for _, _, one in parts])
+    sizes = np.abs(series)
+    middle, reach = sense * series[:, 0], sizes[:, 1:].sum(axis=1)
+    highest, lowest = middle + reach, middle - reach
+    whole = [start <= float(t(-1)) and float(t(1)) <= end for _, t, _ in parts]
+    values = sense * legendre.legval(np.array([-1.0, 0.0, 1.0]), series.T)
+    reached, turns = values[whole].max(initial=-np.inf), []
+    slack = CLEAR * ALIKE * (highest.max() - lowest.min() + np.abs(middle).max())
+    for k in np.argsort(-highest, kind="stable"):
+        if highest[k] < reached - slack:
+            break
+        window, t, one = parts[k]
+        slope = legendre.legder(one)
+        if np.abs(slope).max(initial=0.0) > NOTHING * sizes[k].max(initial=0.0):
+            found = _roots(slope)
+            turns += [(float(t(x)), window.length) for x in found]
+            reached = max([reached, *(sense * legendre.legval(x, one) for x in found if start <= t(x) <= end)])
+    return turns
 
 
 def _series(trajectory, signal, start, end):

@@ -249,6 +249,24 @@ def test_passages_and_extremes_are_found_to_rounding():
     assert top[1] == pytest.approx(1.0, abs=1e-14)
 
 
+@pytest.mark.parametrize("span", [(0.0, 30.0), (0.37, 0.61), (1.234, 17.7), (29.0, 30.0)])
+@pytest.mark.parametrize("signal", [
+    lambda t, q: q * np.exp(-t / 9), lambda t, q: q * np.exp(t / 9), lambda t, q: np.cos(5 * q) + 0.01 * t,
+    lambda t, q: 3.0 + 0 * t, lambda t, q: q + 1e-9 * t, lambda t, q: np.sin(0.1 * t) * q * q])
+def test_an_extreme_is_found_in_the_window_that_holds_it(signal, span):
+    """Windows that cannot hold it are passed over: none that can."""
+    found = simulate(problem(PENDULUM).configuration, 30.0, initial={"phi": 2.0})
+
+    def along(times):
+        return signal(np.asarray(times), found.at(times)[0][0])
+
+    dense = along(np.linspace(*span, 40_001))
+    for sense, best in ((1, dense.max()), (-1, dense.min())):
+        instant, value = extreme(found, along, *span, sense)
+        assert span[0] <= instant <= span[1] and value == pytest.approx(float(along(np.array([instant]))[0]), abs=1e-13)
+        assert -1e-13 <= sense * (value - best) <= 1e-5 * (1 + np.ptp(dense))
+
+
 @pytest.mark.parametrize("amplitude", [1e-6, 0.5, 2.0, 3.1])
 def test_the_exact_period_of_a_pendulum(amplitude):
     scene = problem(PENDULUM)

@@ -1,0 +1,52 @@
+"""Quantities over a parameter: run time of a sweep against the scene with each value by itself, and how far these are
+apart; against NumPy's `eigh` of matrices that are assembled by hand, which neither bounds nor tells anything."""
+
+import json
+from statistics import median
+from time import process_time
+from typing import Any
+
+from vibcli.bench.processes import answer
+from vibcli.bench.rows import Timing
+from vibcli.bench.scenes import TWO_DEGREES
+
+POINTS, ALONE = 1000, 20
+GATE, ERROR = 300.0, 1e-12
+
+
+def rows(runs: Any) -> list[Timing]:
+    """Milliseconds of a sweep, those of single scenes as the baseline, and the largest relative difference."""
+    ours, alone, plain, error = json.loads(answer("from vibcli.bench.sweeps import main; main()", runs))
+    case = f"two frequencies of two degrees at {POINTS} values of a parameter"
+    return [Timing(case, ours, "ms", GATE, f"{POINTS} times with_values", alone, absolute=True),
+            Timing("  against matrices by hand", ours, "ms", None, "numpy eigh, one loop", plain),
+            Timing(f"  relative difference from {ALONE} single scenes", error, "", ERROR, absolute=True)]
+
+
+def main() -> None:
+    """Child process: print [ms of a sweep, of as many single scenes, of eigh in a loop, relative difference]."""
+    import sys
+
+    import numpy as np
+
+    from vibcli import loads
+
+    scene, values = loads(TWO_DEGREES), np.linspace(100, 500, POINTS)
+    scene.sweep("omega[1]", "omega[2]", k=values[:20])
+    ours, plain = [], []
+    for _ in range(int(sys.argv[1])):
+        start = process_time()
+        found = scene.sweep("omega[1]", "omega[2]", k=values)
+        ours.append(process_time() - start)
+        start = process_time()
+        for k in values:
+            M = np.array([[8.0, 1.5], [1.5, 1.125]])
+            lower = np.linalg.inv(np.linalg.cholesky(M))
+            np.linalg.eigh(lower @ np.diag([k, 14.715]) @ lower.T)
+        plain.append(process_time() - start)
+    start, apart = process_time(), 0.0
+    for i in range(0, POINTS, POINTS // ALONE):
+        alone = scene.with_values(k=float(values[i])).omega
+        apart = max(apart, *(abs(found.values[f"omega[{k}]"][i] / alone[k - 1] - 1) for k in (1, 2)))
+    single = (process_time() - start) * POINTS / ALONE
+    print(json.dumps([1e3 * median(ours), 1e3 * single, 1e3 * median(plain), float(apart)]))
