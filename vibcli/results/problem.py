@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from vibcli.base.work import Work
     from vibcli.language.spec import Spec
     from vibcli.mechanics.equilibrium.all_equilibria import Equilibria
+    from vibcli.mechanics.equilibrium.equilibrium import Equilibrium
     from vibcli.results.frequency_response import FrequencyResponse
     from vibcli.results.limit_loads import LimitLoads
     from vibcli.results.phase_plane import PhasePlane
@@ -80,10 +81,12 @@ class Problem:
         """The same scene with values for its symbols, drawn anew."""
         return Problem(self.spec, {**self.numeric.given, **given}, self.work)
 
-    def sharing(self, given: "Mapping[str, Fraction]", known: tuple = (None, None)) -> "Problem":
+    def sharing(self, given: "Mapping[str, Fraction]", known: tuple = (None, None),
+                equilibrium: "Equilibrium | None" = None) -> "Problem":
         """The same with the expressions of this scene: for values on which no sign in its geometry hangs; `known`: its
-        natural modes and its damped ones, each None where they are to be found."""
-        return self._copy(modal=ModalAnalysis(Configuration(self.numeric.sharing(given)), known=known), end=None)
+        natural modes and its damped ones, each None where they are to be found, as `equilibrium` is."""
+        configuration = Configuration(self.numeric.sharing(given), equilibrium)
+        return self._copy(modal=ModalAnalysis(configuration, known=known), end=None)
 
     def until(self, end: Any) -> "Problem":
         """The same scene with its motion looked at until an instant [s]."""

@@ -23,7 +23,13 @@ def chains(count, n, seed):
                 row[i - 1] = -1.0
             matrix += weight[:, None, None] * np.outer(row, row)
             size += weight[:, None, None] * np.abs(np.outer(row, row))
-    return StackedMatrices(M, K, np.abs(M), K_size, C, C_size, np.ones(count, bool))
+    return balanced(M, K, np.abs(M), K_size, C, C_size)
+
+
+def balanced(M, K, M_size, K_size, C, C_size):
+    """The StackedMatrices of systems at rest."""
+    still = np.zeros(M.shape[:2])
+    return StackedMatrices(M, K, M_size, K_size, C, C_size, still, still, 0)
 
 
 def in_digits(matrices, i):
@@ -67,7 +73,7 @@ def test_what_is_not_told_is_left():
     K = np.array([100 * eye, 100 * eye + 1e-7 * (2 * eye - twice), np.diag([100.0, 0.0]), np.full((2, 2), np.nan)])
     M = np.array([eye] * 4)
     still = np.zeros_like(K)
-    matrices = StackedMatrices(M, K, M, np.abs(K), still, still, np.ones(4, bool))
+    matrices = balanced(M, K, M, np.abs(K), still, still)
     assert not StackedModes(matrices).settled.any()
 
 
@@ -75,7 +81,7 @@ def test_one_free_mode_has_no_frequency_at_all():
     K = np.array([[[k, -k], [-k, k]] for k in (100.0, 3.7)])
     M = np.array([np.diag([0.3, 1.7])] * 2)
     still = np.zeros_like(K)
-    matrices = StackedMatrices(M, K, M, np.abs(K), still, still, np.ones(2, bool))
+    matrices = balanced(M, K, M, np.abs(K), still, still)
     assert not StackedModes(matrices).settled.any()
     found = StackedModes(matrices, free=True)
     assert found.settled.all() and found.modes(1)[0].omega == 0.0 and found.modes(1)[0].rigid

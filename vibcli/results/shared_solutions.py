@@ -1,0 +1,166 @@
+"""What arrays find of a scene at many values of its parameters that share one derivation: where it rests, its modes.
+
+A scene that does not rest as drawn is followed from the corners of blocks of the grid, at which it was solved by
+itself. Nothing that arrays find is taken where at one of them they find something else.
+"""
+
+from collections.abc import Mapping, Sequence
+from itertools import product
+from math import prod
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from vibcli.analyses.modal.stacked_damped import StackedDamped
+from vibcli.analyses.modal.stacked_modes import StackedModes
+from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.equilibrium.equilibrium import Equilibrium
+from vibcli.mechanics.stacked_equilibria import StackedEquilibria
+from vibcli.mechanics.stacked_matrices import StackedMatrices, stacked_matrices
+from vibcli.symbolic.array_arithmetic import Arrays
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.analyses.modal.damped_modes import DampedMode
+    from vibcli.analyses.modal.undamped import Mode
+    from vibcli.results.problem import Problem
+
+ALIKE = 1e-12               # relative: of frequencies found by arrays and by themselves at a corner
+SMOOTH = {"sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "log", "power"}
+TINY = 1e-5                 # of the figure: a displacement of which floats may know less than is told
+
+Place = tuple[int, ...]
+Block = tuple[tuple[int, int], ...]
+
+
+class SharedSolution(NamedTuple):
+    """(natural modes, damped ones or None) and the Equilibrium, each None where arrays do not find it."""
+
+    modes: "tuple[list[Mode] | None, list[DampedMode] | None]"
+    equilibrium: Equilibrium | None
+
+
+def shared_solutions(base: "Problem", corners: "Mapping[Place, Problem]", blocks: Sequence[Block],
+                     given: "Mapping[Place, Mapping[str, Fraction]]") -> dict[Place, SharedSolution]:
+    """{place: what is known} of a grid, {place: exact values}, that shares the expressions of `base`; corners: those of
+    its blocks, solved by themselves."""
+    try:
+        free, rest = _free(corners), _rest(corners)
+        form = None if free is None else _form(base, rest)
+    except PhysicsError:
+        return {}
+    if form is None:
+        return {}
+    places = list(given)
+    values = _values(base, {name: np.array([float(given[place][name]) for place in places])
+                            for name in given[places[0]]})
+    rests = [None] * len(places)
+    if rest:
+        found = _at_rest(base, form, values, rest, blocks, places)
+        if found is None:
+            return {}
+        matrices, rests = found
+    else:
+        matrices = stacked_matrices(form, values, len(places))
+    solutions = _modes(base, matrices, free, places, rests, bool(rest))
+    return solutions if all(_agrees(problem, solutions.get(corner)) for corner, problem in corners.items()) else {}
+
+
+def _free(corners):
+    """Has the scene one mode without frequency at all corners? None where it has more, or not everywhere."""
+    counts = {sum(mode.rigid for mode in problem.modal.modes) for problem in corners.values()}
+    return bool(*counts) if counts in ({0}, {1}) else None
+
+
+def _rest(corners):
+    """{corner: {coordinate: value}} at rest; empty where all rest as drawn."""
+    found = {corner: problem.configuration.equilibrium for corner, problem in corners.items()}
+    return {} if all(one.drawn for one in found.values()) else {corner: one.values for corner, one in found.items()}
+
+
+def _form(problem, rest):
+    """The Linearisation that holds for all values of a scene whose natural modes arrays may find; None of others."""
+    system, scene = problem.system, problem.scene
+    table, loops, damping = scene.table, scene.loops, problem.spec.get("damping")
+    if not scene.q or scene.pieces or loops is not None or damping is not None or system.named_start or (
+            table.called - SMOOTH or table.functions or table.records or problem.numeric.has_free_symbols):
+        return None
+    form = system.linearisation if rest else system.linearisation_at_reference
+    return None if any(form.G.values()) or any(form.drag.values()) else form
+
+
+def _values(problem, exact: "Mapping[str, np.ndarray]") -> "dict[str, Any]":
+    """{parameter: number, or array of numbers where it hangs on these}."""
+    given = {name: float(value) for name, value in problem.numeric.given.items()}
+    still = {v.name: 0.0 for v in problem.scene.v}
+    return {**problem.scene.parameters.values(Arrays, {**given, **exact}), problem.scene.time.name: 0.0, **still}
+
+
+def _at_rest(base, form, values, rest, blocks, places) -> "tuple[StackedMatrices, list[Equilibrium | None]] | None":
+    """(the matrices where it rests, the Equilibrium of each place, None where arrays do not tell); None where the
+    places do not lead on to one another."""
+    names, number = base.scene.coordinates, {place: i for i, place in enumerate(places)}
+    scale = np.array([base.numeric.size_along(name) for name in names])
+    near = np.array([_between(place, rest, blocks, names) for place in places])
+    found = StackedEquilibria(form, values, names, near, scale)
+    for axis in range(len(places[0])):
+        before = np.array([number.get((*place[:axis], place[axis] - 1, *place[axis + 1:]), -1) for place in places])
+        if not found.follow(before):
+            return None
+    told = found.settled & ((found.places == 0) | (np.abs(found.places) >= TINY * scale)).all(1)
+    rests = [Equilibrium(dict(zip(names, (place + 0.0).tolist(), strict=True)), False, 0.0) if known else None
+             for place, known in zip(found.places, told, strict=True)]
+    return found.matrices(), rests
+
+
+def _between(place, rest, blocks, names):
+    """The coordinates between those at the corners of the block in which a place lies, by multilinear interpolation."""
+    block = next(block for block in blocks
+                 if all(low <= i <= high for i, (low, high) in zip(place, block, strict=True)))
+    parts = [(i - low) / (high - low) if high > low else 0.0 for i, (low, high) in zip(place, block, strict=True)]
+    total = np.zeros(len(names))
+    for sides in product(*((0, 1) if high > low else (0,) for low, high in block)):
+        corner = tuple(ends[side] for ends, side in zip(block, sides, strict=True))
+        share = prod(part if side else 1 - part for part, side in zip(parts, sides, strict=True))
+        total += share * np.array([rest[corner][name] for name in names])
+    return total
+
+
+def _modes(base, matrices, free, places, rests, shifted) -> dict[Place, SharedSolution]:
+    """The modes of places, those that arrays settle."""
+    stacked, linear = StackedModes(matrices, free), base.system.is_linear
+    damped = StackedDamped(matrices, stacked)
+    found = {}
+    for i, place in enumerate(places):
+        balanced = rests[i] is not None if shifted else matrices.balanced[i]
+        if stacked.settled[i] and (balanced or linear):
+            modes = stacked.modes(i)
+            if balanced or all(mode.omega for mode in modes):       # it rests somewhere
+                found[place] = SharedSolution((modes, damped.modes(i) if damped.settled[i] else None), rests[i])
+    return found
+
+
+def _agrees(problem, known):
+    """Has a corner, solved by itself, the modes that arrays found?"""
+    if known is None:
+        return True
+    modal, (natural, damped) = problem.modal, known.modes
+    try:
+        return _same(modal.modes, natural, _rate) and (damped is None or _same(modal.damped, damped, _eigenvalue))
+    except PhysicsError:
+        return False
+
+
+def _same(modes, found, value):
+    return modes is not None and len(modes) == len(found) and all(
+        one.kind == other.kind and abs(value(one) - value(other)) <= ALIKE * abs(value(one))
+        for one, other in zip(modes, found, strict=True))
+
+
+def _eigenvalue(mode):
+    return mode.eigenvalue
+
+
+def _rate(mode):
+    return mode.omega if mode.growth_rate is None else mode.growth_rate
