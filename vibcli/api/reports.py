@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 PICTURES = {"equilibrium": "force_diagrams", "modes": "mode_pictures"}
 STATICS = ("given", "chosen", "coordinates", "reactions")       # of a scene without freedom
 SLOPES = ("frequencies", "modes", "damping", *OF_MODES)       # what needs a slope of the forces
-OF_ONE_KEY = ("equivalents", "backbone", "expansion", "phase_plane")       # sections that give their own key
+OF_ONE_KEY = ("equivalents", "backbone", "expansion", "phase_plane", "steps")       # sections that give their own key
 FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",),
             "equilibrium": ("equilibrium", "virtual_work"), "frequencies": ("frequencies",), "modes": ("modes",),
             "damping": ("damping",), "accelerations": ("accelerations",),
@@ -43,6 +43,9 @@ def _asks_equivalents(spec):
     """Do answers ask for what springs or dampers at one place resist with?"""
     return any(tree.head in ("stiffness", "damping") and tree.component
                for answer in spec.answers for tree in answer.asked.parts.quantities)
+
+
+STEPS = ("given", "chosen", "steps")        # of a worked solution
 
 
 def derivation(problem: "Problem") -> Sequence[str]:

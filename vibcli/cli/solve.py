@@ -16,13 +16,17 @@ from vibcli.cli.reports import output_of, report_options
 @number_options
 @click.option("--insight", is_flag=True, help="Also whose energy each mode has, what its frequency depends on, and "
               "estimates of the lowest one.")
+@click.option("--steps", is_flag=True, help="Line by line instead: coordinates, energies of each body, spring and "
+              "damper, rest, Lagrange's equations, frequencies.")
 def command(file: str, settings: Sequence[str], case: str | None, as_json: bool, patience: int, timings: bool,
-            digits: int | None, normalise: str, insight: bool, **report: Any) -> int:
+            digits: int | None, normalise: str, insight: bool, steps: bool, **report: Any) -> int:
     """The solution of a scene: equilibrium, energies, equations of motion, frequencies, damping, modes; or what `find`
     in the file asks, responses too."""
-    from vibcli.api.reports import solution
+    from vibcli.api.reports import STEPS, solution
 
     output = output_of(file, as_json, **report)
     problems = chosen(load(file, settings, patience), case)
-    return print_scenes(problems, lambda problem: solution(problem, insight), output, timings, digits, normalise,
-                        ("equations", "frequencies", "equilibria"), question=True)
+    sections, data = (lambda problem: solution(problem, insight)), ("equations", "frequencies", "equilibria")
+    if steps:
+        sections, data = (lambda problem: STEPS), ()
+    return print_scenes(problems, sections, output, timings, digits, normalise, data, question=True)

@@ -20,6 +20,7 @@ ALIASES = {
     "initial conditions": "initial", "beats": "beat_period", "overshoots": "overshoot",
     "phase plane": "phase_plane", "phase portrait": "phase_plane", "separatrix": "phase_plane",
     "saddle": "phase_plane", "orbit": "phase_plane", "orbits": "phase_plane",
+    "worked": "steps", "worked solution": "steps", "step by step": "steps", "line by line": "steps",
     "campbell": "sweep", "campbell diagram": "sweep", "veering": "sweep", "crossing": "sweep", "over": "sweep",
     "contours": "sweep", "branch": "sweep", "branches": "sweep",
     "frequency response": "frequency_response", "resonance": "frequency_response",

@@ -8,7 +8,7 @@ from typing import Any
 from vibcli.manual.members import MEMBERS
 from vibcli.manual.on_paper import DATA, PICTURES, REPORTS
 from vibcli.manual.python import PYTHON
-from vibcli.manual.responses import FREQUENCY_RESPONSE, PHASE_PLANE, RESPONSE, SIGNALS, SWEEP
+from vibcli.manual.responses import FREQUENCY_RESPONSE, PHASE_PLANE, RESPONSE, SIGNALS, STEPS, SWEEP
 from vibcli.manual.time_and_work import PATIENCE, TIME
 from vibcli.report.formats import FORMATS
 
@@ -271,6 +271,7 @@ TOPICS: dict[str, Any] = {
     "time": ("driven motion, loads that depend on time, and what becomes of them", TIME),
     "response": ("motions in time", RESPONSE),
     "phase_plane": ("orbits of one degree of freedom over its place and speed", PHASE_PLANE),
+    "steps": ("the worked solution, line by line", STEPS),
     "sweep": ("quantities over one or two parameters", SWEEP),
     "frequency_response": ("amplitude and phase over the frequency", FREQUENCY_RESPONSE),
     "signals": ("places, turns, stretches and forces that can be asked for", SIGNALS),

@@ -67,7 +67,7 @@ class Latex(Stacked):
         return head + " " * bare + text
 
     def times(self, texts: Sequence[str]) -> str:
-        return f" {self.thin} ".join(texts)
+        return (r" \cdot " if self.values else f" {self.thin} ").join(texts)        # numbers side by side are one
 
     def fraction(self, above: str, below: str) -> str:
         return rf"\frac{{{above}}}{{{below}}}"

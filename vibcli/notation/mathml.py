@@ -69,7 +69,7 @@ class MathML(Stacked):
         return head + APPLY + '<mspace width="0.17em"/>' * bare + text
 
     def times(self, texts: Sequence[str]) -> str:
-        return TIMES.join(texts)
+        return ("<mo>·</mo>" if self.values else TIMES).join(texts)        # numbers side by side are one
 
     def fraction(self, above: str, below: str) -> str:
         return f"<mfrac>{row(above)}{row(below)}</mfrac>"

@@ -1,8 +1,9 @@
 """Expressions as text, m·L²·φ̈/3, in the notation of the field: dots for time derivatives, roots as √(…)."""
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.ordering import factor_rank, is_rooted, positive_first, term_rank
@@ -47,7 +48,8 @@ def split_name(name: str) -> tuple[str, str, str]:
 
 
 class Notation:
-    """Writes nodes; the subclasses say how symbols, products, powers and brackets look."""
+    """Writes nodes; the subclasses say how symbols, products, powers and brackets look. values: {symbol: number as
+    text} of those that are put in."""
 
     minus = "−"
     number: Callable[..., str]
@@ -57,6 +59,9 @@ class Notation:
     function: Callable[..., str]
     power: Callable[..., str]
     brackets: Callable[..., str]
+
+    def __init__(self, values: Mapping[str, str] = MappingProxyType({})):
+        self.values = values
 
     def __call__(self, node: "Node") -> str:
         return self.write(node, 0)
@@ -77,8 +82,17 @@ class Notation:
     def _pi(self, node, tightness):
         return self.symbol("pi")
 
+    def with_values(self, values: Mapping[str, str]) -> "Notation":
+        """The same notation with numbers put in for symbols."""
+        return type(self)(values)
+
     def _symbol(self, node, tightness):
-        return self.symbol(node.name)
+        value = self.values.get(node.name)
+        if value is None:
+            return self.symbol(node.name)
+        text = self.numeral(value)
+        loose = value[0] in "-−" or ("e" in value and tightness > 1)
+        return self.brackets(text) if loose and tightness else text
 
     def _sum(self, node, tightness):
         text = self.added(self.terms(node))

@@ -11,7 +11,7 @@ yielded before. Texts are Unicode words, whatever a file says; Maths and Lines a
     Name("phi1'")         a symbol of the scene by its name
     a text                in notation: "δA = ", " + 1.44·", "ω_d = ω·√(1 − ζ²)" (report/reading.py reads it)
     Words("for ζ < 1")    words within mathematics
-    Terms, Factor, Either what stands in no single node
+    SumOfTerms, WithNumbers, Factor, Either: what stands in no single node
 
 A renderer never looks into a problem, and a section never at a format: `hang` is all that is said of the layout as
 plain text, the columns by which the lines after the first are indented (None: the line is never broken), and `inset`
@@ -41,6 +41,13 @@ class SumOfTerms(NamedTuple):
     """A sum of nodes whose own sums lose their brackets."""
 
     nodes: tuple
+
+
+class WithNumbers(NamedTuple):
+    """A node with numbers put in for its symbols, {name: number as text}."""
+
+    node: Any
+    values: Any
 
 
 class Factor(NamedTuple):

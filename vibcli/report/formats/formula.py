@@ -7,7 +7,7 @@ from typing import Any
 
 from vibcli.notation.numbers import width
 from vibcli.notation.plain import plain
-from vibcli.report.blocks import Either, Factor, Maths, Name, SumOfTerms, Words
+from vibcli.report.blocks import Either, Factor, Maths, Name, SumOfTerms, WithNumbers, Words
 
 BREAK = re.compile(r"(?= [+−=<>] )")
 
@@ -65,6 +65,8 @@ def _pieces(part, write):
     if isinstance(part, Either):
         plus, either = write.signed(False, write(part.mark)), write.notation(" ∓ ")
         return [write(part.node).replace(plus, write.beside(either, write(part.root)))]
+    if isinstance(part, WithNumbers):
+        return _pieces(part.node, write.with_values(part.values))
     nodes = part.nodes if isinstance(part, SumOfTerms) else (part,)
     terms = [term for node in nodes for term in write.terms(node)]
     return [write.signed(negative, text, not i) for i, (negative, text) in enumerate(terms)]

@@ -25,6 +25,7 @@ SECTIONS = {
     "phase_plane": ("phase_plane", "equilibria by their kinds, and the motion from the start, in the phase plane"),
     "sweep": ("sweep", "quantities over one or two parameters"),
     "expansion": ("expansion", "the energies by powers of the deviations from equilibrium"),
+    "steps": ("steps", "the worked solution, line by line"),
     "ritz": ("ritz", "bounds of frequencies by assumed shapes"),
     "schematic": ("illustrations", "the figure of the scene"),
     "force_diagrams": ("force_diagrams", "diagrams of the forces and moments within members at rest"),

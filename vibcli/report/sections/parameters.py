@@ -48,11 +48,8 @@ def _record(problem, name, samples):
 
 
 def coordinates(problem: "Problem", _: "Report") -> Iterator[Section]:
-    items, moves = [], _moves(problem)
-    for name in problem.scene.coordinates:
-        record = problem.spec.coordinates.get(name)
-        about = (record and record.get("about")) or moves.get(name) or _on_member(name)
-        items.append(Definition((maths(Name(name)), f" [{unit(problem.system.dimension(name))}]"), about))
+    items = [Definition((maths(Name(name)), f" [{unit(problem.system.dimension(name))}]"), words_of(problem, name))
+             for name in problem.scene.coordinates]
     n = len(items)
     if problem.scene.held:
         yield from section("Freedom", *_no_freedom(problem))
@@ -61,6 +58,12 @@ def coordinates(problem: "Problem", _: "Report") -> Iterator[Section]:
         ", and those of places between which members move"
     yield from section("Generalised coordinates" + degrees,
                        Definitions(tuple(items)) if items else None, *tied(problem.scene))
+
+
+def words_of(problem: "Problem", name: str) -> str:
+    """What a coordinate is, in words."""
+    record = problem.spec.coordinates.get(name)
+    return (record and record.get("about")) or _moves(problem).get(name) or _on_member(name)
 
 
 def _on_member(name):

@@ -1,0 +1,235 @@
+"""The worked solution: its lines as they are printed, each equality in them at values of its letters, and which scenes
+have none."""
+
+import json
+import math
+import random
+import re
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+from support.scenes import kept_problem_of, problem
+
+import vibcli
+from vibcli.base.errors import PhysicsError
+from vibcli.cli import run
+from vibcli.language.parameter_samples import sample_values
+from vibcli.notation.plain import plain
+from vibcli.report.blocks import Factor, Name, WithNumbers, Words
+from vibcli.report.formats.formula import formula
+from vibcli.report.sections.steps import worked
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression_graph import reachable
+
+PROBLEMS = sorted(Path("problems").glob("[1-79]_*/*.yaml"))
+ROD = """
+title: A level rod on a spring with a dashpot
+parameters: {m: 3 kg, L: 0.8 m, h: 0.3 m, k: 1.2 kN/m, c: 40 N*s/m, g: 9.81 m/s^2}
+gravity: g
+points: {B: {body: rod, at: [L, 0]}, D: {body: rod, at: [L/2, 0]}}
+bodies: {rod: {shape: rod, mass: m, from: [0, 0], to: [L, 0], pin: {at: [0, 0], by: phi}}}
+springs: {s: {k: k, between: [[L, -h], B], preload: static}}
+dampers: {d: {c: c, between: [[L/2, -h], D]}}
+"""
+PRINTED = """\
+   1  φ:  rotation of rod,  zero as drawn
+   2  rod turns about the fixed O:  J_O = J_C + m·OC² = m·L²/12 + m·L²/4 = m·L²/3 = 0.64 kg·m²
+   3  T = J_O·φ̇²/2 = m·L²·φ̇²/6
+   4  stretch of s, from rest:  Δ_s = √(2·L·h·sin φ + 2·L² + h² − 2·L²·cos φ) − h = L·φ + …   (second
+      order: its force at rest counts)
+   5  V_s = k·Δ_s²/2 + N_s·Δ_s = L²·k·φ²/2 + L·N_s·φ
+   6  weight of rod, counted from rest:  V_rod = m·L·g·φ/2
+   7  speed across d:  u̇_d = L·φ̇/2
+   8  Φ = c·u̇_d²/2 = L²·c·φ̇²/8
+   9  at rest  ∂V/∂φ = m·L·g/2 + L·N_s = 0
+  10  so N_s = −m·g/2 = −14.715 N,  s being deflected by −m·g/(2·k) = −0.0122625 m (shortened)
+  11  V = V_s + V_rod = L²·k·φ²/2   (the terms of the first order vanish at rest)
+  12  ∂T/∂φ̇ = m·L²·φ̇/3,  d/dt ∂T/∂φ̇ = m·L²·φ̈/3,  ∂T/∂φ = 0
+  13  ∂V/∂φ = L²·k·φ,  ∂Φ/∂φ̇ = L²·c·φ̇/4
+  14  m·L²·φ̈/3 + L²·c·φ̇/4 + L²·k·φ = 0
+  15  ω² = 3·k/m,  ω = √(3·1200/3) = 34.641 rad/s
+  16  f = ω/(2·π) = 5.51329 Hz,  T = 2·π/ω = 0.18138 s
+  17  half the factor of the speed over that of the acceleration:  δ = 3·c/(8·m) = 3·40/(8·3) = 5 1/s
+  18  ζ = δ/ω = √3·c/(8·√(m·k)) = 0.144338: under-damped
+  19  ω_d = √(ω² − δ²) = √(3·(64·m·k − 3·c²))/(8·m) = √(3·(64·3·1200 − 3·40²))/(8·3) = 34.2783 rad/s
+"""
+SMALL = 1e-4        # of angles in radians, lengths in metres: how far from rest expansions are looked at
+
+
+def test_the_lines_of_a_damped_rod(tmp_path, capsys):
+    path = tmp_path / "rod.yaml"
+    path.write_text(ROD)
+    assert run(["solve", str(path), "--steps"]) == 0
+    assert capsys.readouterr().out.endswith(PRINTED)
+
+
+def test_each_line_is_data(tmp_path, capsys):
+    path = tmp_path / "rod.yaml"
+    path.write_text(ROD)
+    assert run(["solve", str(path), "--steps", "--json"]) == 0
+    lines = json.loads(capsys.readouterr().out)["steps"]
+    told = {line["settles"]: line for line in lines}
+    assert [line["number"] for line in lines] == list(range(1, 20))
+    assert told["J_O"]["value"] == pytest.approx(0.64) and told["J_O"]["unit"] == "kg·m²"
+    assert told["N_s"]["expression"] == "-m*g/2" and told["N_s"]["value"] == pytest.approx(-14.715)
+    assert told["zeta[1]"]["uses"] == [15, 17]
+    assert all(use < line["number"] for line in lines for use in line["uses"])
+    p = vibcli.load(path)
+    for quantity in ("omega[1]", "zeta[1]", "omega_d[1]"):
+        assert told[quantity]["value"] == pytest.approx(p[quantity].value, rel=1e-13)
+
+
+class Checked:
+    """The lines of a scene at values of its letters: how many equalities hold, and those that do not."""
+
+    def __init__(self, scene):
+        self.problem, self.lines, self.count, self.wrong = scene, worked(scene), 0, []
+        numeric, self.values = scene.numeric, {}
+        draw = random.Random(7)
+        parameters = numeric.floats if not numeric.has_free_symbols else scene.scene.parameters.values(
+            Floats, sample_values(scene.scene.parameters.free, 60))
+        small = {}
+        for q, v, a in zip(scene.scene.q, scene.scene.v, scene.scene.a, strict=True):
+            small |= {node.name: SMALL * draw.uniform(0.5, 1) for node in (q, v, a)}
+        self.values = {**parameters, scene.scene.time.name: 0.3, **small}
+        self.defined = {}
+        for one in self.lines:
+            self.each(one)
+            if one.node is not None and re.fullmatch(r"\w+[′]*", one.settles) and one.settles not in small:
+                self.defined[one.settles] = one.node
+            if one.value is not None and one.settles not in self.values and one.node is None:
+                self.values[one.settles] = one.value
+
+    def value(self, node):
+        """The value of an expression, its letters by the lines that define them; None where one has none."""
+        known = dict(self.values)
+        for part in reachable([node]):
+            if part.op == "symbol" and part.name not in known:
+                name = part.name.rstrip("'")
+                found = self.defined.get(part.name) or self.defined.get(name)
+                if found is None:
+                    return None
+                value = self.value(found)
+                if value is None:
+                    return None
+                known[part.name] = value
+        return evaluate([node], Floats, known)[0]
+
+    def each(self, line):
+        """Every equality of a line between expressions, those that motions alone fulfil apart."""
+        if line.settles.startswith("equation["):
+            return
+        sides, rough = [[]], False
+        for part in line.parts:
+            if isinstance(part, Words):
+                rough |= "order" in part.text
+        for part in (*line.parts, Words(",  ")):
+            if isinstance(part, Words) and (",  " in part.text or "being deflected" in part.text or ":" in part.text):
+                self.compared(line, sides, rough)
+                sides = [[]]
+            elif isinstance(part, str) and " = " in part:
+                sides.append([])
+                if part.removeprefix(" = ").strip():
+                    sides[-2:] = [[None], [part]]
+            elif not isinstance(part, Words):
+                sides[-1].append(part)
+
+    def letter(self, sides):
+        """A letter, or its square, that is defined by the side behind it."""
+        (head, *_), (node, *_) = sides[0] or [None], sides[-1] or [None]
+        if not (hasattr(head, "op") and hasattr(node, "op")) or head is node:
+            return
+        symbol, square = (head.args[0][0], True) if head.op == "product" and len(head.args) == 1 else (head, False)
+        if symbol.op == "symbol" and symbol.name not in {**self.values, **self.defined}:
+            self.defined[symbol.name] = node.table.sqrt(node) if square else node
+
+    def compared(self, line, sides, rough):
+        self.letter(sides)
+        values = []
+        for side in sides:
+            if len(side) == 1 and not isinstance(side[0], (str, type(None))):
+                node = side[0].node if isinstance(side[0], (WithNumbers, Factor)) else side[0]
+                if isinstance(node, Name):
+                    found = self.defined.get(node.text)
+                    node = found if found is not None and node.text != line.settles else None
+                value = None if node is None or not hasattr(node, "op") else self.value(node)
+                if value is not None:
+                    values.append(value)
+        for one, other in pairwise(values):
+            self.count += 1
+            if not math.isclose(one, other, rel_tol=2e-2 if rough else 1e-9, abs_tol=1e-13 if rough else 1e-17):
+                self.wrong.append((line.number, one, other))
+
+
+def test_a_wrong_line_is_seen():
+    checked = Checked(problem(ROD))
+    before = checked.count
+    line = checked.lines[2]
+    head, equal, middle, again, node = line.parts
+    checked.each(line._replace(parts=(head, equal, middle, again, node * 2)))
+    assert checked.count > before and checked.wrong and checked.wrong[0][0] == 3
+
+
+@pytest.mark.parametrize("path", PROBLEMS, ids=lambda path: path.stem)
+def test_every_equality_holds(path):
+    found = kept_problem_of(path)
+    if found.spec.choices:
+        pytest.skip("its parameters are chosen")
+    try:
+        checked = Checked(found)
+    except PhysicsError as refusal:
+        pytest.skip(refusal.message)
+    assert not checked.wrong and (checked.count or found.scene.laws)
+    assert not any(re.search(r"\de-1[3-9]", formula(line.parts, plain)) for line in checked.lines)
+
+
+@pytest.mark.parametrize(("more", "words"), [
+    ("c: 10 N*s/m", "ζ = δ/ω = 5·c/√(m·k) = 1: critically damped"), ("c: 9 N*s/m", "0.9: under-damped"),
+    ("c: 11 N*s/m", "1.1: over-damped")])
+def test_regimes_of_damping(more, words):
+    scene = problem("parameters: {m: 1 kg, k: 2500 N/m, " + more + "}\nbodies: {b: {mass: m, slide: x}}\n"
+                    "springs: {s: {k: k, between: [ground, b]}}\ndampers: {d: {c: 10*c, between: [ground, b]}}\n")
+    told = [formula(line.parts, plain) for line in worked(scene)]
+    assert any(words in line for line in told)
+    assert any("ω_d" in line for line in told) is ("under" in words)
+
+
+def test_constants_of_a_free_motion_are_those_of_the_motion(tmp_path):
+    path = tmp_path / "rod.yaml"
+    path.write_text(ROD + "initial: {phi: 3 deg, phi': 0.4 rad/s}\n")
+    p = vibcli.load(path)
+    told = formula(worked(p._problem)[-1].parts, plain)
+    A, B = (float(text) for text in re.findall(r"= (-?[\d.]+) rad", told))
+    delta, omega_d = 5.0, p["omega_d[1]"].value
+    for t in (0.01, 0.1):
+        motion = math.exp(-delta * t) * (A * math.cos(omega_d * t) + B * math.sin(omega_d * t))
+        assert p[f"phi({t} s)"].value == pytest.approx(motion, rel=1e-5)
+
+
+def test_steady_amplitude_is_that_of_the_motion(tmp_path):
+    path = tmp_path / "rod.yaml"
+    path.write_text(ROD.replace("m: 3 kg", "m: 3 kg, F: 5 N, Omega: 20 rad/s")
+                    + "forces: {drive: {at: B, force: [0, F*sin(Omega*t)]}}\n")
+    p = vibcli.load(path)
+    lines = {line.settles: line for line in worked(p._problem)}
+    assert lines["amplitude(phi)"].value == pytest.approx(p["amplitude(phi)"].value, rel=1e-12)
+    assert lines["tan theta"].value == pytest.approx(math.tan(p["phase(phi)"].value), rel=1e-12)
+
+
+@pytest.mark.parametrize(("text", "reason"), [
+    ("parameters: {L: 1 m, EA: 1 kN, mu: 1 kg/m}\nbars: {b: {length: L, EA: EA, mass_per_length: mu, left: clamped}}\n",
+     "the steps of members"),
+    ("parameters: {M: 1 kg, k: 9 N/m}\nbodies: {b: {mass: M, slide: x}}\nenergies: {V: k*x^2/2}\n",
+     "that the file writes out"),
+    ("parameters: {m: 1 kg, k: 9 N/m}\nbodies: {b: {mass: m, at: [0, 0], slide: x}}\n"
+     "springs: {s: {k: k, between: [[-1 m, 0], b]}}\nforces: {f: {at: b, force: [-(k*x), 0]}}\n", "not told apart")])
+def test_what_has_no_steps(text, reason):
+    with pytest.raises(PhysicsError, match=reason):
+        worked(problem(text))
+
+
+def test_new_letters_never_meet_those_of_the_scene():
+    text = ROD.replace("m: 3 kg", "N_s: 3 kg").replace("mass: m", "mass: N_s").replace("L", "omega")
+    told = [formula(line.parts, plain) for line in worked(problem(text))]
+    assert any("N_s′ = −N_s·g/2" in line for line in told) and any("ω′ = √" in line for line in told)

@@ -1,0 +1,134 @@
+"""The kinetic energy, body by body: translation ½ m v², a fixed axis ½ J_O ω², plane motion ½ m v_C² + ½ J_C ω²
+(Kovacić & Radomirović 2018, §1.3), speeds to the first order about rest."""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from vibcli.notation.plain import plain
+from vibcli.report.blocks import Factor, Name, Words
+from vibcli.report.steps.small import AboutRest
+from vibcli.report.steps.step import WorkedSolution, number
+from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.normal_form import textbook
+
+if TYPE_CHECKING:
+    from vibcli.elements.rigid_body import Body
+    from vibcli.symbolic.node import Node
+
+LONG = 40       # letters of a place, beyond which it is told by powers alone
+
+
+class EnergyPart(NamedTuple):
+    """A part of T, V or Φ: the letters that stand for it, its expression, the number of its line."""
+
+    letter: str
+    node: Any
+    line: int
+
+
+class Bodies:
+    """What the bodies of a scene add to T."""
+
+    def __init__(self, about: AboutRest, sheet: WorkedSolution):
+        self.about, self.sheet, self.scene = about, sheet, about.scene
+        self._several = sum(1 for body in self.scene.bodies.values() if self._counts(body)) > 1
+
+    def _counts(self, body):
+        return any(term.owner == body.name for term in (*self.scene.inertias, *self.scene.weights))
+
+    def mass_matrix(self) -> "dict[tuple[int, int], Node]":
+        """M = Σ w ∇s ∇sᵀ."""
+        return self.about.sum_of_squares([(term.weight, self.about.small(term.s)) for term in self.scene.inertias])
+
+    def kinetic(self) -> Iterator[EnergyPart]:
+        """T of each body that moves."""
+        for body in self.scene.bodies.values():
+            terms = [term for term in self.scene.inertias if term.owner == body.name]
+            if terms:
+                yield self._of_body(body, terms)
+        for name in dict.fromkeys(term.owner for term in self.scene.inertias if term.owner not in self.scene.bodies):
+            yield self._of_terms(name, [term for term in self.scene.inertias if term.owner == name])
+
+    def _letter(self, name):
+        return self.sheet.letter("T", name) if self._several or name not in self.scene.bodies else "T"
+
+    def _of_body(self, body, terms):
+        if body.frame is None:
+            return self._of_terms(body.name, terms)
+        if body.frame.angle.mask and not any(node.mask for node in body.frame.place):
+            return self._about_a_fixed_axis(body, terms)
+        return self._in_the_plane(body, terms)
+
+    def _about_a_fixed_axis(self, body: "Body", terms):
+        """½ J_O ω², J_O by the parallel axis theorem of each part."""
+        table, about, (ox, oy) = self.scene.table, self.about, body.frame.drawn
+        parts, written = [], []
+        for mass, (x, y), own in body.pieces or ((body.mass, body.centre, body.inertia),):
+            square = textbook((x - ox) ** 2 + (y - oy) ** 2)
+            for node in (own, None if mass is None else mass * square):
+                if node is not None and not node.is_zero:
+                    parts.append(node)
+                    written.append(textbook(node))
+        J = about.tidy(table.total(parts))
+        letter = self.sheet.letter("J_O", body.name if self._several else "")
+        sum_of_parts = [part for node in written for part in (" + ", node)][1:]
+        how = ["J_C + ", Factor(body.mass), "·OC² = "] if len(parts) == 2 and not body.pieces else []
+        told = [*sum_of_parts, " = "] if len(written) > 1 else []
+        line = self.sheet.write(Words(f"{body.name} turns about the fixed O:  "), Name(letter), " = ", *how, *told, J,
+                                *self._number(J), settles=letter, node=J, value=about.value(J), unit="kg·m²")
+        omega = about.small(body.frame.angle)
+        rate = about.first(omega, self.scene.v)
+        return self._energy(body.name, [(J, omega)], line, self.about.letter(letter) * rate ** 2 / 2)
+
+    def _in_the_plane(self, body, terms):
+        about = self.about
+        x, y = body.frame.point(*body.centre)
+        lines = [self._placed(body, x, y)]
+        moves = [(axis, about.small(node)) for axis, node in (("x", x), ("y", y)) if node.mask]
+        speeds = [(axis, about.first(small, self.scene.v)) for axis, small in moves if small.slopes]
+        turns = body.frame.angle.mask and body.inertia is not None and not body.inertia.is_zero
+        omega = about.first(about.small(body.frame.angle), self.scene.v) if turns else None
+        v, turn = (about.letter(self.sheet.letter(letter, body.name)) for letter in ("v", "omega"))
+        told = [part for axis, node in speeds for part in (Words(",  "), Name(f"{axis}_C'"), " = ", node)][1:]
+        if speeds and not _is_plain(speeds, omega):
+            told += [Words(",  "), v ** 2, " = ", self.scene.table.total([node ** 2 for _, node in speeds])]
+        told += [Words(",  " * bool(told)), turn, " = ", omega] if turns else []
+        if told and not _is_plain(speeds, omega):
+            lines.append(self.sheet.write(Words(f"speeds of {body.name} to the first order:  "), *told, uses=lines))
+        parts = [(term.weight, about.small(term.s)) for term in terms]
+        formula = [body.mass * v ** 2 / 2] * bool(speeds and body.mass) + [body.inertia * turn ** 2 / 2] * bool(turns)
+        shown = None if body.pieces or _is_plain(speeds, omega) else self.scene.table.total(formula)
+        return self._energy(body.name, parts, lines[-1], shown, lines=lines)
+
+    def _placed(self, body, x, y):
+        """The line that tells where the mass centre is; None where it is the coordinates themselves."""
+        x, y = textbook(x), textbook(y)
+        if all(node.op == "symbol" or not node.mask for node in (x, y)) or letters(x) + letters(y) > LONG:
+            return None
+        return self.sheet.write(Words(f"mass centre of {body.name}:  "), "C = (", x, ", ", y, ")")
+
+    def _of_terms(self, name, terms):
+        """½ w ṡ² of what has no place."""
+        about = self.about
+        parts = [(term.weight, about.small(term.s)) for term in terms]
+        (weight, small), *others = parts
+        rate = about.first(small, self.scene.v)
+        return self._energy(name, parts, None, None if others else weight * rate ** 2 / 2)
+
+    def _energy(self, name, parts, line, formula, lines=()):
+        """A line T = formula = the same with what it stands for."""
+        about = self.about
+        node = about.squared(about.sum_of_squares(parts), self.scene.v)
+        letter = self._letter(name)
+        head = () if formula is None or plain(formula) == plain(node) else (formula, " = ")
+        written = self.sheet.write(Name(letter), " = ", *head, node, settles=letter, node=node, uses=[line, *lines])
+        return EnergyPart(letter, node, written)
+
+    def _number(self, node):
+        value = self.about.value(node)
+        return () if value is None else number(value, "kg·m²")
+
+
+def _is_plain(speeds, omega):
+    """Is there one speed, and that the rate of a coordinate?"""
+    return omega is None and len(speeds) == 1 and speeds[0][1].op == "symbol"

@@ -1,0 +1,171 @@
+"""Springs, weights, dampers and loads about rest: what each adds to V, Φ and δA.
+
+    V_s = N Δ + ½ k Δ²      V_w = f (s − s₀)      Φ_d = ½ c u̇²      δA = F δs
+
+N is the tension at rest. What is loaded at rest, a weight or a steady load is followed to the second order, as its
+force meets the curvature of s; else the first order suffices, the square of Δ being all that counts.
+"""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from vibcli.report.blocks import Factor, Name, Words
+from vibcli.report.steps.bodies import LONG, EnergyPart
+from vibcli.report.steps.small import AboutRest, Small
+from vibcli.report.steps.step import WorkedSolution, number
+from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.normal_form import textbook
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
+
+FIRST = "   (first order: it bears nothing at rest)"
+SECOND = "   (second order: its force at rest counts)"
+
+
+class Acting(NamedTuple):
+    """Something that stores energy by a function s of the coordinates: its tension at rest as it is known, as a letter
+    (or itself where it needs none), its stiffness or None, s about rest, the number of its line; linear: is its tension
+    its stiffness times its deflection?"""
+
+    name: str
+    tension: Any
+    shown: Any
+    k: Any
+    s: Small
+    line: int | None
+    linear: bool = False
+
+
+class Connections:
+    """What the springs, weights, dampers and loads of a scene add."""
+
+    def __init__(self, about: AboutRest, sheet: WorkedSolution):
+        self.about, self.sheet, self.scene = about, sheet, about.scene
+        springs = {term.owner for term in self.scene.springs} | {law.owner for law in self.scene.laws if not law.damper}
+        self._several = len(springs) + len({term.owner for term in self.scene.weights}) > 1
+        self._damping: list | None = None
+
+    def _letter(self, letter, owner):
+        """That of an element, its name with it where there are several."""
+        return self.sheet.letter(letter, owner if self._several else "")
+
+    def stored(self) -> "Iterator[tuple[EnergyPart, Acting]]":
+        """(V, what acts) of each spring and each weight."""
+        for term in self.scene.springs:
+            yield self._spring(term, term.weight)
+        for law in self.scene.laws:
+            if not law.damper:
+                yield self._spring(law, self._slope(law, law.s, "k", "stiffness"))
+        yield from self._weights()
+
+    def _slope(self, law, at, letter, what):
+        """The slope of a law at rest, told with a letter of its own."""
+        slope = gradient(law.derivative).get(law.x, self.scene.table.zero)
+        node = self.about.rest(substitute([slope], {law.x: at})[0])
+        name = self.sheet.letter(letter, law.owner)
+        value = self.about.value(node)
+        self.sheet.write(Words(f"{what} of {law.owner} at rest, the slope of its law:  "), Name(name), " = ", node,
+                         *(() if value is None else number(value)), settles=name, node=node, value=value)
+        return node
+
+    def _spring(self, term, k):
+        about, sheet = self.about, self.sheet
+        small, tension = about.small(term.s), about.rest(term.force(self.scene))
+        loaded = not tension.is_zero
+        delta, V = self._letter("Delta", term.owner), self._letter("V", term.owner)
+        shown = self.scene.table.parameter(self._letter("N", term.owner), positive=False) if loaded else tension
+        moves = about.first(small, self.scene.q) + (about.bent(small) if loaded else self.scene.table.zero)
+        told = self._told(term, small, moves, delta, loaded)
+        square = about.squared(about.sum_of_squares([(k, small)]), self.scene.q)
+        node = shown * moves + square
+        letter = about.letter(delta)
+        line = sheet.write(Name(V), " = ", shown * letter + k * letter ** 2 / 2, " = ", node, settles=V, node=node,
+                           uses=[told])
+        return EnergyPart(V, node, line), Acting(term.owner, tension, shown, k, small, line,
+                                             hasattr(term, "weight"))
+
+    def _told(self, term, small, moves, letter, loaded):
+        """The line of a stretch, counted from rest."""
+        s = textbook(term.s - small.at_rest)
+        exact = not small.second and s.op != "call" and all(
+            part.mask == 0 or part.op == "symbol" for part in self._atoms(s))
+        parts = [] if exact or letters(s) > LONG else [s, " = "]
+        more = () if exact else (" + …", Words(SECOND if loaded else FIRST))
+        return self.sheet.write(Words(f"stretch of {term.owner}, from rest:  "), Name(letter), " = ", *parts,
+                                moves, *more, settles=letter, node=moves)
+
+    def _atoms(self, node):
+        if node.op in ("sum", "product"):
+            return [atom for arg, _ in node.args for atom in self._atoms(arg)]
+        return [node]
+
+    def _weights(self):
+        """The weight of each body, its height to the second order."""
+        for name in dict.fromkeys(term.owner for term in self.scene.weights):
+            acting = [Acting(name, term.weight, term.weight, None, self.about.small(term.s), None)
+                      for term in self.scene.weights if term.owner == name]
+            about, V = self.about, self._letter("V", name)
+            node = self.scene.table.total([one.tension * (about.first(one.s, self.scene.q) + about.bent(one.s))
+                                           for one in acting])
+            if node.is_zero:
+                continue
+            line = self.sheet.write(Words(f"weight of {name}, counted from rest:  "), Name(V), " = ", node, *(
+                (" + …", Words(SECOND)) if any(one.s.second for one in acting) else ()),
+                settles=V, node=node)
+            for i, one in enumerate(acting):
+                yield EnergyPart(V, node if not i else None, line), one._replace(line=line)
+
+    def _dampers(self):
+        """[(what damps, its coefficient at rest)]."""
+        if self._damping is None:
+            laws = [(law, self._slope(law, self.scene.table.zero, "c", "coefficient")) for law in self.scene.laws
+                    if law.damper]
+            self._damping = [*((term, term.weight) for term in self.scene.dampers), *laws]
+        return self._damping
+
+    def dissipated(self) -> "Iterator[EnergyPart]":
+        """Φ of each damper."""
+        found = self._dampers()
+        several = len({term.owner for term, _ in found}) > 1
+        for term, c in found:
+            small = self.about.small(term.s)
+            rate = self.about.first(small, self.scene.v)
+            letter = self.sheet.letter("Phi", term.owner) if several else "Phi"
+            u = self.sheet.letter("u", term.owner)
+            first = "   (first order)" if small.second else ""
+            told = self.sheet.write(Words(f"speed across {term.owner}:  "), Name(u + "'"), " = ", rate, Words(first),
+                                    settles=u, node=rate)
+            entries = self.about.sum_of_squares([(c, small)])
+            node = self.about.squared(entries, self.scene.v)
+            line = self.sheet.write(Name(letter), " = ", c * self.about.letter(u + "'") ** 2 / 2, " = ", node,
+                                    settles=letter, node=node, uses=[told])
+            yield EnergyPart(letter, node, line)
+
+    def loads(self) -> "Iterator[Acting]":
+        """What each steady load adds to δA, as one whose tension is −F; loads in time are told with the equations."""
+        for term in self.scene.forces:
+            small, force = self.about.small(term.s), self.about.rest(term.steady)
+            if force.is_zero:
+                continue
+            moves = self.about.first(small, self.scene.q) + self.about.bent(small)
+            line = self.sheet.write(Words(f"steady load {term.owner} along s:  "), "δA = ", Factor(force), "·δs",
+                                    Words(",  "), "s = ", moves, node=moves)
+            yield Acting(term.owner, -force, -force, None, small, line)
+
+    def stiffness(self, acting: "list[Acting]") -> "dict[tuple[int, int], Node]":
+        """K = Σ k a aᵀ + Σ N b of all that acts."""
+        table, found = self.scene.table, {}
+        for one in acting:
+            if one.k is not None:
+                for pair, node in self.about.sum_of_squares([(one.k, one.s)]).items():
+                    found.setdefault(pair, []).append(node)
+            for pair, b in one.s.second.items():
+                found.setdefault(pair, []).append(one.tension * b)
+        entries = {pair: self.about.tidy(table.total(nodes)) for pair, nodes in found.items()}
+        return {pair: node for pair, node in entries.items() if not node.is_zero}
+
+    def damping_matrix(self) -> "dict[tuple[int, int], Node]":
+        """C = Σ c ∇s ∇sᵀ."""
+        return self.about.sum_of_squares([(c, self.about.small(term.s)) for term, c in self._dampers()])

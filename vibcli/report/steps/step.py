@@ -1,0 +1,63 @@
+"""Steps, and the sheet on which they are written down one after the other."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from vibcli.notation.numbers import figure
+from vibcli.report.blocks import Words
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
+
+PRIMED = "′″‴"
+
+
+class WorkedLine(NamedTuple):
+    """A numbered line. settles: the quantity or letter that it tells, '' of words alone; uses: numbers of the lines
+    that it follows from; parts: what it says, as mathematics; node: the expression that it settles, None of words;
+    value: that in SI units, None in letters; unit: of the value."""
+
+    number: int
+    settles: str
+    uses: tuple[int, ...]
+    parts: tuple
+    node: Any = None
+    value: float | None = None
+    unit: str = ""
+
+
+class WorkedSolution:
+    """Steps that are written down; `taken`: the names of the scene, which new letters never meet."""
+
+    def __init__(self, taken: Sequence[str]):
+        self.steps: list[WorkedLine] = []
+        self._taken = set(taken)
+        self._letters: dict[str, str] = {}
+
+    def letter(self, wanted: str, of: str = "") -> str:
+        """The name of a new letter, with that of the element that it belongs to, primed where the scene has it."""
+        key = f"{wanted} {of}"
+        if key not in self._letters:
+            base = f"{wanted}_{of}" if of else wanted
+            found = next(name for name in (base, *(base + mark for mark in PRIMED)) if name not in self._taken)
+            self._taken.add(found)
+            self._letters[key] = found
+        return self._letters[key]
+
+    def write(self, *parts: Any, settles: str = "", uses: Sequence[int | None] = (), node: "Node | None" = None,
+              value: float | None = None, unit: str = "") -> int:
+        """Write a line, and give its number."""
+        number = len(self.steps) + 1
+        known = tuple(sorted({use for use in uses if use}))
+        self.steps.append(WorkedLine(number, settles, known, parts, node, value, unit))
+        return number
+
+
+def number(value: float, unit: str = "") -> tuple:
+    """Parts of ` = value unit`."""
+    return (" = " + told(value), *([Words(f" {unit}")] if unit else []))
+
+
+def told(value: float) -> str:
+    """A number as mathematics."""
+    return figure(value).replace("-", "−")
