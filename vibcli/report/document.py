@@ -9,6 +9,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.notation.as_printed import as_printed
 from vibcli.reader.read import QUOTE
 from vibcli.report.blocks import Document, Name, Section, maths
 from vibcli.report.sections import SECTIONS
@@ -84,4 +85,4 @@ def _quoting(spec, text):
             continue
         record = spec.parameters[plain_name(part)]
         known = "value" in record and plain_name(part) not in spec.choices
-        yield " ".join(record["value"].text.split()) if known else maths(Name(plain_name(part)))
+        yield as_printed(record["value"].text, set(spec.parameters)) if known else maths(Name(plain_name(part)))

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from vibcli.base import units
 from vibcli.base.enumeration import listed
 from vibcli.language.record_calls import own
+from vibcli.notation.as_printed import as_printed
 from vibcli.report.blocks import Definition, Definitions, Name, Paragraph, Section, maths, paragraph, section, separated
 from vibcli.report.sections.too_long import brief
 
@@ -23,11 +24,11 @@ OF_MEMBERS = {"u": "displacement", "along": "displacement along", "across": "dis
 
 
 def given(problem: "Problem", _: "Report") -> Iterator[Section]:
-    items, letters = [], []
+    items, letters, names = [], [], set(problem.spec.parameters)
     for name, record in problem.spec.parameters.items():
         if name in problem.spec.choices:
             continue
-        value = (f" = {record['value'].text}",) if "value" in record else ()
+        value = (" = " + as_printed(record["value"].text, names),) if "value" in record else ()
         if value or "about" in record:
             items.append(Definition((maths(Name(name)), *value), record.get("about", "")))
         else:
