@@ -83,7 +83,7 @@ def test_hints_name_options_of_the_command_that_prints_them():
             assert set(OPTION.findall(f"{message} {hint}")) <= OPTIONS[command], path.stem
 
 
-REPORTED = {"--digits", "--json", "--of"}       # in answers to these options, and in reports, which have them
+REPORTED = {"--digits", "--json", "--of", "--steps"}     # in answers to these, and in reports, which have them
 
 
 def test_hints_from_within_can_be_followed_in_every_command():

@@ -7,6 +7,7 @@ What is asked with particulars has its ELEMENT there: the keys by which the read
 FIND = {
     "equations": "energies and equations of motion, in full and for small oscillations",
     "energies": "kinetic and potential energy and the dissipation function",
+    "matrices": "M, C, G and K of the small oscillations, in letters and in numbers",
     "equilibrium": "the position of rest that is reached from the drawn one, or is nearest to the place that "
                    "`equilibrium:` names, and whether it is stable",
     "equilibria": "`{equilibria: all}`: all positions of equilibrium that are found within bounds, each stable or not; "

@@ -18,6 +18,7 @@ STATICS = ("given", "chosen", "coordinates", "reactions")       # of a scene wit
 SLOPES = ("frequencies", "modes", "damping", *OF_MODES)       # what needs a slope of the forces
 OF_ONE_KEY = ("equivalents", "backbone", "expansion", "phase_plane", "steps")       # sections that give their own key
 FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",),
+            "matrices": ("matrices",),
             "equilibrium": ("equilibrium", "virtual_work"), "frequencies": ("frequencies",), "modes": ("modes",),
             "damping": ("damping",), "accelerations": ("accelerations",),
             "virtual_work": ("virtual_work",)} | {word: (word,) for word in ON_REQUEST}

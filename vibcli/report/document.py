@@ -9,7 +9,6 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
-from vibcli.notation.as_printed import as_printed
 from vibcli.reader.read import QUOTE
 from vibcli.report.blocks import Document, Name, Section, maths
 from vibcli.report.sections import SECTIONS
@@ -20,9 +19,8 @@ if TYPE_CHECKING:
     from vibcli.language.spec import Spec
     from vibcli.results.problem import Problem
 
-EVERYTHING = ("given", "chosen", "coordinates", "equilibrium", "virtual_work", "energies", "equations", "accelerations",
-              "frequency_equation", "frequencies",
-              "damping", "modes")
+EVERYTHING = ("given", "chosen", "coordinates", "equilibrium", "virtual_work", "energies", "equations", "matrices",
+              "accelerations", "frequency_equation", "frequencies", "damping", "modes")
 
 
 class Report:
@@ -75,6 +73,8 @@ def title_of(spec: "Spec", case: str | None) -> str:
 
 def _quoting(spec, text):
     """The words of a question, its quoted parameters as their values or symbols."""
+    from vibcli.notation.as_printed import as_printed
+
     words = QUOTE.split(text)
     for i, part in enumerate(words):
         if i % 2 == 0:

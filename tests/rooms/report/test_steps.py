@@ -18,7 +18,7 @@ from vibcli.language.parameter_samples import sample_values
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Factor, Name, WithNumbers, Words
 from vibcli.report.formats.formula import formula
-from vibcli.report.sections.steps import worked
+from vibcli.report.steps.worked import worked
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 

@@ -16,7 +16,7 @@ SEARCH, RESPONSE, FREQUENCY_RESPONSE, MODES = "equilibria", "response", "frequen
 RESPONSES = (RESPONSE, FREQUENCY_RESPONSE)
 BACKBONE = "backbone"
 INSIGHT = tuple(word for word in OF_MODES if ANALYSES[word][1] is None)      # what needs no particulars
-ALWAYS = ("equations", "energies", "equilibrium", "frequencies", "modes", "damping", "virtual_work",
+ALWAYS = ("equations", "matrices", "energies", "equilibrium", "frequencies", "modes", "damping", "virtual_work",
           "accelerations")
 ON_REQUEST = tuple(word for word in FIND if word not in ALWAYS)         # found only where they are asked for
 WITH_PARTICULARS = {word: row for word, row in ANALYSES.items() if row[1] is not None}

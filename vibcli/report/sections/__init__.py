@@ -8,6 +8,7 @@ SECTIONS = {
     "virtual_work": ("statics", "the virtual work of what acts"),
     "energies": ("equations_of_motion", "T, V, Φ and the work of loads"),
     "equations": ("equations_of_motion", "equations of motion, full and for small oscillations"),
+    "matrices": ("matrices", "M, C, G and K of small oscillations"),
     "frequency_equation": ("members", "frequency equations of members in letters"),
     "accelerations": ("accelerations", "accelerations and forces from rest as drawn"),
     "frequencies": ("spectrum", "natural frequencies"),

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 from vibcli.base import units
 from vibcli.base.enumeration import listed
 from vibcli.language.record_calls import own
-from vibcli.notation.as_printed import as_printed
 from vibcli.report.blocks import Definition, Definitions, Name, Paragraph, Section, maths, paragraph, section, separated
 from vibcli.report.sections.too_long import brief
 
@@ -24,6 +23,8 @@ OF_MEMBERS = {"u": "displacement", "along": "displacement along", "across": "dis
 
 
 def given(problem: "Problem", _: "Report") -> Iterator[Section]:
+    from vibcli.notation.as_printed import as_printed
+
     items, letters, names = [], [], set(problem.spec.parameters)
     for name, record in problem.spec.parameters.items():
         if name in problem.spec.choices:

@@ -6,29 +6,15 @@ from typing import TYPE_CHECKING
 from vibcli.report import blocks
 from vibcli.report.blocks import Section, Words, line, section
 from vibcli.report.keys import Key
-from vibcli.report.steps.one_degree import OneDegree
-from vibcli.report.steps.several_degrees import SeveralDegrees
-from vibcli.report.steps.small_oscillations import Derivation
-from vibcli.report.steps.step import WorkedLine, WorkedSolution
 
 if TYPE_CHECKING:
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
 
 
-def worked(problem: "Problem") -> list[WorkedLine]:
-    """The steps of small oscillations."""
-    sheet = WorkedSolution([*problem.spec.parameters, *problem.spec.coordinates, *problem.scene.coordinates])
-    derivation = Derivation(problem, sheet)
-    found = derivation.equations()
-    if len(problem.scene.q) == 1:
-        OneDegree(problem, derivation.about, sheet, found).write()
-    else:
-        SeveralDegrees(problem, derivation.about, sheet, found).write()
-    return sheet.steps
-
-
 def steps(problem: "Problem", _: "Report") -> Iterator[Section]:
+    from vibcli.report.steps.worked import worked
+
     found = worked(problem)
     digits = len(str(len(found)))
     yield from section("Steps to the small oscillations", blocks.equations(
@@ -40,6 +26,7 @@ def _data(problem):
     from vibcli.notation.plain import plain
     from vibcli.notation.scene_language import language
     from vibcli.report.formats.formula import formula
+    from vibcli.report.steps.worked import worked
 
     return [KEY.row(one.number, one.settles, list(one.uses), formula(one.parts, plain).strip().replace("\u00a0", " "),
                     formula(one.parts, latex), one.node and language(one.node), one.value, one.unit or None)
