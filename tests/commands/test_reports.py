@@ -271,7 +271,7 @@ def nodes():
             "two": table.call("atan2", x, v), "pi": 2 * table.pi / 3}
 
 
-X, V, M = "<mi>x</mi>", '<mover accent="true"><mi>x</mi><mo>˙</mo></mover>', "<mi>m</mi>"
+X, V, M = "<mi>x</mi>", "<mover><mi>x</mi><mtext>.</mtext></mover>", "<mi>m</mi>"
 K, PHI = "<msub><mi>k</mi><mi>s</mi></msub>", "<msub><mi>φ</mi><mn>1</mn></msub>"
 BY = '<mo>&#x2062;</mo><mspace width="0.17em"/>'
 MARKUP = {

@@ -138,7 +138,7 @@ def _name(part):
     if part.tag in ("mi", "mn"):
         return symbol(part.text)
     if part.tag == "mover":
-        return _name(part[0]) + {"˙": "'", "¨": "''"}[part[1].text]
+        return _name(part[0]) + "'" * len(part[1].text)
     if part.tag in ("msub", "msubsup"):
         inner = "".join(_name(one) for one in part[1]) if part[1].tag == "mrow" else _name(part[1])
         bare = _name(part[0])

@@ -148,7 +148,7 @@ STEPS = [
     ],
     "New letters never meet those of the scene. What the lines add up to is held against M, C and K of the engine "
     "before any line is told. `--json` gives each line as data: what it settles, from which lines, its expression and "
-    "value. Not told are members, loops closed in numbers, dry friction at rest, energies and matrices written out, "
+    "value. Not told are members, loops closed in numbers, dry friction at rest, matrices written out, "
     "frames that turn, and more than 8 coordinates.",
 ]
 

@@ -13,7 +13,6 @@ from vibcli.notation.typeset import Stacked
 
 TIMES = '<mo>&#x2062;</mo><mspace width="0.17em"/>'       # invisible, with the space by which letters stand apart
 APPLY = "<mo>&#x2061;</mo>"
-DOTS = {"'": "˙", "''": "¨"}
 _LEAF = re.compile(r"<(m[ion])[^<>]*>[^<>]*</\1>")
 
 
@@ -37,7 +36,7 @@ class MathML(Stacked):
     def lettered(self, letter: Any, below: Any, primes: Any):
         found = f"<mi>{escape(GREEK.get(letter, letter))}</mi>"
         if primes:
-            found = f'<mover accent="true">{found}<mo>{DOTS[primes]}</mo></mover>'
+            found = f"<mover>{found}<mtext>{'.' * len(primes)}</mtext></mover>"      # accents fall into the letter
         if not below:
             return found
         if not below.isascii():

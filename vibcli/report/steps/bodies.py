@@ -27,11 +27,11 @@ class EnergyPart(NamedTuple):
 
 
 class Bodies:
-    """What the bodies of a scene add to T."""
+    """What the bodies of a scene add to T; `others`: does something else, too?"""
 
-    def __init__(self, about: AboutRest, sheet: WorkedSolution):
+    def __init__(self, about: AboutRest, sheet: WorkedSolution, others: bool):
         self.about, self.sheet, self.scene = about, sheet, about.scene
-        self._several = sum(1 for body in self.scene.bodies.values() if self._counts(body)) > 1
+        self._several = others or sum(1 for body in self.scene.bodies.values() if self._counts(body)) > 1
 
     def _counts(self, body):
         return any(term.owner == body.name for term in (*self.scene.inertias, *self.scene.weights))

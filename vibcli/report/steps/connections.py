@@ -39,12 +39,12 @@ class Acting(NamedTuple):
 
 
 class Connections:
-    """What the springs, weights, dampers and loads of a scene add."""
+    """What the springs, weights, dampers and loads of a scene add; `others`: does something else add to V, too?"""
 
-    def __init__(self, about: AboutRest, sheet: WorkedSolution):
+    def __init__(self, about: AboutRest, sheet: WorkedSolution, others: bool):
         self.about, self.sheet, self.scene = about, sheet, about.scene
         springs = {term.owner for term in self.scene.springs} | {law.owner for law in self.scene.laws if not law.damper}
-        self._several = len(springs) + len({term.owner for term in self.scene.weights}) > 1
+        self._several = others or len(springs) + len({term.owner for term in self.scene.weights}) > 1
         self._damping: list | None = None
 
     def _letter(self, letter, owner):

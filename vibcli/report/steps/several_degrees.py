@@ -65,7 +65,8 @@ class SeveralDegrees:
         parts: list[Any] = []
         for name, node in zip(names, map(self.about.tidy, coefficients), strict=True):
             value = self.about.value(node)
-            parts += [Words(",  "), Name(name), " = ", node, *(() if value is None else (" = " + told(value),))]
+            parts += [Words(",  "), Name(name), " = ", node, *(() if value is None or node.op == "number" else (
+                " = " + told(value),))]
         roots = Either((a1 + mark) / (2 * a2), mark, table.sqrt(a1 * a1 - 4 * a0 * a2))
         polynomial = a2 * omega ** 4 - a1 * omega ** 2 + a0
         return self.sheet.write("det(K − ", omega ** 2, "·M) = ", polynomial, " = 0", *parts, Words(",  "), omega ** 2,

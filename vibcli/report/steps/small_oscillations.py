@@ -10,6 +10,7 @@ from vibcli.report.steps.bodies import Bodies, EnergyPart
 from vibcli.report.steps.connections import Acting, Connections
 from vibcli.report.steps.small import about_rest
 from vibcli.report.steps.step import WorkedSolution, number
+from vibcli.report.steps.written_out import WrittenOut
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
@@ -44,19 +45,29 @@ class Derivation:
     def equations(self) -> SmallEquations:
         """Write down all steps; their matrices are those of the engine."""
         self._coordinates()
-        bodies = Bodies(self.about, self.sheet)
-        T = list(bodies.kinetic())
-        connections = Connections(self.about, self.sheet)
-        stored = list(connections.stored())
+        written = WrittenOut(self.about, self.sheet)
+        bodies = Bodies(self.about, self.sheet, "T" in written)
+        T = [*bodies.kinetic(), *written.of_speeds("T")]
+        connections = Connections(self.about, self.sheet, "V" in written)
+        stored = [*connections.stored(), *written.potential()]
         V, acting = [energy for energy, _ in stored], [one for _, one in stored]
-        Phi = list(connections.dissipated())
+        Phi = [*connections.dissipated(), *written.of_speeds("Phi")]
         acting += connections.loads()
         rest = self._rest(acting)
-        M, C, G, K = self._held(bodies.mass_matrix(), connections.damping_matrix(), connections.stiffness(acting))
+        M, C, G, K = self._held(self._added(bodies.mass_matrix(), written.quadratic("T")), self._added(
+            connections.damping_matrix(), written.quadratic("Phi")), connections.stiffness(acting))
         sums = [self._sum("T", T, self.about.squared(M, self.scene.v)),
                 self._sum("V", V, self.about.squared(K, self.scene.q), rest),
                 self._sum("Phi", Phi, self.about.squared(C, self.scene.v))]
         return self._lagrange(M, C, G, K, [line for line in sums if line], rest)
+
+    def _added(self, one, other):
+        """The sum of two matrices, simplified."""
+        if not other:
+            return one
+        zero = self.scene.table.zero
+        found = {pair: self.about.tidy(one.get(pair, zero) + other.get(pair, zero)) for pair in {**one, **other}}
+        return {pair: node for pair, node in found.items() if not node.is_zero}
 
     def _held(self, *mine):
         """M, C, G, K of the engine; PhysicsError where what was told element by element, M, C and K, is not all."""
@@ -181,8 +192,8 @@ def _require_told(problem):
         raise PhysicsError("the steps of scenes whose loops are closed in numbers are not told one by one", HINT)
     if system.sticking is not None:
         raise PhysicsError("the steps of scenes that dry friction holds are not told one by one", HINT)
-    if problem.spec.get("energies") is not None or scene.matrices:
-        raise PhysicsError("energies and matrices that the file writes out have no steps", HINT)
+    if scene.matrices:
+        raise PhysicsError("matrices that the file writes out have no steps", HINT)
     if not scene.q:
         raise PhysicsError("nothing moves freely in this scene: there are no steps to an equation of motion", HINT)
     if len(scene.q) > MOST:
