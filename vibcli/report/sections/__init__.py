@@ -18,6 +18,7 @@ SECTIONS = {
     "reactions": ("statics", "reactions in equilibrium and along a motion"),
     "equivalents": ("equivalents", "springs and dampers at one place as a perpendicular pair"),
     "response": ("response", "the motion in time"),
+    "kept_up": ("kept_up", "the steady state under what drives the scene to and fro"),
     "frequency_response": ("frequency_response", "resonances, antiresonances and amplitudes"),
     "shares": ("shares", "what each element has of the energy of a mode"),
     "sensitivities": ("sensitivities", "how frequencies change with parameters"),

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator
 from itertools import chain, count
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.report.blocks import (
@@ -54,7 +54,7 @@ def response_in_letters(problem: "Problem", names: Iterable) -> Iterator[Section
         yield from section("Equilibrium, from which motions are counted", paragraph(*equilibrium_parts(values)))
     for number, (name, found) in enumerate(steady.items(), 1):
         yield from section(f"Steady state of {symbol(name)}", equations([line(Name(name), " = ", found)])) if (
-            growing) else _steady_section(problem, name, found, str(number) * (len(steady) > 1))
+            growing) else steady_section(problem, name, found, str(number) * (len(steady) > 1))
     if len(problem.scene.q) == 1:
         name, = problem.scene.coordinates
         if not driven and name not in names:
@@ -72,7 +72,7 @@ def letter(problem: "Problem", name: str) -> str:
     return next(one for one in chain(LETTERS[name], numbered) if one not in taken)
 
 
-def _steady_section(problem, name, steady, number):
+def steady_section(problem: "Problem", name: str, steady: Any, number: str) -> Iterator[Section]:
     """x = X·sin(Ω·t − θ), X and tan θ, where it resonates and where it rests."""
     formula, X, theta = steady.formula, letter(problem, "X") + number, letter(problem, "theta") + number
     lag = () if formula.undamped or formula.ahead else (" − ", Name(theta))
