@@ -136,11 +136,13 @@ STEPS = [
     [
         ("bodies", "the mass centre as it is, speeds to the first order about rest; T of a fixed axis ½ J_O ω², else "
          "½ m v² + ½ J_C ω², body by body, then the sum"),
-        ("springs, weights", "the stretch from rest, to the second order where a force at rest meets its curvature, "
-         "else to the first; V = N Δ + ½ k Δ² with the tension N at rest, which the balance of forces gives"),
+        ("springs, weights, loads", "the stretch from rest, to the second order where a force at rest meets its "
+         "curvature, else to the first; V = N Δ + ½ k Δ² with the tension N at rest, which the balance of forces "
+         "gives; of a steady load −F s"),
         ("dampers", "the speed across each, to the first order; Φ = ½ c u̇²"),
         ("rest", "∂V/∂q = 0 of each coordinate. Where it is found in numbers alone, its place has a letter and the "
          "value that a search found."),
+        ("constraints", "what they leave of the other coordinates, of closed loops to the second order from rest"),
         ("equations", "Lagrange's derivatives and the equation of one coordinate; of several the equations, M, C, K"),
         ("frequencies", "ω² and ω with numbers put in, δ, ζ, ω_d; of two coordinates det(K − ω²M) = 0 with its "
          "coefficients and roots; amplitude ratios; roots with damping"),
@@ -148,7 +150,7 @@ STEPS = [
     ],
     "New letters never meet those of the scene. What the lines add up to is held against M, C and K of the engine "
     "before any line is told. `--json` gives each line as data: what it settles, from which lines, its expression and "
-    "value. Not told are members, loops closed in numbers, dry friction at rest, matrices written out, "
+    "value. Not told are members, dry friction at rest, matrices written out, "
     "frames that turn, and more than 8 coordinates.",
 ]
 

@@ -16,7 +16,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.cli import run
 from vibcli.language.parameter_samples import sample_values
 from vibcli.notation.plain import plain
-from vibcli.report.blocks import Factor, Name, WithNumbers, Words
+from vibcli.report.blocks import Factor, Name, SumOfTerms, WithNumbers, Words
 from vibcli.report.formats.formula import formula
 from vibcli.report.steps.worked import worked
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -42,7 +42,7 @@ PRINTED = """\
    6  weight of rod, counted from rest:  V_rod = m·L·g·φ/2
    7  speed across d:  u̇_d = L·φ̇/2
    8  Φ = c·u̇_d²/2 = L²·c·φ̇²/8
-   9  at rest  ∂V/∂φ = m·L·g/2 + L·N_s = 0
+   9  at rest  ∂V/∂φ = L·N_s + m·L·g/2 = 0
   10  so N_s = −m·g/2 = −14.715 N,  s being deflected by −m·g/(2·k) = −0.0122625 m (shortened)
   11  V = V_s + V_rod = L²·k·φ²/2   (the terms of the first order vanish at rest)
   12  ∂T/∂φ̇ = m·L²·φ̇/3,  d/dt ∂T/∂φ̇ = m·L²·φ̈/3,  ∂T/∂φ = 0
@@ -150,13 +150,15 @@ class Checked:
         for side in sides:
             if len(side) == 1 and not isinstance(side[0], (str, type(None))):
                 node = side[0].node if isinstance(side[0], (WithNumbers, Factor)) else side[0]
+                if isinstance(node, SumOfTerms):
+                    node = node.nodes[0].table.total(node.nodes)
                 if isinstance(node, Name):
                     found = self.defined.get(node.text)
                     node = found if found is not None and node.text != line.settles else None
                 value = None if node is None or not hasattr(node, "op") else self.value(node)
                 if value is not None:
                     values.append(value)
-        for one, other in pairwise(values):
+        for one, other in pairwise(value for value in values if math.isfinite(value)):
             self.count += 1
             if not math.isclose(one, other, rel_tol=2e-2 if rough else 1e-9, abs_tol=1e-13 if rough else 1e-17):
                 self.wrong.append((line.number, one, other))

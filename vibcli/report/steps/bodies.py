@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.notation.plain import plain
-from vibcli.report.blocks import Factor, Name, Words
+from vibcli.report.blocks import Factor, Name, SumOfTerms, Words
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.nested_form import letters
@@ -78,7 +78,7 @@ class Bodies:
                                 *self._number(J), settles=letter, node=J, value=about.value(J), unit="kg·m²")
         omega = about.small(body.frame.angle)
         rate = about.first(omega, self.scene.v)
-        return self._energy(body.name, [(J, omega)], line, self.about.letter(letter) * rate ** 2 / 2)
+        return self._energy(body.name, [(J, omega)], line, [self.about.letter(letter) * rate ** 2 / 2])
 
     def _in_the_plane(self, body, terms):
         about = self.about
@@ -97,7 +97,7 @@ class Bodies:
             lines.append(self.sheet.write(Words(f"speeds of {body.name} to the first order:  "), *told, uses=lines))
         parts = [(term.weight, about.small(term.s)) for term in terms]
         formula = [body.mass * v ** 2 / 2] * bool(speeds and body.mass) + [body.inertia * turn ** 2 / 2] * bool(turns)
-        shown = None if body.pieces or _is_plain(speeds, omega) else self.scene.table.total(formula)
+        shown = [] if body.pieces or _is_plain(speeds, omega) else formula
         return self._energy(body.name, parts, lines[-1], shown, lines=lines)
 
     def _placed(self, body, x, y):
@@ -113,14 +113,15 @@ class Bodies:
         parts = [(term.weight, about.small(term.s)) for term in terms]
         (weight, small), *others = parts
         rate = about.first(small, self.scene.v)
-        return self._energy(name, parts, None, None if others else weight * rate ** 2 / 2)
+        return self._energy(name, parts, None, [] if others else [weight * rate ** 2 / 2])
 
     def _energy(self, name, parts, line, formula, lines=()):
         """A line T = formula = the same with what it stands for."""
         about = self.about
         node = about.squared(about.sum_of_squares(parts), self.scene.v)
         letter = self._letter(name)
-        head = () if formula is None or plain(formula) == plain(node) else (formula, " = ")
+        head = () if not formula or [plain(one) for one in formula] == [plain(node)] else (
+            SumOfTerms(tuple(formula)), " = ")
         written = self.sheet.write(Name(letter), " = ", *head, node, settles=letter, node=node, uses=[line, *lines])
         return EnergyPart(letter, node, written)
 

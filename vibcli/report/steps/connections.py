@@ -1,4 +1,4 @@
-"""Springs, weights, dampers and loads about rest: what each adds to V, Φ and δA.
+"""Springs, weights, dampers and steady loads about rest: what each adds to V and Φ.
 
     V_s = N Δ + ½ k Δ²      V_w = f (s − s₀)      Φ_d = ½ c u̇²      δA = F δs
 
@@ -9,7 +9,7 @@ force meets the curvature of s; else the first order suffices, the square of Δ 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from vibcli.report.blocks import Factor, Name, Words
+from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.bodies import LONG, EnergyPart
 from vibcli.report.steps.small import AboutRest, Small
 from vibcli.report.steps.step import WorkedSolution, number
@@ -44,7 +44,8 @@ class Connections:
     def __init__(self, about: AboutRest, sheet: WorkedSolution, others: bool):
         self.about, self.sheet, self.scene = about, sheet, about.scene
         springs = {term.owner for term in self.scene.springs} | {law.owner for law in self.scene.laws if not law.damper}
-        self._several = others or len(springs) + len({term.owner for term in self.scene.weights}) > 1
+        acting = [{term.owner for term in terms} for terms in (self.scene.weights, self.scene.forces)]
+        self._several = others or len(springs) + sum(map(len, acting)) > 1
         self._damping: list | None = None
 
     def _letter(self, letter, owner):
@@ -143,16 +144,18 @@ class Connections:
                                     settles=letter, node=node, uses=[told])
             yield EnergyPart(letter, node, line)
 
-    def loads(self) -> "Iterator[Acting]":
-        """What each steady load adds to δA, as one whose tension is −F; loads in time are told with the equations."""
+    def loads(self) -> "Iterator[tuple[EnergyPart, Acting]]":
+        """Each steady load by its potential −F s; loads in time are told with the equations."""
         for term in self.scene.forces:
             small, force = self.about.small(term.s), self.about.rest(term.steady)
             if force.is_zero:
                 continue
+            V = self._letter("V", term.owner)
             moves = self.about.first(small, self.scene.q) + self.about.bent(small)
-            line = self.sheet.write(Words(f"steady load {term.owner} along s:  "), "δA = ", Factor(force), "·δs",
-                                    Words(",  "), "s = ", moves, node=moves)
-            yield Acting(term.owner, -force, -force, None, small, line)
+            more = (" + …", Words(SECOND)) if small.second else ()
+            line = self.sheet.write(Words(f"potential −F·s of the steady load {term.owner}, from rest:  "), Name(V),
+                                    " = ", -force * moves, *more, settles=V, node=-force * moves)
+            yield EnergyPart(V, -force * moves, line), Acting(term.owner, -force, -force, None, small, line)
 
     def stiffness(self, acting: "list[Acting]") -> "dict[tuple[int, int], Node]":
         """K = Σ k a aᵀ + Σ N b of all that acts."""

@@ -129,10 +129,10 @@ def about_rest(problem: "Problem") -> "tuple[AboutRest, dict[str, str]]":
             raise
         values = problem.configuration.equilibrium.values
         taken = {*problem.spec.parameters, *problem.spec.coordinates}
-        letter = {name: next(x for x in (f"{name}0", f"{name}_0", f"{name}_rest") if x not in taken) for name in
-                  scene.coordinates}
-        symbols = {q: scene.table.parameter(letter[q.name], positive=False) for q in scene.q}
-        found = AboutRest(problem, {**scene.drawn_position, **symbols},
-                          {letter[name]: values[name] for name in scene.coordinates})
-        return found, letter
+        moving = {q.name: q for q in scene.q} | {name: node for name, node in scene.dependent.items()
+                                                 if scene.loops is not None and name in scene.loops.names}
+        letter = {name: next(x for x in (f"{name}0", f"{name}_0", f"{name}_rest") if x not in taken) for name in moving}
+        symbols = {node: scene.table.parameter(letter[name], positive=False) for name, node in moving.items()}
+        return AboutRest(problem, {**scene.drawn_position, **symbols},
+                         {letter[name]: values[name] for name in moving}), letter
     return AboutRest(problem, {**scene.drawn_position, **{q: named[q.name] for q in scene.q}}, {}), {}

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
-from vibcli.report.blocks import Name, Words
+from vibcli.report.blocks import Name, SumOfTerms, Words
 from vibcli.report.steps.bodies import Bodies, EnergyPart
 from vibcli.report.steps.connections import Acting, Connections
 from vibcli.report.steps.small import about_rest
@@ -49,10 +49,9 @@ class Derivation:
         bodies = Bodies(self.about, self.sheet, "T" in written)
         T = [*bodies.kinetic(), *written.of_speeds("T")]
         connections = Connections(self.about, self.sheet, "V" in written)
-        stored = [*connections.stored(), *written.potential()]
+        stored = [*connections.stored(), *connections.loads(), *written.potential()]
         V, acting = [energy for energy, _ in stored], [one for _, one in stored]
         Phi = [*connections.dissipated(), *written.of_speeds("Phi")]
-        acting += connections.loads()
         rest = self._rest(acting)
         M, C, G, K = self._held(self._added(bodies.mass_matrix(), written.quadratic("T")), self._added(
             connections.damping_matrix(), written.quadratic("Phi")), connections.stiffness(acting))
@@ -104,23 +103,40 @@ class Derivation:
             about = words_of(self.problem, name)
             self.sheet.write(Name(name), Words(":  " + about + ",  " * bool(about and drawn)), *map(Words, drawn),
                              *(() if at.is_zero else (Words("  as drawn "), Name(name), " = ", at)), settles=name)
-        for name, node in self.scene.dependent.items():
-            self.sheet.write(Name(name), " = ", textbook(node), Words("   (by the constraints)"), settles=name,
-                             node=node)
         for name, letter in self.letters.items():
             value = self.problem.configuration.equilibrium.values[name]
             self.sheet.write(Words("at rest "), Name(name), " = ", Name(letter), *number(value),
                              Words("  by a search for where all forces balance; "), Name(name),
                              Words(" is counted from there from now on"), settles=letter, value=value)
+        self._tied()
+
+    def _tied(self):
+        """What constraints leave of the other coordinates; those that close loops, to the second order from rest."""
+        loops = self.scene.loops
+        for name, node in self.scene.dependent.items():
+            if loops is None or name not in loops.names:
+                self.sheet.write(Name(name), " = ", textbook(node), Words("   (by the constraints)"), settles=name,
+                                 node=node)
+        if loops is None:
+            return
+        loose = self.problem.system.scene_with_multipliers
+        uses = [self.sheet.write(Words(f"'{constraint.whole}' holds:  "), textbook(constraint.node), " = 0",
+                                 settles=f"condition {constraint.name}") for constraint in loose.constraints]
+        for name in loops.names:
+            small = self.about.small(self.scene.dependent[name])
+            rate, moves = self.about.first(small, self.scene.v), self.about.first(small, self.scene.q)
+            self.sheet.write(Words("so from rest  "), Name(name), " = ", moves + self.about.bent(small), " + …",
+                             Words("   (second order),  "), Name(name + "'"), " = ", rate, settles=name, uses=uses,
+                             node=moves)
 
     def _rest(self, acting: "list[Acting]") -> int | None:
         """The balance of forces at rest, and the tensions that follow; the number of its last line."""
         line = None
-        table, loaded = self.scene.table, [one for one in acting if not one.tension.is_zero]
+        loaded = [one for one in acting if not one.tension.is_zero]
         for i, name in enumerate(self.names):
             terms = [one.shown * one.s.slopes[i] for one in loaded if i in one.s.slopes]
             if terms:
-                line = self.sheet.write(Words("at rest  "), "∂V/∂", Name(name), " = ", table.total(terms), " = 0",
+                line = self.sheet.write(Words("at rest  "), "∂V/∂", Name(name), " = ", SumOfTerms(tuple(terms)), " = 0",
                                         uses=[one.line for one in loaded])
         for one in loaded:
             if one.k is not None:
@@ -188,8 +204,6 @@ def _require_told(problem):
     scene, system = problem.scene, problem.system
     if scene.pieces or scene.members:
         raise PhysicsError("the steps of members with distributed inertia or stiffness are not told one by one", HINT)
-    if scene.loops is not None:
-        raise PhysicsError("the steps of scenes whose loops are closed in numbers are not told one by one", HINT)
     if system.sticking is not None:
         raise PhysicsError("the steps of scenes that dry friction holds are not told one by one", HINT)
     if scene.matrices:
