@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
-from vibcli.report.blocks import Name, SumOfTerms, Words
+from vibcli.report.blocks import Factor, Name, SumOfTerms, Words
 from vibcli.report.steps.bodies import Bodies, EnergyPart
 from vibcli.report.steps.connections import Acting, Connections
 from vibcli.report.steps.small import about_rest
@@ -53,11 +53,12 @@ class Derivation:
         V, acting = [energy for energy, _ in stored], [one for _, one in stored]
         Phi = [*connections.dissipated(), *written.of_speeds("Phi")]
         rest = self._rest(acting)
-        M, C, G, K = self._held(self._added(bodies.mass_matrix(), written.quadratic("T")), self._added(
-            connections.damping_matrix(), written.quadratic("Phi")), connections.stiffness(acting))
+        slowed = self._added(connections.damping_matrix(), written.quadratic("Phi"))
+        M, C, G, K = self._held(self._added(bodies.mass_matrix(), written.quadratic("T")), slowed,
+                                connections.stiffness(acting))
         sums = [self._sum("T", T, self.about.squared(M, self.scene.v)),
                 self._sum("V", V, self.about.squared(K, self.scene.q), rest),
-                self._sum("Phi", Phi, self.about.squared(C, self.scene.v))]
+                self._sum("Phi", Phi, self.about.squared(slowed, self.scene.v))]
         return self._lagrange(M, C, G, K, [line for line in sums if line], rest)
 
     def _added(self, one, other):
@@ -73,6 +74,8 @@ class Derivation:
         symbolic = self.problem.symbolic
         if symbolic.linearisable:
             M, C, G, K = symbolic.matrices
+            if self.problem.spec.get("damping") is not None:
+                mine = (mine[0], self._damped_as_a_whole(C), mine[2])
             agree = all(self._same(own, found) for own, found in zip(mine, (M, C, K), strict=True))
         else:
             M, C, G, K = self.problem.configuration.linear_system.matrices()
@@ -80,6 +83,14 @@ class Derivation:
         if not agree:
             raise PhysicsError("what moves, stores energy or acts in this scene is not told apart step by step", HINT)
         return (M, C, G, K) if symbolic.linearisable else (mine[0], mine[1], {}, mine[2])
+
+    def _damped_as_a_whole(self, C):
+        """What `damping:` adds to C, which is told."""
+        alpha, beta = (self.scene.lower(one) for one in self.problem.spec.get("damping")["proportional"])
+        parts = [part for node, name in ((alpha, "M"), (beta, "K")) if not node.is_zero
+                 for part in (" + ", Factor(node), f"·{name}")][1:]
+        self.sheet.write(Words("`damping:` adds  "), *parts, Words("  to the damping matrix"), settles="damping")
+        return C
 
     def _same(self, own, found):
         zero = self.scene.table.zero
