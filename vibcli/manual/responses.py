@@ -142,6 +142,7 @@ STEPS = [
         ("dampers", "the speed across each, to the first order; Φ = ½ c u̇²"),
         ("rest", "∂V/∂q = 0 of each coordinate. Where it is found in numbers alone, its place has a letter and the "
          "value that a search found."),
+        ("turning frames", "T by powers of the speeds in them; −T without speeds acts like a potential"),
         ("constraints", "what they leave of the other coordinates, of closed loops to the second order from rest"),
         ("equations", "Lagrange's derivatives and the equation of one coordinate; of several the equations, M, C, K"),
         ("frequencies", "ω² and ω with numbers put in, δ, ζ, ω_d; of two coordinates det(K − ω²M) = 0 with its "
@@ -150,8 +151,8 @@ STEPS = [
     ],
     "New letters never meet those of the scene. What the lines add up to is held against M, C and K of the engine "
     "before any line is told. `--json` gives each line as data: what it settles, from which lines, its expression and "
-    "value. Not told are members, dry friction at rest, matrices written out, "
-    "frames that turn, and more than 8 coordinates.",
+    "value. Not told are members, driven supports, dry friction at rest, "
+    "matrices written out, and more than 8 coordinates.",
 ]
 
 FREQUENCY_RESPONSE = [

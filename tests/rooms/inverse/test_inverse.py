@@ -660,7 +660,7 @@ def test_check_of_a_file(file, capsys):
 
 def test_a_setting_replaces_the_condition(file, capsys):
     out = printed(capsys, "solve", file, "--set", "c=30 N*s/m", "--case", "soft")
-    assert "Chosen" not in out and "c = 30 N*s/m" in out
+    assert "Chosen" not in out and "c = 30 N·s/m" in out
 
 
 def test_json(file, capsys):

@@ -1,7 +1,7 @@
 """The kinetic energy, body by body: translation ½ m v², a fixed axis ½ J_O ω², plane motion ½ m v_C² + ½ J_C ω²
 (Kovacić & Radomirović 2018, §1.3), speeds to the first order about rest."""
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.notation.plain import plain
@@ -27,10 +27,10 @@ class EnergyPart(NamedTuple):
 
 
 class Bodies:
-    """What the bodies of a scene add to T; `others`: does something else, too?"""
+    """What the bodies of a scene add to T, apart from some of these names; `others`: does something else, too?"""
 
-    def __init__(self, about: AboutRest, sheet: WorkedSolution, others: bool):
-        self.about, self.sheet, self.scene = about, sheet, about.scene
+    def __init__(self, about: AboutRest, sheet: WorkedSolution, others: bool, apart: Collection[str] = ()):
+        self.about, self.sheet, self.scene, self._apart = about, sheet, about.scene, apart
         self._several = others or sum(1 for body in self.scene.bodies.values() if self._counts(body)) > 1
 
     def _counts(self, body):
@@ -44,7 +44,7 @@ class Bodies:
         """T of each body that moves."""
         for body in self.scene.bodies.values():
             terms = [term for term in self.scene.inertias if term.owner == body.name]
-            if terms:
+            if body.name not in self._apart and any(self.about.small(term.s).slopes for term in terms):
                 yield self._of_body(body, terms)
         for name in dict.fromkeys(term.owner for term in self.scene.inertias if term.owner not in self.scene.bodies):
             yield self._of_terms(name, [term for term in self.scene.inertias if term.owner == name])

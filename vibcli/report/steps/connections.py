@@ -102,11 +102,15 @@ class Connections:
             return [atom for arg, _ in node.args for atom in self._atoms(arg)]
         return [node]
 
+    def _turns(self, s):
+        """Does what moves along s turn in time, so that a weight is a load in time there?"""
+        return any(textbook(slope).mask & self.scene.time.mask for x, slope in gradient(s).items() if x in self.scene.q)
+
     def _weights(self):
         """The weight of each body, its height to the second order."""
         for name in dict.fromkeys(term.owner for term in self.scene.weights):
             acting = [Acting(name, term.weight, term.weight, None, self.about.small(term.s), None)
-                      for term in self.scene.weights if term.owner == name]
+                      for term in self.scene.weights if term.owner == name and not self._turns(term.s)]
             about, V = self.about, self._letter("V", name)
             node = self.scene.table.total([one.tension * (about.first(one.s, self.scene.q) + about.bent(one.s))
                                            for one in acting])

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 ALIKE = 1e-9            # relative: of an expression and its simpler form at values of the letters
+LEFT = 1e-7             # relative: of forces at rest, whose place may be known in numbers
 SAMPLES = 60, 61, 62
 
 
@@ -77,6 +78,14 @@ class AboutRest:
         for values in self.samples:
             a, b = evaluate([one, other], Floats, values)
             if not abs(a - b) <= ALIKE * max(abs(a), abs(b)):
+                return False
+        return True
+
+    def cancel(self, nodes: "Sequence[Node]") -> bool:
+        """Is the sum of expressions of the parameters zero but for rounding?"""
+        for values in self.samples:
+            terms = evaluate(nodes, Floats, values)
+            if not abs(sum(terms)) <= LEFT * sum(map(abs, terms)):
                 return False
         return True
 

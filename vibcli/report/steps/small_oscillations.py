@@ -10,7 +10,9 @@ from vibcli.report.steps.bodies import Bodies, EnergyPart
 from vibcli.report.steps.connections import Acting, Connections
 from vibcli.report.steps.small import about_rest
 from vibcli.report.steps.step import WorkedSolution, number
+from vibcli.report.steps.turning import TurningFrames
 from vibcli.report.steps.written_out import WrittenOut
+from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
@@ -19,6 +21,7 @@ if TYPE_CHECKING:
 
 MOST = 8            # coordinates, beyond which the steps are no page to read
 ALIKE = 1e-9        # relative: of what is added up element by element, and of the engine's
+UNTOLD = "what moves, stores energy or acts in this scene is not told apart step by step"
 HINT = "leave --steps out for the equations and their solution"
 
 
@@ -46,20 +49,30 @@ class Derivation:
         """Write down all steps; their matrices are those of the engine."""
         self._coordinates()
         written = WrittenOut(self.about, self.sheet)
-        bodies = Bodies(self.about, self.sheet, "T" in written)
-        T = [*bodies.kinetic(), *written.of_speeds("T")]
+        turning = TurningFrames(self.about, self.sheet)
+        self._require_undriven(turning.names)
+        bodies = Bodies(self.about, self.sheet, "T" in written or bool(turning.names), turning.names)
+        T = [*bodies.kinetic(), *turning.kinetic(), *written.of_speeds("T")]
         connections = Connections(self.about, self.sheet, "V" in written)
-        stored = [*connections.stored(), *connections.loads(), *written.potential()]
+        stored = [*connections.stored(), *connections.loads(), *written.potential(), *turning.potential()]
         V, acting = [energy for energy, _ in stored], [one for _, one in stored]
         Phi = [*connections.dissipated(), *written.of_speeds("Phi")]
         rest = self._rest(acting)
         slowed = self._added(connections.damping_matrix(), written.quadratic("Phi"))
         M, C, G, K = self._held(self._added(bodies.mass_matrix(), written.quadratic("T")), slowed,
-                                connections.stiffness(acting))
+                                connections.stiffness(acting), turning.gyroscopic())
         sums = [self._sum("T", T, self.about.squared(M, self.scene.v)),
                 self._sum("V", V, self.about.squared(K, self.scene.q), rest),
                 self._sum("Phi", Phi, self.about.squared(slowed, self.scene.v))]
         return self._lagrange(M, C, G, K, [line for line in sums if line], rest)
+
+    def _require_undriven(self, turning):
+        """PhysicsError where something is driven, but for frames that turn steadily."""
+        scene, time = self.scene, self.scene.time
+        driven = any(time in gradient(term.s) for term in scene.inertias if term.owner not in turning)
+        stretched = (*scene.springs, *scene.dampers, *scene.laws)
+        if driven or any(textbook(term.s).mask & time.mask for term in stretched if time in gradient(term.s)):
+            raise PhysicsError("the steps of scenes whose supports or bodies are driven are not told one by one", HINT)
 
     def _added(self, one, other):
         """The sum of two matrices, simplified."""
@@ -70,18 +83,18 @@ class Derivation:
         return {pair: node for pair, node in found.items() if not node.is_zero}
 
     def _held(self, *mine):
-        """M, C, G, K of the engine; PhysicsError where what was told element by element, M, C and K, is not all."""
+        """M, C, G, K of the engine; PhysicsError where what was told element by element, M, C, K and G, is not all."""
         symbolic = self.problem.symbolic
         if symbolic.linearisable:
             M, C, G, K = symbolic.matrices
             if self.problem.spec.get("damping") is not None:
-                mine = (mine[0], self._damped_as_a_whole(C), mine[2])
-            agree = all(self._same(own, found) for own, found in zip(mine, (M, C, K), strict=True))
+                mine = (mine[0], self._damped_as_a_whole(C), *mine[2:])
+            agree = all(self._same(own, found) for own, found in zip(mine, (M, C, K, G), strict=True))
         else:
             M, C, G, K = self.problem.configuration.linear_system.matrices()
-            agree = not any(G.values()) and all(self._alike(*pair) for pair in zip(mine, (M, C, K), strict=True))
+            agree = not any(G.values()) and all(self._alike(*pair) for pair in zip(mine, (M, C, K, G), strict=True))
         if not agree:
-            raise PhysicsError("what moves, stores energy or acts in this scene is not told apart step by step", HINT)
+            raise PhysicsError(UNTOLD, HINT)
         return (M, C, G, K) if symbolic.linearisable else (mine[0], mine[1], {}, mine[2])
 
     def _damped_as_a_whole(self, C):
@@ -146,6 +159,8 @@ class Derivation:
         loaded = [one for one in acting if not one.tension.is_zero]
         for i, name in enumerate(self.names):
             terms = [one.shown * one.s.slopes[i] for one in loaded if i in one.s.slopes]
+            if not self.about.cancel([one.tension * one.s.slopes[i] for one in loaded if i in one.s.slopes]):
+                raise PhysicsError(UNTOLD, HINT)
             if terms:
                 line = self.sheet.write(Words("at rest  "), "∂V/∂", Name(name), " = ", SumOfTerms(tuple(terms)), " = 0",
                                         uses=[one.line for one in loaded])
