@@ -30,7 +30,8 @@ test: lint
 	$(BIN)/pytest -q -n 2
 	$(BIN)/vibcli check --quiet --jobs 2 problems
 
-bench: $(BIN)/pytest
+bench: $(BIN)/vibcli
+	-$(BIN)/python -m pip install --quiet --disable-pip-version-check -e ".[bench]"
 	$(BIN)/python -m vibcli.bench
 
 clean:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from vibcli.cli import check, run
+from vibcli.cli import check, progress, run
 
 ROOT = Path(__file__).parents[2]
 SCENE = """
@@ -51,6 +51,19 @@ def test_a_fault_of_one_file_leaves_the_others(folder, capfd, monkeypatch):
     out, err = capfd.readouterr()
     assert [one["exit_code"] for one in json.loads(out)] == [0, 101, 3, 4, 0, 0]
     assert "1.yaml" in err and "RuntimeError: broken" in err
+
+
+def test_the_line_that_tells_how_far_it_is_leaves_room_for_what_is_printed(folder, capfd, monkeypatch):
+    clock = iter(range(0, 1000, 10))
+    monkeypatch.setattr(progress, "monotonic", lambda: float(next(clock)))
+    monkeypatch.setattr(progress, "teller", progress.Progress)
+    monkeypatch.setattr(sys, "stdout", sys.stderr)       # as on a terminal
+    run(["check", str(folder), "--jobs", "2"])
+    told = capfd.readouterr().err
+    assert "2 of 6 files: 33.3 % done" in told and "5 of 6 files" in told
+    for line in told.split("\n"):
+        *_, last = line.split("\r\x1b[K")
+        assert "done," not in last, line
 
 
 def test_an_interrupt_tells_what_was_found(tmp_path):

@@ -5,6 +5,7 @@ import json
 
 import pytest
 
+import vibcli
 from vibcli.cli import run
 from vibcli.plots.words import width
 
@@ -81,6 +82,36 @@ def test_it_is_plotted_and_saved(scene, capsys, tmp_path, monkeypatch):
     assert len(rows) == 10 and float(rows[5][1]) == pytest.approx(10, rel=1e-15)
     assert b"<svg" in picture.read_bytes()
     assert run(["sweep", scene, "--over", "k1=1 .. 2", "--save", str(target)]) == 2
+
+
+def test_an_interrupt_keeps_the_values_that_were_found(scene, capsys, tmp_path, monkeypatch):
+    from vibcli.quantities import sweep
+
+    whole, asked, target = sweep._value, [], tmp_path / "k.csv"
+
+    def interrupted(problem, expression):
+        asked.append(expression)
+        if len(asked) > 4:
+            raise KeyboardInterrupt
+        return whole(problem, expression)
+
+    monkeypatch.setattr(sweep, "_value", interrupted)
+    assert run(["sweep", scene, "--over", "k1=50 .. 150", "--of", "omega[1]", "--points", "9", "--save",
+                str(target)]) == 130
+    told = capsys.readouterr()
+    assert "nterrupted" in told.out and told.err.endswith("interrupted\n")
+    assert len([line for line in told.out.splitlines() if len(line.split()) == 2 and line.split()[1] != "–"
+                and line.split()[0].replace(".", "").isdigit()]) >= 4
+
+
+def test_it_is_told_how_far_it_has_come(scene):
+    given, told = vibcli.load(scene), []
+    given._problem.work.tell = lambda *said: told.append(said)
+    given.sweep("omega[1]", k1=[float(k) for k in range(50, 60)])
+    assert {said[0] for said in told} == {"the sweep", None}
+    parts = [said[1] for said in told if said[2]]
+    assert parts == sorted(parts) and set(parts) == {i / 10 for i in range(1, 11)}
+    assert all(said[2] for said in told[told.index(("the sweep", 0.1, True)):-1])      # also while a value is found
 
 
 def test_two_parameters_are_a_grid_with_contours(scene, capsys, monkeypatch):

@@ -1,7 +1,6 @@
 """Files that the program writes: whole or not at all, and never through a link."""
 
 import os
-import secrets
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -40,7 +39,7 @@ def write_whole(path: Path | str, data: bytes, new: bool = False) -> None:
     """Write the bytes to a new file beside `path` and rename it: what was there is replaced at once, links are not
     followed. `new`: FileExistsError where anything is there."""
     path = Path(path)
-    beside = path.with_name(f".{path.name[:64]}.{secrets.token_hex(8)}")
+    beside = path.with_name(f".{path.name[:64]}.{os.urandom(8).hex()}")
     try:
         descriptor = os.open(beside, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_NOFOLLOW", 0), 0o666)
         try:

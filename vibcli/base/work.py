@@ -81,14 +81,15 @@ class Work:
 
 
 class Task:
-    """steps: how many were done, of `limit` that are allowed."""
+    """steps: how many were done, of `limit` that are allowed; part: of all that is to be done, where it is known."""
 
     steps: float
+    part: float | None
 
-    __slots__ = ("limit", "steps", "what", "work")
+    __slots__ = ("limit", "part", "steps", "what", "work")
 
     def __init__(self, work: Work, what: str, limit: float):
-        self.work, self.what, self.limit, self.steps = work, what, limit, 0
+        self.work, self.what, self.limit, self.steps, self.part = work, what, limit, 0, None
 
     def step(self, part: float | None = None, steps: float = 1) -> None:
         """So many steps more, `part` (0 to 1) of all that is to be done being done where that is known. Spent where
@@ -119,8 +120,10 @@ class Task:
         tell = self.work.tell
         if tell is not None:
             outer = self.work.open[0]
-            known = part is not None and outer is self
-            tell(outer.what, part if known else outer.steps / outer.limit, known)
+            if outer is self and part is not None:
+                self.part = part
+            known = outer.part is not None
+            tell(outer.what, outer.part if known else outer.steps / outer.limit, known)
 
     def refusal(self):
         """The refusal where the limit is reached."""

@@ -1,1 +1,19 @@
-"""`python -m vibcli.bench`: run time, memory, growth and accuracy against named baselines and fixed budgets."""
+"""Benchmarks: `python -m vibcli.bench`, one file a part with `rows(runs)`.
+
+By name what each part measures. A part is imported when it is its turn.
+"""
+
+PARTS = {
+    "startup": "cold starts of commands as whole processes",
+    "pictures": "pictures and reports with pictures as whole processes",
+    "growth": "time against the number of coordinates",
+    "linkage": "deriving closed linkages",
+    "files": "many files checked in one process, and in two",
+    "accuracy": "errors of frequencies",
+    "responses": "responses of linear scenes in time",
+    "trajectories": "full motions in time",
+    "compiled": "a full motion beside one that is compiled",
+    "extremes": "extremes of full motions",
+    "members": "beams, their frequencies and frequency responses",
+    "sweeps": "quantities over a parameter",
+}

@@ -1,51 +1,49 @@
-"""Run every measurement and print one table; the exit code is 1 where a budget is exceeded."""
+"""Run every measurement and print one table; the exit code is 1 where a budget is exceeded or a part fails."""
 
 import json
 import sys
-import tempfile
+from importlib import import_module
+from time import perf_counter
 from typing import Any
 
 import click
 
-from vibcli.bench import (
-    accuracy,
-    files,
-    growth,
-    lagranges_method,
-    linkage,
-    members,
-    responses,
-    startup,
-    sweeps,
-    trajectories,
-)
-from vibcli.bench.rows import HEAD, aligned
+from vibcli.bench import PARTS
+from vibcli.bench.rows import HEAD, Failure, aligned
+
+RUNS, FEW = 7, 3
 
 
 @click.command()
-@click.option("--quick", is_flag=True, help="Three runs of each instead of eleven.")
+@click.option("--quick", is_flag=True, help=f"{FEW} runs of each instead of {RUNS}.")
 @click.option("--json", "as_json", is_flag=True, help="The table as JSON.")
-@click.option("--only", type=click.Choice(["startup", "growth", "linkage", "files", "accuracy", "responses",
-                                           "trajectories", "members", "sweeps"]), multiple=True,
-              help="Only these measurements.")
+@click.option("--only", type=click.Choice(list(PARTS)), multiple=True, help="Only these measurements.")
 @click.option("--sympy", "slow", is_flag=True, help="Also SymPy's LagrangesMethod on the pendulum; takes seconds.")
-def main(quick: Any, as_json: bool, only: Any, slow: complex):
+def main(quick: bool, as_json: bool, only: tuple[str, ...], slow: bool):
     """Processor time, memory, growth and accuracy of vibcli against baselines measured in the same run."""
-    runs = 3 if quick else 11
-    with tempfile.TemporaryDirectory() as folder:
-        parts = {"startup": lambda: startup.rows(runs, folder), "growth": lambda: growth.rows(runs),
-                 "linkage": lambda: linkage.rows(runs), "files": lambda: files.rows(3 if quick else 9, folder),
-                 "accuracy": lambda: accuracy.rows(runs), "responses": lambda: responses.rows(runs),
-                 "trajectories": lambda: trajectories.rows(runs), "members": lambda: members.rows(runs),
-                 "sweeps": lambda: sweeps.rows(runs)}
-        rows = [row for name, part in parts.items() if not only or name in only for row in part()]
-        if slow:
-            rows += lagranges_method.rows(runs)
+    rows: list[Any] = []
+    for part in [*(only or PARTS), *["lagranges_method"] * slow]:
+        start = perf_counter()
+        try:
+            measured(part, FEW if quick else RUNS, rows)
+        except KeyboardInterrupt:
+            rows.append(Failure(part, "interrupted, and the parts after it"))
+            break
+        click.echo(f"{part}: {perf_counter() - start:.0f} s", err=True)
     if as_json:
         click.echo(json.dumps([row.data() for row in rows], indent=1, ensure_ascii=False))
     else:
         click.echo(aligned([HEAD, *(row.cells() for row in rows)]))
     sys.exit(int(not all(row.kept for row in rows)))
+
+
+def measured(part: str, runs: int, rows: list[Any]) -> None:
+    """Add the rows of a part, as far as they come, and why it fails where it does."""
+    try:
+        for row in import_module(f"vibcli.bench.{part}").rows(runs):
+            rows.append(row)
+    except Exception as error:
+        rows.append(Failure(part, f"{type(error).__name__}: {error}"))
 
 
 if __name__ == "__main__":

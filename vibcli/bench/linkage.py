@@ -1,29 +1,26 @@
 """Deriving a closed linkage against its number of bars: lazy tongs of crossed bars, one loop between each two cells.
 
 The time is that of its scene and of the linearised expressions in all positions, from the spec and imports excluded.
-Times are medians; the exponent p of t ~ nᵖ is that of the fastest runs at the two largest sizes.
+Times are medians; the exponent p of t ~ nᵖ is fitted to the fastest runs.
 """
 
 import json
-from math import log
 from statistics import median
 from time import process_time
 from typing import Any
 
 from vibcli.bench.processes import answer
-from vibcli.bench.rows import Timing
+from vibcli.bench.rows import Timing, exponent
 
-BUDGETS = {4: None, 10: None, 20: 200.0, 40: None}
+BARS, EXPONENT = (4, 10, 20, 40), 2.5
 
 
 def rows(runs: Any):
     """Milliseconds for each number of bars, and the exponent of their growth."""
     times = json.loads(answer("from vibcli.bench.linkage import main; main()", runs))
-    found = [Timing(f"deriving a linkage of {bars} bars", median(times[str(bars)]), "ms", budget, absolute=True)
-             for bars, budget in BUDGETS.items()]
-    before, last = list(BUDGETS)[-2:]
-    exponent = log(min(times[str(last)]) / min(times[str(before)]), last / before)
-    return [*found, Timing("  exponent", exponent, "", None, absolute=True)]
+    found = [Timing(f"deriving a linkage of {bars} bars", median(times[str(bars)]), "ms", None) for bars in BARS]
+    grown = exponent(BARS, [min(times[str(bars)]) for bars in BARS])
+    return [*found, Timing("  exponent", grown, "", EXPONENT, absolute=True)]
 
 
 def main():
@@ -31,7 +28,7 @@ def main():
     import sys
 
     _derivation(4)
-    print(json.dumps({bars: [1e3 * _derivation(bars) for _ in range(min(int(sys.argv[1]), 5))] for bars in BUDGETS}))
+    print(json.dumps({bars: [1e3 * _derivation(bars) for _ in range(min(int(sys.argv[1]), 5))] for bars in BARS}))
 
 
 def _derivation(bars):

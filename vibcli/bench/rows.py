@@ -1,19 +1,26 @@
 """One line of the table: what was measured, against what, and the budget that it has to keep."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from math import log
+from statistics import linear_regression
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
+TIMES = ("ms", "s")
+
 
 class Timing:
-    """`ours` and `against` in `unit`; the budget bounds their ratio, or `ours` alone where `absolute`."""
+    """`ours` and `against` in `unit`; the budget bounds their ratio, or `ours` alone where `absolute`: bare numbers as
+    errors, exponents and counts, never a time. Without `against`, as where a peer is not installed, a ratio is kept."""
 
     __slots__ = ("absolute", "against", "baseline", "budget", "case", "ours", "unit")
 
     def __init__(self, case: str | None, ours: "float | Node", unit: str, budget: Any, baseline: str = "",
                  against: Any = None, absolute: bool = False):
+        if absolute and unit in TIMES and budget is not None:
+            raise ValueError(f"{case}: a time is bounded by another of the same run")
         self.case, self.ours, self.unit, self.budget = case, ours, unit, budget
         self.baseline, self.against, self.absolute = baseline, against, absolute
 
@@ -25,14 +32,16 @@ class Timing:
     @property
     def kept(self):
         """Is the budget kept? A row without budget only informs."""
-        return self.budget is None or (self.ours if self.absolute else self.ratio) <= self.budget
+        bounded = self.ours if self.absolute else self.ratio
+        return self.budget is None or bounded is None or bounded <= self.budget
 
     def cells(self):
         """The columns of the printed table."""
         against = "" if self.against is None else f"{_short(self.against)} {self.unit}".rstrip()
         allowed = "" if self.budget is None else (
             f"≤ {_short(self.budget)} {self.unit}".rstrip() if self.absolute else f"≤ {self.budget:g} ×")
-        verdict = "" if self.budget is None else "ok" if self.kept else "over"
+        idle = self.budget is None or (not self.absolute and self.ratio is None)
+        verdict = "" if idle else "ok" if self.kept else "over"
         return (self.case, f"{_short(self.ours)} {self.unit}".rstrip(), against, self.baseline,
                 "" if self.ratio is None else f"{self.ratio:.3g} ×", allowed, verdict)
 
@@ -42,6 +51,28 @@ class Timing:
                 "bounds": "ours" if self.absolute else "ratio", "kept": self.kept}
 
 
+class Failure:
+    """A part that could not be measured, and why."""
+
+    kept = False
+
+    def __init__(self, part: str, why: str):
+        self.part, self.why = part, why
+
+    def cells(self):
+        """The columns of the printed table."""
+        return (f"{self.part}: {self.why}"[:LONGEST], "", "", "", "", "", "failed")
+
+    def data(self):
+        return {"case": self.part, "failure": self.why, "kept": False}
+
+
+def exponent(sizes: Sequence[float], times: Sequence[float]) -> float:
+    """p of t ~ nᵖ, by least squares of the logarithms."""
+    return linear_regression(list(map(log, sizes)), list(map(log, times))).slope
+
+
+LONGEST = 120
 HEAD = ("case", "ours", "baseline", "", "ratio", "budget", "")
 
 

@@ -19,7 +19,7 @@ COMMANDS = {
     "equations": "Energies and equations of motion, full and for small oscillations.",
     "frequencies": "Equilibrium, natural frequencies, damping and mode shapes.",
     "draw": "The scene as a textbook figure, or a mode shape on it.",
-    "animate": "A mode, or the motion in time, as an animated gif or a page for the browser.",
+    "animate": "A mode, or the motion in time, as an animated gif or svg, or a page for the browser.",
     "response": "The motion in time, free or forced: numbers, plots, data files.",
     "frf": "Frequency responses: resonances, bandwidths, plots, data files.",
     "sweep": "Quantities over one or two parameters: tables, curves, contours.",

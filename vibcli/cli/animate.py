@@ -8,7 +8,7 @@ import click
 from vibcli.cli.common import load
 from vibcli.cli.pictures import one, picture_options, target, write
 
-SUFFIXES = (".gif", ".html")
+SUFFIXES = (".gif", ".svg", ".html")
 
 
 @click.command("animate")
@@ -19,7 +19,7 @@ SUFFIXES = (".gif", ".html")
 @click.option("--until", metavar="TIME", help="With --response: its end, as 2 (seconds) or '500 ms'.")
 def command(file: str, settings: Sequence[Any], case: Any, output: str | None, force: bool, patience: int,
             index: int | None, response: bool, until: str | None) -> None:
-    """A mode shape or the motion in time, moving: a gif, or an html page with play, pause and a slider."""
+    """A mode shape or the motion in time, moving: a gif, an svg, or an html page with play, pause and a slider."""
     if response and index is not None:
         raise click.UsageError("--response and --mode exclude each other")
     if until is not None and not response:

@@ -33,6 +33,8 @@ def in_processes(work: Callable, files: Sequence[str], jobs: int) -> Iterator[An
         caught = Caught(work).__call__
         waiting = [pool.submit(caught, file) for file in files]
         for number, printed in enumerate((future.result() for future in waiting), 1):
+            if tell is not None and (printed.err or printed.out):
+                tell.hide()
             for text, err in ((printed.err, True), (printed.out, False)):
                 if text:
                     click.echo(text if colored(sys.stderr if err else sys.stdout) else click.unstyle(text), nl=False,

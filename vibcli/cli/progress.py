@@ -32,6 +32,10 @@ class Progress:
             self.told = now
             self._show(words(what, part, known, now - self.started))
 
+    def hide(self) -> None:
+        """Leave the line to what is printed; it is told again later."""
+        self._show("")
+
     def _show(self, text):
         if text or self.shown:
             click.echo("\r\x1b[K" + text, nl=False, err=True, color=True)

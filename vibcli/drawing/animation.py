@@ -1,17 +1,19 @@
-"""The frames of a mode, or of any motion given in time, as a GIF or a page."""
+"""The frames of a mode, or of any motion given in time, as a GIF, an SVG or a page."""
 
 from collections.abc import Sequence
 from math import ceil, tau
 from typing import Any
 
 from vibcli.base.errors import PhysicsError
-from vibcli.drawing.layout import compose
+from vibcli.drawing.canvas.primitives import extent
+from vibcli.drawing.layout import compose, lettering
 from vibcli.drawing.member_motion import MemberMotion
 from vibcli.drawing.symbols import mode_shape
 from vibcli.drawing.vibration import Vibration, caption, magnification, mode, phases, response
 
 FRAMES, PACE = 36, 45               # of one period; milliseconds
 PERIODS, SEEN, MOST = 8, 12, 240    # of the slowest mode; frames in a period of the fastest; frames
+BELOW = 24.0        # the drawing: the words
 
 
 def of_mode(problem: Any, index: int, normalise: str = "first") -> tuple[list[list[Any]], str, list[str]]:
@@ -19,9 +21,9 @@ def of_mode(problem: Any, index: int, normalise: str = "first") -> tuple[list[li
     found = mode(problem, index)
     stage = compose.Scenery(problem.scene)
     vibration = Vibration(problem, index, stage, normalise)
-    frames = [mode_shape.frame(stage, vibration.at(theta), vibration.unit, vibration.room,
-                               vibration.bends(theta))
-              for theta in phases(FRAMES)]
+    angles = phases(FRAMES)
+    frames = _drawn(problem, FRAMES, lambda i: mode_shape.frame(stage, vibration.at(angles[i]), vibration.unit,
+                                                                vibration.room, vibration.bends(angles[i])))
     return frames, caption(found), [f"{i / FRAMES:.2f} T" for i in range(FRAMES)]
 
 
@@ -31,6 +33,9 @@ def of_response(problem: Any) -> tuple[list[list[Any]], str, list[str]]:
 
     from vibcli.symbolic.parser import parse
 
+    if not problem.scene.bodies and not problem.scene.members:
+        raise PhysicsError("this scene has no bodies, so its motion cannot be drawn",
+                           "`vibcli response --plot` shows it over time")
     times = np.linspace(0.0, *_span(problem, problem.response.known))
     if problem.scene.members:
         return _with_members(problem, times)
@@ -63,8 +68,8 @@ def _with_members(problem, times):
     motion = MemberMotion(problem, stage, positions, values, response)
     words = f"{times[0]:.4g} s to {times[-1]:.4g} s" + (f", displacements × {motion.factor:.3g}"
                                                         if motion.placed else "")
-    frames = [mode_shape.frame(stage, sketch, motion.unit, motion.room, motion.bends(i))
-              for i, sketch in enumerate(motion.sketches)]
+    frames = _drawn(problem, len(times), lambda i: mode_shape.frame(stage, motion.sketches[i], motion.unit, motion.room,
+                                                                    motion.bends(i)))
     return frames, words, [f"{t:.4g} s" for t in times.tolist()]
 
 
@@ -84,8 +89,18 @@ def of_positions(problem: Any, positions: Sequence[dict[str, float]],
         positions = [{name: middle[name] + factor * (x - middle[name]) for name, x in one.items()} for one in positions]
         sketches, unit, room = response(stage, positions, times)
     words = f"{times[0]:.4g} s to {times[-1]:.4g} s" + (f", displacements × {factor:g}" if factor > 1 else "")
-    frames = [mode_shape.frame(stage, sketch, unit, room) for sketch in sketches]
+    frames = _drawn(problem, len(times), lambda i: mode_shape.frame(stage, sketches[i], unit, room))
     return frames, words, [f"{t:.4g} s" for t in times]
+
+
+def _drawn(problem, count, frame):
+    """frame(i) of each frame; a terminal is told how far they have come."""
+    found = []
+    with problem.work.task("the frames") as task:
+        for i in range(count):
+            found.append(frame(i))
+            task.step(len(found) / count)
+    return found
 
 
 def _span(problem, until):
@@ -106,12 +121,24 @@ def _modes(problem):
 
 
 def data(frames: Sequence[list[Any]], words: str, names: Sequence[str], title: str, kind: str,
-         milliseconds: int = PACE) -> bytes:
-    """The bytes of an animation as gif or html."""
+         milliseconds: int = PACE, closed: bool = False) -> bytes:
+    """The bytes of an animation as gif, svg or html; closed: does its first frame follow the last?"""
     if kind == "gif":
         from vibcli.drawing.canvas.pillow_canvas import gif
 
         return gif(frames, words, milliseconds)
+    from vibcli.drawing.canvas.svg_motion import moving
+
+    if kind == "svg":
+        return moving(captioned(frames, words), title or words, words if title else "", milliseconds, closed)
     from vibcli.drawing.canvas.page import page
 
-    return page(frames, title, words, names, milliseconds).encode()
+    svg = moving(frames, title, words, milliseconds, closed, rests=False)
+    return page(svg, title, words, names, milliseconds).encode()
+
+
+def captioned(frames: Sequence[list[Any]], words: str) -> list[list[Any]]:
+    """The frames with words below them."""
+    boxes = [extent(frame) for frame in frames]
+    below = lettering.text(lettering.words(words), min(box[0] for box in boxes), min(box[1] for box in boxes) - BELOW)
+    return [[*frame, below] for frame in frames]

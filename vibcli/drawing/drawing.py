@@ -10,6 +10,7 @@ from vibcli.drawing.symbols import abstract, arrow, coordinate, dimension, load,
 from vibcli.drawing.symbols.connection import symbol
 
 GRAVITY = 30.0
+SHOWN = "bodies bars shafts beams strings springs dampers inerters forces constraints".split()
 SLENDER = ("rod", "arm", "bob", "bar", "ring", "hoop", "rim", "arch")
 
 
@@ -70,6 +71,11 @@ def annotations(stage: Any, found: Any,
     made += _lengths(stage, space)
     put(_gravity(sketch, extent(found + made)))
     return made + notes.lines(stage, extent(found + made))
+
+
+def contents(spec: Any) -> str:
+    """What a scene consists of, in words: "bodies: cart, bob; springs: s"."""
+    return "; ".join(f"{section}: {', '.join(names)}" for section in SHOWN if (names := spec.named.get(section)))
 
 
 def _lengths(stage, space):

@@ -4,7 +4,7 @@ from bisect import bisect_right
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.drawing.layout.strips import Strip, resting
-from vibcli.drawing.symbols.member import Bend
+from vibcli.drawing.symbols.member import LEAST, Bend
 from vibcli.drawing.symbols.member_ends import oscillators
 
 if TYPE_CHECKING:
@@ -52,7 +52,8 @@ class MemberMode(NamedTuple):
                     for (along, across), (here, there), part in zip(still(places), now(places), u, strict=True)]
 
         scale = strip.scale if strip.placed else turn_unit if strip.member.kind.torsional else unit
-        return Bend(at, scale, self.nodes, self.stretch is not None and self.stretch == self.top)
+        lengthwise = self.stretch is not None and self.stretch == self.top
+        return Bend(at, scale, self.nodes, lengthwise, abs(factor) * self.top * scale >= LEAST)
 
 
 def mode_along_members(problem: Any, mode: Any, stage: "Scenery", normalise: str, turn: complex) -> list[MemberMode]:
@@ -115,7 +116,9 @@ class MemberMotion:
             unit = {"placed": strip.scale, "slides": self.unit, "turns": self.turn_unit}[_kind(strip)]
             still = resting(strip, self.sketches[number].values)
             stretch = self.stretches[name][number] if name in self.stretches else None
-            found[name] = Bend(_interpolated(strip, places, rows[number], stretch, still, self.factor), unit)
+            at = _interpolated(strip, places, rows[number], stretch, still, self.factor)
+            most = max((abs(u) for row in rows for u in row), default=0.0)
+            found[name] = Bend(at, unit, seen=most * self.factor * unit >= LEAST)
         return found
 
 

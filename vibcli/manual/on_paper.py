@@ -10,7 +10,7 @@ PICTURES = [
         ("vibcli draw FILE --diagrams", "forces, shears, moments and torques along members in equilibrium, below the "
          "scene; `--mode 2` of a mode, `--at '40 ms'` of the motion in time, `--amplitudes` of the steady state; "
          "`--plot` in the terminal"),
-        ("vibcli animate FILE --mode 1", "the mode in motion: .gif, or .html with play, pause and a slider; "
+        ("vibcli animate FILE --mode 1", "the mode in motion: .gif, .svg, or .html with play, pause and a slider; "
          "`--response` the motion in time, `--until 2` so long"),
         ("vibcli response FILE --plot", "the motion plotted in the terminal; `--of x` says which signals, `--until 2` "
          "how long, `--steady` and `--transient` add these parts"),
@@ -22,7 +22,9 @@ PICTURES = [
          "`vibcli explain reports`"),
     ],
     "`draw` and `animate` write .png and .gif under the name of the scene, or the file that `-o` names: .svg, .pdf, "
-    ".html. No file is replaced without `--force`. A scene with symbols can be drawn; its modes need numbers.",
+    ".html. In an .svg words are text, and for who cannot see it stands what it shows; one that moves stands still on "
+    "paper and where the reader wishes for less motion. No file is replaced without `--force`. A scene with symbols "
+    "can be drawn; its modes need numbers.",
     "In diagrams each member is a base line. Bending moments stand on the side in tension; all else that is positive "
     "stands to the left of the way from the left end of the member to its right one, upwards where that runs to the "
     "right. Values stand at ends, at jumps and where the curve is largest; rings mark where it is zero. Signs are "

@@ -27,7 +27,7 @@ PYTHON = [
          "grid of two, in the unit of the file: `.over`, `.values` and `.units` by name, `.branches` of natural modes, "
          "`.meetings`, `.gaps`"),
         ("p.draw()", "the figure; `p.draw(mode=1, both=True)` a mode shape on it. `.save(\"scene.png\")` writes it, "
-         "`.data(\"svg\")` gives its bytes"),
+         "`.data(\"svg\")` gives its bytes; `.title` and `.about` say in words what it is and shows"),
         ("p.diagrams()", "forces and moments along members in equilibrium; `p.diagrams(mode=2)`, `p.diagrams(at=0.04)` "
          "at an instant in seconds, `p.diagrams(amplitudes=True)`"),
     ],

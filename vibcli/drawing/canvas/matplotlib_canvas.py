@@ -1,4 +1,4 @@
-"""Drawings by Matplotlib: PNG, SVG and PDF, the same bytes each time. Its object interface alone is used."""
+"""Drawings by Matplotlib: PNG and PDF, the same bytes each time. Its object interface alone is used."""
 
 import io
 from collections.abc import Sequence
@@ -8,9 +8,9 @@ from vibcli.drawing.canvas.primitives import COLOURS, Circle, LetterRuns, Polygo
 from vibcli.drawing.layout import lettering
 from vibcli.plots.picture import library
 
-MARGIN, DPI, WIDEST, SALT = 10.0, 150, 6000, "vibcli"
-SETTINGS = ("savefig.", "svg.", "pdf.", "path.", "text.", "agg.", "font.", "patch.")
-SILENT = {"png": {"Software": None}, "svg": {"Date": None, "Creator": None},
+MARGIN, DPI, WIDEST = 10.0, 150, 6000
+SETTINGS = ("savefig.", "pdf.", "path.", "text.", "agg.", "font.", "patch.")
+SILENT = {"png": {"Software": None},
           "pdf": {"CreationDate": None, "ModDate": None, "Creator": None, "Producer": None}}
 
 
@@ -68,13 +68,13 @@ def _letters(part):
 
 
 def picture(primitives: Any, kind: str) -> bytes:
-    """The bytes of a png, svg or pdf, whatever settings of Matplotlib the user has."""
+    """The bytes of a png or pdf, whatever settings of Matplotlib the user has."""
     matplotlib = library()
     left, bottom, right, top = extent(primitives)
     dpi = min(DPI, 72 * WIDEST / max(right - left, top - bottom))
 
     ours = {key: value for key, value in matplotlib.rcParamsDefault.items() if key.startswith(SETTINGS)}
-    with matplotlib.rc_context({**ours, "svg.hashsalt": SALT, "svg.fonttype": "path"}):
+    with matplotlib.rc_context(ours):
         data = io.BytesIO()
         figure(primitives, dpi).savefig(data, format=kind, dpi=dpi, metadata=SILENT[kind])
     return data.getvalue()

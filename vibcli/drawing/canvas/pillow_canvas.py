@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from itertools import combinations
 from typing import Any
 
+from vibcli.base.work import under_way
 from vibcli.drawing.canvas.primitives import COLOURS, Circle, LetterRuns, Polygon, extent
 
 WIDEST, HIGHEST, MARGIN, FINER, MOST = 560, 420, 10.0, 2, 240
@@ -23,9 +24,12 @@ def gif(frames: Sequence[list[Any]], caption: str, milliseconds: int = 40) -> by
     scale = min(WIDEST / (box[2] - box[0]), HIGHEST / (box[3] - box[1]), 1.6)
     size = max(1, round((box[2] - box[0]) * scale)), max(1, round((box[3] - box[1]) * scale))
     frames = frames[:MOST]
-    pages = [_page(frame, caption, box, scale, size) for frame in frames]
-    palette = _palette(frames)
-    indexed = [page.quantize(palette=palette, dither=Image.Dither.NONE) for page in pages]
+    palette, task, indexed = _palette(frames), under_way(), []
+    for number, frame in enumerate(frames, 1):
+        page = _page(frame, caption, box, scale, size)
+        indexed.append(page.quantize(palette=palette, dither=Image.Dither.NONE))
+        if task is not None:
+            task.step(number / len(frames))
     data = _animated(indexed, milliseconds)
     while len(data) > LARGEST and len(indexed) > 8:
         indexed, milliseconds = indexed[::2], 2 * milliseconds
@@ -82,10 +86,8 @@ def _draw(part, pen, place, fine):
 def _letters(text, pen, place, fine):
     from PIL import ImageFont
 
-    from vibcli.drawing.layout import lettering
-    from vibcli.plots.picture import library
+    from vibcli.drawing.layout import fonts, lettering
 
-    matplotlib = library()
     run, = lettering.words(text)
-    file = f"{matplotlib.get_data_path()}/fonts/ttf/{lettering.file_of(run.text, False)}"
-    pen.text(place, run.text, fill=COLOURS["ink"], font=ImageFont.truetype(file, run.size * fine), anchor="ls")
+    font = ImageFont.truetype(fonts.path(lettering.file_of(run.text, False)), run.size * fine)
+    pen.text(place, run.text, fill=COLOURS["ink"], font=font, anchor="ls")

@@ -5,12 +5,12 @@ The fonts come with Matplotlib: STIX, and DejaVu for letters that it lacks; what
 
 import re
 from collections.abc import Sequence
-from functools import cache, lru_cache
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import LetterRuns, Run
+from vibcli.drawing.layout.fonts import font
 from vibcli.notation.plain import GREEK, Plain, split_name
-from vibcli.plots.picture import library
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
@@ -18,7 +18,8 @@ if TYPE_CHECKING:
 SIZE, SMALL, LOWER, RAISE = 11.5, 0.72, -0.22, 0.38
 ASCENT, DESCENT = 0.70, 0.22
 FONTS = {True: ("STIXGeneralItalic.ttf", "DejaVuSerif-Italic.ttf"), False: ("STIXGeneral.ttf", "DejaVuSans.ttf")}
-MISSING, LONGEST, BLANK, GAP = "□", 90, 0.25, 0.13
+MISSING, LONGEST, GAP = "□", 90, 0.13
+BESIDE = 0.05       # of the size: behind each run
 _OPEN, _INDEX, _CLOSE = "\ue000", "\ue001", "\ue002"
 _HIGH = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789−")
 _PARTS = re.compile(f"{_OPEN}([^{_INDEX}]*){_INDEX}([^{_CLOSE}]*){_CLOSE}|([⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)|([^{_OPEN}⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)")
@@ -86,19 +87,11 @@ def size(runs: Sequence[Run]) -> tuple[float, float]:
     return box[2], box[3]
 
 
-@cache
-def font(file: str):
-    matplotlib = library()
-    from matplotlib.ft2font import FT2Font
-
-    return FT2Font(f"{matplotlib.get_data_path()}/fonts/ttf/{file}")
-
-
 @lru_cache(4096)
 def file_of(letters: str, slanted: bool) -> str:
     """The first font that has all of some letters."""
     for file in FONTS[slanted]:
-        if all(font(file).get_char_index(ord(letter)) for letter in letters):
+        if all(font(file).glyph(letter) for letter in letters):
             return file
     return FONTS[slanted][-1]
 
@@ -106,7 +99,7 @@ def file_of(letters: str, slanted: bool) -> str:
 def _printable(letters, slanted):
     files = FONTS[slanted]
     return "".join(letter if letter.isprintable() and any(
-        font(file).get_char_index(ord(letter)) for file in files) else MISSING for letter in letters)
+        font(file).glyph(letter) for file in files) else MISSING for letter in letters)
 
 
 @lru_cache(4096)
@@ -114,7 +107,4 @@ def _advance(letters, slanted, size):
     if not letters.strip():
         return GAP * size * len(letters)
     found = font(file_of(letters, slanted))
-    found.set_size(size, 72)
-    found.set_text(letters.rstrip(), 0.0)
-    blank = BLANK * size * (len(letters) - len(letters.rstrip()))
-    return found.get_width_height()[0] / 64 + 0.06 * size + blank
+    return size * (sum(map(found.advance, letters)) + BESIDE)

@@ -91,6 +91,8 @@ class Space:
             if best is not None and best[0] <= FARNESS * reach:
                 break
             for rank, (dx, dy) in enumerate(DIRECTIONS):
+                if best is not None and FARNESS * reach + 0.01 * rank >= best[0]:
+                    continue
                 for ax, ay in anchors:
                     x, y = ax + dx * (reach + width / 2), ay + dy * (reach + height / 2)
                     box = x - width / 2, y - height / 2, x + width / 2, y + height / 2

@@ -14,16 +14,19 @@ if TYPE_CHECKING:
 
 BED, BED_SPRING, PULL, ASIDE = 17.0, 22.0, 22.0, 15.0
 NODE = 2.4
+LEAST = 1.0         # points: ordinates that can be seen
 
 
 class Bend(NamedTuple):
     """How a member is displaced: `at(places)` gives [(along, u)], `unit` points for one of u; `nodes` where it
-    rests; `lengthwise`: it has ordinates of what it does along its line."""
+    rests; `lengthwise`: it has ordinates of what it does along its line; `seen`: ordinates, also in a position of its
+    motion in which they vanish."""
 
     at: Callable
     unit: float
     nodes: Sequence[float] = ()
     lengthwise: bool = False
+    seen: bool = False
 
 
 def place(strip: Strip, bend: Bend, x: float) -> tuple[float, float]:
@@ -73,7 +76,7 @@ def _ordinates(strip, bend, xs, rows, axis):
     """u of bars, φ of shafts, drawn across the axis."""
     which = 0 if strip.placed else 1
     n = plane.left(strip.e)
-    if max(abs(rows[x][which]) for x in xs) * bend.unit < 1.0:
+    if not bend.seen and max(abs(rows[x][which]) for x in xs) * bend.unit < LEAST:
         return []
     axis = axis if strip.placed else {x: strip.at(x) for x in xs}
     tips = [plane.plus(axis[x], n, rows[x][which] * bend.unit) for x in xs]

@@ -176,7 +176,7 @@ def _oscillator(record, strip, bend, x, aside, moved, found, named):
     middle = plane.plus(foot, n, 8.0)
     found.append(Polygon(tuple(plane.box(middle, 32.0, 16.0, plane.heading(e))), layer=BODY))
     if strip.member.kind.torsional:
-        found += _mark(middle, e, 16.0, 8.0, moved * bend.unit)
+        found += _mark(middle, e, 16.0, 8.0, moved * bend.unit, bend.seen)
     named.append((record, "mass" if "mass" in record else "inertia", [middle]))
 
 
@@ -186,18 +186,19 @@ def _mass(strip, bend, x, sense, key):
     if strip.member.kind.torsional:
         middle, ((_, turned),) = plane.plus(here, strip.e, 4.0 * sense), bend.at([x])
         return [Polygon(tuple(plane.box(middle, 8.0, 2 * DISC, angle)), layer=JOINT),
-                *_mark(middle, strip.e, 4.0, DISC, turned * bend.unit)]
+                *_mark(middle, strip.e, 4.0, DISC, turned * bend.unit, bend.seen)]
     if strip.member.kind.name == "bar":
         middle = plane.plus(here, strip.e, SIDE * sense)
         return [Polygon(tuple(plane.box(middle, 2 * SIDE, 24.0, angle)), layer=JOINT)]
     return [Circle(here, BALL, "ink" if key == "mass" else "inner", layer=JOINT)]
 
 
-def _mark(middle, e, half, radius, turned):
-    """A line along what turns about the direction e and is seen from the side, `turned` points of its rim."""
+def _mark(middle, e, half, radius, turned, seen):
+    """A line along what turns about the direction e and is seen from the side, `turned` points of its rim; none where
+    it is not turned, and not `seen` to turn."""
     level = plane.plus(middle, plane.left(e), radius * sin(turned / radius))
     ends = tuple(plane.plus(level, e, side) for side in (-half, half))
-    return [Polyline(ends, layer=JOINT)] if abs(turned) > 1e-6 else []
+    return [Polyline(ends, layer=JOINT)] if seen or abs(turned) > 1e-6 else []
 
 
 def names(named: list[tuple[Any, Any, list[Any]]], sketch: "Sketch") -> Iterator[tuple[Any, list[Any]]]:

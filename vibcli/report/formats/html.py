@@ -1,7 +1,6 @@
 """A report as one HTML page that opens offline: formulas as MathML with their plain text beside, pictures inline."""
 
 import re
-from base64 import b64encode
 from collections.abc import Callable, Sequence
 
 from vibcli.notation.mathml import mathml, row
@@ -126,12 +125,9 @@ def _refusal(refusal, _):
 
 
 def _picture(block, _):
-    """The SVG with names of its own for what it defines, so that pictures of one page do not mix; a GIF if it moves."""
-    if block.animated is not None:
-        data = b64encode(block.animated()).decode()
-        return (f'<figure><img alt="{words(block.caption)}" src="data:image/gif;base64,{data}"/>'
-                f"<figcaption>{words(block.caption)}</figcaption></figure>")
-    svg = _PROLOGUE.sub("", block.draw("svg").decode()).strip()
+    """The SVG with names of its own for what it defines, so that pictures of one page do not mix."""
+    drawn = block.draw("svg") if block.animated is None else block.animated()
+    svg = _PROLOGUE.sub("", drawn.decode()).strip()
     svg = _DEFINED.sub(rf"\g<0>{re.sub('[^A-Za-z0-9]', '-', block.name)}-", svg)
     return (f'<figure role="group" aria-label="{words(block.caption)}">{svg}'
             f"<figcaption>{words(block.caption)}</figcaption></figure>")

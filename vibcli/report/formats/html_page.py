@@ -36,7 +36,7 @@ figure { margin: 1em 0; } figure svg { max-width: 100%; height: auto; } figcapti
   article + article { break-before: page; border: 0; margin: 0; }
 }
 """
-POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
+POLICY = "default-src 'none'; style-src 'unsafe-inline'"
 
 
 def words(text: str) -> str:

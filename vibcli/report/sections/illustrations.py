@@ -15,9 +15,9 @@ SHOWN, DIAGRAMS = 6, 3       # mode shapes; of them with forces and moments
 
 
 def schematic(problem: "Problem", _: "Report") -> Iterator[Section]:
-    from vibcli.drawing.drawing import draw
+    from vibcli.drawing.drawing import contents, draw
 
-    yield from section("The scene", drawing("scene", "The scene as drawn", draw(problem)))
+    yield from section("The scene", drawing("scene", "The scene as drawn", draw(problem), contents(problem.spec)))
 
 
 def mode_pictures(problem: "Problem", report: "Report") -> Iterator[Section]:
@@ -54,10 +54,12 @@ def _forces_of(problem, mode, normalise):
 
 
 def _moving(problem, index, normalise):
-    """The bytes of a GIF of a mode."""
-    from vibcli.drawing.animation import data, of_mode
+    """The bytes of an SVG of a mode that moves."""
+    from vibcli.drawing.animation import PACE, of_mode
+    from vibcli.drawing.canvas.svg_motion import moving
 
-    return data(*of_mode(problem, index, normalise), title="", kind="gif")
+    frames, words, _ = of_mode(problem, index, normalise)
+    return moving(frames, words, milliseconds=PACE, closed=True)
 
 
 def plot(name: str, caption: str, figure: Any):
@@ -67,8 +69,8 @@ def plot(name: str, caption: str, figure: Any):
     return Picture(name, caption, partial(picture, figure))
 
 
-def drawing(name: str, caption: str, primitives: Any) -> Picture:
+def drawing(name: str, caption: str, primitives: Any, about: str = "") -> Picture:
     """A Picture of what is drawn."""
-    from vibcli.drawing.canvas.matplotlib_canvas import picture
+    from vibcli.drawing.canvas.files import data
 
-    return Picture(name, caption, partial(picture, primitives))
+    return Picture(name, caption, partial(data, primitives, title=caption, about=about))

@@ -1,0 +1,80 @@
+"""The benchmark's table: every part has a file, what fails is a row, what is not installed is said."""
+
+import json
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from vibcli import bench
+from vibcli.bench import __main__ as command
+from vibcli.bench.processes import answer, costs, python
+from vibcli.bench.rows import HEAD, Failure, Timing, aligned, exponent
+
+FOLDER = Path(bench.__file__).parent
+
+
+def test_every_part_has_its_file():
+    measuring = {path.stem for path in FOLDER.glob("*.py") if "def rows(runs" in path.read_text()}
+    assert set(bench.PARTS) == measuring - {"lagranges_method"}
+    assert all(callable(import_module(f"vibcli.bench.{name}").rows) for name in bench.PARTS)
+
+
+def test_budgets_bound_ratios_and_bare_numbers():
+    """No row bounds a time by itself."""
+    assert Timing("a", 3.0, "ms", 1.5, "b", 2.0).kept and not Timing("a", 3.1, "ms", 1.5, "b", 2.0).kept
+    assert Timing("error", 1e-16, "", 1e-15, absolute=True).kept
+    assert not Timing("error", 1e-14, "", 1e-15, "b", 1e-3, absolute=True).kept
+    missing = Timing("a", 3.0, "ms", 0.1, "heyoka, not installed")
+    assert missing.kept and missing.ratio is None and missing.cells()[-1] == ""
+    with pytest.raises(ValueError, match="bounded by another"):
+        Timing("a", 3.0, "ms", 4.0, absolute=True)
+
+
+def test_the_exponent_of_a_power():
+    assert exponent([2, 5, 12, 40], [3 * n**1.7 for n in (2, 5, 12, 40)]) == pytest.approx(1.7)
+
+
+def test_a_part_that_fails_is_a_row_and_the_rest_is_printed(monkeypatch):
+    def rows_of(name):
+        def rows(runs):
+            yield Timing(f"{name}, {runs} runs", 1.0, "ms", 2.0, "b", 1.0)
+            if name.endswith("growth"):
+                answer("import sys; raise ValueError('no such thing')")
+        return type("Part", (), {"rows": staticmethod(rows)})
+
+    monkeypatch.setattr(command, "import_module", rows_of)
+    done = CliRunner().invoke(command.main, ["--quick", "--only", "growth", "--only", "files"])
+    lines = done.stdout.splitlines()
+    assert done.exit_code == 1 and len(lines) == 4
+    assert "growth, 3 runs" in lines[1] and "files, 3 runs" in lines[3]
+    assert "growth: RuntimeError: ValueError: no such thing" in lines[2] and lines[2].endswith("failed")
+    done = CliRunner().invoke(command.main, ["--json", "--only", "files"])
+    assert done.exit_code == 0 and json.loads(done.stdout)[0]["kept"]
+
+
+def test_an_interrupt_keeps_the_parts_that_are_done(monkeypatch):
+    def rows_of(name):
+        def rows(runs):
+            if name.endswith("files"):
+                raise KeyboardInterrupt
+            return [Timing(name, 1.0, "ms", None)]
+        return type("Part", (), {"rows": staticmethod(rows)})
+
+    monkeypatch.setattr(command, "import_module", rows_of)
+    done = CliRunner().invoke(command.main, ["--only", "growth", "--only", "files", "--only", "startup"])
+    assert done.exit_code == 1 and "growth" in done.stdout and "files: interrupted" in done.stdout
+    assert "vibcli.bench.startup" not in done.stdout
+
+
+def test_whole_processes_are_measured_by_turns():
+    found = costs({"one": (python("pass"), (0,)), "two": (python("raise SystemExit(3)"), (3,))}, 1)
+    assert all(cost.time > 0 and cost.memory > 1 and cost.elapsed > 0 for cost in found.values())
+    with pytest.raises(RuntimeError, match="exit code 3"):
+        costs({"one": (python("raise SystemExit(3)"), (0,))}, 1)
+
+
+def test_columns_are_aligned():
+    lines = aligned([HEAD, Timing("a", 1.0, "ms", None).cells(), Failure("part", "why" * 99).cells()]).splitlines()
+    assert len(lines) == 3 and lines[2].endswith("failed") and len(lines[2]) < 200
