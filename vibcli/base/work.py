@@ -22,6 +22,16 @@ def counted(steps: float) -> None:
         task.step(None, steps)
 
 
+@contextmanager
+def uncounted() -> Iterator[None]:
+    """What is `counted` within is no step of the task around it: a small part of its work, in steps of another size."""
+    before = _innermost.set(None)
+    try:
+        yield
+    finally:
+        _innermost.reset(before)
+
+
 def under_way() -> "Task":
     """The task that is under way; None where there is none."""
     return _innermost.get()

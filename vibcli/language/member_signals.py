@@ -98,7 +98,7 @@ def mistake(spec: "Spec", signal: "SignalName") -> Mistake | None:
     """What is wrong with the name of a signal of a member but for its place; None where nothing is, or of others."""
     section = spec.members.get(signal.name)
     if section is None:
-        return None
+        return _of_point(spec, signal)
     if signal.part not in parts_of(spec, signal.name):
         noun, known = section[:-1], member_signals(spec, signal)
         if section == "beams" and signal.part in STRETCHING:
@@ -118,6 +118,20 @@ def mistake(spec: "Spec", signal: "SignalName") -> Mistake | None:
                        "give it a `section`, as in {circle: d}, or ask for "
                        + signal._replace(part={"bars": "force"}.get(section, "moment")).text)
     return None
+
+
+def _of_point(spec, signal):
+    """A point on a member without a place has no name of its own."""
+    point = (spec.get("member_points") or {}).get(signal.name)
+    if point is None:
+        return None
+    member = point["body"].text
+    section = spec.members[member]
+    if "from" in spec.get(section)[member]:
+        return None
+    motion = next(iter(PARTS[section]))
+    return Mistake(f"'{signal.name}' is a point on '{member}', which has no place in the plane",
+                   f"ask for {member}.{motion}({point['at'].text})")
 
 
 def start_mistake(spec: "Spec", signal: "SignalName") -> Mistake | None:

@@ -1,9 +1,6 @@
 """Forces and moments within members along each, at rest: piece by piece, since they may jump between.
 
-Within a piece the deflection is that between its ends under its weight and loads. Where the tension varies along it,
-N(x) = N + n x, the load w leaves u = −w x/n, and the ends the rest:
-
-    B u⁗ − ((N + n x) u′)′ + k u = w
+Within a piece the deflection is that between its ends under its weight and loads.
 """
 
 from collections.abc import Callable
@@ -15,6 +12,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.language.member_signals import PARTS, STRETCHING
 from vibcli.mechanics.smooth_forms import smooth_form
 from vibcli.numerics.pieces.fields import fields
+from vibcli.numerics.pieces.graded_rest import bent_at_rest
 from vibcli.numerics.pieces.loads import LoadForm, LoadStretch, LoadTerm, loaded_fields
 from vibcli.numerics.pieces.piece import Piece
 from vibcli.numerics.stretches import CurveStretch
@@ -83,9 +81,8 @@ def _along(configuration, scene, signal: "PlaceSignal", part: str, xi: Any):
     tension, gradient = signal.tension(scene)
     if part == "force" and signal.segment.stiffness is None:
         return _of_node(tension + gradient * xi, xi, configuration.at_rest)
-    if signal.member.kind.bends and not gradient.is_zero:
-        return _under_tension(configuration, scene, signal)
-    if signal.uneven(scene) and not signal.member.lengthwise:
+    graded = signal.member.kind.bends and not gradient.is_zero
+    if graded or (signal.uneven(scene) and not signal.member.lengthwise):
         return _under_uneven(configuration, scene, signal)
     if signal.uneven(scene) and not all(_is_closed(signal, load) for load in signal.uneven(scene)):
         raise PhysicsError(f"the forces within '{signal.member.name}' along it under such a load are not found",
@@ -100,20 +97,15 @@ def _is_closed(signal, load):
 
 
 def _under_uneven(configuration, scene, signal):
-    """Of a piece under loads that vary along it, its tension does not."""
-    zero, values = scene.table.zero, configuration.at_rest
-    of = signal.piece(scene)
+    """Of a piece under loads that vary along it, or whose tension does so."""
+    zero, of = scene.table.zero, signal.piece(scene)
     bending = of.bending if of.bends else zero
-    numbers = evaluate([of.length, bending, of.tension, of.gradient, zero, zero, of.foundation, signal.weight(scene),
-                        signal.factor, *signal.ends], Floats, values)
-    piece, even, factor, ends = Piece(*numbers[:7]), numbers[7], numbers[8], np.array(numbers[9:])
-    forms = [LoadForm((LoadStretch(0.0, piece.length, 0.0, (LoadTerm(even, 0, 0.0),)),))]
-    for load in signal.uneven(scene):
-        q, = substitute([load.q], {load.x: signal.left.place + load.x})
-        try:
-            forms.append(smooth_form(q, load.x, (zero, of.length), values, Floats))
-        except NotSmooth as error:
-            raise PhysicsError(f"'{load.owner}' {error.message} of a piece", error.hint) from None
+    numbers = evaluate([of.length, bending, of.tension, of.gradient, zero, zero, of.foundation, signal.factor,
+                        *signal.ends], Floats, configuration.at_rest)
+    piece, factor, ends = Piece(*numbers[:7]), numbers[7], np.array(numbers[8:])
+    forms = _loads(configuration, scene, signal)
+    if of.graded and (bent := bent_at_rest(piece, ends, forms)) is not None:
+        return lambda places: factor * bent(places, signal.order)
 
     def at(places):
         found = fields(piece, piece.foundation, ends, places)[..., signal.order]
@@ -123,20 +115,19 @@ def _under_uneven(configuration, scene, signal):
     return at
 
 
+def _loads(configuration, scene, signal):
+    """The LoadForms of a piece, that of what is even first."""
+    zero, values, length = scene.table.zero, configuration.at_rest, signal.length
+    end, even = evaluate([length, signal.weight(scene)], Floats, values)
+    forms = [LoadForm((LoadStretch(0.0, end, 0.0, (LoadTerm(even, 0, 0.0),)),))]
+    for load in signal.uneven(scene):
+        q, = substitute([load.q], {load.x: signal.left.place + load.x})
+        try:
+            forms.append(smooth_form(q, load.x, (zero, length), values, Floats))
+        except NotSmooth as error:
+            raise PhysicsError(f"'{load.owner}' {error.message} of a piece", error.hint) from None
+    return forms
+
+
 def _of_node(node, xi, values):
     return lambda places: np.array([evaluate([node], Floats, {**values, xi.name: x})[0] for x in places.tolist()])
-
-
-def _under_tension(configuration, scene, signal):
-    """Of a beam whose tension varies along it."""
-    zero, segment, weight = scene.table.zero, signal.segment, signal.weight(scene)
-    if not segment.foundation.is_zero or signal.uneven(scene):
-        raise PhysicsError(f"the forces within '{signal.member.name}' at rest are not found, as its tension varies "
-                           "along it", "leave out its foundation, or what is spread unevenly along it")
-    nodes = [signal.length, segment.stiffness, *signal.tension(scene), zero, zero, zero, weight, signal.factor,
-             *signal.ends]
-    *numbers, w, factor, u0, slope0, u1, slope1 = evaluate(nodes, Floats, configuration.at_rest)
-    piece = Piece(*numbers)
-    slope = -w / piece.gradient
-    ends = np.array([u0, slope0 - slope, u1 - slope * piece.length, slope1 - slope])
-    return lambda places: factor * fields(piece, 0.0, ends, places)[..., signal.order]

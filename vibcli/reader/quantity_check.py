@@ -53,7 +53,7 @@ def can_be_asked(spec: "Spec", reader: "Reader", expression: "Expression", tree:
         return False
     if component not in quantity.components:
         reader.report(place, f"'{head}' has no '.{component}'" if component else f"'{tree.text}' needs a component",
-                      "write " + " or ".join(tree.text.partition(".")[0] + (word and "." + word)
+                      "write " + " or ".join(tree.text.removesuffix(f".{component}") + (word and "." + word)
                                              for word in quantity.components))
         return False
     if not all(_index(spec, reader, place, kind, index) for kind, index in zip(kinds, indices, strict=True)):

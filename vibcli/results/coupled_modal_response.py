@@ -45,6 +45,8 @@ class CoupledModalResponse(ModalResponse):
         found = self.configuration.without_given_damping()
         if found.G:
             raise NotByModes("gyroscopic terms couple the modes of members", "ask for steady(…)")
+        if found.circulatory:
+            raise NotByModes("forces that no potential gives couple the modes of members", "ask for steady(…)")
         if any(placed.piece.drag for placed in found.pieces):
             raise NotByModes("damping in proportion to stiffness stands beside drag of members: modes without end "
                              "creep", "ask for steady(…), or write `proportional: [alpha, 0 s]`")
@@ -69,10 +71,7 @@ class CoupledModalResponse(ModalResponse):
     def _dampers(self):
         from vibcli.analyses.continuous.coupled_transfer import Dampers
 
-        C = self._elements.with_parts(pieces=()).arrays()[1]
-        if (C != C.T).any():
-            raise NotByModes("forces that no potential gives couple the modes of members", "ask for steady(…)")
-        return Dampers(C)
+        return Dampers(self._elements.with_parts(pieces=()).arrays()[1])
 
     @cached_property
     def _given(self):

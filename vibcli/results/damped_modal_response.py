@@ -28,7 +28,7 @@ class DampedModalResponse(ModalResponse):
         from vibcli.analyses.continuous.damped_series import swallowed
 
         matrix = self._transfer.matrix
-        if any((part != part.T).any() for part in matrix.polynomial):
+        if self.linear.circulatory:
             raise NotByModes("forces that no potential gives couple the modes of members", "ask for steady(…)")
         self.problem.modal.modes.first(1)
         if swallowed(matrix, max(float(np.abs(mode.omega or 0.0)) for mode in self.problem.modal.modes.shown())):

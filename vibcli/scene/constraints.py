@@ -231,8 +231,15 @@ def _check_redundant(scene, numbers, nodes):
                 constraint = scene.constraints[k]
                 scene.report(constraint.where, f"the constraint '{constraint.whole}' locks the scene in the drawn "
                              "position: it contradicts the other constraints as soon as anything moves",
-                             "take it out, or draw the position so that all constraints can hold while it moves")
+                             _way_out(scene, constraint.whole))
                 break
+
+
+def _way_out(scene, name):
+    """The hint for a constraint that contradicts others; a member is one that keeps its length."""
+    if name in scene.members:
+        return f"'{name}' keeps its length: let what holds it move along it too, as in [x, y, psi], or give it `EA`"
+    return "take it out, or draw the position so that all constraints can hold while it moves"
 
 
 def _rates(scene, node):

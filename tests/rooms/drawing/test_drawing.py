@@ -20,7 +20,7 @@ from vibcli.cli import run
 from vibcli.drawing import animation, vibration
 from vibcli.drawing.canvas import pillow_canvas
 from vibcli.drawing.canvas.matplotlib_canvas import MARGIN, figure, picture
-from vibcli.drawing.canvas.primitives import Circle, Hatch, LetterRuns, Polygon, extent
+from vibcli.drawing.canvas.primitives import Circle, Hatch, LetterRuns, Polygon, Polyline, extent
 from vibcli.drawing.drawing import draw
 from vibcli.drawing.layout import compose, lettering, plane
 from vibcli.drawing.symbols import SYMBOLS, mode_shape, rope, sliding
@@ -60,6 +60,14 @@ def overlapping(boxes):
 def test_the_rule_sees_words_over_one_another():
     assert overlapping([(0, 0, 10, 5), (9, 4, 12, 8)])
     assert not overlapping([(0, 0, 10, 5), (10, 0, 12, 8), (0, 5, 3, 8)])
+
+
+@pytest.mark.parametrize("rate", [1, 7, 50, 1200])
+@pytest.mark.parametrize("sign", ["", "-"])
+def test_a_force_that_swings_points_the_way_in_which_it_begins(rate, sign):
+    found = draw(problem(PENDULUM + f"    forces: {{pull: {{at: bob, force: [{sign}3 N*sin({rate} rad/s*t), 0]}}}}\n"))
+    (start, tip), = (part.points for part in found if isinstance(part, Polyline) and part.role == "load")
+    assert start[1] == pytest.approx(tip[1]) and (tip[0] > start[0]) == (not sign)
 
 
 def test_there_are_files():

@@ -5,7 +5,8 @@ D(s) of all is of blocks: its zeros are those of the blocks, and as many.
 """
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -19,6 +20,7 @@ from vibcli.analyses.continuous.trial_eigenvalues import trial_eigenvalues
 from vibcli.analyses.continuous.uncoupled_parts import tied_parts
 from vibcli.analyses.modal.mode_sequence import Modes
 from vibcli.base.errors import PhysicsError
+from vibcli.base.work import uncounted
 from vibcli.numerics.pieces.held_count import held_count
 from vibcli.numerics.pieces.stiffness import stiffness_and_slope
 
@@ -55,10 +57,12 @@ class PartWithModes:
 
 class DampedPart(PartWithModes):
     """One whose roots are looked for from estimates, and counted by the argument principle; relative: its matrix over
-    coordinates in which short pieces lose no digits."""
+    coordinates in which short pieces lose no digits; natural: what finds its modes without dampers."""
 
-    def __init__(self, matrix: DynamicMatrix, coordinates: Sequence[int], n: int, relative: DynamicMatrix):
+    def __init__(self, matrix: DynamicMatrix, coordinates: Sequence[int], n: int, relative: DynamicMatrix,
+                 natural: Callable[[], Modes]):
         super().__init__(matrix, coordinates, n)
+        self._natural = natural
         self._near = relative if relative.relative.short else matrix
         self._whole, self._too_far = Whole(self._near), np.inf
 
@@ -105,12 +109,20 @@ class DampedPart(PartWithModes):
         """The known rates, those within a radius, and what is found beyond it up to about a frequency."""
         divisions = Divisions(self._near)
         starts = self._starts(rates, radius, top, effort)
+        if effort > 1:
+            starts = np.concatenate([starts, self._undamped(radius, top)])
         inner = inner_estimates(self.matrix.pieces, radius, max(abs(starts).max(initial=0.0), top))
         found = settled_from(divisions, starts, inner)
         roots = distinct(np.concatenate([rates, found[abs(found) > radius * (1 - ALIKE * 0.01)]]))
         values, errors, groups = polished(divisions, roots)
         return RootsOfPart(values, errors, [
             ShapesOf(self.numbered(one.pieces), one.numbers, self.placed(one.shapes), one.motions) for one in groups])
+
+    def _undamped(self, radius, top):
+        """iω without dampers: each root but those of strong dampers has its own near it."""
+        with uncounted():
+            omega = np.array([float(mode.omega or 0.0) for mode in self._natural().up_to(top)])
+        return 1j * omega[omega > radius / BESIDE]
 
     def _starts(self, rates, radius, top, effort):
         if not self.matrix.pieces:
@@ -161,7 +173,8 @@ def damped_parts(elements: "FactoredSystem", matrix: DynamicMatrix) -> list[Damp
     tied = tied_parts(list(matrix.polynomial), [placed.rows for placed in matrix.pieces])
     numbers = sorted({*tied.coordinates, *tied.pieces})
     if len(numbers) < 2:
-        return [DampedPart(matrix, range(matrix.n), matrix.n, dynamic_matrix(elements, kept=()))]
+        return [DampedPart(matrix, range(matrix.n), matrix.n, dynamic_matrix(elements, kept=()),
+                           partial(_natural, elements))]
     found: list[DampedPart | StillPart] = []
     for number in numbers:
         coordinates = [i for i, part in enumerate(tied.coordinates) if part == number]
@@ -175,12 +188,17 @@ def _part(elements, coordinates, n):
     """A StillPart where nothing damps it and none of it grows."""
     matrix = dynamic_matrix(elements)
     if matrix.undamped and any(placed.piece.inertia for placed in elements.pieces):
-        from vibcli.analyses.continuous.mode_source import NaturalModes
-
-        natural = Modes((), NaturalModes(elements.with_parts(dampers=(), C=None, G=None, drag=None)))
+        natural = _natural(elements)
         if not natural.grow:
             return StillPart(matrix, coordinates, n, natural)
-    return DampedPart(matrix, coordinates, n, dynamic_matrix(elements, kept=()))
+    return DampedPart(matrix, coordinates, n, dynamic_matrix(elements, kept=()), partial(_natural, elements))
+
+
+def _natural(elements):
+    """Its modes without dampers."""
+    from vibcli.analyses.continuous.mode_source import NaturalModes
+
+    return Modes((), NaturalModes(elements.with_parts(dampers=(), C=None, G=None, drag=None)))
 
 
 def _distinct(roots):

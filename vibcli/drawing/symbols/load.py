@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from vibcli.drawing.symbols.look import Look
     from vibcli.language.reader import Record
 
-LENGTH, INSTANTS = 32.0, (0.0, 0.37, 1.13, 2.71)
+LENGTH, INSTANTS = 32.0, (0.0, 1e-6, 0.37, 1.13, 2.71)
 
 
 def draw(record: "Record", sketch: "Sketch", looks: "Mapping[str, Look]",

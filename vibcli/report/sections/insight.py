@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from vibcli.notation.numbers import figure
 from vibcli.report.blocks import Paragraph, Section, TableBlock, paragraph, section
 
 if TYPE_CHECKING:
@@ -45,4 +46,7 @@ def numbered(indices: Mapping[int, Any] | Sequence[int]) -> str:
 def off(value: Any, exact: Any):
     """How far an estimate is off, in per cent."""
     found = 100 * (value / exact - 1)
-    return "0 %" if abs(found) < NOTHING else f"{found:+.2g} %".replace("-", "−")
+    if abs(found) < NOTHING:
+        return "0 %"
+    size = figure(abs(found), digits=2) if abs(found) < 99.5 else f"{float(f'{abs(found):.2g}'):.0f}"
+    return f"{'−' if found < 0 else '+'}{size} %"
