@@ -16,6 +16,7 @@ from vibcli.analyses.modal.rigid_body_modes import rank
 from vibcli.analyses.modal.scaling import Scaling, mechanism, scaling
 from vibcli.analyses.modal.undamped_certified import EnclosedEigenvalues, enclosed
 from vibcli.base.errors import Inertless
+from vibcli.numerics.factored_svd import ENOUGH_WHEN_MANY
 from vibcli.numerics.precision import working_bits
 
 if TYPE_CHECKING:
@@ -92,9 +93,19 @@ def _undamped(elements, precise, digits):
         from vibcli.analyses.modal.undamped_large import approximate
 
         answer = approximate(elements, scale, zeros)
+        if answer.errors.max() > (ENOUGH_WHEN_MANY if arithmetic == IN_FLOATS else ENOUGH):
+            answer = _bettered(elements, scale, zeros, answer, precise)
         if arithmetic == IN_FLOATS or answer.errors.max() <= ENOUGH:
             return many_modes(answer, scale)
     return modes(certain(elements, scale, zeros, precise), scale, NearestFloats)
+
+
+def _bettered(elements, scale, zeros, answer, precise):
+    """The modes of floats with bounds by their residuals where these are narrower."""
+    from vibcli.analyses.modal.undamped_residuals import bettered
+
+    found = bettered(elements, scale, zeros, answer, 0.0 if precise is None else 2.0**EVALUATED)
+    return answer if found is None or found.errors.max() > answer.errors.max() else found
 
 
 def prepared(elements: Any, dragged: bool = False) -> tuple[Scaling, int | None]:
