@@ -1,5 +1,5 @@
-"""The lowest modes of chains of very many masses, given as mappings: processor time from the mapping to the element data
-and to the modes, peak memory and error, against SciPy's `eigsh` at shift 0 of the assembled matrix."""
+"""The lowest modes of chains of very many masses, given as mappings: processor time from these to the element data and
+to the modes, peak memory and error, against SciPy's `eigsh` at shift 0 of the assembled matrix."""
 
 import json
 from math import log, pi, sin, sqrt
@@ -20,7 +20,8 @@ def rows() -> list[Timing]:
     for n in SIZES:
         data, whole, error, memory, peer, off = json.loads(answer("from vibcli.bench.sparse import main; main()", n))
         measured.append((data, whole))
-        found += [Timing(f"chain of {n} masses, {LOWEST} lowest modes", whole, "s", BESIDE_DATA, "to element data", data),
+        case = f"chain of {n} masses, {LOWEST} lowest modes"
+        found += [Timing(case, whole, "s", BESIDE_DATA, "to element data", data),
                   Timing("  the modes alone", whole - data, "s", None, "scipy eigsh, assembled", peer),
                   Timing("  largest relative error", error, "", ERROR, "scipy eigsh", off, absolute=True),
                   Timing("  peak memory", memory, "MiB", MEMORY, absolute=True)]

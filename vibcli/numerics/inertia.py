@@ -9,17 +9,21 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from vibcli.base.work import counted
 from vibcli.numerics.sparse_form import UNIT, SparseForm
+
+MILLION = 1e6       # products are a step of work
 
 
 class ShiftedFactors(NamedTuple):
     """shift: σ; below: the number of negative pivots; margin: the eigenvalues below σ − margin are no more, those
-    below σ + margin no fewer; solve: (K − σM)⁻¹ times columns."""
+    below σ + margin no fewer; solve: (K − σM)⁻¹ times columns, of which each costs so many steps of work."""
 
     shift: float
     below: int
     margin: float
     solve: Any
+    cost: float
 
 
 class Pencil:
@@ -46,7 +50,7 @@ class Pencil:
         lu, below, rounding = found
         size = self.sizes[0] + abs(shift) * self.sizes[1]
         more = (self.K.terms + self.M.terms + 3) * UNIT * float(size.max())
-        return ShiftedFactors(shift, below, (rounding + more) / self.least, lu.solve)
+        return ShiftedFactors(shift, below, (rounding + more) / self.least, lu.solve, 2 * lu.nnz / MILLION)
 
 
 def _least(M, assembled, size):
@@ -76,6 +80,7 @@ def _factored(matrix):
         return None
     if not np.array_equal(lu.perm_r, lu.perm_c):
         return None
+    counted(lu.nnz ** 2 / len(lu.perm_r) / 2 / MILLION)
     lower, upper = lu.L, lu.U
     longest = np.bincount(lower.indices, minlength=len(lu.perm_r)).max()
     size = abs(lower) @ (abs(upper) @ np.ones(len(lu.perm_r)))

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vibcli.base.work import counted
 from vibcli.numerics import double_double as dd
 from vibcli.numerics.double_double import DoubleDouble
 from vibcli.numerics.inertia import Pencil, ShiftedFactors
@@ -133,6 +134,7 @@ def _lanczos(pencil, middle, count, known, random):
     n, weighed = pencil.K.n, pencil.M.product(known)
 
     def solved(load):
+        counted(middle.cost)
         load = load - weighed @ (known.T @ load)
         x = middle.solve(load)
         x += middle.solve(load - pencil.K.product(x) + middle.shift * pencil.M.product(x))
