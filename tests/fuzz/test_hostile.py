@@ -70,7 +70,7 @@ FILES = {
     "parameters": "parameters:\n" + "".join(f"  p{i}: 1 kg\n" for i in range(15000)),
     "circle": "parameters:\n" + "".join(f"  p{i}: p{(i + 1) % 6000}\n" for i in range(6000)),
     "unknown_names": "parameters:\n" + "".join(f"  p{i}: q{i}\n" for i in range(12000)),
-    "coordinates": chain(2001),
+    "coordinates": chain(2001) + "constraints:\n  c: {equal: [x0, 2*x1]}\n",
     "list_of_coordinates": "coordinates: [" + ", ".join(f"x{i}" for i in range(60000)) + "]\n",
     "carriers": "bodies:\n" + "".join(f"  b{i}: {{mass: 1 kg, at: [0, 0], weld: b{(i + 1) % 9000}}}\n"
                                       for i in range(3000)),

@@ -49,8 +49,9 @@ ELEMENT = Element(
     "choice of modes",
     "Which natural frequencies and mode shapes are found and printed. Modes are numbered from 1: unstable ones first, "
     "then rigid-body modes, then the others by ascending frequency. Where there are fewer, fewer are printed. If "
-    "nothing is said, all are printed; of members with distributed inertia, which have modes without end, the unstable "
-    "ones, the rigid ones and five more.",
+    "nothing is said, all are printed; of members with distributed inertia, which have modes without end, and of more "
+    "than 2000 coordinates, the unstable ones, the rigid ones and five more. Of more than 2000 coordinates the lowest "
+    "are found (a fourth of all at most), none missed by a count of signs; what needs matrices of them all is refused.",
     {
         "numbers": Field(OneOf("how many modes, or two numbers [from, to]",
                                scalar=ModeNumber(MOST),

@@ -7,7 +7,9 @@ from numbers import Integral, Real
 from vibcli.base.decoding import FORBIDDEN, name_of
 from vibcli.base.errors import Diagnostic, SpecError, Where
 from vibcli.language.document.nodes import Mapping, Scalar, Sequence
-from vibcli.language.document.tree_builder import MAX_DEPTH, MAX_NODES, MAX_TEXT
+from vibcli.language.document.tree_builder import MAX_DEPTH, MAX_TEXT
+
+MAX_VALUES = 5_000_000
 
 
 def document_of(scene: PythonMapping) -> tuple[Mapping, list[Diagnostic]]:
@@ -37,8 +39,8 @@ class _Reading:
         """The place of a value: its number keeps diagnostics in the order of the mapping."""
         self.count += 1
         where = Where(path or "the scene", self.count, 1, 0)
-        if depth > MAX_DEPTH or self.count > MAX_NODES:
-            much = f"nested more than {MAX_DEPTH} deep" if depth > MAX_DEPTH else f"more than {MAX_NODES} values"
+        if depth > MAX_DEPTH or self.count > MAX_VALUES:
+            much = f"nested more than {MAX_DEPTH} deep" if depth > MAX_DEPTH else f"more than {MAX_VALUES} values"
             raise SpecError([*self.diagnostics, Diagnostic(where, much, "a scene needs about eight levels")])
         return where
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NoEquilibrium, PhysicsError
 from vibcli.base.stage import Costs, Stage
+from vibcli.mechanics.factored_system import require_dense
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.mechanics.numeric_system import NumericSystem
 from vibcli.symbolic.evaluation import Floats, Rationals, evaluate
@@ -90,6 +91,8 @@ class Configuration:
         numeric = self.numeric
         if self.scene.held:
             return equilibrium.Equilibrium(numeric.drawn_floats, True, 0.0)
+        if self.system.named_start or numeric.drawn_numbers is None:
+            require_dense(len(self.scene.q), "the search for an equilibrium that is not the drawn position")
         if self.system.named_start:
             from vibcli.mechanics.equilibrium.nearest import nearest_equilibrium
 
@@ -118,9 +121,18 @@ class Configuration:
         values = dict(zip(nodes, evaluate(list(nodes.values()), Floats, self.at_rest), strict=True))
         return {name: value if abs(value) > 1e-14 * self.scene.unit_of(name) else 0.0 for name, value in values.items()}
 
-    @Stage
+    @property
     def linear_system(self):
+        """The element data for what makes dense matrices of them; PhysicsError where there are too many coordinates."""
+        require_dense(self.element_data.n)
+        return self.element_data
+
+    @cached_property
+    def element_data(self):
         """The FactoredSystem about the equilibrium, in floats that are correct but for their own rounding."""
+        return self.costs.measured("linear_system", self._assembled)
+
+    def _assembled(self):
         if self._linear_system is not None:
             return self._linear_system
         found = self.without_given_damping()
@@ -161,6 +173,7 @@ class Configuration:
             from vibcli.mechanics.factored_system import FactoredSystem
 
             return FactoredSystem(len(self.scene.q))
+        require_dense(len(self.scene.q), "`damping:`")
         from vibcli.mechanics.given_damping import damping_of
 
         return damping_of(self, digits)

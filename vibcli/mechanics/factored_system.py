@@ -12,10 +12,13 @@ gives (follower forces) make K₊, and with it K, a matrix that is not symmetric
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from vibcli.base.errors import PhysicsError
+
 if TYPE_CHECKING:
     from vibcli.scene.energy_terms import Spring
 
 ROUNDING = 2.0 ** -51
+MOST_DENSE = 2000       # coordinates of which matrices are made that hold an entry for any two of them
 
 
 class PlacedPiece(NamedTuple):
@@ -117,6 +120,13 @@ class FactoredSystem:
     def static_springs(self) -> "list[Spring]":
         """The springs, and those that the pieces are at rest."""
         return [*self.springs, *(spring for piece in self.pieces for spring in piece.springs)]
+
+
+def require_dense(n: int, what: str = "this") -> None:
+    """PhysicsError of what makes dense matrices of so many coordinates, where these are too many."""
+    if n > MOST_DENSE:
+        raise PhysicsError(f"{what} needs dense matrices of all coordinates, {n}; the limit for those is {MOST_DENSE}",
+                           "ask for the lowest modes without dampers, as omega[1] or find: [{modes: 10}]")
 
 
 def summed(one: Any, two: Mapping[Any, Any]):

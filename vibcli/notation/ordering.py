@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.radicals import is_constant
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.node import first_variable
 from vibcli.symbolic.rationals import ONE
 
 if TYPE_CHECKING:
@@ -33,8 +34,7 @@ def term_rank(pair: "tuple[Node, Fraction | int]") -> "tuple[int | list[tuple[in
     node = pair[0]
     deepest = _most_primes(node)
     moving = min((base.index for base in _symbols(node) if base.mask and primes(base) == deepest), default=None)
-    lowest = (node.mask & -node.mask).bit_length()
-    return -deepest, not node.mask, moving if deepest else lowest, *_letters(node), node.index
+    return -deepest, not node.mask, moving if deepest else first_variable(node.mask), *_letters(node), node.index
 
 
 def _letters(node):

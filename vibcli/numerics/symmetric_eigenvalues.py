@@ -104,23 +104,8 @@ class Offset:
         return clusters(close)
 
     def radius(self) -> np.ndarray:
-        """For each value a distance, over 2^-shift, within which its eigenvalue lies.
-
-        Gershgorin's discs of E scaled by √|α|; a disc that stays alone while its row is scaled down further
-        (Wilkinson 1965, ch. 2) shrinks to second order.
-        """
-        disc, own = self.scaled.sum(axis=1), self.scaled.diagonal()
-        half = self.gap / 2
-        with np.errstate(divide="ignore", over="ignore"):
-            room = np.ldexp((half - np.ldexp(disc, -self.shift)[None, :]) / self.scaled.T, self.shift)
-        np.fill_diagonal(room, np.inf)
-        np.fill_diagonal(half, np.inf)
-        stretch = room.min(axis=1)
-        alone = own + (disc - own) / np.maximum(stretch, 1.0)
-        isolated = (stretch >= 1) & (np.ldexp(alone, -self.shift) < half.min(axis=1))
-        if isolated.all():
-            return alone
-        return np.where(isolated, alone, self._union(disc))
+        """For each value a distance, over 2^-shift, within which its eigenvalue lies."""
+        return radii(self.alpha, self.gap, self.scaled, self.shift)
 
     def worst(self, radius: np.ndarray) -> float:
         """log2 of the largest radius relative to its value, those known or bound to be zero set aside."""
@@ -145,21 +130,40 @@ class Offset:
         apart &= ~(self.still[:, None] & self.still[None, :]) & (self.gap > 0)
         return max(float(self.skew), math.log2(tilt[apart].max(initial=LEAST)) - self.shift)
 
-    def _union(self, disc):
-        """How far the union of overlapping discs about the sorted values reaches from each."""
-        disc = np.ldexp(disc, -self.shift)
-        out, group, reach = np.empty(len(disc)), [], -np.inf
-        for i in [*np.argsort(self.alpha, kind="stable").tolist(), None]:
-            if group and (i is None or self.alpha[i] - disc[i] > reach):
-                low = min(self.alpha[j] - disc[j] for j in group)
-                for j in group:
-                    out[j] = max(reach - self.alpha[j], self.alpha[j] - low, disc[j])
-                group, reach = [], -np.inf
-            if i is not None:
-                group.append(i)
-                reach = max(reach, self.alpha[i] + disc[i])
-        with np.errstate(over="ignore"):
-            return np.ldexp(out, self.shift)
+
+def radii(alpha: np.ndarray, gap: np.ndarray, scaled: np.ndarray, shift: int = 0) -> np.ndarray:
+    """For each of the values α a distance, over 2^-shift, within which its eigenvalue of diag(α) + 2^-shift E lies.
+
+    Gershgorin's discs of |E|, `scaled` by √|α|; a disc that stays alone while its row is scaled down further
+    (Wilkinson 1965, ch. 2) shrinks to second order. gap: |αᵢ − αⱼ|.
+    """
+    disc, own = scaled.sum(axis=1), scaled.diagonal()
+    half = gap / 2
+    with np.errstate(divide="ignore", over="ignore"):
+        room = np.ldexp((half - np.ldexp(disc, -shift)[None, :]) / scaled.T, shift)
+    np.fill_diagonal(room, np.inf)
+    np.fill_diagonal(half, np.inf)
+    stretch = room.min(axis=1)
+    alone = own + (disc - own) / np.maximum(stretch, 1.0)
+    isolated = (stretch >= 1) & (np.ldexp(alone, -shift) < half.min(axis=1))
+    return alone if isolated.all() else np.where(isolated, alone, _union(alpha, disc, shift))
+
+
+def _union(alpha, disc, shift):
+    """How far the union of overlapping discs about the sorted values reaches from each."""
+    disc = np.ldexp(disc, -shift)
+    out, group, reach = np.empty(len(disc)), [], -np.inf
+    for i in [*np.argsort(alpha, kind="stable").tolist(), None]:
+        if group and (i is None or alpha[i] - disc[i] > reach):
+            low = min(alpha[j] - disc[j] for j in group)
+            for j in group:
+                out[j] = max(reach - alpha[j], alpha[j] - low, disc[j])
+            group, reach = [], -np.inf
+        if i is not None:
+            group.append(i)
+            reach = max(reach, alpha[i] + disc[i])
+    with np.errstate(over="ignore"):
+        return np.ldexp(out, shift)
 
 
 def _first_order(h, gram, gaps, off, clusters, bits):

@@ -33,7 +33,7 @@ def _matrix(problem, which):
     if problem.scene.pieces:
         raise PhysicsError("what vibrates with distributed inertia has no matrices of finite size",
                            "ask for its frequencies and modes, or leave out its density: K is then that at rest")
-    return dict(zip("MCGK", problem.configuration.linear_system.matrices(), strict=True))[which]
+    return dict(zip("MCGK", problem.configuration.element_data.matrices(), strict=True))[which]
 
 
 def _entry(problem, tree, args):

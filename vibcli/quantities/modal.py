@@ -143,7 +143,7 @@ def _modal_mass(problem, tree, args):
     if getattr(mode, "motion", None) is not None:
         found = problem.modal.scale(mode) ** 2
         return as_asked(problem, found), 2 * (SHAPE if digits is None else 10.0 ** (LOST - digits))
-    elements = configuration.linear_system if digits is None else configuration.precise_system(digits)
+    elements = configuration.element_data if digits is None else configuration.precise_system(digits)
     shape = problem.modal.shape(mode)
     if any(amplitude.imag for amplitude in shape):
         raise PhysicsError(f"the coordinates do not move in phase in mode {tree.indices[0]}: it has no modal mass",

@@ -8,6 +8,7 @@ from vibcli.language.named_place import NamedPlace
 from vibcli.language.reader import Reader, Record
 from vibcli.language.record_calls import own
 from vibcli.language.sections.initial import FIELDS, RELEASED
+from vibcli.language.spec import MEMBERS
 from vibcli.quantities.dimensions import asked_dimension
 from vibcli.reader.references import check_references
 from vibcli.symbolic.parser import parse
@@ -17,7 +18,8 @@ from vibcli.symbolic.syntax import NameRef
 if TYPE_CHECKING:
     from vibcli.language.spec import Spec
 
-MOST_COORDINATES = 2000
+FEW_COORDINATES, MOST_COORDINATES = 2000, 200_000
+COUPLING = ("constraints", "energies", "matrices", *MEMBERS)
 
 
 def settle(spec: "Spec", reader: Reader) -> "Spec":
@@ -271,7 +273,27 @@ def _along(spec, reader):
 
 
 def _bounded(spec, reader):
-    if len(spec.coordinates) > MOST_COORDINATES:
+    """No more coordinates than can be told apart, few where a part of the scene may move with all of them."""
+    count = len(spec.coordinates)
+    if count > MOST_COORDINATES:
         where = list(spec.coordinates.values())[MOST_COORDINATES].where
-        reader.report(where, f"the scene has {len(spec.coordinates)} coordinates; the limit is {MOST_COORDINATES}",
+        reader.report(where, f"the scene has {count} coordinates; the limit is {MOST_COORDINATES}",
                       "leave coordinates out, or divide the scene")
+    elif count > FEW_COORDINATES:
+        tie = _tie(spec)
+        if tie:
+            reader.report(list(spec.coordinates.values())[FEW_COORDINATES].where,
+                          f"the scene has {count} coordinates; the limit is {FEW_COORDINATES} where {tie}",
+                          "leave coordinates out, or let each body move by itself, between springs")
+
+
+def _tie(spec):
+    """What may move a part of the scene with all its coordinates, in words; None where nothing does."""
+    from vibcli.elements.rigid_body import carriers, touched
+
+    section = next((key for key in COUPLING if key in spec.sections), None)
+    if section:
+        return f"`{section}:` ties them"
+    bodies = (spec.get("bodies") or {}).items()
+    return next((f"other bodies carry one, as '{name}'" for name, record in bodies
+                 if touched(record) or carriers(record, spec)), None)

@@ -14,6 +14,7 @@ from vibcli.analyses.modal.modal_analysis import ModalAnalysis
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.base.stage import Stage
 from vibcli.mechanics.configuration import Configuration
+from vibcli.mechanics.factored_system import require_dense
 from vibcli.mechanics.numeric_system import NumericSystem
 from vibcli.mechanics.symbolic_system import SymbolicSystem
 from vibcli.mechanics.system import MechanicalSystem
@@ -146,6 +147,7 @@ class Problem:
         """All equilibria within the bounds of the file, or within default ones."""
         from vibcli.mechanics.equilibrium.all_equilibria import find_equilibria
 
+        require_dense(len(self.scene.q), "the search for equilibria")
         return find_equilibria(self.configuration)
 
     @cached_property
@@ -161,6 +163,7 @@ class Problem:
         """The motion in time, as `motion:` of the file says."""
         from vibcli.results import responses
 
+        require_dense(len(self.scene.q), "a motion in time")
         if not self.scene.q and self.scene.timed and not self.scene.pieces:
             from vibcli.results.prescribed_motion import PrescribedResponse
 

@@ -13,6 +13,7 @@ from vibcli.scene.closed_loops import Loops, nearby
 from vibcli.scene.scene import Closure, Freedom, Scene
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.node import union
 from vibcli.symbolic.normal_form import is_zero, textbook
 
 if TYPE_CHECKING:
@@ -55,9 +56,7 @@ def _settled(scene, nodes, values, pivots, left, at_rest):
     count, tied = len(scene.q) - len(scene.inputs), [nodes.pop(k) for k, _ in pivots]
     kept = scene.kinematics.keeping(left)
     loops = _implicit(scene, tied, [z for _, z in pivots], values, left, at_rest) if pivots else None
-    used = 0
-    for node in (*(term.weight for term in scene.forces), *scene.energies.values()):
-        used |= node.mask
+    used = union([node.mask for node in (*(term.weight for term in scene.forces), *scene.energies.values())])
     rates = {scene.symbol(z.name, 1): node for z, node in values.items()}
     rates = {v: kept.rate(node) for v, node in rates.items() if v.mask & used}
     redundant = tuple(scene.constraints[k].name for k in nodes)
@@ -155,10 +154,7 @@ def _implicit(scene, nodes, waiting, values, left, at_rest):
     """Adds the dependents `waiting` to `values` as symbols with implicit gradients; returns the Loops."""
     table = scene.table
     depends = [x for x in (*left, scene.time) if any(x in gradient(node) for node in nodes)]
-    mask = 0
-    for x in depends:
-        mask |= x.mask
-    symbols = {z: table.dependent(z.name, mask, at_rest) for z in waiting}
+    symbols = {z: table.dependent(z.name, union([x.mask for x in depends]), at_rest) for z in waiting}
     partial = [[gradient(node).get(x, table.zero) for x in (*waiting, *depends)] for node in nodes]
     moved = substitute([node for row in partial for node in row], symbols)
     width = len(waiting) + len(depends)

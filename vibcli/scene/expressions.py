@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from vibcli.scene.builder import Reports
     from vibcli.scene.coordinates import SceneCoordinates
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.variable_sets import VariableSet
 
 
 class Expressions:
@@ -97,7 +98,7 @@ class Expressions:
         x, y = self.number(a), self.number(b)
         return abs(x - y) <= 1e-9 * max(abs(x), abs(y))
 
-    def terms_with(self, node: "Node", mask: int | None = None) -> "Node":
+    def terms_with(self, node: "Node", mask: "VariableSet | int | None" = None) -> "Node":
         """The terms of an expression that depend on one of these symbols (None: all), multiplied out as far as it can
         be."""
         try:

@@ -10,11 +10,12 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.exact_values import folded
-from vibcli.symbolic.node import Node
+from vibcli.symbolic.node import Node, one_variable, union
 from vibcli.symbolic.rationals import BITS, HALF, ONE, ZERO, bits, exact, rational_power, square_part
 
 if TYPE_CHECKING:
     from vibcli.symbolic.defined_functions import DefinedFunction
+    from vibcli.symbolic.variable_sets import VariableSet
 
 
 class Table:
@@ -67,7 +68,7 @@ class Table:
         known = self._nodes.get(("symbol", name, ONE, ()))
         if known is not None:
             return known
-        node = self._make("symbol", (), ONE, 1 << len(self.variables), name)
+        node = self._make("symbol", (), ONE, one_variable(len(self.variables)), name)
         self.variables.append(node)
         return node
 
@@ -84,7 +85,7 @@ class Table:
         self.time = self.variable(name)
         return self.time
 
-    def dependent(self, name: str, mask: int, at_rest: bool = False) -> Node:
+    def dependent(self, name: str, mask: "VariableSet | int", at_rest: bool = False) -> Node:
         """A symbol that depends on variables through an equation: its `gradient` is set where that is solved.
         `at_rest`: that of this name in the scene at rest, which has another gradient."""
         return self._make("symbol", (self.zero if at_rest else self.one,), ONE, mask, name)
@@ -137,10 +138,7 @@ class Table:
                 return self._make("product", node.args, c, node.mask)
             return self._make("product", ((node, ONE),), c, node.mask)
         args.sort(key=_index_of_first)
-        mask = 0
-        for node, _ in args:
-            mask |= node.mask
-        return self._make("sum", tuple(args), exact(constant), mask)
+        return self._make("sum", tuple(args), exact(constant), union([node.mask for node, _ in args]))
 
     def total(self, nodes: Sequence[Node]):
         """Σ nodeᵢ."""
@@ -171,10 +169,7 @@ class Table:
             if base.op == "sum":
                 return self.sum((base, coefficient))
         args.sort(key=_index_of_first)
-        mask = 0
-        for base, _ in args:
-            mask |= base.mask
-        return self._make("product", tuple(args), exact(coefficient), mask)
+        return self._make("product", tuple(args), exact(coefficient), union([base.mask for base, _ in args]))
 
     def _gather(self, node, exponent, coefficient, collected):
         """Multiply node^exponent into (coefficient, {base: exponent}); returns the new coefficient."""
@@ -280,11 +275,8 @@ class Table:
         value = folded(self, name, args)
         if value is not None:
             return value
-        mask = 0
-        for arg in args:
-            mask |= arg.mask
         self.called.add(name)
-        return self._make("call", tuple(args), ONE, mask, name)
+        return self._make("call", tuple(args), ONE, union([arg.mask for arg in args]), name)
 
 
 def _index_of_first(pair):

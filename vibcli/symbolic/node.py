@@ -14,10 +14,13 @@ from vibcli.symbolic.rationals import ONE
 
 if TYPE_CHECKING:
     from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.variable_sets import VariableSet
+
+FEW = 4096      # variables that ints tell apart, a bit for each
 
 
 class Node:
-    """One immutable expression, owned by its Table. `mask` has a bit for each variable that it depends on;
+    """One immutable expression, owned by its Table. `mask` is the set of the variables that it depends on;
     `args`: (node, rational) pairs of a sum or product, nodes of a call."""
 
     __slots__ = ("args", "coefficient", "gradient", "index", "mask", "name", "op", "table")
@@ -25,7 +28,7 @@ class Node:
     op: str
     args: tuple
     coefficient: Fraction | int
-    mask: int
+    mask: "VariableSet | int"
     name: str
     index: int
     gradient: "dict[Node, Node] | None"
@@ -68,3 +71,31 @@ class Node:
         if self.op in ("sum", "product"):
             return f"{self.op}({self.coefficient}, {', '.join(f'{a!r}^{e}' for a, e in self.args)})"
         return str(self.coefficient) if self.op == "number" else f"{self.name}({', '.join(map(repr, self.args))})"
+
+
+def one_variable(number: int) -> "VariableSet | int":
+    """The set of one variable."""
+    if number < FEW:
+        return 1 << number
+    from vibcli.symbolic.variable_sets import VariableSet
+
+    return VariableSet(0, frozenset((number,)))
+
+
+def union(sets: "list[VariableSet | int]") -> "VariableSet | int":
+    """All variables that are in any of these sets."""
+    if len(sets) == 1:
+        return sets[0]
+    found = 0
+    for one in sets:
+        if one.__class__ is not int:
+            from vibcli.symbolic.variable_sets import union_of
+
+            return union_of(sets)
+        found |= one
+    return found
+
+
+def first_variable(variables: "VariableSet | int") -> int:
+    """The lowest number of a variable in a set, counted from 1; 0 where it is empty."""
+    return (variables & -variables).bit_length() if isinstance(variables, int) else variables.first

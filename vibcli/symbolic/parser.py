@@ -7,6 +7,7 @@ Nothing is ever evaluated as code.
 
 import re
 from fractions import Fraction
+from functools import lru_cache
 from operator import methodcaller
 from typing import TYPE_CHECKING, Any
 
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from re import Match
 
 LONGEST, DEEPEST, PARTS = 2000, 64, 400
+REMEMBERED = 1024           # texts
 FUNCTIONS = {"sin": 1, "cos": 1, "tan": 1, "asin": 1, "acos": 1, "atan": 1, "atan2": 2, "sinh": 1, "cosh": 1,
              "tanh": 1, "exp": 1, "log": 1, "sqrt": 1, "abs": 1, "sign": 1, "min": 2, "max": 2, "step": 1,
              "ramp": 1, "impulse": 1, "square": 1, "sawtooth": 1}
@@ -40,8 +42,10 @@ _BETWEEN = re.compile(r",(?![^()]*\))")       # commas that no brackets hold
 _SPACE = re.compile(r"[ \t\n]*")
 
 
+@lru_cache(REMEMBERED)
 def parse(text: str, equation: str | None = None):
-    """The syntax tree of `text`; of `left = right` where `equation` gives an example of one."""
+    """The syntax tree of `text`, one tree for texts that are alike; of `left = right` where `equation` gives an example
+    of one."""
     if len(text) > LONGEST:
         raise ExpressionError(0, 1, f"this expression has {len(text)} characters; the limit is {LONGEST}",
                               "give parts of it names under parameters")

@@ -2,8 +2,11 @@
 
 from collections.abc import Callable
 from fractions import Fraction
+from functools import lru_cache
 from operator import attrgetter
 from typing import Any, NamedTuple
+
+REMEMBERED = 1024           # trees
 
 
 class ExpressionError(Exception):
@@ -125,8 +128,9 @@ class Parts(NamedTuple):
     whole: Number | None
 
 
+@lru_cache(REMEMBERED)
 def parts_of(tree: Any) -> Parts:
-    """The Parts of a tree, in one walk."""
+    """The Parts of a tree, in one walk, the same for trees that are alike."""
     names, numbers, calls, quantities, pending = [], [], [], [], [tree]
     while pending:
         part = pending.pop()

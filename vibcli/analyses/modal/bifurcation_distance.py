@@ -25,9 +25,9 @@ def stiffness_condition(modal: "ModalAnalysis") -> float:
     from vibcli.analyses.modal.stability import inertless
     from vibcli.analyses.modal.undamped import factored
 
-    if inertless(modal.configuration.linear_system):
+    if inertless(modal.configuration.element_data):
         return None
-    if factored(modal.configuration.linear_system) or modal.configuration.sources[0] is None:
+    if factored(modal.configuration.element_data) or modal.configuration.sources[0] is None:
         return 1.0
     modes = sorted((mode for mode in modal.modes.shown() if not mode.rigid), key=_rate)[:LEAST]
     return max((_condition(modal.configuration, mode) for mode in modes), default=1.0)
@@ -47,7 +47,7 @@ def _rate(mode):
 
 def _condition(configuration, mode):
     """Σ |terms of xᴴKx| over |xᴴKx|."""
-    elements, x = configuration.linear_system, [complex(value) for value in mode.shape]
+    elements, x = configuration.element_data, [complex(value) for value in mode.shape]
     springs = [k * abs(sum(a * x[i] for i, a in row.items())) ** 2 for k, row in elements.springs]
     others = {(i, j): (value * x[i].conjugate() * x[j]).real for (i, j), value in elements.K.items()}
     sizes = [value * abs(x[i]) * abs(x[j]) for (i, j), value in (elements.K_size or elements.K).items()]

@@ -9,6 +9,7 @@ from vibcli.analyses import ANALYSES
 from vibcli.analyses.modal.mode_sequence import Modes
 from vibcli.base.errors import PhysicsError
 from vibcli.base.stage import Stage
+from vibcli.mechanics.factored_system import MOST_DENSE, require_dense
 
 if TYPE_CHECKING:
     import mpmath
@@ -50,7 +51,7 @@ class ModalAnalysis:
             return Modes(self._known[0])
         from vibcli.analyses.modal.modes import natural_modes
 
-        elements = self.configuration.linear_system
+        elements = self._natural_data
         if elements.massless and not elements.pieces:
             from vibcli.analyses.modal.massless_coordinates import only_damped
 
@@ -70,16 +71,37 @@ class ModalAnalysis:
             return dict.fromkeys((mode.index for mode in rigid), FREE)
         return zero_modes(self.configuration, rigid)
 
+    @property
+    def many(self) -> bool:
+        """Are there so many coordinates that the lowest modes alone are found?"""
+        return len(self.scene.q) > MOST_DENSE
+
+    @property
+    def _natural_data(self):
+        """The element data that natural modes are found of; of many coordinates without what `damping:` adds."""
+        if self.many and self.spec.get("damping") is not None:
+            return self.configuration.without_given_damping()
+        return self.configuration.element_data
+
+    @property
+    def damps(self) -> bool:
+        """Does anything depend on velocities?"""
+        if self.many and self.spec.get("damping") is not None:
+            return True
+        elements = self.configuration.element_data
+        return bool(elements.dampers or elements.C or any(placed.piece.drag for placed in elements.pieces))
+
     @Stage
     def damped(self) -> Modes | None:
         """The damped modes; None where nothing damps."""
         if self._known[1] is not None:
             return Modes(self._known[1])
-        elements = self.configuration.linear_system
         if self.member_damping is not None:
             return self._rated(self.modes, self.member_damping)
-        if not (elements.dampers or elements.C or any(placed.piece.drag for placed in elements.pieces)):
+        if not self.damps:
             return None
+        require_dense(len(self.scene.q), "the search for damped modes")
+        elements = self.configuration.element_data
         from vibcli.analyses.modal.modes import damped_modes
 
         return self._sequence(self.solved(damped_modes, elements, lambda: self.modes, *self.configuration.sources))
@@ -142,7 +164,7 @@ class ModalAnalysis:
         """Of each coordinate, by which amplitudes of different units are compared."""
         from vibcli.analyses.modal.normalisation import weights
 
-        return weights(self.configuration.linear_system)
+        return weights(self._natural_data)
 
     def told_apart(self, mode: Any) -> "Mode":
         """A Mode of members in more digits where another frequency is so close that its shape in floats is a mix of
@@ -247,6 +269,7 @@ class ModalAnalysis:
         """The modes to the digits that shares and derivatives need."""
         from vibcli.analyses.modal.modes_precise import sharp_modes
 
+        require_dense(self.configuration.element_data.n)
         if not self.modes.finite:
             raise PhysicsError("shares and sensitivities are found where there are finitely many modes; a member "
                                "with distributed inertia has modes without end",

@@ -1,7 +1,8 @@
-"""Modes in order, as many as there are: a list where they are finite, else found as they are asked for.
+"""Modes in order, as many as there are: a list, or found as they are asked for.
 
-A member with distributed inertia has modes without end. Nothing walks through them all: it asks for one, for the first
-few, for those up to a frequency, or for those that are shown.
+A member with distributed inertia has modes without end, and of very many coordinates the lowest modes alone are found.
+Nothing walks through them all: it asks for one, for the first few, for those up to a frequency, or for those that are
+shown.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -34,9 +35,9 @@ class Selection(NamedTuple):
 
 
 class Modes(Sequence):
-    """Modes by ascending index, undamped or damped, their places counted from 0 as in a list. finite: have they an end?
+    """Modes by ascending index, undamped or damped, their places counted from 0 as in a list. finite: are they a list?
 
-    Where they have none a `source` finds them: source.numbered(first, last) those of the indices from `first` to
+    Where they are none a `source` finds them: source.numbered(first, last) those of the indices from `first` to
     `last`, counted from 1, source.count(Omega) how many have ω ≤ Omega, those that grow and the rigid ones among them.
     What needs all of them is refused then.
     """
@@ -62,7 +63,7 @@ class Modes(Sequence):
             return self._known[place]
         last = place.stop if isinstance(place, slice) else place + 1
         if last is None or last < 0 or place == -1:
-            raise _endless()
+            self._refuse_all()
         return self._until(last)[place]
 
     def first(self, count: int) -> list[Any]:
@@ -148,18 +149,19 @@ class Modes(Sequence):
 
     def _all(self):
         if not self.finite:
-            raise _endless()
+            self._refuse_all()
         return self._known
+
+    def _refuse_all(self):
+        """The refusal of what needs all modes where they are found as they are asked for."""
+        if hasattr(self._source, "require_all"):
+            self._source.require_all()
+        raise PhysicsError("a member with distributed inertia has modes without end: what needs all of them is not "
+                           "found", "ask for some of them, as omega[1] or find: [{modes: 5}]")
 
 
 def _run(find, *args):
     return find(*args)
-
-
-def _endless():
-    """The refusal of what needs all modes where they are without end."""
-    return PhysicsError("a member with distributed inertia has modes without end: what needs all of them is not found",
-                        "ask for some of them, as omega[1] or find: [{modes: 5}]")
 
 
 def _too_many(count):

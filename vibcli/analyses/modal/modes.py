@@ -14,7 +14,7 @@ import numpy as np
 from vibcli.analyses.modal.method import SQUARES, damped_at_all, form_of
 from vibcli.analyses.modal.undamped import Mode, undamped
 from vibcli.base.errors import PhysicsError
-from vibcli.mechanics.factored_system import summed
+from vibcli.mechanics.factored_system import MOST_DENSE, require_dense, summed
 
 if TYPE_CHECKING:
     from vibcli.analyses.modal.damped_modes import DampedMode
@@ -25,12 +25,18 @@ def natural_modes(elements: Any, precise: Callable | None = None, exact: Callabl
     """The modes of the system without its dampers: those that grow, the rigid ones, the others by ascending ω.
 
     What decays is left out where it only mirrors what grows: where there is no G, or K is symmetric. With members that
-    have inertia it is what finds modes without end.
+    have inertia, and of very many coordinates, it is what finds modes as they are asked for.
     """
     if any(placed.piece.inertia for placed in elements.pieces):
         from vibcli.analyses.continuous.mode_source import NaturalModes
 
         return NaturalModes(elements, precise, digits)
+    if elements.n > MOST_DENSE:
+        from vibcli.analyses.modal.lowest_modes import LowestModes
+
+        if digits is not None:
+            require_dense(elements.n, "more digits than those of floats")
+        return LowestModes(_still(elements))
     sources = _changed(_still, elements, precise, exact)
     if form_of(sources[0]) == SQUARES:
         return undamped(elements, precise=precise, digits=digits)

@@ -13,7 +13,6 @@ from typing import Any
 import numpy as np
 
 from vibcli.analyses.modal.scaling import exponent
-from vibcli.numerics.components import components
 
 PRIMES = (1 << 61) - 1, (1 << 59) - 55
 MANY = 200
@@ -53,13 +52,21 @@ def _is_difference(row):
 
 def _floating_components(n, rows):
     """How many connected parts of the coordinates no row ties to the ground."""
-    tied = np.zeros((n + 1, n + 1), bool)
+    head, count = list(range(n + 1)), n
     for row in rows:
         ends = [i for i, x in row.items() if x]
         if ends:
-            i, j = ends[0], ends[1] if len(ends) == 2 else n
-            tied[i, j] = tied[j, i] = True
-    return len(components(tied)) - 1
+            i, j = _head(head, ends[0]), _head(head, ends[1] if len(ends) == 2 else n)
+            head[i] = j
+            count -= i != j
+    return count
+
+
+def _head(head, i):
+    """The one that stands for the part of i, the way there halved (Tarjan & van Leeuwen 1984)."""
+    while head[i] != i:
+        head[i] = i = head[head[i]]
+    return i
 
 
 def _rank_modulo(rows, prime):

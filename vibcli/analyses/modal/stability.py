@@ -39,7 +39,7 @@ class Stability(NamedTuple):
 def stability(modal: Any) -> Stability:
     """The Stability of an equilibrium, by its modes; where coordinates have no inertia by the signs of K, or by its
     modes where what follows statically is held."""
-    elements = modal.configuration.linear_system
+    elements = modal.configuration.element_data
     decide = _dampers_decide(elements)
     if elements.massless:
         from vibcli.analyses.modal.stability_of_stiffness import FALLS, FOLLOWS, of_what_follows, takes_energy

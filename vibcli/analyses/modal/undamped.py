@@ -1,7 +1,8 @@
 """Undamped free vibration: natural frequencies and mode shapes of M q̈ + K q = 0.
 
 The eigenvalues are enclosed rigorously in fixed-point arithmetic (undamped_certified.py); those of larger systems
-(method.py) are found in floats from the factors √k ∇s and √w ∇s with a bound of their rounding (undamped_large.py).
+(method.py) are found in floats from the factors √k ∇s and √w ∇s with a bound of their rounding (undamped_large.py),
+where that is too wide with one by residuals in twice the digits (undamped_residuals.py).
 """
 
 import math
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.modal.undamped_large import Approximate
 
 ENOUGH = 5e-13
+BETTERED = 500      # coordinates whose residuals are found in twice the digits
 EXACT = -math.inf
 EVALUATED = -51.0
 ESCALATE = 1e-13
@@ -89,12 +91,24 @@ def _undamped(elements, precise, digits):
     if arithmetic == IN_DIGITS:
         return undamped_digits(elements, scale, zeros, precise, digits)
     if arithmetic != ENCLOSED:
-        from vibcli.analyses.modal.undamped_large import approximate
-
-        answer = approximate(elements, scale, zeros)
+        answer = _in_floats(elements, scale, zeros, precise, arithmetic == IN_FLOATS)
         if arithmetic == IN_FLOATS or answer.errors.max() <= ENOUGH:
             return many_modes(answer, scale)
     return modes(certain(elements, scale, zeros, precise), scale, NearestFloats)
+
+
+def _in_floats(elements, scale, zeros, precise, many):
+    """The modes in floats; with bounds by their residuals where those of the method are too wide."""
+    from vibcli.analyses.modal.undamped_large import approximate
+    from vibcli.numerics.factored_svd import ENOUGH_WHEN_MANY
+
+    answer = approximate(elements, scale, zeros)
+    if elements.n > BETTERED or answer.errors.max() <= (ENOUGH_WHEN_MANY if many else ENOUGH):
+        return answer
+    from vibcli.analyses.modal.undamped_residuals import bettered
+
+    found = bettered(elements, scale, zeros, answer, 0.0 if precise is None else 2.0**EVALUATED)
+    return answer if found is None or found.errors.max() > answer.errors.max() else found
 
 
 def prepared(elements: Any, dragged: bool = False) -> tuple[Scaling, int | None]:

@@ -193,6 +193,7 @@ def _matrices(problem):
                           for matrix in matrices))
 
 
-MATRICES = Key("matrices", "of M q'' + (C + G) q' + K q = 0: lists of rows, null where absent", _matrices, of=(
+MATRICES = Key("matrices", "of M q'' + (C + G) q' + K q = 0: lists of rows, null where absent and of more than 2000 "
+               "coordinates", _matrices, of=(
     Key("M", "mass matrix"), Key("C", "damping matrix, symmetric"), Key("G", "gyroscopic matrix, skew"),
     Key("K", "stiffness matrix")))

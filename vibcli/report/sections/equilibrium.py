@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
 
+MANY = 12       # values told of very many
+
 
 def equilibrium(problem: "Problem", _: "Report"):
     try:
@@ -43,7 +45,9 @@ def _in_numbers(problem):
     dependent = problem.configuration.dependent_values
     values = [*found.values.items(), *((name, dependent[name]) for name in dependent if name not in found.values)]
     told = separated(maths(Name(name), " = ", *measured(value, problem.system.dimension(name)))
-                     for name, value in values)
+                     for name, value in values[:MANY if problem.modal.many else None])
+    if problem.modal.many:
+        told = [*told, f", … ({len(values)} in all)"]
     stays = found.drawn or (found.jumps and found.values == problem.numeric.drawn_floats)
     where = "the drawn position" if stays else "shifted from the drawn position"
     warning = None if stable.startswith("a kink") else bifurcation_warning(stiffness_condition(problem.modal))

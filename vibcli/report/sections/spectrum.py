@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.modal.normalisation import words
 from vibcli.base.errors import Inertless
+from vibcli.mechanics.factored_system import MOST_DENSE
 from vibcli.report.blocks import Section, TableBlock, equations, line, paragraph, section
 from vibcli.report.keys import Key, data
 from vibcli.report.sections.equilibrium import EQUILIBRIUM
@@ -34,12 +35,12 @@ def frequencies(problem: "Problem", report: "Report") -> Iterator[Section]:
     rows = [mode_row(mode, modal.zero_modes.get(mode.index), same.get(mode.index, "")) for mode in found]
     head = ("mode", "ω [rad/s]", "f [Hz]", "T [s]", "relative error ≤", "")
     doubts = [] if report.tells("Equilibrium") else list(map(paragraph, _doubts(problem)))
-    if not modal.modes.finite:
+    if problem.scene.pieces and not modal.modes.finite:
         yield from _of_members(problem, found, head, rows, doubts)
         return
-    damped = "of the undamped system" if modal.damped else "undamped"
+    damped = "of the undamped system" if (modal.damps if modal.many else modal.damped) else "undamped"
     yield from section(f"Natural frequencies ({damped})", TableBlock(head, tuple(rows)), _form(problem),
-                       *doubts)
+                       _counted(modal.modes, found), *doubts)
 
 
 def _doubts(problem):
@@ -114,7 +115,10 @@ def _frequencies_in_letters(problem, report):
 
 
 def damping(problem: "Problem", report: "Report") -> Iterator[Section]:
-    if problem.numeric.has_free_symbols or problem.modal.damped is None:
+    if problem.numeric.has_free_symbols or not _damps(problem):
+        return
+    if problem.modal.many:
+        yield from section("Damped modes", paragraph(f"not found of more than {MOST_DENSE} coordinates"))
         return
     head = ("mode", "ω [rad/s]", "ζ", "ω_d [rad/s]", "T_d [s]", "decay [1/s]", "relative error ≤", "")
     found = shown_damped(problem, report.wanted)
@@ -127,6 +131,10 @@ def damping(problem: "Problem", report: "Report") -> Iterator[Section]:
         return
     yield from section(DAMPED, TableBlock(head, tuple(map(damped_row, found))),
                        paragraph(f"no other: {ended}") if ended else _proved(problem.modal.damped, found))
+
+
+def _damps(problem):
+    return problem.modal.damps if problem.modal.many else problem.modal.damped is not None
 
 
 def _proved(modes, found):
@@ -166,11 +174,11 @@ def modes(problem: "Problem", report: "Report") -> Iterator[Section]:
     normalised, found = words(report.normalise, problem.spec.members), shown(problem, report.wanted)
     if found and names:
         yield from _shapes(problem, report, found, f"Mode shapes ({normalised})")
-    if found and not problem.modal.modes.finite:
+    if found and problem.scene.pieces and not problem.modal.modes.finite:
         from vibcli.report.sections.member_modes import along_members
 
         yield from along_members(problem, found, report.normalise)
-    if problem.modal.damped is not None:
+    if not problem.modal.many and problem.modal.damped is not None:
         damped = shown_damped(problem, report.wanted)
         one_each = {mode.index: mode for mode in reversed(damped)}       # two eigenvalues have one shape
         yield from _shapes(problem, report, [one_each[i] for i in sorted(one_each)],
@@ -220,7 +228,7 @@ def frequencies_data(problem: "Problem", normalise: str = "first",
     from vibcli.report.sections.statics import REACTIONS
 
     asked = "reactions" in problem.spec.get("find", ()) and not problem.numeric.has_free_symbols
-    found = data((EQUILIBRIUM, MATRICES, *[REACTIONS] * asked), problem)
+    found = data((EQUILIBRIUM, *[MATRICES] * (not problem.modal.many), *[REACTIONS] * asked), problem)
     if problem.numeric.has_free_symbols:
         closed = _closed_forms(problem)
         return found | data((MODES, DAMPED_MODES, *[POLYNOMIAL] * (POLYNOMIAL.name in closed)), closed)
@@ -230,7 +238,7 @@ def frequencies_data(problem: "Problem", normalise: str = "first",
     else:
         still, told = _to_digits(problem, normalise, digits, wanted)
         found |= told
-    return found if problem.modal.modes.finite else _with_members(problem, found, still, normalise)
+    return found if problem.modal.modes.finite else _with_counts(problem, found, still, normalise)
 
 
 def _to_digits(problem, normalise, digits, wanted):
@@ -244,12 +252,14 @@ def _to_digits(problem, normalise, digits, wanted):
         return still, data((MODES, DAMPED_MODES), modes, digits)
 
 
-def _with_members(problem, found, modes, normalise):
+def _with_counts(problem, found, modes, normalise):
     """The same with the shapes of members and the count that proves the modes complete."""
-    from vibcli.report.sections.member_modes import member_shapes
+    rows = found["modes"]
+    if problem.scene.pieces:
+        from vibcli.report.sections.member_modes import member_shapes
 
-    rows = [row | {"members": member_shapes(problem, mode.index, normalise)}
-            for row, mode in zip(found["modes"], modes, strict=True)]
+        rows = [row | {"members": member_shapes(problem, mode.index, normalise)}
+                for row, mode in zip(found["modes"], modes, strict=True)]
     count = problem.modal.modes.counted_above(modes[-1]) if modes[-1].omega else None
     return found | {"matrices": None, "modes": rows, "count": count}
 

@@ -112,7 +112,7 @@ def test_dampers_that_push():
 def is_stable(elements):
     modes = Modes(natural_modes(elements))
     found = damped_modes(elements, lambda: modes)
-    return stability(SimpleNamespace(configuration=SimpleNamespace(linear_system=elements), modes=modes, zero_modes={},
+    return stability(SimpleNamespace(configuration=SimpleNamespace(element_data=elements), modes=modes, zero_modes={},
                                      damped=found and Modes(found))).stable
 
 

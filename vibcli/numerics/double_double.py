@@ -1,0 +1,64 @@
+"""Sums and products of arrays in twice the digits of floats: each number is a pair hi + lo, |lo| <= ulp(hi)/2.
+
+Errors of sums by Knuth (1969), of products by Dekker (1971). What is rounded is below 2^-102 of the magnitudes added.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+UNIT = 2.0**-102
+SPLIT = 2.0**27 + 1
+
+
+class DoubleDouble(NamedTuple):
+    """hi + lo, arrays of one shape."""
+
+    hi: np.ndarray
+    lo: np.ndarray
+
+
+def added(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble:
+    """a + b."""
+    total = a.hi + b.hi
+    there = total - a.hi
+    left = (a.hi - (total - there)) + (b.hi - there)
+    return _renewed(total, left + (a.lo + b.lo))
+
+
+def scaled(a: DoubleDouble, factor: np.ndarray | float) -> DoubleDouble:
+    """a times floats, with the rules of broadcasting."""
+    product = a.hi * factor
+    one, rest = _halves(a.hi)
+    two, other = _halves(factor)
+    left = ((one * two - product) + one * other + rest * two) + rest * other
+    return _renewed(product, left + a.lo * factor)
+
+
+def times(matrix: Any, a: DoubleDouble) -> DoubleDouble:
+    """A sparse matrix, as rows (csr), times the pairs in columns: the first entries of all rows, then the second …"""
+    counts = np.diff(matrix.indptr)
+    order = np.argsort(-counts, kind="stable")
+    starts, counts = matrix.indptr[:-1][order], counts[order]
+    found = DoubleDouble(*(np.zeros((len(order), a.hi.shape[1])) for _ in range(2)))
+    for k in range(counts[0] if len(counts) else 0):
+        reach = int(np.searchsorted(-counts, -k))
+        at = starts[:reach] + k
+        place = matrix.indices[at]
+        term = scaled(DoubleDouble(a.hi[place], a.lo[place]), matrix.data[at][:, None])
+        found.hi[:reach], found.lo[:reach] = added(DoubleDouble(found.hi[:reach], found.lo[:reach]), term)
+    back = np.empty_like(order)
+    back[order] = np.arange(len(order))
+    return DoubleDouble(found.hi[back], found.lo[back])
+
+
+def _halves(x):
+    """Two floats of 26 bits whose sum is x."""
+    much = SPLIT * x
+    high = much - (much - x)
+    return high, x - high
+
+
+def _renewed(high, low):
+    total = high + low
+    return DoubleDouble(total, low - (total - high))

@@ -1,0 +1,64 @@
+"""Sets of variables of which there are very many: room is taken for those alone that a set holds.
+
+In any mix with ints that hold a bit for each of the first variables they have `&`, `|`, `~`, `==` and a truth value.
+"""
+
+from collections.abc import Iterable
+from typing import Any
+
+
+class VariableSet:
+    """bits: an int of the first variables, negative of a complement; others: the numbers beyond these that are in it,
+    of a complement those that are not."""
+
+    __slots__ = ("bits", "others")
+
+    def __init__(self, bits: int, others: frozenset[int]):
+        self.bits, self.others = bits, others
+
+    def __and__(self, other: Any) -> "VariableSet | int":
+        bits, others = _parts(other)
+        if self.bits >= 0:
+            found = self.others & others if bits >= 0 else self.others - others
+        else:
+            found = others - self.others if bits >= 0 else self.others | others
+        return _joined(self.bits & bits, found)
+
+    def __or__(self, other: Any) -> "VariableSet | int":
+        bits, others = _parts(other)
+        if self.bits >= 0 and bits >= 0:
+            return VariableSet(self.bits | bits, self.others | others)
+        return ~(~self & ~other)
+
+    def __invert__(self) -> "VariableSet":
+        return VariableSet(~self.bits, self.others)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, VariableSet) and (self.bits, self.others) == (other.bits, other.others)
+
+    def __hash__(self) -> int:
+        return hash((self.bits, self.others))
+
+    __rand__, __ror__ = __and__, __or__
+
+    @property
+    def first(self) -> int:
+        """The lowest number in it, counted from 1."""
+        return (self.bits & -self.bits).bit_length() or min(self.others) + 1
+
+
+def union_of(sets: "Iterable[VariableSet | int]") -> VariableSet:
+    """All that are in any of these sets, one of which is no int and none a complement."""
+    bits, others = 0, set()
+    for one in sets:
+        bits |= _parts(one)[0]
+        others.update(_parts(one)[1])
+    return VariableSet(bits, frozenset(others))
+
+
+def _parts(variables):
+    return (variables, frozenset()) if variables.__class__ is int else (variables.bits, variables.others)
+
+
+def _joined(bits, others):
+    return VariableSet(bits, others) if others else bits
