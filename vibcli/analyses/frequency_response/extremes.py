@@ -34,7 +34,7 @@ class Extreme(NamedTuple):
 def extremes(system: "FrequencyResponseFunction", start: float = 0.0, end: float = math.inf) -> list[Extreme]:
     """The Extremes of |H(iΩ)| for Ω > 0 from start to end, ascending; none where the input does not reach the
     output."""
-    if not sampled(system, system.pace * ANYWHERE)[0].any():
+    if not _reaches(system, start, end):
         return []
     low, high = _brackets(system, start, end)
     maximum = steepness(system, low) > 0
@@ -51,6 +51,14 @@ def extremes(system: "FrequencyResponseFunction", start: float = 0.0, end: float
     Omega[resonant] = _nearest(system.poles(start, end).imag, Omega[resonant])
     return [_extreme(at, None if lost else size, top)
             for at, size, lost, top in zip(Omega, np.abs(values), resonant, maximum, strict=True)]
+
+
+def _reaches(system, start, end):
+    """Does the input reach the output? Far above all poles H may be smaller than any float."""
+    if sampled(system, system.pace * ANYWHERE)[0].any():
+        return True
+    near = np.abs(system.poles(start, end))
+    return len(near) > 0 and bool(sampled(system, near.min() * ANYWHERE)[0].any())
 
 
 def _extreme(Omega, size, maximum):

@@ -56,9 +56,9 @@ def _kept(system, places, sign=-1):
 
 
 def pace(system: Any) -> float:
-    """A frequency between the lowest and the highest: the geometric mean of √(Kᵢᵢ/Mᵢᵢ)."""
+    """A frequency between the lowest and the highest: the geometric mean of √(Kᵢᵢ/Mᵢᵢ), of Kᵢᵢ/Cᵢᵢ without inertia."""
     K, M, C = (np.abs(np.diag(matrix)) for matrix in (system.K, system.M, system.C))
-    both, slow = (K > 0) & (M > 0), (K > 0) & (C > 0)
+    both, slow = (K > 0) & (M > 0), (K > 0) & (C > 0) & (M == 0)
     rates = [*np.sqrt(K[both] / M[both]), *(K[slow] / C[slow])]
     return float(np.exp(np.mean(np.log(rates)))) if rates else 1.0
 
@@ -71,6 +71,8 @@ def _roots(parts, pace):
     try:
         lower = np.linalg.solve(at, np.hstack([steep, A2]))
     except np.linalg.LinAlgError:
+        return np.zeros(0, complex)
+    if not np.isfinite(lower).all():
         return np.zeros(0, complex)
     companion = np.vstack([-lower, np.eye(n, 2 * n)])
     count_floats(2 * n)
