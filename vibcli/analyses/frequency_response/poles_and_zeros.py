@@ -36,7 +36,7 @@ def zeros(system: Any) -> np.ndarray:
 
 def endless(system: Any) -> list[np.ndarray]:
     """(poles, zeros) of H on the axis, without damping: Ω > 0 of the modes that take part, to rounding."""
-    found = [_kept(system, poles(system), 1), zeros(system)]
+    found = [_kept(system, system.poles(), 1), system.zeros()]
     return [np.unique(marks.imag[marks.imag > 0]) for marks in found]
 
 

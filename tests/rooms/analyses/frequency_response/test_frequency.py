@@ -16,7 +16,9 @@ from vibcli.analyses.frequency_response.extremes import extremes
 from vibcli.analyses.frequency_response.fixed_points import fixed_points
 from vibcli.analyses.frequency_response.frequency_grid import adaptive
 from vibcli.analyses.frequency_response.peaks import antiresonances, half_power, peaks
-from vibcli.analyses.frequency_response.transfer_function import TransferFunction, transfer
+from vibcli.analyses.frequency_response.transfer_function import FROM, MANY, TransferFunction, transfer
+from vibcli.analyses.frequency_response.value_errors import of_values
+from vibcli.analyses.transient.data_errors import of_matrices
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.symbolic.evaluation import Floats, evaluate
 
@@ -116,6 +118,49 @@ def test_many_degrees_against_fifty_digits(kind):
     assert not resonant.any()
     for k, at in enumerate(Omega):
         assert abs(values[k] - exact(system, at)) <= bound(system, at)
+
+
+def coupled(rng, n, kind):
+    """Masses, full springs and dampers; twice the same and weakly tied, or damped critically, so that modes are as good
+    as dependent."""
+    half = n if kind == "full" else n // 2
+    A, B = rng.normal(size=(2, half, half))
+    K, C, M = A @ A.T + half * np.eye(half), 0.05 * B @ B.T, np.diag(rng.uniform(1, 3, half))
+    if kind != "full":
+        K, C, M = (np.kron(np.eye(2), part) for part in (K, C, M))
+        K[0, half] = K[half, 0] = 1e-9
+    if kind == "critical":
+        M, C = np.eye(n), 2 * np.linalg.cholesky(K + 1e-12 * np.eye(n))
+        C = (C + C.T) / 2
+        K = C @ C / 4
+    return TransferFunction(M, C, (K + K.T) / 2, unit(n, 0) * 3.0, unit(n, n - 1) + unit(n, 1, 1))
+
+
+@pytest.mark.parametrize("kind", ["full", "twice", "critical"])
+def test_modes_with_one_residual_against_fifty_digits(kind):
+    """As near as LU, where damping couples the modes; |δH| within what is told of the rounding of each value."""
+    system = coupled(np.random.default_rng(5), 16, kind)
+    Omega = np.linspace(0.2, 12.0, 9)
+    values, _, resonant = large_systems.chosen(system)(system, 1j * Omega)
+    told = of_values(system, of_matrices(system.M, system.C, system.K), Omega)
+    wanted = np.array([exact(system, at) for at in Omega])
+    assert not resonant.any()
+    assert (np.abs(values - wanted) <= told).all()
+    assert (np.abs(values - wanted) <= [bound(system, at) for at in Omega]).all()
+
+
+def test_the_method_for_many_frequencies_is_chosen_after_some(monkeypatch):
+    """Of few degrees of freedom never, of more of them once so many frequencies were asked for, in one call or many."""
+    calls = []
+    monkeypatch.setattr(large_systems, "chosen", lambda system: calls.append(system.n))
+    for n in (FROM - 1, FROM):
+        system = random_system(np.random.default_rng(n), n, "damped")
+        for _ in range(MANY):
+            sampled(system, np.array([1.0]))
+        assert calls == []
+        sampled(system, np.linspace(1, 2, 5))
+        sampled(system, np.linspace(1, 2, 500))
+        assert calls == [n] * (n == FROM)
 
 
 @pytest.mark.parametrize("kind", KINDS[:5])
