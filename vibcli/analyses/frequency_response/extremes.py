@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from vibcli.analyses.frequency_response.evaluate import sampled, sloped
+from vibcli.numerics.ascending import ascending
 from vibcli.numerics.bracketing import zeros_between
 
 if TYPE_CHECKING:
@@ -97,7 +98,7 @@ def places(system: "FrequencyResponseFunction", start: float = 0.0, end: float =
     low = max(start, min([typical, *middle]) / WIDE)
     high = min(end, max([typical, *middle]) * WIDE)
     near = np.concatenate([near, np.geomspace(low, high, 161)])
-    return np.unique(near[(near >= low) & (near <= high)])
+    return ascending(near[(near >= low) & (near <= high)])
 
 
 def _brackets(system, start, end):

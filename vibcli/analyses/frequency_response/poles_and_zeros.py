@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from vibcli.numerics.ascending import ascending
 from vibcli.numerics.fixed_point import count_floats
 
 FAR = 1e-7      # |μ| of what counts as infinite
@@ -37,7 +38,7 @@ def zeros(system: Any) -> np.ndarray:
 def endless(system: Any) -> list[np.ndarray]:
     """(poles, zeros) of H on the axis, without damping: Ω > 0 of the modes that take part, to rounding."""
     found = [_kept(system, system.poles(), 1), system.zeros()]
-    return [np.unique(marks.imag[marks.imag > 0]) for marks in found]
+    return [ascending(marks.imag[marks.imag > 0]) for marks in found]
 
 
 def _kept(system, places, sign=-1):

@@ -13,6 +13,7 @@ from vibcli.language.signal_names import signal_name
 from vibcli.language.signals import is_load
 from vibcli.mechanics.inputs_outputs.inputs import direct_part, input_columns, named_input
 from vibcli.mechanics.inputs_outputs.outputs import linear_row
+from vibcli.numerics.ascending import median
 
 if TYPE_CHECKING:
     from vibcli.analyses.modal.modal_analysis import ModalAnalysis
@@ -121,7 +122,7 @@ class TransferFunction(FrequencyResponseFunction):
         added = np.abs(np.diag(other.C - self.C))
         stiff = np.abs(np.diag(self.K))
         both = (added > 0) & (stiff > 0)
-        return float(np.median(stiff[both] / added[both]) / self.pace) if both.any() else 1.0
+        return median(stiff[both] / added[both]) / self.pace if both.any() else 1.0
 
 
 def _within(marks, low, high):

@@ -256,6 +256,35 @@ def test_half_power_of_one_degree():
         assert peak.Omega / (high - low) == pytest.approx(1 / (2 * zeta), rel=1e-12)
 
 
+def test_what_is_read_off_all_peaks_is_found_together(monkeypatch):
+    """H is asked at all places that a round needs at once, and each number is that of its peak alone."""
+    text = ABSORBER % ("600 N/m", "2 N*s/m")
+    together, alone = (problem(text).frequency_response("x1", "drive") for _ in range(2))
+    asked, at = [], TransferFunction.at
+    monkeypatch.setattr(TransferFunction, "at", lambda self, s, steep=False: (
+        asked.append(len(s)), at(self, s, steep))[1])
+    together.find_errors()
+    assert len(asked) <= 60 and asked.count(1) <= 8, asked
+    for number in (1, 2):
+        points = half_power(alone.transfer, alone.peak(number), alone.listed(math.inf).extremes)
+        assert together.half_power_of(number) == pytest.approx(points, rel=1e-15)
+        assert alone.errors_of_half_power(number) == pytest.approx(together.errors_of_half_power(number), rel=1e-9)
+        assert alone.error_of_peak(number) == pytest.approx(together.error_of_peak(number), rel=1e-9)
+        assert alone.quality(number) == pytest.approx(together.quality(number), rel=1e-14)
+
+
+def test_a_peak_without_half_power_points_hides_none_of_the_others():
+    curve = problem(ABSORBER % ("900 N/m", "12 N*s/m")).frequency_response("x1", "drive")
+    curve.find_errors()
+    found = []
+    for number in range(1, len(curve.peaks) + 1):
+        try:
+            found.append(curve.half_power_of(number))
+        except PhysicsError as refused:
+            found.append(str(refused))
+    assert isinstance(found[0], tuple) and "does not fall to peak/√2 below" in found[1], found
+
+
 def test_no_half_power_point_below_a_flat_peak():
     system = oscillator(0.4)
     (peak,) = peaks(system)
