@@ -10,6 +10,7 @@ import click
 from vibcli.bench import (
     accuracy,
     files,
+    frequency_responses,
     growth,
     lagranges_method,
     linkage,
@@ -26,7 +27,7 @@ from vibcli.bench.rows import HEAD, aligned
 @click.option("--quick", is_flag=True, help="Three runs of each instead of eleven.")
 @click.option("--json", "as_json", is_flag=True, help="The table as JSON.")
 @click.option("--only", type=click.Choice(["startup", "growth", "linkage", "files", "accuracy", "responses",
-                                           "trajectories", "members", "sweeps"]), multiple=True,
+                                           "trajectories", "members", "sweeps", "frequency_responses"]), multiple=True,
               help="Only these measurements.")
 @click.option("--sympy", "slow", is_flag=True, help="Also SymPy's LagrangesMethod on the pendulum; takes seconds.")
 def main(quick: Any, as_json: bool, only: Any, slow: complex):
@@ -37,7 +38,8 @@ def main(quick: Any, as_json: bool, only: Any, slow: complex):
                  "linkage": lambda: linkage.rows(runs), "files": lambda: files.rows(3 if quick else 9, folder),
                  "accuracy": lambda: accuracy.rows(runs), "responses": lambda: responses.rows(runs),
                  "trajectories": lambda: trajectories.rows(runs), "members": lambda: members.rows(runs),
-                 "sweeps": lambda: sweeps.rows(runs)}
+                 "sweeps": lambda: sweeps.rows(runs),
+                 "frequency_responses": lambda: frequency_responses.rows(runs)}
         rows = [row for name, part in parts.items() if not only or name in only for row in part()]
         if slow:
             rows += lagranges_method.rows(runs)

@@ -18,15 +18,16 @@ IMPORT = "from time import process_time\nstart = process_time()\nimport vibcli\n
 
 def rows(runs: Any, folder: "Path | str"):
     """The rows of the start-up budgets."""
-    broken, numeric, letters, member = (_written(folder, name, text) for name, text in (
+    broken, numeric, letters, member, driven = (_written(folder, name, text) for name, text in (
         ("broken.yaml", scenes.BROKEN), ("numeric.yaml", scenes.TWO_DEGREES), ("letters.yaml", scenes.TWO_SYMBOLIC),
-        ("member.yaml", CANTILEVER % "")))
+        ("member.yaml", CANTILEVER % ""), ("driven.yaml", scenes.TWO_DRIVEN)))
     found = costs({
         READ: (python(READ), (0,)), NUMBERS: (python(NUMBERS), (0,)), LETTERS: (python(LETTERS), (0,)),
         "help": (vibcli("--help"), (0,)), "broken": (vibcli("check", broken), (3,)),
         "frequencies": (vibcli("frequencies", numeric), (0,)), "member": (vibcli("frequencies", member), (0,)),
         "check": (vibcli("check", numeric), (0,)),
         "solve": (vibcli("solve", letters), (0,)),
+        "frf": (vibcli("frf", driven), (0,)), "response": (vibcli("response", driven), (0,)),
     }, runs)
 
     def row(case, ours, baseline, budget):
@@ -40,6 +41,8 @@ def rows(runs: Any, folder: "Path | str"):
         Timing("  its peak memory", found["frequencies"].memory, "MiB", 1.4, NUMBERS, found[NUMBERS].memory),
         row("vibcli frequencies, a cantilever", "member", NUMBERS, 1.5),
         row("vibcli check, two degrees", "check", NUMBERS, 1.5),
+        row("vibcli frf, two masses", "frf", NUMBERS, 1.6),
+        row("vibcli response, two masses", "response", NUMBERS, 1.8),
         row("vibcli solve, two degrees in letters", "solve", LETTERS, 2.5),
     ]
 

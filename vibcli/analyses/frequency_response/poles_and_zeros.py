@@ -44,15 +44,18 @@ def endless(system: Any) -> list[np.ndarray]:
 def _kept(system, places, sign=-1):
     """Those to which Newton's method on H converges, or with `sign` 1 that on 1/H: rounding scatters zeros at infinity
     anywhere, and a mode that takes no part is no pole of H."""
-    at, step = places, np.zeros(len(places))
+    at, step, near = places.astype(complex), np.full(len(places), np.inf + 0j), np.arange(len(places))
     if sign == 1 and len(places):
         at = np.where(system.at(places)[2], places, places * (1 + BESIDE))
-    for _ in range(STEPS if len(places) else 0):
-        values, slopes, resonant = system.at(at, True)
+    for _ in range(STEPS):
+        if not len(near):
+            break
+        values, slopes, resonant = system.at(at[near], True)
         with np.errstate(all="ignore"):
-            step = np.where((values == 0) | resonant, 0.0, sign * values / slopes)
-        step = np.where(np.isfinite(step), step, np.inf)
-        at = np.where(np.abs(step) <= NEAR * np.abs(at), at + step, at)
+            moved = np.where((values == 0) | resonant, 0.0, sign * values / slopes)
+        step[near] = np.where(np.isfinite(moved), moved, np.inf)
+        near = near[np.abs(step[near]) <= NEAR * np.abs(at[near])]      # where the others are they stay
+        at[near] += step[near]
     return at[(np.abs(step) <= STILL * np.abs(at)) & (np.abs(at - places) <= NEAR * np.abs(places))]
 
 
