@@ -62,6 +62,18 @@ def test_frequencies_of_members_need_no_part_of_numpy_that_is_not_there_at_once(
     assert not {"numpy.ma", "scipy", "sympy", "matplotlib", "mpmath", "vibcli.numerics.pieces.graded"} & names
 
 
+@pytest.mark.parametrize("args", [("frf",), ("frf", "--of", "x", "--save", "x.csv"), ("response",)])
+def test_responses_in_numbers_need_no_part_of_numpy_that_is_not_there_at_once(two_degrees, tmp_path, args):
+    path = tmp_path / "driven.yaml"
+    path.write_text(two_degrees.read_text().partition("answers:")[0]
+                    + "forces: {drive: {at: a, force: 5 N*sin(10 rad/s*t)}}\n")
+    command, *options = (str(tmp_path / part) if part.endswith(".csv") else part for part in args)
+    code, names = imported(command, path, *options)
+    assert code == 0
+    assert not {"numpy.ma", "scipy", "sympy", "matplotlib", "mpmath"} & names
+    assert "vibcli.analyses.frequency_response.large_systems" not in names
+
+
 @pytest.mark.parametrize("command", ["solve", "equations", "check"])
 def test_other_questions_in_numbers(two_degrees, command):
     code, names = modules(command, two_degrees)

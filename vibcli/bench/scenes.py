@@ -26,6 +26,15 @@ answers:
   omega[1]: 3.36931 rad/s
 """
 
+TWO_DRIVEN = """\
+title: Two masses in a row, the first driven
+parameters: {m: 2 kg, k: 800 N/m, c: 3 N*s/m}
+bodies: {a: {mass: m, slide: x}, b: {mass: 2*m, slide: y}}
+springs: {s: {k: k, between: [ground, a]}, t: {k: 2*k, between: [a, b]}}
+dampers: {d: {c: c, between: [ground, a]}, e: {c: c, between: [a, b]}}
+forces: {F: {at: a, force: 5 N*sin(10 rad/s*t)}}
+"""
+
 TWO_SYMBOLIC = """\
 title: Double pendulum in letters
 parameters: {m: , L: , g: }

@@ -21,15 +21,16 @@ def rows(runs: Any):
 
 
 def _rows(runs, folder):
-    broken, numeric, letters, member = (written(folder, name, text) for name, text in (
+    broken, numeric, letters, member, driven = (written(folder, name, text) for name, text in (
         ("broken.yaml", scenes.BROKEN), ("numeric.yaml", scenes.TWO_DEGREES), ("letters.yaml", scenes.TWO_SYMBOLIC),
-        ("member.yaml", CANTILEVER % "")))
+        ("member.yaml", CANTILEVER % ""), ("driven.yaml", scenes.TWO_DRIVEN)))
     found = costs({
         READ: (python(READ), (0,)), NUMBERS: (python(NUMBERS), (0,)), LETTERS: (python(LETTERS), (0,)),
         "help": (vibcli("--help"), (0,)), "broken": (vibcli("check", broken), (3,)),
         "frequencies": (vibcli("frequencies", numeric), (0,)), "member": (vibcli("frequencies", member), (0,)),
         "check": (vibcli("check", numeric), (0,)),
         "solve": (vibcli("solve", letters), (0,)),
+        "frf": (vibcli("frf", driven), (0,)), "response": (vibcli("response", driven), (0,)),
     }, runs)
 
     def row(case, ours, baseline, budget):
@@ -43,6 +44,8 @@ def _rows(runs, folder):
         Timing("  its peak memory", found["frequencies"].memory, "MiB", 1.4, NUMBERS, found[NUMBERS].memory),
         row("vibcli frequencies, a cantilever", "member", NUMBERS, 1.5),
         row("vibcli check, two degrees", "check", NUMBERS, 1.5),
+        row("vibcli frf, two masses", "frf", NUMBERS, 1.6),
+        row("vibcli response, two masses", "response", NUMBERS, 1.8),
         row("vibcli solve, two degrees in letters", "solve", LETTERS, 2.5),
     ]
 

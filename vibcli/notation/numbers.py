@@ -62,7 +62,7 @@ def table(rows: Sequence[list[str]], head: Sequence[str]):
 
 def width(text: str) -> int:
     """Columns of a text: combining dots take none."""
-    return sum(1 for letter in text if not "\u0300" <= letter <= "\u036f")
+    return len(text) if text.isascii() else sum(1 for letter in text if not "\u0300" <= letter <= "\u036f")
 
 
 def padded(text: str, columns: int) -> str:

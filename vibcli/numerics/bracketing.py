@@ -14,37 +14,43 @@ NOTHING = 2.0**-80              # of an interval: a zero nearer to 0 than this i
 SECTIONS, GOLDEN = 90, 0.3819660112501051
 
 
-def zeros_between(function: Callable, low: np.ndarray, high: np.ndarray) -> np.ndarray:
-    """The zero of a function in each of the intervals at whose ends its signs differ, to rounding.
+def zeros_between(function: Callable, low: np.ndarray, high: np.ndarray, level: Any = 0.0) -> np.ndarray:
+    """The zero of a function in each of the intervals at whose ends its signs differ, to rounding; or where it is at
+    the level of each interval.
 
-    Chords, each third step a halving; a chord that falls near an end is moved inwards, so that both ends close in.
+    Inverse quadratic interpolation where three values stand for it, else halving (Chandrupatla 1997, Adv. Eng. Softw.
+    28, 145); a step falls no nearer to an end than half of what is told apart, so that both ends close in.
     """
-    low, high = low.copy(), high.copy()
-    at_low, at_high, least = np.array(function(low)), np.array(function(high)), NOTHING * (high - low)
-    for step in range(ROUNDS):
-        wide = np.flatnonzero(high - low > np.maximum(SAME * np.maximum(np.abs(low), np.abs(high)), least))
-        if not len(wide):
+    level, least = np.broadcast_to(level, low.shape), NOTHING * (high - low)
+    a, b, found = high.copy(), low.copy(), (low + high) / 2
+    fa, fb = function(a) - level, function(b) - level
+    open_, share = np.arange(len(low)), np.full(len(low), 0.5)
+    for _ in range(ROUNDS):
+        near = np.maximum(SAME * np.maximum(np.abs(a), np.abs(b)), least)
+        wide = np.abs(b - a) > near
+        found[open_] = (a + b) / 2
+        open_, level, least, near, a, b, fa, fb, share = (
+            part[wide] for part in (open_, level, least, near, a, b, fa, fb, share))
+        if not len(open_):
             break
-        a, b, fa, fb = (part[wide] for part in (low, high, at_low, at_high))
-        trial = _trial(a, b, fa, fb, step)
-        f = np.nan_to_num(np.array(function(trial)), nan=0.0)
-        left = (np.sign(f) == np.sign(fa)) | (f == 0)
-        right = ~left | (f == 0)
-        low[wide], at_low[wide] = np.where(left, trial, a), np.where(left & (f != 0), f, fa)
-        high[wide], at_high[wide] = np.where(right, trial, b), np.where(right & (f != 0), f, fb)
-    return (low + high) / 2
+        trial = a + share * (b - a)
+        f = np.nan_to_num(function(trial) - level, nan=0.0)
+        same = np.sign(f) == np.sign(fa)
+        c, fc = np.where(same, a, b), np.where(same, fa, fb)
+        b, fb = np.where(same | (f == 0), b, a), np.where(same, fb, fa)
+        a, fa, b = trial, f, np.where(f == 0, trial, b)
+        share = _share(a, b, c, fa, fb, fc, near)
+    return found
 
 
-def _trial(a, b, fa, fb, step):
-    middle = (a + b) / 2
-    if step % 3 == 2:
-        return middle
+def _share(a, b, c, fa, fb, fc, near):
+    """How far from a to b the next place lies."""
     with np.errstate(all="ignore"):
-        chord = a + (b - a) * (fa / (fa - fb))
-        share = (b - a) * (0.0 if step % 3 == 0 else 1e-3)
-        chord = np.where(chord - a < b - chord, np.maximum(chord + (chord - a), a + share),
-                         np.minimum(chord - (b - chord), b - share)) if step % 3 else chord
-    return np.where((chord > a) & (chord < b), chord, middle)
+        place, height = (a - b) / (c - b), (fa - fb) / (fc - fb)
+        share = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)
+        smooth = (height**2 < place) & ((1 - height)**2 < 1 - place) & np.isfinite(share)
+        edge = np.minimum(near / 2 / np.abs(b - a), 0.5)
+    return np.clip(np.where(smooth, share, 0.5), edge, 1 - edge)
 
 
 def maxima_between(function: Callable, low: Any, high: "float | mpmath.mpf", sections: int = SECTIONS):

@@ -1,5 +1,6 @@
 """The frequency response of a signal of a scene to an input, and what is read off its graph."""
 
+from contextlib import suppress
 from functools import cached_property
 from math import isfinite
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -40,10 +41,17 @@ class FrequencyResponse:
 
     def at(self, Omega: float) -> tuple[complex, float]:
         """(complex H, relative error bound)."""
+        import numpy as np
+
+        return self.at_each(np.array([Omega]))[0]
+
+    def at_each(self, Omega: "np.ndarray") -> list[tuple[complex, float]]:
+        """The same at frequencies."""
         from vibcli.analyses.frequency_response.evaluate import frf
 
-        found = complex(frf(self.transfer, Omega))
-        return found, self.transfer.error(Omega) / (abs(found) or 1e-300)
+        found = frf(self.transfer, Omega).tolist()
+        errors = self.transfer.errors(Omega).tolist()
+        return [(complex(H), error / (abs(H) or 1e-300)) for H, error in zip(found, errors, strict=True)]
 
     def by_modes(self, count: int, Omega: float) -> complex:
         """H of so many modes that oscillate."""
@@ -117,20 +125,42 @@ class FrequencyResponse:
 
     def half_power_of(self, number: int) -> tuple[float, float]:
         """(Ω₁, Ω₂) about a peak, counted from 1."""
-        return self._once("half power", number, self._half_power)
+        from vibcli.analyses.frequency_response.peaks import held
 
-    def _half_power(self, number):
+        return held(self.peak(number), *self._kept("half power", [number], self._half_power)[0])
+
+    def _half_power(self, numbers):
         from vibcli.analyses.frequency_response.peaks import half_power
 
-        peak, found = self._numbered(number, "peaks", "peak")
+        peak, found = self._numbered(numbers[0], "peaks", "peak")
         with self.problem.work.task("the search for half-power points", MOST):
-            return half_power(self.transfer, peak, found.extremes)
+            return [half_power(self.transfer, peak, found.extremes)]
 
-    def _once(self, what, number, find):
-        """What is found of a peak, kept."""
-        if (what, number) not in self._known:
-            self._known[what, number] = find(number)
-        return self._known[what, number]
+    def find_half_powers(self) -> None:
+        """Those about all peaks that are shown, together; where one of them is missing it is said when it is asked."""
+        from vibcli.analyses.frequency_response.peaks import half_powers
+
+        found = self.listed(self.transfer.end)
+        bounded = {number: peak for number, peak in enumerate(found.peaks, 1)
+                   if peak.value is not None and ("half power", number) not in self._known}
+        if bounded:
+            with suppress(PhysicsError), self.problem.work.task("the search for half-power points", MOST):
+                points = half_powers(self.transfer, list(bounded.values()), found.extremes).tolist()
+                self._known |= zip([("half power", number) for number in bounded], map(tuple, points), strict=True)
+
+    def find_errors(self) -> None:
+        """The errors of all that is read off the peaks that are shown, together."""
+        self.find_half_powers()
+        self._kept("top", range(1, len(self.marked) + 1), self._errors_of_peaks)
+        whole = [number for (what, number), points in self._known.items() if what == "half power" and sum(points) > 0]
+        self._kept("levels", whole, self._errors_of_levels)
+
+    def _kept(self, what, numbers, find):
+        """What is found of peaks, of those together of which it is not known."""
+        missing = [number for number in numbers if (what, number) not in self._known]
+        if missing:
+            self._known |= zip([(what, number) for number in missing], find(missing), strict=True)
+        return [self._known[what, number] for number in numbers]
 
     def quality(self, number: int) -> float:
         """Q of a peak, counted from 1."""
@@ -153,26 +183,48 @@ class FrequencyResponse:
 
     def error_of_peak(self, number: int) -> tuple[float, float]:
         """(|δΩ|, relative error of |H|) of a peak, counted from 1."""
-        return self._once("top", number, self._error_of_peak)
+        return self._kept("top", [number], self._errors_of_peaks)[0]
 
-    def _error_of_peak(self, number):
-        peak = self.peak(number)
-        if peak.value is None:
-            return self.transfer.error_of_pole(peak.Omega), 0.0
-        return self.errors.of_top(peak.Omega)
+    def _errors_of_peaks(self, numbers):
+        import numpy as np
+
+        tops = [self.peak(number) for number in numbers]
+        bounded = np.array([peak.Omega for peak in tops if peak.value is not None])
+        found = zip(*(part.tolist() for part in self.errors.of_tops(bounded)), strict=True)
+        return [(self.transfer.error_of_pole(peak.Omega), 0.0) if peak.value is None else next(found) for peak in tops]
+
+    @property
+    def dips(self) -> list[tuple[float, float, float, float]]:
+        """(Ω, |δΩ|, |H|, its relative error) of the antiresonances that are shown; H is 0 without damping."""
+        import numpy as np
+
+        Omega = np.array(self.antiresonances)
+        if not len(Omega):
+            return []
+        values = [(0j, 0.0)] * len(Omega) if self.undamped else self.at_each(Omega)
+        return [(at, off, abs(H) if error < 1 else 0.0, error) for at, off, (H, error) in
+                zip(Omega.tolist(), self._errors_of_antiresonances(Omega), values, strict=True)]
 
     def error_of_antiresonance(self, Omega: float) -> float:
         """|δΩ| of an antiresonance."""
-        return self.errors.of_zero(Omega) if self.undamped else self.errors.of_top(Omega)[0]
+        import numpy as np
+
+        return self._errors_of_antiresonances(np.array([Omega]))[0]
+
+    def _errors_of_antiresonances(self, Omega):
+        found = self.errors.of_zeros(Omega) if self.undamped else self.errors.of_tops(Omega)[0]
+        return found.tolist()
 
     def errors_of_half_power(self, number: int) -> tuple[float, float]:
         """(|δΩ₁|, |δΩ₂|) of the half-power points about a peak."""
-        return self._once("levels", number, self._errors_of_half_power)
+        return self._kept("levels", [number], self._errors_of_levels)[0]
 
-    def _errors_of_half_power(self, number):
-        off = self.error_of_peak(number)[1]
-        low, high = (self.errors.of_level(Omega, off) for Omega in self.half_power_of(number))
-        return low, high
+    def _errors_of_levels(self, numbers):
+        import numpy as np
+
+        places = np.array([self.half_power_of(number) for number in numbers])
+        off = np.repeat([self.error_of_peak(number)[1] for number in numbers], 2)
+        return list(map(tuple, self.errors.of_levels(places.ravel(), off).reshape(-1, 2).tolist()))
 
     def error_of_quality(self, number: int) -> float:
         """Relative, of Q of a peak."""
@@ -182,11 +234,14 @@ class FrequencyResponse:
 
     def error_of_fixed_point(self, damper: str, Omega: float) -> tuple[float, float]:
         """(|δΩ|, relative error of |H|) of a fixed point of the curves for all values of a damper."""
+        import numpy as np
+
         from vibcli.analyses.frequency_response.response_errors import ResponseErrors
 
         self.fixed_points(damper)
-        off = self.errors.of_crossing(ResponseErrors(self._fixed[damper][0]), Omega)
-        return off, self.errors.relative(Omega) + off * self.errors.steepness(Omega)
+        at = np.array([Omega])
+        off = self.errors.of_crossing(ResponseErrors(self._fixed[damper][0]), at)
+        return float(off[0]), float((self.errors.relative(at) + off * self.errors.steepness(at))[0])
 
     def places(self, low: float, high: float) -> "np.ndarray":
         """Frequencies of a range, dense where the curve bends."""

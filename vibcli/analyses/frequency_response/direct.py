@@ -17,11 +17,28 @@ UNSEEN = 1e-9           # share of b or c along a mode, below which the mode tak
 BLOCK = 2.0**22         # entries of the matrices that are factored at once
 
 
-def direct(system: Any, s: np.ndarray, steep: bool = False):
-    """(H, dH/ds or None, whether there is a pole) by LU, in blocks of frequencies."""
+class Direct:
+    """By LU of every matrix, in blocks of frequencies."""
+
+    __slots__ = ()
+
+    def __call__(self, system: Any, s: np.ndarray, steep: bool = False) -> tuple:
+        """(H, dH/ds or None, whether there is a pole)."""
+        parts = [_block(system, part, steep) for part in _parts(system, s)]
+        return tuple(np.concatenate(part) if part[0] is not None else None for part in zip(*parts, strict=True))
+
+    def fields(self, system: Any, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """(D⁻¹b, D⁻ᵀc), of least squares where D is singular: (N, n) each."""
+        parts = [_fields(system, part) for part in _parts(system, s)]
+        return np.concatenate([x for x, _ in parts]), np.concatenate([y for _, y in parts])
+
+
+direct = Direct()
+
+
+def _parts(system, s):
     size = max(1, int(BLOCK / max(system.n, 1) ** 2))
-    parts = [_block(system, s[k:k + size], steep) for k in range(0, max(len(s), 1), size)]
-    return tuple(np.concatenate(part) if part[0] is not None else None for part in zip(*parts, strict=True))
+    return [s[k:k + size] for k in range(0, max(len(s), 1), size)]
 
 
 def scales(system: Any, s: np.ndarray) -> np.ndarray:
@@ -66,6 +83,38 @@ def solutions(D: np.ndarray, right: np.ndarray) -> np.ndarray:
             return np.full(right.shape, np.nan + 0j)
         half = len(D) // 2
         return np.concatenate([solutions(D[:half], right[:half]), solutions(D[half:], right[half:])])
+
+
+def repaired(system: Any, s: np.ndarray, values: np.ndarray, slopes: np.ndarray | None, lost: np.ndarray,
+             otherwise: Any = direct) -> tuple:
+    """(H, dH/ds or None, whether there is a pole), by another method at the frequencies that are lost."""
+    resonant = np.zeros(len(s), bool)
+    if len(lost):
+        values[lost], steep, resonant[lost] = otherwise(system, s[lost], slopes is not None)
+        if slopes is not None:
+            slopes[lost] = steep
+    return values, slopes, resonant
+
+
+def _fields(system, s):
+    at, b, c = s[:, None, None], polynomial(system.b, s), polynomial(system.c, s)
+    D = system.K + at * system.C + at * at * system.M
+    if symmetric(system):
+        found = _least(D, np.stack([b, c], axis=2))
+        return found[:, :, 0], found[:, :, 1]
+    return _least(D, b[:, :, None])[:, :, 0], _least(D.transpose(0, 2, 1), c[:, :, None])[:, :, 0]
+
+
+def _least(D, right):
+    found = solutions(D, right)
+    for k in np.flatnonzero(np.isnan(found).any(axis=(1, 2))):
+        found[k] = np.linalg.pinv(D[k]) @ right[k]
+    return found
+
+
+def symmetric(system: Any) -> bool:
+    """Is D the same as Dᵀ?"""
+    return all((matrix == matrix.T).all() for matrix in (system.K, system.C, system.M))
 
 
 def along(system: Any, s: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:

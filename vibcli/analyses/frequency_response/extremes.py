@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from vibcli.analyses.frequency_response.evaluate import sampled, sloped
+from vibcli.numerics.ascending import ascending
 from vibcli.numerics.bracketing import zeros_between
 
 if TYPE_CHECKING:
@@ -34,7 +35,7 @@ class Extreme(NamedTuple):
 def extremes(system: "FrequencyResponseFunction", start: float = 0.0, end: float = math.inf) -> list[Extreme]:
     """The Extremes of |H(iΩ)| for Ω > 0 from start to end, ascending; none where the input does not reach the
     output."""
-    if not sampled(system, system.pace * ANYWHERE)[0].any():
+    if not _reaches(system, start, end):
         return []
     low, high = _brackets(system, start, end)
     maximum = steepness(system, low) > 0
@@ -51,6 +52,14 @@ def extremes(system: "FrequencyResponseFunction", start: float = 0.0, end: float
     Omega[resonant] = _nearest(system.poles(start, end).imag, Omega[resonant])
     return [_extreme(at, None if lost else size, top)
             for at, size, lost, top in zip(Omega, np.abs(values), resonant, maximum, strict=True)]
+
+
+def _reaches(system, start, end):
+    """Does the input reach the output? Far above all poles H may be smaller than any float."""
+    if sampled(system, system.pace * ANYWHERE)[0].any():
+        return True
+    near = np.abs(system.poles(start, end))
+    return len(near) > 0 and bool(sampled(system, near.min() * ANYWHERE)[0].any())
 
 
 def _extreme(Omega, size, maximum):
@@ -89,7 +98,7 @@ def places(system: "FrequencyResponseFunction", start: float = 0.0, end: float =
     low = max(start, min([typical, *middle]) / WIDE)
     high = min(end, max([typical, *middle]) * WIDE)
     near = np.concatenate([near, np.geomspace(low, high, 161)])
-    return np.unique(near[(near >= low) & (near <= high)])
+    return ascending(near[(near >= low) & (near <= high)])
 
 
 def _brackets(system, start, end):

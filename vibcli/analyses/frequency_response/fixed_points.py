@@ -10,6 +10,7 @@ import numpy as np
 
 from vibcli.analyses.frequency_response.evaluate import sampled
 from vibcli.analyses.frequency_response.extremes import places
+from vibcli.numerics.ascending import ascending
 from vibcli.numerics.bracketing import zeros_between
 
 if TYPE_CHECKING:
@@ -30,7 +31,7 @@ def fixed_points(without: "FrequencyResponseFunction",
     """The FixedPoints with Ω > 0, ascending, from the responses with c = 0 and c = 1 (in any unit)."""
     typical = without.felt(with_one)
     systems = [without, *(without.with_damper(with_one, typical * share) for share in (1.0, 2.0, STRONG))]
-    Omega = np.unique(np.concatenate([places(system) for system in systems]))
+    Omega = ascending(np.concatenate([places(system) for system in systems]))
 
     def difference(Omega):
         values = [sampled(system, Omega)[0] for system in systems[:3]]

@@ -10,6 +10,7 @@ import numpy as np
 
 from vibcli.analyses.frequency_response.evaluate import sampled
 from vibcli.analyses.frequency_response.extremes import Extreme, extremes, places
+from vibcli.numerics.ascending import ascending
 
 if TYPE_CHECKING:
     from vibcli.analyses.frequency_response.frequency_response_function import FrequencyResponseFunction
@@ -26,7 +27,7 @@ def adaptive(system: "FrequencyResponseFunction", low: float, high: float, log: 
     endless = np.array([one.Omega for one in known if not one.value])
     even = np.geomspace(low, high, EVEN) if log else np.linspace(low, high, EVEN)
     near = [*places(system, 0.0, max(high, system.end)), *(one.Omega for one in known)]
-    Omega = np.unique([*even, *(x for x in near if low < x < high)])
+    Omega = ascending([*even, *(x for x in near if low < x < high)])
     Omega = _clear(Omega[np.append(True, np.diff(Omega) > NARROW * Omega[1:])], endless)
     values = sampled(system, Omega)[0]
     for _ in range(ROUNDS):

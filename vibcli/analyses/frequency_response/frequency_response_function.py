@@ -54,6 +54,10 @@ class FrequencyResponseFunction:
         """A bound of |δH| at a frequency."""
         raise NotImplementedError
 
+    def errors(self, Omega: np.ndarray) -> np.ndarray:
+        """The same at many frequencies."""
+        return np.array([self.error(at) for at in Omega.tolist()])
+
     def error_of_pole(self, Omega: float) -> float:
         """A bound of |δΩ| of an undamped natural frequency."""
         raise NotImplementedError

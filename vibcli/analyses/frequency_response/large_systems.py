@@ -1,158 +1,131 @@
-"""H(iΩ) of many degrees of freedom at many frequencies: banded LU, real modes where damping does not couple them, else
-complex modes. Each method gives (H, dH/ds or None, whether there is a pole) at each s."""
+"""H(iΩ) of many degrees of freedom at many frequencies: by modes (modal_solution.py), and where these lose something by
+elimination of the band, all frequencies at once, or by LU.
 
-from collections.abc import Callable
+Each method gives (H, dH/ds or None, whether there is a pole) at each s.
+"""
+
 from typing import Any
 
 import numpy as np
 
-from vibcli.analyses.frequency_response.direct import SINGULAR, along, direct, probe, scales
-from vibcli.analyses.frequency_response.quadratics import polynomial, slope
+from vibcli.analyses.frequency_response.direct import (
+    SINGULAR,
+    along,
+    direct,
+    probe,
+    repaired,
+    scales,
+    symmetric,
+)
+from vibcli.analyses.frequency_response.modal_solution import modal_solution
+from vibcli.analyses.frequency_response.quadratics import polynomial
 from vibcli.base.work import counted
+from vibcli.numerics import bands
 from vibcli.numerics.fixed_point import MILLION
-from vibcli.numerics.state_space import first_order
 
-NARROW, COUPLED = 16, 1e-14     # widest band on either side; coupling relative to the damping of two modes
-DEPENDENT = 1e5                 # condition of complex modes from which on they lose too many digits
+NARROW = 16             # widest band on either side
+LARGE = 64              # coordinates from which on another order of them is looked for
+COUPLED = 400           # degrees of freedom up to which complex modes of a narrow band are worth their time
+FEW = 1000              # frequencies times coordinates up to which one matrix after another takes less time
+WINDOW, HELD = 2.0**16, 2.0**21     # numbers of all frequencies that a step of the elimination moves, and that it keeps
 
 
-def chosen(system: Any) -> Callable:
+def chosen(system: Any) -> Any:
     """The method for this system; None where none of them fits."""
     order, width = _ordered(system)
-    if width <= NARROW:
-        bands = _bands(system, order, width)
-        return lambda system, s, steep=False: _banded(system, s, steep, order, width, bands)
-    reduced = _reduced(system)
-    if reduced is None:
-        return None
-    modes = _modes(system, *reduced)
-    if modes is not None:
-        return lambda system, s, steep=False: _by_modes(system, s, steep, *modes)
-    modes = _complex_modes(*reduced)
-    return None if modes is None else lambda system, s, steep=False: _by_complex_modes(system, s, steep, *modes)
+    banded = Banded(system, order, width) if width <= min(NARROW, system.n // 4) else None
+    return modal_solution(system, banded or direct, COUPLED if banded else np.inf) or banded
 
 
 def _ordered(system):
     """(order of the coordinates, half the width of the band)."""
-    from scipy.sparse import csr_array
-    from scipy.sparse.csgraph import reverse_cuthill_mckee
-
     pattern = (system.K != 0) | (system.M != 0) | (system.C != 0)
     pattern |= pattern.T
-    order = reverse_cuthill_mckee(csr_array(pattern), symmetric_mode=True)
-    rows, columns = np.nonzero(pattern[np.ix_(order, order)])
-    return order, int(np.abs(rows - columns).max(initial=0))
+    order, width = np.arange(system.n), _width(pattern)
+    if width > NARROW and system.n >= LARGE:
+        from scipy.sparse import csr_array
+        from scipy.sparse.csgraph import reverse_cuthill_mckee
+
+        order = reverse_cuthill_mckee(csr_array(pattern), symmetric_mode=True)
+        width = _width(pattern[np.ix_(order, order)])
+    return order, width
 
 
-def _bands(system, order, width):
-    """K, C, M as LAPACK stores bands, with room for what pivoting adds."""
-    at, bands = np.arange(system.n), np.zeros((3, 3 * width + 1, system.n))
-    rows, columns = np.nonzero(np.abs(at[:, None] - at) <= width)
-    for k, matrix in enumerate((system.K, system.C, system.M)):
-        bands[k, 2 * width + rows - columns, columns] = matrix[np.ix_(order, order)][rows, columns]
-    return bands
+def _width(pattern):
+    rows, columns = np.nonzero(pattern)
+    return int(np.abs(rows - columns).max(initial=0))
 
 
-def _banded(system, s, steep, order, width, bands):
-    from scipy.linalg import lapack
+class Banded:
+    """By elimination of the band: K, C, M by rows, (3, n, 2w + 1)."""
 
-    n, at = system.n, np.arange(system.n)
-    scale = scales(system, s)[:, order]
-    b, c = polynomial(system.b, s)[:, order] * scale, polynomial(system.c, s)[:, order] * scale
-    rows = np.clip(np.arange(3 * width + 1)[:, None] - 2 * width + at, 0, n - 1)
-    x, y, lost = np.zeros(b.shape, complex), np.zeros(b.shape, complex), []
-    right = np.empty((n, 2), complex)
-    right[:, 1] = probe(n)
-    for k, point in enumerate(s.tolist()):
-        counted(n * (width + 1)**2 / MILLION)
-        band = (bands[0] + point * bands[1] + point * point * bands[2]) * scale[k] * scale[k][rows]
-        right[:, 0] = b[k]
-        factors, pivots, info = lapack.zgbtrf(band, width, width)
-        found, _ = lapack.zgbtrs(factors, width, width, right, pivots)
-        if info or not np.abs(found[:, 1]).max() * SINGULAR * 64 < 1:
-            lost.append(k)
-            continue
-        x[k] = found[:, 0]
-        if steep:
-            y[k] = lapack.zgbtrs(factors, width, width, c[k], pivots, trans=1)[0]
-    values, slopes, back = np.einsum("ki,ki->k", c, x) + polynomial(system.d, s), None, np.argsort(order)
-    if steep:
-        slopes = along(system, s, (x * scale)[:, back], (y * scale)[:, back])
-    return _repaired(system, s, values, slopes, lost)
+    __slots__ = ("back", "order", "rows", "symmetric", "turned", "width")
 
+    def __init__(self, system: Any, order: np.ndarray, width: int):
+        self.order, self.width, self.back = order, width, np.argsort(order)
+        parts = [matrix[np.ix_(order, order)] for matrix in (system.K, system.C, system.M)]
+        self.symmetric = symmetric(system)
+        self.rows = np.stack([_by_rows(part, width) for part in parts])
+        self.turned = self.rows if self.symmetric else np.stack([_by_rows(part.T, width) for part in parts])
 
-def _reduced(system):
-    """(K̃, C̃, L⁻ᵀ) with M = L Lᵀ: q = L⁻ᵀ y gives ÿ + C̃ ẏ + K̃ y = L⁻¹ b; None where M is not positive definite."""
-    M = system.M
-    if not _symmetric(M):
-        return None
-    scale = np.exp2(-np.round(np.log2(np.where(np.diag(M) > 0, np.diag(M), 1.0)) / 2))
-    try:
-        L = np.linalg.cholesky(M * np.outer(scale, scale))
-    except np.linalg.LinAlgError:
-        return None
-    back = np.linalg.inv(L).T * scale[:, None]
-    return back.T @ system.K @ back, back.T @ system.C @ back, back
+    def __call__(self, system: Any, s: np.ndarray, steep: bool = False) -> tuple:
+        """(H, dH/ds or None, whether there is a pole)."""
+        if len(s) * system.n <= FEW:
+            return direct(system, s, steep)
+        x, y, lost = self._solved(system, s, steep)
+        values = np.einsum("ki,ki->k", polynomial(system.c, s), x) + polynomial(system.d, s)
+        return repaired(system, s, values, along(system, s, x, y) if steep else None, lost)
 
+    def fields(self, system: Any, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """(D⁻¹b, D⁻ᵀc), (N, n) each."""
+        if len(s) * system.n <= FEW:
+            return direct.fields(system, s)
+        x, y, lost = self._solved(system, s, True)
+        if len(lost):
+            x[lost], y[lost] = direct.fields(system, s[lost])
+        return x, y
 
-def _symmetric(matrix):
-    return bool((np.abs(matrix - matrix.T) <= 1e-15 * np.abs(matrix)).all())
+    def _solved(self, system, s, both):
+        """(D⁻¹b, D⁻ᵀc or None, the numbers of the frequencies at which D is singular but for rounding)."""
+        across = 2 * self.width + 1
+        many = int(max(8, min(WINDOW / (across + 3) / (self.width + 1), HELD / (across + 3) / system.n)))
+        parts = [self._block(system, s[k:k + many], both) for k in range(0, len(s), many)]
+        x, y, lost = zip(*parts, strict=True)
+        return np.concatenate(x), np.concatenate(y) if both else None, np.flatnonzero(np.concatenate(lost))
 
+    def _block(self, system, s, both):
+        n = system.n
+        counted(len(s) * n * (self.width + 1)**2 / MILLION)
+        scale = np.ascontiguousarray(scales(system, s)[:, self.order].T)
+        b, c = (polynomial(part, s)[:, self.order].T * scale for part in (system.b, system.c))
+        right = [b, np.broadcast_to(probe(n)[:, None], b.shape), *([c] if both and self.symmetric else [])]
+        found = bands.solved(self._scaled(self.rows, s, scale), np.stack(right, axis=1))
+        lost = ~(np.abs(found[:, 1]).max(axis=0) * SINGULAR * 64 < 1)
+        found[:, :, lost] = 0.0
+        x, y = self._unscaled(found[:, 0], scale), None
+        if both:
+            if not self.symmetric:
+                found = bands.solved(self._scaled(self.turned, s, scale), c[:, None])
+                found[:, :, lost] = 0.0
+            y = self._unscaled(found[:, -1], scale)
+        return x, y, lost
 
-def _modes(system, K, C, back):
-    """(ω², 2ζω, shapes) of real modes where damping does not couple them, else None."""
-    if not (_symmetric(system.K) and _symmetric(system.C)):
-        return None
-    squares, turn = np.linalg.eigh((K + K.T) / 2)
-    damping = turn.T @ C @ turn
-    size = np.abs(turn).T @ np.abs(C) @ np.abs(turn)
-    apart = np.abs(damping - np.diag(np.diag(damping)))
-    return None if (apart > COUPLED * size).any() else (squares, np.diag(damping), back @ turn)
+    def _scaled(self, rows, s, scale):
+        """D by rows, (n, 2w + 1, N)."""
+        K, C, M = rows[..., None]
+        D = K + s * (C + s * M)
+        beside = np.pad(scale, ((self.width, self.width), (0, 0)))
+        for j in range(D.shape[1]):
+            D[:, j] *= scale * beside[j:j + len(scale)]
+        return D
 
-
-def _by_modes(system, s, steep, squares, damping, shapes):
-    """Σ (cᵀφ)(φᵀb)/(s² + 2ζω s + ω²)."""
-    at = s[:, None]
-    stiffness = squares + at * damping + at * at
-    size = np.abs(squares) + np.abs(at) ** 2
-    return _summed(system, s, steep, (shapes, shapes), (stiffness, 2 * at + damping), size)
-
-
-def _complex_modes(K, C, back):
-    """(λ, right and left shapes) of the first-order form; None where its vectors are nearly dependent."""
-    n = len(K)
-    pace = np.sqrt(max(np.abs(K).max(), np.finfo(float).tiny))
-    values, right = np.linalg.eig(first_order(K, C, pace))
-    left = np.linalg.inv(right)
-    if np.linalg.norm(left, 2) * np.linalg.norm(right, 2) > DEPENDENT:
-        return None
-    return values, back @ right[:n], (left[:, n:] @ back.T).T / pace
+    def _unscaled(self, x, scale):
+        return (x * scale).T[:, self.back]
 
 
-def _by_complex_modes(system, s, steep, values, right, left):
-    """Σ (cᵀx)(yᵀb)/(s − λ)."""
-    at = s[:, None]
-    return _summed(system, s, steep, (left, right), (at - values, np.ones((1, 1))), np.abs(values) + np.abs(at))
-
-
-def _summed(system, s, steep, shapes, distance, size):
-    """Σ (cᵀx)(yᵀb)/distance + d; by LU where a pole is as near as rounding. `distance`: with its slope."""
-    far, steeper = distance
-    lost = np.flatnonzero((np.abs(far) <= 64 * SINGULAR * size).any(axis=1))
-    far[lost] = 1.0
-    (left, right), slopes = shapes, None
-    driven, seen = polynomial(system.b, s) @ left, polynomial(system.c, s) @ right
-    values = np.sum(driven * seen / far, axis=1) + polynomial(system.d, s)
-    if steep:
-        moved = slope(system.b, s) @ left * seen + driven * (slope(system.c, s) @ right)
-        slopes = np.sum((moved - driven * seen * steeper / far) / far, axis=1) + slope(system.d, s)
-    return _repaired(system, s, values, slopes, lost)
-
-
-def _repaired(system, s, values, slopes, lost):
-    resonant = np.zeros(len(s), bool)
-    if len(lost):
-        values[lost], steep, resonant[lost] = direct(system, s[lost], slopes is not None)
-        if slopes is not None:
-            slopes[lost] = steep
-    return values, slopes, resonant
+def _by_rows(matrix, width):
+    """(n, 2w + 1): the columns i − w … i + w of row i."""
+    n = len(matrix)
+    columns = np.arange(n)[:, None] + np.arange(-width, width + 1)
+    within = (columns >= 0) & (columns < n)
+    return np.where(within, np.take_along_axis(matrix, np.where(within, columns, 0), axis=1), 0.0)

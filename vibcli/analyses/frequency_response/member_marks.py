@@ -8,6 +8,7 @@ import numpy as np
 from vibcli.analyses.continuous.mode_source import NaturalModes
 from vibcli.analyses.frequency_response.held_systems import held
 from vibcli.analyses.frequency_response.member_poles_and_zeros import distinct, followed, taking_part, zeros_on_axis
+from vibcli.numerics.ascending import ascending
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -76,10 +77,10 @@ def zeros(response: "MemberTransfer", low: float, high: float) -> np.ndarray:
         start = zeros(response.without_damping, low, high)
         return distinct(followed(lambda s: _newton(response, s), start))
     natural = np.array([mode.omega for mode in response.marks.natural(low, high)])
-    seen = taking_part(response, np.unique(natural))
+    seen = taking_part(response, ascending(natural))
     if response.marks.shared is None:
         return 1j * zeros_on_axis(response, seen, low or 1e-3 * response.pace, high)
-    return _newton_kept(response, 1j * np.unique(response.marks.held(low, high)))
+    return _newton_kept(response, 1j * ascending(response.marks.held(low, high)))
 
 
 def _newton(response, s):

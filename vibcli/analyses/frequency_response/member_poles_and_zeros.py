@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vibcli.analyses.frequency_response.frequency_response_function import FrequencyResponseFunction
+from vibcli.numerics.ascending import ascending
 from vibcli.numerics.bracketing import zeros_between
 
 if TYPE_CHECKING:
@@ -33,7 +34,7 @@ def signs(response: FrequencyResponseFunction, Omega: np.ndarray) -> np.ndarray:
 
 def zeros_on_axis(response: FrequencyResponseFunction, poles: np.ndarray, low: float, high: float) -> np.ndarray:
     """Ω of the zeros without damping, ascending; poles: Ω of those that take part in H, ascending."""
-    edges = np.unique([low, *poles[(poles > low) & (poles < high)], high])
+    edges = ascending([low, *poles[(poles > low) & (poles < high)], high])
     found = []
     for a, b in pairwise(edges):
         found.append(_between(response, a, b))

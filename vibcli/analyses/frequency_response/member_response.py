@@ -13,6 +13,7 @@ from vibcli.analyses.frequency_response.member_errors import of_value
 from vibcli.analyses.frequency_response.member_marks import error_of
 from vibcli.analyses.frequency_response.member_poles_and_zeros import taking_part
 from vibcli.base.errors import LostDigits
+from vibcli.numerics.ascending import ascending, median
 
 if TYPE_CHECKING:
     from vibcli.analyses.frequency_response.member_marks import Marks
@@ -118,8 +119,8 @@ class MemberTransfer(FrequencyResponseFunction):
         return MemberTransfer(self.system.without_damping(), self.marks, self.order)
 
     def endless(self, low: float = 0.0, high: float = math.inf) -> list[np.ndarray]:
-        places = [taking_part(self, np.unique(self.poles(low, high).imag)), self.zeros(low, high).imag]
-        return [np.unique(part[part > 0]) for part in places]
+        places = [taking_part(self, ascending(self.poles(low, high).imag)), self.zeros(low, high).imag]
+        return [ascending(part[part > 0]) for part in places]
 
     def error(self, Omega: float) -> float:
         return of_value(self, Omega)
@@ -133,4 +134,4 @@ class MemberTransfer(FrequencyResponseFunction):
     def felt(self, other: Any) -> float:
         one, two = self.system.matrix.polynomial, other.system.matrix.polynomial
         added = np.abs(np.diag(two[1] - one[1]))
-        return float(np.median(1 / added[added > 0])) if added.any() else 1.0
+        return median(1 / added[added > 0]) if added.any() else 1.0

@@ -54,20 +54,36 @@ def half_power(system: "FrequencyResponseFunction", peak: Extreme,
     if peak.value is None:
         raise PhysicsError("an undamped peak has no bound, and so no half-power points", "add damping")
     known = extremes(system) if known is None else known
-    level = peak.value / np.sqrt(2)
-    left = max((one.Omega for one in known if not one.maximum and one.Omega < peak.Omega), default=0.0)
-    right = min((one.Omega for one in known if not one.maximum and one.Omega > peak.Omega), default=None)
-    right = _beyond(system, peak.Omega, level) if right is None else right
-    ends = np.array([left, right])
-    inner = np.array([peak.Omega, peak.Omega])
-    at_ends, resonant = sampled(system, ends)
-    if (np.abs(at_ends) >= level).any() or resonant.any():
-        side = "below" if np.abs(at_ends[0]) >= level or resonant[0] else "above"
+    return held(peak, *half_powers(system, [peak], known)[0].tolist())
+
+
+def held(peak: Extreme, low: float, high: float) -> tuple[float, float]:
+    """The half-power points about a peak; PhysicsError where one of them is missing, NaN."""
+    if math.isnan(low) or math.isnan(high):
+        side = "below" if math.isnan(low) else "above"
         raise PhysicsError(f"the response does not fall to peak/√2 {side} the peak at {peak.Omega:.6g} rad/s",
                            "its bandwidth is not defined")
-    low, high = np.minimum(ends, inner), np.maximum(ends, inner)
-    found = zeros_between(lambda Omega: np.abs(frf(system, Omega)) - level, low, high)
-    return float(found[0]), float(found[1])
+    return low, high
+
+
+def half_powers(system: "FrequencyResponseFunction", tops: Sequence[Extreme], known: Sequence[Extreme]) -> np.ndarray:
+    """(Ω₁, Ω₂) about each of several peaks, (N, 2), found together; NaN where |H| does not fall to peak/√2."""
+    level = np.repeat([peak.value for peak in tops], 2) / np.sqrt(2)
+    inner = np.repeat([peak.Omega for peak in tops], 2)
+    dips = np.array([one.Omega for one in known if not one.maximum])
+    ends = np.array([end for peak in tops for end in _ends(system, peak, dips)])
+    at_ends, resonant = sampled(system, ends)
+    falls = ~((np.abs(at_ends) >= level) | resonant)
+    found, within = np.full(len(ends), math.nan), np.flatnonzero(falls)
+    low, high = (choose(ends, inner)[within] for choose in (np.minimum, np.maximum))
+    found[within] = zeros_between(lambda Omega: np.abs(frf(system, Omega)), low, high, level[within])
+    return found.reshape(-1, 2)
+
+
+def _ends(system, peak, dips):
+    """The minima on either side of a peak, or what is beyond the last one."""
+    below, above = dips[dips < peak.Omega], dips[dips > peak.Omega]
+    return below.max(initial=0.0), above.min() if len(above) else _beyond(system, peak.Omega, peak.value / np.sqrt(2))
 
 
 def _beyond(system, Omega, level):

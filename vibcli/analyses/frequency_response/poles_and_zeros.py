@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from vibcli.numerics.ascending import ascending
 from vibcli.numerics.fixed_point import count_floats
 
 FAR = 1e-7      # |μ| of what counts as infinite
@@ -36,29 +37,32 @@ def zeros(system: Any) -> np.ndarray:
 
 def endless(system: Any) -> list[np.ndarray]:
     """(poles, zeros) of H on the axis, without damping: Ω > 0 of the modes that take part, to rounding."""
-    found = [_kept(system, poles(system), 1), zeros(system)]
-    return [np.unique(marks.imag[marks.imag > 0]) for marks in found]
+    found = [_kept(system, system.poles(), 1), system.zeros()]
+    return [ascending(marks.imag[marks.imag > 0]) for marks in found]
 
 
 def _kept(system, places, sign=-1):
     """Those to which Newton's method on H converges, or with `sign` 1 that on 1/H: rounding scatters zeros at infinity
     anywhere, and a mode that takes no part is no pole of H."""
-    at, step = places, np.zeros(len(places))
+    at, step, near = places.astype(complex), np.full(len(places), np.inf + 0j), np.arange(len(places))
     if sign == 1 and len(places):
         at = np.where(system.at(places)[2], places, places * (1 + BESIDE))
-    for _ in range(STEPS if len(places) else 0):
-        values, slopes, resonant = system.at(at, True)
+    for _ in range(STEPS):
+        if not len(near):
+            break
+        values, slopes, resonant = system.at(at[near], True)
         with np.errstate(all="ignore"):
-            step = np.where((values == 0) | resonant, 0.0, sign * values / slopes)
-        step = np.where(np.isfinite(step), step, np.inf)
-        at = np.where(np.abs(step) <= NEAR * np.abs(at), at + step, at)
+            moved = np.where((values == 0) | resonant, 0.0, sign * values / slopes)
+        step[near] = np.where(np.isfinite(moved), moved, np.inf)
+        near = near[np.abs(step[near]) <= NEAR * np.abs(at[near])]      # where the others are they stay
+        at[near] += step[near]
     return at[(np.abs(step) <= STILL * np.abs(at)) & (np.abs(at - places) <= NEAR * np.abs(places))]
 
 
 def pace(system: Any) -> float:
-    """A frequency between the lowest and the highest: the geometric mean of √(Kᵢᵢ/Mᵢᵢ)."""
+    """A frequency between the lowest and the highest: the geometric mean of √(Kᵢᵢ/Mᵢᵢ), of Kᵢᵢ/Cᵢᵢ without inertia."""
     K, M, C = (np.abs(np.diag(matrix)) for matrix in (system.K, system.M, system.C))
-    both, slow = (K > 0) & (M > 0), (K > 0) & (C > 0)
+    both, slow = (K > 0) & (M > 0), (K > 0) & (C > 0) & (M == 0)
     rates = [*np.sqrt(K[both] / M[both]), *(K[slow] / C[slow])]
     return float(np.exp(np.mean(np.log(rates)))) if rates else 1.0
 
@@ -71,6 +75,8 @@ def _roots(parts, pace):
     try:
         lower = np.linalg.solve(at, np.hstack([steep, A2]))
     except np.linalg.LinAlgError:
+        return np.zeros(0, complex)
+    if not np.isfinite(lower).all():
         return np.zeros(0, complex)
     companion = np.vstack([-lower, np.eye(n, 2 * n)])
     count_floats(2 * n)

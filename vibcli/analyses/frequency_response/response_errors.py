@@ -27,57 +27,83 @@ class ResponseErrors:
     def __init__(self, system: "FrequencyResponseFunction"):
         self.system = system
 
-    def relative(self, Omega: float) -> float:
-        """|δH|/|H| at a frequency."""
-        size = abs(complex(sampled(self.system, Omega)[0]))
-        return self.system.error(Omega) / size if size else math.inf
+    def relative(self, Omega: np.ndarray) -> np.ndarray:
+        """|δH|/|H| at frequencies, infinite where H is zero."""
+        size = np.abs(sampled(self.system, Omega)[0])
+        with np.errstate(all="ignore"):
+            return np.where(size > 0, self.system.errors(Omega) / size, math.inf)
 
-    def of_top(self, Omega: float) -> tuple[float, float]:
-        """(|δΩ|, relative |δH|) of a maximum or minimum of |H|."""
+    def of_tops(self, Omega: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """(|δΩ|, relative |δH|) of maxima or minima of |H|."""
+        if not len(Omega):
+            return Omega, Omega
         off = self.relative(Omega)
-        if off >= 1:        # H may be zero there
-            return self.of_zero(Omega), off if math.isfinite(off) else 1.0
+        place, height = np.empty(len(Omega)), np.where(np.isfinite(off), off, 1.0)
+        lost = off >= 1         # H may be zero there
+        place[lost] = self.of_zeros(Omega[lost])
+        if not lost.all():
+            place[~lost], height[~lost] = self._of_turns(Omega[~lost], off[~lost])
+        return place, height
+
+    def _of_turns(self, Omega, off):
         blind = self._blind(Omega)
         width = self._width(Omega, 2 * blind)
         return 2 * off * width + blind + GIVEN * Omega, off + (blind / width)**2
 
-    def of_zero(self, Omega: float) -> float:
-        """|δΩ| of a zero of H."""
-        steep = abs(complex(sloped(self.system, np.array([Omega]))[1][0]))
-        return self.system.error(Omega) / steep + GIVEN * Omega if steep else Omega
+    def of_zeros(self, Omega: np.ndarray) -> np.ndarray:
+        """|δΩ| of zeros of H."""
+        if not len(Omega):
+            return Omega
+        steep = np.abs(sloped(self.system, Omega)[1])
+        return _over(self.system.errors(Omega), steep, Omega)
 
-    def of_level(self, Omega: float, off: float) -> float:
-        """|δΩ| of a place where |H| has a height that is off by so much, relative."""
-        steep = self.steepness(Omega)
-        return (self.relative(Omega) + off) / steep + GIVEN * Omega if steep else Omega
+    def of_levels(self, Omega: np.ndarray, off: np.ndarray) -> np.ndarray:
+        """|δΩ| of places where |H| has a height that is off by so much, relative."""
+        return _over(self.relative(Omega) + off, self.steepness(Omega), Omega)
 
-    def steepness(self, Omega: float) -> float:
+    def steepness(self, Omega: np.ndarray) -> np.ndarray:
         """|d log|H|/dΩ|."""
-        return abs(float(steepness(self.system, np.array([Omega]))[0]))
+        return np.abs(steepness(self.system, Omega))
 
-    def of_crossing(self, other: "ResponseErrors", Omega: float) -> float:
-        """|δΩ| of a place where |H| is that of another ResponseErrors' system."""
-        here, there = (float(steepness(one.system, np.array([Omega]))[0]) for one in (self, other))
-        apart = abs(here - there)
-        return (self.relative(Omega) + other.relative(Omega)) / apart + GIVEN * Omega if apart else Omega
+    def of_crossing(self, other: "ResponseErrors", Omega: np.ndarray) -> np.ndarray:
+        """|δΩ| of places where |H| is that of another ResponseErrors' system."""
+        here, there = (steepness(one.system, Omega) for one in (self, other))
+        return _over(self.relative(Omega) + other.relative(Omega), np.abs(here - there), Omega)
 
     def _blind(self, Omega):
-        """How far about a top D is singular but for rounding, so that no slope is seen."""
-        step = 2 * GIVEN * Omega
+        """How far about each top D is singular but for rounding, so that no slope is seen."""
+        step, found, dark = 2 * GIVEN * Omega, np.zeros(len(Omega)), np.arange(len(Omega))
         for k in range(TRIES):
-            if (steepness(self.system, np.array([Omega - step, Omega + step])) != 0).all():
-                return step if k else 0.0
-            step *= 4
-        return step
+            seen = (self._beside(steepness, Omega[dark], step[dark]) != 0).all(axis=0)
+            found[dark[seen]] = step[dark[seen]] if k else 0.0
+            dark = dark[~seen]
+            if not len(dark):
+                break
+            step[dark] *= 4
+        found[dark] = step[dark]
+        return found
 
     def _width(self, Omega, least):
-        """γ of |H| = top/√(1 + (Ω − Ω₀)²/γ²), by how it falls beside the top, no nearer than `least`."""
-        least = max(least, FINEST * Omega)
-        step, height = max(NEAR * Omega, least), abs(complex(sampled(self.system, Omega)[0]))
+        """γ of |H| = top/√(1 + (Ω − Ω₀)²/γ²), by how it falls beside each top, no nearer than `least`."""
+        least = np.maximum(least, FINEST * Omega)
+        step, height = np.maximum(NEAR * Omega, least), np.abs(sampled(self.system, Omega)[0])
+        fall, steep = np.zeros(len(Omega)), np.arange(len(Omega))
         for _ in range(TRIES):
-            beside = np.abs(sampled(self.system, np.array([Omega - step, Omega + step]))[0])
-            fall = abs(math.log(height) - float(np.mean(np.log(np.maximum(beside, 1e-300)))))
-            if fall <= FALL or step < 4 * least:
+            beside = self._beside(lambda system, at: np.abs(sampled(system, at)[0]), Omega[steep], step[steep])
+            fall[steep] = np.abs(np.log(height[steep]) - np.log(np.maximum(beside, 1e-300)).mean(axis=0))
+            steep = steep[(fall[steep] > FALL) & (step[steep] >= 4 * least[steep])]
+            if not len(steep):
                 break
-            step /= 4
-        return step / math.sqrt(math.expm1(2 * min(fall, MOST))) if fall else Omega
+            step[steep] /= 4
+        with np.errstate(all="ignore"):
+            return np.where(fall > 0, step / np.sqrt(np.expm1(2 * np.minimum(fall, MOST))), Omega)
+
+    def _beside(self, find, Omega, step):
+        """What is found a step below and above each frequency: (2, N)."""
+        return find(self.system, np.concatenate([Omega - step, Omega + step])).reshape(2, -1)
+
+
+def _over(off, steep, Omega):
+    """|δΩ| of what is off by so much where it is so steep; all of Ω where it is level."""
+    with np.errstate(all="ignore"):
+        return np.where(steep != 0, off / steep + GIVEN * Omega, Omega)

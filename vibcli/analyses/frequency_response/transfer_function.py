@@ -13,13 +13,14 @@ from vibcli.language.signal_names import signal_name
 from vibcli.language.signals import is_load
 from vibcli.mechanics.inputs_outputs.inputs import direct_part, input_columns, named_input
 from vibcli.mechanics.inputs_outputs.outputs import linear_row
+from vibcli.numerics.ascending import median
 
 if TYPE_CHECKING:
     from vibcli.analyses.modal.modal_analysis import ModalAnalysis
     from vibcli.analyses.transient.data_errors import DataErrors
     from vibcli.mechanics.configuration import Configuration
 
-WORK = 2e8      # elimination of so many frequencies by LU is not worth a search for a faster method
+FROM, MANY = 12, 64     # degrees of freedom and frequencies beyond which another method than LU of each takes less time
 ERROR, ROUNDING = 1e-12, 1e-15
 
 
@@ -27,7 +28,7 @@ class TransferFunction(FrequencyResponseFunction):
     """M, C (gyroscopic terms included), K: (n, n) arrays; b, c: (3, n) coefficients of s⁰, s¹, s², d: (3,); modal: the
     ModalAnalysis of the scene it is of, which its errors are asked of."""
 
-    __slots__ = ("C", "K", "M", "_data", "_method", "_modal", "b", "c", "d")
+    __slots__ = ("C", "K", "M", "_asked", "_data", "_marks", "_method", "_modal", "b", "c", "d")
 
     def __init__(self, M: np.ndarray, C: np.ndarray, K: np.ndarray, b: np.ndarray, c: np.ndarray,
                  d: Any = (0.0, 0.0, 0.0), order: int = 0, modal: "ModalAnalysis | None" = None):
@@ -36,7 +37,9 @@ class TransferFunction(FrequencyResponseFunction):
         self.b, self.c, self.d = (np.asarray(part) for part in (b, c, d))
         self._modal = modal
         self._method: Any = None
+        self._asked = 0
         self._data: Any = None
+        self._marks: dict[Any, Any] = {}
 
     @property
     def n(self):
@@ -53,20 +56,31 @@ class TransferFunction(FrequencyResponseFunction):
 
     def at(self, s: np.ndarray, steep: bool = False) -> "tuple[np.ndarray, np.ndarray | None, np.ndarray]":
         """The method for many frequencies is chosen once and kept."""
-        if self._method is None and len(s) * self.n**3 > WORK:
-            from vibcli.analyses.frequency_response.large_systems import chosen
+        if self._method is None and self.n >= FROM:
+            self._asked += len(s)
+            if self._asked > MANY:
+                from vibcli.analyses.frequency_response.large_systems import chosen
 
-            self._method = chosen(self) or direct
+                self._method = chosen(self) or direct
         return (self._method or direct)(self, s, steep)
 
+    def fields(self, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """(D⁻¹b, D⁻ᵀc) at complex s, (N, n) each; of least squares where D is singular."""
+        return (self._method or direct).fields(self, s)
+
     def poles(self, low: float = 0.0, high: float = math.inf) -> np.ndarray:
-        return _within(poles_and_zeros.poles(self), low, high)
+        return _within(self._once(poles_and_zeros.poles), low, high)
 
     def zeros(self, low: float = 0.0, high: float = math.inf) -> np.ndarray:
-        return _within(poles_and_zeros.zeros(self), low, high)
+        return _within(self._once(poles_and_zeros.zeros), low, high)
 
     def endless(self, low: float = 0.0, high: float = math.inf) -> list[np.ndarray]:
-        return [marks[(marks >= low) & (marks <= high)] for marks in poles_and_zeros.endless(self)]
+        return [marks[(marks >= low) & (marks <= high)] for marks in self._once(poles_and_zeros.endless)]
+
+    def _once(self, find):
+        if find not in self._marks:
+            self._marks[find] = find(self)
+        return self._marks[find]
 
     @property
     def data(self) -> "DataErrors":
@@ -80,9 +94,12 @@ class TransferFunction(FrequencyResponseFunction):
         return self._data
 
     def error(self, Omega: float) -> float:
-        from vibcli.analyses.frequency_response.value_errors import of_value
+        return float(self.errors(np.array([Omega]))[0])
 
-        return of_value(self, self.data, Omega)
+    def errors(self, Omega: np.ndarray) -> np.ndarray:
+        from vibcli.analyses.frequency_response.value_errors import of_values
+
+        return of_values(self, self.data, Omega)
 
     def error_of_pole(self, Omega: float) -> float:
         modes = [mode for mode in self._modal.modes or () if mode.omega]
@@ -105,7 +122,7 @@ class TransferFunction(FrequencyResponseFunction):
         added = np.abs(np.diag(other.C - self.C))
         stiff = np.abs(np.diag(self.K))
         both = (added > 0) & (stiff > 0)
-        return float(np.median(stiff[both] / added[both]) / self.pace) if both.any() else 1.0
+        return median(stiff[both] / added[both]) / self.pace if both.any() else 1.0
 
 
 def _within(marks, low, high):

@@ -66,11 +66,10 @@ def _in_letters(problem, name, driver):
 
 def _in_numbers(problem, name, driver, unit):
     curve = problem.frequency_response(name, driver)
+    curve.find_errors()
     rows = [_peak_row(curve, number, peak) for number, peak in enumerate(_peaks(curve), 1)]
-    for number, Omega in enumerate(curve.antiresonances, 1):
-        found, error = (0.0, 0.0) if curve.undamped else curve.at(Omega)
-        rows.append((f"antiresonance {number}", *_place(Omega, curve.error_of_antiresonance(Omega)),
-                     figure(abs(found) if error < 1 else 0.0, error), "", "", ""))
+    rows += [(f"antiresonance {number}", *_place(Omega, off), figure(size, error), "", "", "")
+             for number, (Omega, off, size, error) in enumerate(curve.dips, 1)]
     head = ("", "Ω [rad/s]", "f [Hz]", f"|H| [{unit}]", "Ω₁ [rad/s]", "Ω₂ [rad/s]", "Q")
     yield _static(curve, unit)
     yield TableBlock(head, tuple(rows)) if rows else paragraph("no resonance")
@@ -121,6 +120,7 @@ class ResonancePeak(NamedTuple):
 
 def _peaks(curve):
     """The resonances of a frequency response, by ascending Ω."""
+    curve.find_half_powers()
     for number, (Omega, value) in enumerate(curve.peaks, 1):
         try:
             low, high = curve.half_power_of(number)

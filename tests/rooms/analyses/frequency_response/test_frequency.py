@@ -16,7 +16,9 @@ from vibcli.analyses.frequency_response.extremes import extremes
 from vibcli.analyses.frequency_response.fixed_points import fixed_points
 from vibcli.analyses.frequency_response.frequency_grid import adaptive
 from vibcli.analyses.frequency_response.peaks import antiresonances, half_power, peaks
-from vibcli.analyses.frequency_response.transfer_function import TransferFunction, transfer
+from vibcli.analyses.frequency_response.transfer_function import FROM, MANY, TransferFunction, transfer
+from vibcli.analyses.frequency_response.value_errors import of_values
+from vibcli.analyses.transient.data_errors import of_matrices
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.symbolic.evaluation import Floats, evaluate
 
@@ -118,6 +120,49 @@ def test_many_degrees_against_fifty_digits(kind):
         assert abs(values[k] - exact(system, at)) <= bound(system, at)
 
 
+def coupled(rng, n, kind):
+    """Masses, full springs and dampers; twice the same and weakly tied, or damped critically, so that modes are as good
+    as dependent."""
+    half = n if kind == "full" else n // 2
+    A, B = rng.normal(size=(2, half, half))
+    K, C, M = A @ A.T + half * np.eye(half), 0.05 * B @ B.T, np.diag(rng.uniform(1, 3, half))
+    if kind != "full":
+        K, C, M = (np.kron(np.eye(2), part) for part in (K, C, M))
+        K[0, half] = K[half, 0] = 1e-9
+    if kind == "critical":
+        M, C = np.eye(n), 2 * np.linalg.cholesky(K + 1e-12 * np.eye(n))
+        C = (C + C.T) / 2
+        K = C @ C / 4
+    return TransferFunction(M, C, (K + K.T) / 2, unit(n, 0) * 3.0, unit(n, n - 1) + unit(n, 1, 1))
+
+
+@pytest.mark.parametrize("kind", ["full", "twice", "critical"])
+def test_modes_with_one_residual_against_fifty_digits(kind):
+    """As near as LU, where damping couples the modes; |δH| within what is told of the rounding of each value."""
+    system = coupled(np.random.default_rng(5), 16, kind)
+    Omega = np.linspace(0.2, 12.0, 9)
+    values, _, resonant = large_systems.chosen(system)(system, 1j * Omega)
+    told = of_values(system, of_matrices(system.M, system.C, system.K), Omega)
+    wanted = np.array([exact(system, at) for at in Omega])
+    assert not resonant.any()
+    assert (np.abs(values - wanted) <= told).all()
+    assert (np.abs(values - wanted) <= [bound(system, at) for at in Omega]).all()
+
+
+def test_the_method_for_many_frequencies_is_chosen_after_some(monkeypatch):
+    """Of few degrees of freedom never, of more of them once so many frequencies were asked for, in one call or many."""
+    calls = []
+    monkeypatch.setattr(large_systems, "chosen", lambda system: calls.append(system.n))
+    for n in (FROM - 1, FROM):
+        system = random_system(np.random.default_rng(n), n, "damped")
+        for _ in range(MANY):
+            sampled(system, np.array([1.0]))
+        assert calls == []
+        sampled(system, np.linspace(1, 2, 5))
+        sampled(system, np.linspace(1, 2, 500))
+        assert calls == [n] * (n == FROM)
+
+
 @pytest.mark.parametrize("kind", KINDS[:5])
 def test_methods_agree_with_their_slopes(kind):
     """dH/ds of every method is the difference quotient along the axis."""
@@ -209,6 +254,35 @@ def test_half_power_of_one_degree():
         assert (low, high) == pytest.approx((10 * (math.hypot(1, zeta) - zeta), 10 * (math.hypot(1, zeta) + zeta)),
                                             rel=1e-13)
         assert peak.Omega / (high - low) == pytest.approx(1 / (2 * zeta), rel=1e-12)
+
+
+def test_what_is_read_off_all_peaks_is_found_together(monkeypatch):
+    """H is asked at all places that a round needs at once, and each number is that of its peak alone."""
+    text = ABSORBER % ("600 N/m", "2 N*s/m")
+    together, alone = (problem(text).frequency_response("x1", "drive") for _ in range(2))
+    asked, at = [], TransferFunction.at
+    monkeypatch.setattr(TransferFunction, "at", lambda self, s, steep=False: (
+        asked.append(len(s)), at(self, s, steep))[1])
+    together.find_errors()
+    assert len(asked) <= 60 and asked.count(1) <= 8, asked
+    for number in (1, 2):
+        points = half_power(alone.transfer, alone.peak(number), alone.listed(math.inf).extremes)
+        assert together.half_power_of(number) == pytest.approx(points, rel=1e-15)
+        assert alone.errors_of_half_power(number) == pytest.approx(together.errors_of_half_power(number), rel=1e-9)
+        assert alone.error_of_peak(number) == pytest.approx(together.error_of_peak(number), rel=1e-9)
+        assert alone.quality(number) == pytest.approx(together.quality(number), rel=1e-14)
+
+
+def test_a_peak_without_half_power_points_hides_none_of_the_others():
+    curve = problem(ABSORBER % ("900 N/m", "12 N*s/m")).frequency_response("x1", "drive")
+    curve.find_errors()
+    found = []
+    for number in range(1, len(curve.peaks) + 1):
+        try:
+            found.append(curve.half_power_of(number))
+        except PhysicsError as refused:
+            found.append(str(refused))
+    assert isinstance(found[0], tuple) and "does not fall to peak/√2 below" in found[1], found
 
 
 def test_no_half_power_point_below_a_flat_peak():
