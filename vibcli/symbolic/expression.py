@@ -32,7 +32,7 @@ class Table:
         self.variables, self.called = [], set()
         self.sample, self._signs, self.squares_at_sample = None, {}, squares_at_sample
         self.time, self.records, self.functions = None, records or {}, functions or {}
-        self.positive, self.definitions = set(), {}
+        self.positive, self.definitions, self.programs = set(), {}, {}
         self.zero, self.one = self.number(ZERO), self.number(ONE)
         self.pi = self._make("pi", (), ONE, 0, "pi")
         self.positive.add(self.pi)
