@@ -45,7 +45,7 @@ class NumericSystem:
             return self.with_values(given)
         return NumericSystem(self.system, {**self.given, **given})
 
-    @property
+    @cached_property
     def has_free_symbols(self) -> bool:
         """Are there parameters without value?"""
         return any(name not in self.given for name in self.scene.parameters.free)
