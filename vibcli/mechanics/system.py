@@ -136,6 +136,11 @@ class MechanicalSystem:
         return steady(self.scene.vibrating, self.time_dependent_linearisation)
 
     @cached_property
+    def statics(self):
+        """The Linearisation of forces alone: what conditions of equilibrium and K are made of."""
+        return self.linearisation._replace(inertias=[], dampers=[], M={}, C={}, G={}, drag={})
+
+    @cached_property
     def time_dependent_linearisation(self):
         """The Linearisation of the scene with what drives it."""
         if self.settled is not None:
