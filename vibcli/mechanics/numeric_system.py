@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from vibcli.mechanics.numeric_linearisation import Numbers
     from vibcli.mechanics.system import MechanicalSystem
     from vibcli.scene.scene import Scene
+    from vibcli.symbolic.running_errors import Rounded
 
 LOST, BESIDE = 1e-12, 1e-3      # relative: rounding of what is left of forces; of the size of the figure
 
@@ -62,6 +63,13 @@ class NumericSystem:
     @cached_property
     def floats(self) -> dict[str, float]:
         return self.values(Floats)
+
+    @cached_property
+    def rounded(self) -> "dict[str, Rounded]":
+        """The same with the bounds of their rounding."""
+        from vibcli.symbolic.running_errors import RunningErrors
+
+        return self.values(RunningErrors(Floats))
 
     @cached_property
     def drawn_floats(self) -> dict[str, float]:
