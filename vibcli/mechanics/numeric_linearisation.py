@@ -16,18 +16,20 @@ ALIKE, KEPT = 2.0**-46, 8       # forms whose expressions are remembered
 
 
 class _Expressions:
-    """The expressions of Linearisations, each once."""
+    """The expressions of Linearisations, each once, and the element data that they make."""
 
     def __init__(self):
         self._known: dict[int, tuple] = {}       # {id: (form, expressions)}, the oldest first
 
-    def of(self, form: Linearisation) -> "tuple[Node, ...]":
+    def of(self, form: Linearisation) -> "tuple[Linearisation, tuple[Node, ...], FactoredSystem]":
         entry = self._known.get(id(form))
         if entry is None:
-            entry = self._known[id(form)] = form, tuple(dict.fromkeys(nodes_of(form)))
+            elements = FactoredSystem(form.n, form.inertias, form.springs, form.dampers, form.M, form.C, form.G,
+                                      drag=form.drag, pieces=form.pieces)
+            entry = self._known[id(form)] = form, tuple(dict.fromkeys(nodes_of(form))), elements
             if len(self._known) > KEPT:
                 self._known.pop(next(iter(self._known)))
-        return entry[1]
+        return entry
 
 
 _EXPRESSIONS = _Expressions()
@@ -44,7 +46,7 @@ class Numbers(NamedTuple):
 def in_numbers(form: Linearisation, arithmetic: Any, values: Mapping[str, Any],
                rational: "Mapping[str, Fraction] | None" = None):
     """The Numbers of a Linearisation. `rational`: exact values of the symbols, for rows that are exactly rational."""
-    nodes = _EXPRESSIONS.of(form)
+    _, nodes, expressions = _EXPRESSIONS.of(form)
     known = dict(zip(nodes, evaluate(nodes, arithmetic, values), strict=True))
     n, zero = form.n, arithmetic.number(form.table.zero.coefficient)
     K, size = {}, {}
@@ -63,10 +65,8 @@ def in_numbers(form: Linearisation, arithmetic: Any, values: Mapping[str, Any],
             _gather(residual, residual_size, i, known[node])
     if arithmetic.ordered:
         _even_out(K, size)
-    expressions = FactoredSystem(n, form.inertias, form.springs, form.dampers, form.M, form.C, form.G, drag=form.drag,
-                                 pieces=form.pieces)
-    elements = expressions.each(known.__getitem__).with_parts(
-        K=K, K_size=size, massless=massless(form, known), rational_rows=_rational_rows(form, rational))
+    elements = expressions.each(known.__getitem__, K=K, K_size=size, massless=massless(form, known),
+                                rational_rows=_rational_rows(form, rational))
     return Numbers(elements, residual, residual_size)
 
 

@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from vibcli.mechanics.numeric_linearisation import Numbers
     from vibcli.mechanics.system import MechanicalSystem
     from vibcli.scene.scene import Scene
-    from vibcli.symbolic.running_errors import Rounded
 
 LOST, BESIDE = 1e-12, 1e-3      # relative: rounding of what is left of forces; of the size of the figure
 
@@ -65,7 +64,7 @@ class NumericSystem:
         return self.values(Floats)
 
     @cached_property
-    def rounded(self) -> "dict[str, Rounded]":
+    def rounded(self) -> dict[str, Any]:
         """The same with the bounds of their rounding."""
         from vibcli.symbolic.running_errors import RunningErrors
 
