@@ -62,8 +62,8 @@ class FactoredSystem:
         """The same with other parts."""
         return FactoredSystem(**{kind: getattr(self, kind) for kind in self.__slots__} | parts)
 
-    def each(self, change: Any):
-        """The same with `change` applied to every weight, slope and entry of a matrix."""
+    def each(self, change: Any, **given: Any):
+        """The same with `change` applied to every weight, slope and entry of a matrix, and with the parts `given`."""
         def rows(terms):
             return [(change(weight), {i: change(x) for i, x in row.items()}) for weight, row in terms]
 
@@ -74,7 +74,7 @@ class FactoredSystem:
                            for piece in self.pieces]
         parts |= {kind: {pair: change(x) for pair, x in getattr(self, kind).items()}
                   for kind in ("M", "C", "G", "K", "drag")}
-        return self.with_parts(**parts)
+        return self.with_parts(**(parts | given))
 
     def among(self, numbers: Mapping[int, int], pieces: Sequence[int]):
         """What some coordinates, {number: new number}, and pieces do while nothing else moves."""

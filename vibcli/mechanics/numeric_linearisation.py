@@ -5,42 +5,34 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.mechanics.factored_system import FactoredSystem
 from vibcli.mechanics.linearisation import Linearisation, nodes_of
-from vibcli.symbolic.evaluation import Floats, evaluate, evaluate_rational
-from vibcli.symbolic.float_code import compiled
+from vibcli.symbolic.evaluation import evaluate, evaluate_rational
 
 if TYPE_CHECKING:
     from fractions import Fraction
 
     from vibcli.symbolic.node import Node
 
-ALIKE = 2.0**-46
-OFTEN, KEPT, LONGEST = 6, 8, 20_000      # evaluations before one is compiled; forms that are remembered; expressions
+ALIKE, KEPT = 2.0**-46, 8       # forms whose expressions are remembered
 
 
-class _Evaluations:
-    """The values of the expressions of Linearisations; those that floats are put into again and again are compiled."""
+class _Expressions:
+    """The expressions of Linearisations, each once, and the element data that they make."""
 
     def __init__(self):
-        self._known: dict[int, list] = {}       # {id: [form, expressions, how often, function]}, the oldest first
+        self._known: dict[int, tuple] = {}       # {id: (form, expressions)}, the oldest first
 
-    def of(self, form: Linearisation, arithmetic: Any, values: Mapping[str, Any]) -> "dict[Node, Any]":
-        """{expression: value}."""
+    def of(self, form: Linearisation) -> "tuple[Linearisation, tuple[Node, ...], FactoredSystem]":
         entry = self._known.get(id(form))
         if entry is None:
-            entry = self._known[id(form)] = [form, list(dict.fromkeys(nodes_of(form))), 0, None]
+            elements = FactoredSystem(form.n, form.inertias, form.springs, form.dampers, form.M, form.C, form.G,
+                                      drag=form.drag, pieces=form.pieces)
+            entry = self._known[id(form)] = form, tuple(dict.fromkeys(nodes_of(form))), elements
             if len(self._known) > KEPT:
                 self._known.pop(next(iter(self._known)))
-        _, nodes, count, function = entry
-        if arithmetic is not Floats:
-            return dict(zip(nodes, evaluate(nodes, arithmetic, values), strict=True))
-        entry[2] = count + 1
-        if function is None and count >= OFTEN and len(nodes) <= LONGEST:
-            function = entry[3] = compiled(nodes)
-        found = evaluate(nodes, arithmetic, values) if function is None else function(values)
-        return dict(zip(nodes, found, strict=True))
+        return entry
 
 
-_EVALUATIONS = _Evaluations()
+_EXPRESSIONS = _Expressions()
 
 
 class Numbers(NamedTuple):
@@ -54,7 +46,8 @@ class Numbers(NamedTuple):
 def in_numbers(form: Linearisation, arithmetic: Any, values: Mapping[str, Any],
                rational: "Mapping[str, Fraction] | None" = None):
     """The Numbers of a Linearisation. `rational`: exact values of the symbols, for rows that are exactly rational."""
-    known = _EVALUATIONS.of(form, arithmetic, values)
+    _, nodes, expressions = _EXPRESSIONS.of(form)
+    known = dict(zip(nodes, evaluate(nodes, arithmetic, values), strict=True))
     n, zero = form.n, arithmetic.number(form.table.zero.coefficient)
     K, size = {}, {}
     residual, residual_size = [zero] * n, [zero] * n
@@ -72,10 +65,8 @@ def in_numbers(form: Linearisation, arithmetic: Any, values: Mapping[str, Any],
             _gather(residual, residual_size, i, known[node])
     if arithmetic.ordered:
         _even_out(K, size)
-    expressions = FactoredSystem(n, form.inertias, form.springs, form.dampers, form.M, form.C, form.G, drag=form.drag,
-                                 pieces=form.pieces)
-    elements = expressions.each(known.__getitem__).with_parts(
-        K=K, K_size=size, massless=massless(form, known), rational_rows=_rational_rows(form, rational))
+    elements = expressions.each(known.__getitem__, K=K, K_size=size, massless=massless(form, known),
+                                rational_rows=_rational_rows(form, rational))
     return Numbers(elements, residual, residual_size)
 
 

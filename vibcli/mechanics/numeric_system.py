@@ -45,7 +45,7 @@ class NumericSystem:
             return self.with_values(given)
         return NumericSystem(self.system, {**self.given, **given})
 
-    @property
+    @cached_property
     def has_free_symbols(self) -> bool:
         """Are there parameters without value?"""
         return any(name not in self.given for name in self.scene.parameters.free)
@@ -62,6 +62,13 @@ class NumericSystem:
     @cached_property
     def floats(self) -> dict[str, float]:
         return self.values(Floats)
+
+    @cached_property
+    def rounded(self) -> dict[str, Any]:
+        """The same with the bounds of their rounding."""
+        from vibcli.symbolic.running_errors import RunningErrors
+
+        return self.values(RunningErrors(Floats))
 
     @cached_property
     def drawn_floats(self) -> dict[str, float]:

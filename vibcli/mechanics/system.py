@@ -105,6 +105,25 @@ class MechanicalSystem:
         """The scene with all its coordinates, its closed loops held by multipliers; itself where it has none."""
         return self.scene if self.scene.loops is None else self.scene.with_multipliers()
 
+    @cached_property
+    def with_inputs(self):
+        """(scene, Linearisation, the same without excitation) of the scene with what drives it as coordinates."""
+        return self._with_inputs(self.scene)
+
+    @cached_property
+    def released_with_inputs(self):
+        """The same where supports give way."""
+        return self._with_inputs(self.scene.with_released_supports())
+
+    def _with_inputs(self, scene):
+        from vibcli.mechanics.autonomous import steady
+        from vibcli.mechanics.linearise import linearise
+        from vibcli.mechanics.static_preload import take_over
+
+        scene = take_over(scene.with_inputs(), self.preloads)
+        form = linearise(scene)
+        return scene, form, steady(scene, form)
+
     @Stage
     def linearisation(self):
         """The Linearisation of the scene, its excitation left out."""
@@ -115,6 +134,11 @@ class MechanicalSystem:
         from vibcli.mechanics.autonomous import steady
 
         return steady(self.scene.vibrating, self.time_dependent_linearisation)
+
+    @cached_property
+    def statics(self):
+        """The Linearisation of forces alone: what conditions of equilibrium and K are made of."""
+        return self.linearisation._replace(inertias=[], dampers=[], M={}, C={}, G={}, drag={})
 
     @cached_property
     def time_dependent_linearisation(self):

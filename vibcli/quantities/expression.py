@@ -55,15 +55,15 @@ def bounded(problem: "Problem", expression: "Expression") -> tuple[float, float]
     """(value, absolute error bound) of an expression, with the rounding of its own sums; in numbers of mpmath where the
     problem is asked for digits."""
     if problem.digits is None:
-        return _bounded(problem, expression, RunningErrors(Floats))
+        return _bounded(problem, expression, RunningErrors(Floats), {**problem.numeric.rounded})
     import mpmath
 
     with mpmath.workdps(problem.digits + GUARD):
-        return _bounded(problem, expression, RunningErrors(multiprecision(), mpmath.mp.eps))
+        arithmetic = RunningErrors(multiprecision(), mpmath.mp.eps)
+        return _bounded(problem, expression, arithmetic, problem.numeric.values(arithmetic))
 
 
-def _bounded(problem, expression, arithmetic):
-    values = problem.numeric.values(arithmetic)
+def _bounded(problem, expression, arithmetic, values):
     for quantity in expression.parts.quantities:
         value, error = measure(problem, quantity)
         values[quantity.text] = Rounded(value, error * abs(value) if value else 0.0, arithmetic.unit)

@@ -4,13 +4,13 @@ An arithmetic supplies `number(Fraction)`, `pi`, `power(base, Fraction)`, `funct
 sums and products use the operators of the numbers themselves.
 """
 
-import math
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic import discontinuous_functions
 from vibcli.symbolic.expression_graph import evaluable
+from vibcli.symbolic.floats import ELEMENTARY, Floats, sign
 from vibcli.symbolic.rationals import HALF, ONE, bits, exact_root
 
 if TYPE_CHECKING:
@@ -19,16 +19,61 @@ if TYPE_CHECKING:
     from vibcli.symbolic.defined_functions import DefinedFunction
     from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
-    from vibcli.symbolic.sampled_functions import Samples
 
-ELEMENTARY = ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "log")
+OFTEN, LONGEST = 12, 20_000      # evaluations before expressions are compiled; parts of such as are not
 
 
 def evaluate(nodes: "Sequence[Node]", arithmetic: Any, values: Any) -> list[Any]:
-    """The values of `nodes`, given {symbol name: number}."""
+    """The values of `nodes`, given {symbol name: number}. What is evaluated again and again is compiled: the same
+    operations in the same order, so the same numbers."""
+    key = tuple(nodes)
+    if not key:
+        return []
+    if len(key) == 1 and key[0].op == "number":
+        return [arithmetic.number(key[0].coefficient)]
+    programs = key[0].table.programs
+    program = programs.get(key)
+    if program is None:
+        if key not in programs:
+            programs[key] = None
+            return _interpreted(key, evaluable(key), arithmetic, values)
+        program = programs[key] = _Program(key)
+    return program.run(arithmetic, values)
+
+
+class _Program:
+    """Expressions that were evaluated before: the order of their parts, how often, and functions that are compiled."""
+
+    __slots__ = ("in_any", "in_floats", "nodes", "order", "times")
+
+    def __init__(self, nodes: "tuple[Node, ...]"):
+        self.nodes, self.order, self.times = nodes, evaluable(nodes), 0
+        self.in_floats: Callable | None = None
+        self.in_any: Callable | None = None
+
+    def run(self, arithmetic: Any, values: Any) -> list[Any]:
+        function = self.in_floats if arithmetic is Floats else self.in_any
+        if function is not None:
+            return function(values, arithmetic)
+        self.times += 1
+        if self.times < OFTEN or len(self.order) > LONGEST:
+            return _interpreted(self.nodes, self.order, arithmetic, values)
+        self._compile(arithmetic)
+        return self.run(arithmetic, values)
+
+    def _compile(self, arithmetic):
+        from vibcli.symbolic import evaluation_code
+
+        if arithmetic is Floats:
+            self.in_floats = evaluation_code.in_floats(self.nodes, self.order)
+        else:
+            self.in_any = evaluation_code.in_any_arithmetic(self.nodes, self.order)
+
+
+def _interpreted(nodes, order, arithmetic, values):
     number, power, functions = arithmetic.number, arithmetic.power, arithmetic.functions
     done = {}
-    for node in evaluable(nodes):
+    for node in order:
         if node.op == "sum":
             parts = [done[part] if c == 1 else number(c) * done[part] for part, c in node.args]
             total = parts[0] + number(node.coefficient) if node.coefficient else parts[0]
@@ -59,67 +104,13 @@ def evaluate(nodes: "Sequence[Node]", arithmetic: Any, values: Any) -> list[Any]
     return [done[node] for node in nodes]
 
 
-def _sign(x):
-    return 1 if x > 0 else -1 if x < 0 else 0       # truths of NumPy cannot be subtracted
-
-
-def _guarded(function):
-    def call(*args):
-        try:
-            value = function(*args)
-        except (ValueError, OverflowError, ZeroDivisionError):
-            return math.nan
-        return math.nan if isinstance(value, complex) else value
-    return call
-
-
-class Floats:
-    """Python floats. What has no value there (√−1, log 0, overflow, a rational too small) is NaN, for the caller to
-    refuse."""
-
-    pi, ordered = math.pi, True
-    functions = {
-        **{name: _guarded(getattr(math, name)) for name in ELEMENTARY},
-        "abs": abs, "sign": _sign, "min": min, "max": max, "power": _guarded(lambda b, e: b**e),
-        **{name: _guarded(f) for name, f in discontinuous_functions.on(math.pi, math.floor).items()}}
-
-    @staticmethod
-    def number(value: Fraction | int) -> float:
-        try:
-            found = value.numerator / value.denominator
-        except OverflowError:
-            return math.nan
-        return found if found or not value else math.nan
-
-    @staticmethod
-    def power(base: float, exponent: Fraction | int) -> float:
-        try:
-            if exponent.denominator == 1:
-                return base**exponent.numerator
-            if exponent == HALF:
-                return math.sqrt(base)
-            return base ** (exponent.numerator / exponent.denominator) if base >= 0 else math.nan
-        except (ValueError, OverflowError, ZeroDivisionError):
-            return math.nan
-
-    isfinite = staticmethod(math.isfinite)
-
-    @staticmethod
-    def record(name: str, samples: "Samples") -> Callable:
-        return samples.at
-
-    @staticmethod
-    def called(function: "DefinedFunction") -> Callable:
-        return function.at
-
-
 class Rationals:
     """Exact rationals; whatever is irrational raises Irrational."""
 
     class Irrational(ArithmeticError):
         pass
 
-    functions, ordered = {"abs": abs, "sign": _sign, "min": min, "max": max}, True
+    functions, ordered = {"abs": abs, "sign": sign, "min": min, "max": max}, True
 
     @property
     def pi(self):

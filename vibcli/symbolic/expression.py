@@ -33,7 +33,7 @@ class Table:
         self.variables, self.called = [], set()
         self.sample, self._signs, self.squares_at_sample = None, {}, squares_at_sample
         self.time, self.records, self.functions = None, records or {}, functions or {}
-        self.positive, self.definitions = set(), {}
+        self.positive, self.definitions, self.programs = set(), {}, {}
         self.zero, self.one = self.number(ZERO), self.number(ONE)
         self.pi = self._make("pi", (), ONE, 0, "pi")
         self.positive.add(self.pi)
@@ -102,18 +102,23 @@ class Table:
         for node, factor in terms:
             if factor.__class__ is not int:
                 factor = exact(factor)
-            if node.op == "sum":
-                constant += factor * node.coefficient
+            op = node.op
+            if op == "sum":
+                if node.coefficient:
+                    constant += factor * node.coefficient
                 for part, c in node.args:
-                    collected[part] = collected.get(part, ZERO) + factor * c
+                    if factor != 1:
+                        c = factor * c
+                    collected[part] = collected[part] + c if part in collected else c
                 continue
-            if node.op == "number" and bits(node.coefficient) <= BITS:
-                constant += factor * node.coefficient
+            if op == "number" and bits(node.coefficient) <= BITS:
+                if node.coefficient:
+                    constant += factor * node.coefficient
                 continue
-            if node.op == "product" and node.coefficient != 1:
-                factor = factor * node.coefficient
+            if op == "product" and node.coefficient != 1:
+                factor = factor * node.coefficient if factor != 1 else node.coefficient
                 node = self._bare(node)
-            collected[node] = collected.get(node, ZERO) + factor
+            collected[node] = collected[node] + factor if node in collected else factor
         return self._sum(constant, collected)
 
     def _bare(self, product):
@@ -151,7 +156,7 @@ class Table:
             if exponent.__class__ is not int:
                 exponent = exact(exponent)
             if node.op in ("symbol", "call"):
-                collected[node] = collected.get(node, ZERO) + exponent
+                collected[node] = collected[node] + exponent if node in collected else exponent
             else:
                 coefficient = self._gather(node, exponent, coefficient, collected)
         args = [(base, e if e.__class__ is int else exact(e)) for base, e in collected.items() if e]
@@ -183,14 +188,15 @@ class Table:
                 value = rational_power(base.coefficient, e)
                 if value is None:
                     pending.append((self.number(base.coefficient), e))
-                else:
+                elif value != 1:
                     coefficient *= value
-                pending.extend((part, power * e) for part, power in base.args)
+                pending += base.args if e == 1 else [(part, power * e) for part, power in base.args]
                 continue
             if base.op == "sum" and e.denominator == 1 and self._leads_negative(base):
                 base = self.scaled(base, -ONE)
                 coefficient = coefficient if e.numerator % 2 == 0 else -coefficient
-            e += collected.pop(base, ZERO)
+            if base in collected:
+                e += collected.pop(base)
             if base.op == "product" and e.denominator == 1:
                 pending.append((base, e))
             else:
@@ -207,7 +213,8 @@ class Table:
         if value == 1:
             return coefficient
         base = self.number(value)
-        e = exact(e + collected.pop(base, ZERO))
+        if base in collected:
+            e = exact(e + collected.pop(base))
         whole = e.numerator // e.denominator
         factor = rational_power(value, whole)
         if factor is not None and bits(factor) + bits(coefficient) <= BITS:

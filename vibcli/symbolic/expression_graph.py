@@ -13,11 +13,19 @@ _index = attrgetter("index")
 
 def evaluable(nodes: Any) -> "list[Node]":
     """All that is reachable, what symbols stand for included."""
-    found, known = reachable(nodes), ()
-    while len(found) > len(known):
-        known, more = found, [node.table.definitions[node] for node in found if node in node.table.definitions]
-        found = reachable([*found, *more]) if more else known
-    return found
+    seen, pending = set(), list(nodes)
+    while pending:
+        node = pending.pop()
+        if node in seen:
+            continue
+        seen.add(node)
+        if node.op in ("sum", "product"):
+            pending += [arg for arg, _ in node.args]
+        elif node.op == "call":
+            pending += node.args
+        elif node.op == "symbol" and node in node.table.definitions:
+            pending.append(node.table.definitions[node])
+    return sorted(seen, key=_index)
 
 
 def reachable(nodes: Any, known: "Mapping[Node, str] | Sequence[Any]" = ()) -> "list[Node]":
@@ -30,9 +38,9 @@ def reachable(nodes: Any, known: "Mapping[Node, str] | Sequence[Any]" = ()) -> "
             if node in known:
                 continue
             if node.op in ("sum", "product"):
-                pending.extend(arg for arg, _ in node.args if arg not in seen)
+                pending += [arg for arg, _ in node.args]
             elif node.op == "call":
-                pending.extend(node.args)
+                pending += node.args
     return sorted(seen, key=_index)
 
 

@@ -27,7 +27,7 @@ class Interval:
 
     def __init__(self, low: float | np.ndarray, high: float | np.ndarray):
         unknown = np.isnan(low) | np.isnan(high)
-        if np.any(unknown):
+        if unknown.any():
             low, high = np.where(unknown, -np.inf, low), np.where(unknown, np.inf, high)
         self.low, self.high = low, high
 
@@ -39,8 +39,8 @@ class Interval:
 
     def __mul__(self, other: "Interval") -> "Interval":
         with np.errstate(invalid="ignore", over="ignore"):
-            ends = [a * b for a in (self.low, self.high) for b in (other.low, other.high)]
-        return outward(np.minimum.reduce(np.broadcast_arrays(*ends)), np.maximum.reduce(np.broadcast_arrays(*ends)))
+            a, b, c, d = (one * two for one in (self.low, self.high) for two in (other.low, other.high))
+        return outward(np.minimum(np.minimum(a, b), np.minimum(c, d)), np.maximum(np.maximum(a, b), np.maximum(c, d)))
 
     @property
     def size(self) -> float | np.ndarray:

@@ -10,6 +10,8 @@ ZERO, ONE, HALF = 0, 1, Fraction(1, 2)
 
 def exact(value: Fraction | int):
     """A rational as an int where it is whole (an order of magnitude faster than a Fraction), else as a Fraction."""
+    if value.__class__ is int:
+        return value
     if value.__class__ is not Fraction:
         value = Fraction(value)
     return value.numerator if value.denominator == 1 else value
@@ -24,6 +26,8 @@ def fraction_of(value: Any) -> Fraction:
 
 
 def bits(value: Fraction | int) -> int:
+    if value.__class__ is int:
+        return value.bit_length() + 1
     return value.numerator.bit_length() + value.denominator.bit_length()
 
 

@@ -1,6 +1,7 @@
 """Values of the problems taken away and asked back: the frequency or damping that a value gives must give the value."""
 
 from fractions import Fraction
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -56,6 +57,7 @@ def measurable(problem):
     return list(dict.fromkeys(pair for pair in found if pair[1]))
 
 
+@cache
 def collected(path):
     """Every ninth (parameter, quantity, its number) of a problem in numbers that chooses nothing itself."""
     problem = problem_of(path)

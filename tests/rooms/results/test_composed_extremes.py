@@ -144,3 +144,20 @@ def test_samples_are_refined_until_they_resolve():
     with pytest.raises(PhysicsError, match="given up after") as refused:
         SampledSearch(lambda t: np.sin(1e6 * t), 0.0, 1e5, Work())
     assert "--patience 10" in refused.value.hint
+
+
+def test_what_is_asked_of_the_same_stretches_is_found_once(monkeypatch):
+    """Slope and curvature of a stretch come from one jet; arrays that were written over are other stretches."""
+    signal = scene(0.5, 3).response.signal(problem("bodies: {b: {mass: 1 kg, slide: x}}\nanswers: {max(x*x'): 1 m^2/s}"
+                                                   ).spec.answers[0].asked.tree.args[0])
+    found, made = signal.along(3.0), []
+    real = found._found
+    monkeypatch.setattr(found, "_found", lambda which, *where: made.append(which) or real(which, *where))
+    segment, early, late = np.zeros(3, int), np.array([0.0, 0.5, 1.0]), np.array([0.1, 0.6, 1.1])
+    slope, curvature = found.terms(None, 1), found.terms(None, 2)
+    one, other = slope.bound(segment, early, late), curvature.bound(segment, early, late)
+    assert made == ["jet"]
+    early += 0.05
+    assert not np.array_equal(slope.bound(segment, early, late), one)
+    assert not np.array_equal(curvature.bound(segment, early, late), other)
+    assert made == ["jet", "jet"]

@@ -102,6 +102,15 @@ def test_exact_values_are_those_that_are_given():
         vibcli.loads(CAR.replace("c: 900", "c: 1800"))._problem.modal.damped[0].decay, rel=1e-14)
 
 
+def test_values_that_share_a_scene_share_it_with_its_inputs():
+    """It is built and linearised once; its numbers are those of the values."""
+    p = vibcli.loads(CAR)._problem
+    other = p.sharing({"c": 2 * p.numeric.rational["c"]})
+    one, two = p.configuration.with_inputs, other.configuration.with_inputs
+    assert one.scene is two.scene and one.form is two.form
+    assert one.numbers.elements.dampers != two.numbers.elements.dampers
+
+
 def test_an_interrupt_keeps_what_was_found(monkeypatch):
     p, calls = vibcli.loads(CAR), []
     axis = of_numbers(p._as_read.spec, "kf", np.linspace(9, 60, 40).tolist())

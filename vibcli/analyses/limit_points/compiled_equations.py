@@ -1,6 +1,7 @@
 """r(q, p), K = ∂r/∂q and ∂r/∂p compiled together from the shared expressions of a scene, one parameter an argument."""
 
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -23,9 +24,9 @@ class CompiledEquilibrium:
         table, n = scene.table, len(rows)
         p, self.n = table.variable(f"{name} as it goes"), n
         terms = [residual_terms(form)[i] for i in rows]
-        self.counts = [len(row) for row in terms]
+        at = np.cumsum([0, *map(len, terms)]).tolist()
+        self.parts, self.most = [slice(*ends) for ends in pairwise(at)], at[-1]
         nodes = _with_argument(scene, [node for row in terms for node in row], name, p)
-        at = np.cumsum([0, *self.counts])
         symbols = [*(scene.q[i] for i in rows), p]
         slopes = [gradient(table.total(nodes[at[i]:at[i + 1]])) for i in range(n)]
         found = [*nodes, *(row.get(symbol, table.zero) for row in slopes for symbol in symbols)]
@@ -43,10 +44,8 @@ class CompiledEquilibrium:
         place[self.rows] = q
         with np.errstate(all="ignore"):
             values = np.array(self._evaluate(place, np.float64(p)), float)
-        most = sum(self.counts)
-        parts = np.split(values[:most], np.cumsum(self.counts)[:-1])
-        slopes = values[most:].reshape(self.n, self.n + 1)
-        return (np.array([part.sum() for part in parts]), np.array([np.abs(part).sum() for part in parts]),
+        slopes, sizes = values[self.most:].reshape(self.n, self.n + 1), np.abs(values[:self.most])
+        return (np.array([values[row].sum() for row in self.parts]), np.array([sizes[row].sum() for row in self.parts]),
                 slopes[:, :-1], slopes[:, -1])
 
 

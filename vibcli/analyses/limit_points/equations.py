@@ -48,9 +48,9 @@ class ParametricEquilibrium:
         self.names = [every[i] for i in self.rows]
         self.scale = np.array([numeric.size_along(one) for one in self.names])
         self.angle = np.array([not numeric.system.dimension(one) for one in self.names])
-        self.form = numeric.system.linearisation._replace(inertias=[], dampers=[], M={}, C={}, G={}, drag={})
+        self.form = numeric.system.statics
         self.given = {one: x for one, x in numeric.given.items() if one != name}
-        self.start = numeric.floats[name]
+        self.start, self.duals = numeric.floats[name], Duals(Floats)
         self.bends = bool(self.scene.table.called.intersection(KINKED) or self.scene.table.functions)
 
     @cached_property
@@ -98,7 +98,7 @@ class ParametricEquilibrium:
         position = self._closed(q, p, near)
         if position is None:
             return None
-        arithmetic = Duals(Floats)
+        arithmetic = self.duals
         values = self.scene.parameters.values(arithmetic, {**self._numbers(Floats), self.name: dual(p, dp)})
         moved = dict(position)
         if dq is not None:

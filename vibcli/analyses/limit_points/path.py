@@ -142,7 +142,9 @@ class EquilibriumPath:
             y, length = y + change, float(np.linalg.norm(change))
             small = CONVERGED * (1.0 + float(np.linalg.norm(y)))
             rounding = length <= LEFT * abs(step) and bool((np.abs(r) <= noise).all())
-            if length <= small or rounding:
+            if length <= small:         # so are K and ∂r/∂p the same
+                return self._point(y, slopes, near, point, float(np.linalg.norm(y - start)))
+            if rounding:
                 found = self._jacobian(y, near)
                 return found and self._point(y, found[1], found[2], point, float(np.linalg.norm(y - start)))
             if not np.isfinite(length) or length > CONTRACTS * last:

@@ -45,17 +45,17 @@ class Leaf:
 
     def jet(self, segment: np.ndarray, early: np.ndarray, late: np.ndarray) -> Jet:
         half, middle = 0.5 * (late - early), 0.5 * (early + late)
-        bends = self.curvature.bound(segment, early, late)
-        return Jet(*(_within(terms, segment, (early, middle, late), reach) for terms, reach in (
-            (self.y, np.abs(self.slope.at(segment, middle)) * half + bends * half**2 / 2), (self.slope, bends * half),
-            (self.curvature, np.inf))))
+        at, on = {}, {}
+        y, slope, curvature = ((terms.at(segment, middle, at), terms.bound(segment, early, late, on))
+                               for terms in (self.y, self.slope, self.curvature))
+        bends = curvature[1]
+        return Jet(_within(*y, np.abs(slope[0]) * half + bends * half**2 / 2), _within(*slope, bends * half),
+                   _within(*curvature, np.inf))
 
 
-def _within(terms, segment, instants, reach):
+def _within(value, bound, reach):
     """What lies within a reach of its value in the middle, and within its bounds."""
-    early, middle, late = instants
-    bound = terms.bound(segment, early, late) * (1 + 4 * EPSILON)
-    value = terms.at(segment, middle)
+    bound = bound * (1 + 4 * EPSILON)
     reach = reach + 16 * EPSILON * bound
     return Interval(np.maximum(value - reach, -bound), np.minimum(value + reach, bound))
 
@@ -73,6 +73,7 @@ class Composition:
         self.later = {name: self.starts - leaf.starts[self.segments[name]] for name, leaf in leaves.items()}
         self.nodes = [nodes for leaf in leaves.values() for nodes in leaf.nodes] or [(complex(FINEST / end),)]
         self.constants = {name: Jet(exact(value)) for name, value in floats.items() if isinstance(value, float)}
+        self._last: dict[str, tuple] = {}
 
     def terms(self, output: Any, order: int) -> "Derivative":
         """What Pieces.terms gives of one output."""
@@ -92,7 +93,14 @@ class Composition:
     def size(self, segment: np.ndarray, early: np.ndarray, late: np.ndarray) -> Jet:
         return self._composed("size", segment, early, late)
 
-    def _composed(self, which, segment, early, late):
+    def _composed(self, which, *where):
+        """That of the last call where it is asked for again, as its slope and curvature are."""
+        last = self._last.get(which)
+        if last is None or not all(map(np.array_equal, last[0], where)):
+            last = self._last[which] = tuple(part.copy() for part in where), self._found(which, *where)
+        return last[1]
+
+    def _found(self, which, segment, early, late):
         values = {name: getattr(leaf, which)(self.segments[name][segment], *(
             tau + self.later[name][segment] for tau in (early, late))) for name, leaf in self.leaves.items()}
         values[self.time] = Jet(Interval(self.starts[segment] + early, self.starts[segment] + late), exact(1.0))

@@ -10,6 +10,7 @@ where that distance times t is small a series replaces it, so nothing cancels (M
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -29,18 +30,21 @@ def exponential(node: complex, t: np.ndarray) -> np.ndarray:
     return out
 
 
-def real_wave(factor: complex | np.ndarray, node: complex, t: np.ndarray) -> float | np.ndarray:
-    """Re(factor e^{λt})."""
-    decay = np.exp(node.real * t) if node.real else 1.0
-    if not node.imag:
+def real_wave(factor: complex | np.ndarray, node: complex, t: np.ndarray, known: dict) -> float | np.ndarray:
+    """Re(factor e^{λt}); `known`: what was found at the same times."""
+    if node not in known:
+        decay, angle = np.exp(node.real * t) if node.real else 1.0, node.imag * t
+        known[node] = (decay, np.cos(angle), np.sin(angle)) if node.imag else (decay, None, None)
+    decay, cosine, sine = known[node]
+    if cosine is None:
         return np.real(factor) * decay
-    angle = node.imag * t
-    return decay * (np.real(factor) * np.cos(angle) - np.imag(factor) * np.sin(angle))
+    return decay * (np.real(factor) * cosine - np.imag(factor) * sine)
 
 
-def differences(nodes: Sequence[complex], t: np.ndarray) -> np.ndarray:
-    """E[nodes] at an array of times, exact to a few roundings of |node| t."""
-    known = {}
+def differences(nodes: Sequence[complex], t: np.ndarray, known: dict | None = None) -> np.ndarray:
+    """E[nodes] at an array of times, exact to a few roundings of |node| t; `known`: what was found at the same times.
+    """
+    known = {} if known is None else known
 
     def of(nodes):
         if nodes not in known:
@@ -66,7 +70,8 @@ def _difference(nodes, t, of):
     return out
 
 
-def farthest(nodes: Sequence[complex]) -> tuple[int, int]:
+@lru_cache(1000)
+def farthest(nodes: tuple[complex, ...]) -> tuple[int, int]:
     """The places i < j of the two nodes farthest apart."""
     pairs = ((i, j) for i in range(len(nodes)) for j in range(i + 1, len(nodes)))
     return max(pairs, key=lambda pair: abs(nodes[pair[0]] - nodes[pair[1]]))
@@ -107,8 +112,15 @@ def _pair(nodes, t):
     return t * exponential(nodes[1] + half, t) * total
 
 
-def bounds(nodes: Any, early: Any, late: Any):
-    """Upper bounds of |E[nodes](t)| on the intervals early <= t <= late."""
+def bounds(nodes: Any, early: Any, late: Any, known: dict | None = None) -> Any:
+    """Upper bounds of |E[nodes](t)| on the intervals early <= t <= late; `known`: those found on the same ones."""
+    known = {} if known is None else known
+    if nodes not in known:
+        known[nodes] = _bounds(nodes, early, late, known)
+    return known[nodes]
+
+
+def _bounds(nodes, early, late, known):
     m = len(nodes)
     fastest = np.exp(np.maximum(*(max(node.real for node in nodes) * t for t in (early, late))))
     found = fastest * late ** (m - 1) / math.factorial(m - 1)
@@ -116,27 +128,32 @@ def bounds(nodes: Any, early: Any, late: Any):
         i, j = farthest(nodes)
         gap = abs(nodes[i] - nodes[j])
         if gap:
-            apart = bounds(nodes[:j] + nodes[j + 1:], early, late) + bounds(nodes[:i] + nodes[i + 1:], early, late)
+            apart = (bounds(nodes[:j] + nodes[j + 1:], early, late, known)
+                     + bounds(nodes[:i] + nodes[i + 1:], early, late, known))
             found = np.minimum(found, apart / gap)
     return found
 
 
 def real_sum(terms: Sequence[tuple[int, tuple[complex, ...], np.ndarray | slice, complex | np.ndarray]],
-             t: np.ndarray) -> np.ndarray:
-    """Σ Re(factor tᵏ E[nodes]) of terms (k, nodes, which of the times, factors there)."""
+             known: dict, t: np.ndarray) -> np.ndarray:
+    """Σ Re(factor tᵏ E[nodes]) of terms (k, nodes, which of the times, factors there); `known`: what other sums found
+    at the same times."""
     total = np.zeros(len(t))
     for power, nodes, inside, factor in terms:
-        here = t[inside]
-        part = real_wave(factor, nodes[0], here) if len(nodes) == 1 else np.real(factor * differences(nodes, here))
+        here, found = t[inside], known if isinstance(inside, slice) else {}
+        part = (real_wave(factor, nodes[0], here, found) if len(nodes) == 1
+                else np.real(factor * differences(nodes, here, found)))
         total[inside] += here**power * part if power else part
     return total
 
 
 def largest_sum(terms: Sequence[tuple[int, tuple[complex, ...], np.ndarray | slice, complex | np.ndarray]],
-                early: np.ndarray, late: np.ndarray) -> np.ndarray:
-    """An upper bound of the magnitude of the same on the intervals early <= t <= late."""
+                known: dict, early: np.ndarray, late: np.ndarray) -> np.ndarray:
+    """An upper bound of the magnitude of the same on the intervals early <= t <= late; `known`: what other sums found
+    on the same ones."""
     total = np.zeros(len(early))
     for power, nodes, inside, factor in terms:
-        part = bounds(nodes, early[inside], late[inside])
+        found = known if isinstance(inside, slice) else {}
+        part = bounds(nodes, early[inside], late[inside], found)
         total[inside] += np.abs(factor) * (late[inside]**power * part if power else part)
     return total

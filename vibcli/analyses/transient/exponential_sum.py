@@ -104,27 +104,29 @@ class ExponentialSum:
         """The same sum with no driven part split."""
         return ExponentialSum(*self._of, split=False)
 
-    def at(self, segment: np.ndarray, tau: np.ndarray) -> np.ndarray:
-        """The values at the times `tau` after the starts of the segments."""
-        y = self._summed(real_sum, segment, tau)
+    def at(self, segment: np.ndarray, tau: np.ndarray, known: dict | None = None) -> np.ndarray:
+        """The values at the times `tau` after the starts of the segments; `known`: exponentials that sums of the same
+        motion found at the same times."""
+        y = self._summed(real_sum, known, segment, tau)
         if not np.isfinite(y).all():
             raise PhysicsError("the motion grows beyond the range of floating-point numbers",
                                hint="ask for an earlier time: the system is unstable")
         return y
 
-    def bound(self, segment: np.ndarray, early: np.ndarray, late: np.ndarray) -> np.ndarray:
-        """Upper bounds of the magnitude on the intervals early <= τ <= late of the segments."""
-        return self._summed(largest_sum, segment, early, late)
+    def bound(self, segment: np.ndarray, early: np.ndarray, late: np.ndarray, known: dict | None = None) -> np.ndarray:
+        """Upper bounds of the magnitude on the intervals early <= τ <= late of the segments; `known`: those of
+        exponentials that sums of the same motion found on the same ones."""
+        return self._summed(largest_sum, known, segment, early, late)
 
-    def _summed(self, function, segment, *times):
+    def _summed(self, function, known, segment, *times):
         """A function of all terms and times, of the unsplit terms before `since`."""
         late = times[0] >= self.since
         with np.errstate(all="ignore"):
             if late.all():
-                return function(self._here(segment), *times)
+                return function(self._here(segment), {} if known is None else known, *times)
             total = np.empty(len(segment))
             for whole, part in ((self, late), (self.unsplit, ~late)):
-                total[part] = function(whole._here(segment[part]), *(time[part] for time in times))
+                total[part] = function(whole._here(segment[part]), {}, *(time[part] for time in times))
         return total
 
     def _here(self, segment):

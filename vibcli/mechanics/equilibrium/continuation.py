@@ -83,7 +83,7 @@ class Branch:
                 return None
             target = {name: closed[name] for name in near}
         try:
-            numbers = in_numbers(self.numeric.system.linearisation, Floats, {**floats, **target})
+            numbers = in_numbers(self.numeric.system.statics, Floats, {**floats, **target})
         except (ArithmeticError, ValueError, PhysicsError):
             return None
         r = self.np.array(numbers.residual, float) * self.scale

@@ -72,7 +72,7 @@ class EnergyDescent:
         if position is None:
             raise PhysicsError("the search for the equilibrium reaches a position in which the loops of this scene "
                                "cannot close", "draw the scene nearer to its equilibrium")
-        numbers = in_numbers(self.numeric.system.linearisation, Floats, {**self.numeric.floats, **position})
+        numbers = in_numbers(self.numeric.system.statics, Floats, {**self.numeric.floats, **position})
         stiffness = self.np.abs(numbers.elements.stiffness_array())
         if not (all(map(math.isfinite, numbers.residual)) and self.np.isfinite(stiffness).all()):
             raise Undefined("the forces of this scene are not finite numbers at the place where the search for its "

@@ -24,14 +24,14 @@ def rest_in_digits(numeric: "NumericSystem") -> dict[str, float] | None:
     with mpmath.workdps(DIGITS):
         values = numeric.values(multiprecision())
         start = {name: mpmath.mpf(x) for name, x in numeric.start().items()}
-        numbers = in_numbers(numeric.system.linearisation, multiprecision(), values | start)
+        numbers = in_numbers(numeric.system.statics, multiprecision(), values | start)
         entries, n = numbers.elements.stiffness(), len(names)
         K = mpmath.matrix([[entries.get((i, j), 0) for j in range(n)] for i in range(n)])
         moved = _solved(K, [-force for force in numbers.residual])
         if moved is None:
             return None
         place = start | {name: start[name] + q for name, q in zip(names, moved, strict=True)}
-        there = in_numbers(numeric.system.linearisation, multiprecision(), values | place)
+        there = in_numbers(numeric.system.statics, multiprecision(), values | place)
         if max(map(abs, there.residual)) > HELD * max(numbers.residual_size):
             return None
         return {name: float(x) for name, x in place.items()}

@@ -61,6 +61,7 @@ class Forces:
         self.open = np.array([any(base.startswith("?") for base in numeric.spec.dimensions.of(name))
                               for name in self.names], bool)
         self.D = np.where(self.angle | self.open, 1.0, typical_length(numeric) or 1.0)
+        self.inner, self.square = np.ix_(self.rows, self.rows), np.outer(self.D, self.D)
         self.E, self.typical = 1.0, np.zeros(len(self.names))
         self.periodic = np.zeros(len(self.names), bool)
         self.looped = numeric.scene.resting.loops is not None
@@ -97,11 +98,11 @@ class Forces:
         self.work.step()
         try:
             values = {**self.numeric.floats, **self.position(z)}
-            numbers = in_numbers(self.numeric.system.linearisation, Floats, values)
+            numbers = in_numbers(self.numeric.system.statics, Floats, values)
         except (PhysicsError, ArithmeticError, ValueError):
             return None
         F = np.array(numbers.residual, dtype=float)[self.rows] * self.D
-        J = numbers.elements.stiffness_array()[np.ix_(self.rows, self.rows)] * np.outer(self.D, self.D)
+        J = numbers.elements.stiffness_array()[self.inner] * self.square
         if not (np.isfinite(F).all() and np.isfinite(J).all() and np.abs(F).max() < HUGE and np.abs(J).max() < HUGE):
             return None
         size = np.array(numbers.residual_size, dtype=float)[self.rows] * self.D + np.abs(J) @ (1.0 + np.abs(z))

@@ -73,7 +73,7 @@ class Valley:
         """{symbol: float} where the forces across balance, by Newton's method; of z itself where they do not."""
         start = z
         for _ in range(CORRECTIONS if self.across.size else 0):
-            numbers = in_numbers(self.system.linearisation, Floats, self.place(z))
+            numbers = in_numbers(self.system.statics, Floats, self.place(z))
             F = self.across.T @ (np.array(numbers.residual, dtype=float) * self.sizes)
             J = self.across.T @ (numbers.elements.stiffness_array() * np.outer(self.sizes, self.sizes)) @ self.across
             step = np.linalg.lstsq(J, -F, rcond=None)[0] if np.isfinite(J).all() and np.isfinite(F).all() else np.inf

@@ -10,11 +10,10 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
-from vibcli.mechanics.autonomous import INSTANTS, SAME, matrices_at, steady
+from vibcli.mechanics.autonomous import INSTANTS, SAME, matrices_at
 from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction
-from vibcli.mechanics.linearise import linearise, without_time
+from vibcli.mechanics.linearise import without_time
 from vibcli.mechanics.numeric_linearisation import in_numbers
-from vibcli.mechanics.static_preload import take_over
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
@@ -32,11 +31,9 @@ class SystemWithInputs:
     def __init__(self, configuration: "Configuration", releasing: bool = False):
         self.configuration, self.arithmetic = configuration, configuration.arithmetic
         self.kind = float if self.arithmetic is Floats else object
-        scene = configuration.scene.with_released_supports() if releasing else configuration.scene
-        self.scene = scene = take_over(scene.with_inputs(), configuration.system.preloads)
-        self.n = len(scene.q) - len(scene.inputs)
-        self.timed = linearise(scene)
-        self.form = steady(scene, self.timed)
+        system = configuration.system
+        self.scene, self.timed, self.form = system.released_with_inputs if releasing else system.with_inputs
+        self.n = len(self.scene.q) - len(self.scene.inputs)
 
     @cached_property
     def values(self):

@@ -36,6 +36,7 @@ class ForcesAlong:
 
     def __init__(self, numeric: "NumericSystem"):
         self.numeric, self.released = numeric, Released(numeric)
+        self._normals: dict[str, list[Node]] = {}
 
     @cached_property
     def nodes(self) -> "list[Node]":
@@ -83,9 +84,8 @@ class ForcesAlong:
         found = {name: np.empty(count) for name in names}
         for k in range(count):
             known = self._at(E[:, k], G[:, :, k], n)
-            state = {name: value[k] if getattr(value, "ndim", 0) else value for name, value in states.items()}
             for name in names:
-                found[name][k] = self._value(known, name, state)
+                found[name][k] = self._value(known, name, states, k)
         return found
 
     def _at(self, E, G, n):
@@ -102,17 +102,24 @@ class ForcesAlong:
                       for q, value, unknown in zip(self.released.held, held, left_open, strict=True)})
         return found
 
-    def _value(self, known, text, state):
+    def _value(self, known, text, states, k):
         signal = signal_name(text)
         if signal.kind in CONTACT and text not in known:
-            return self._contact(known, signal.name, signal.kind, state)
+            return self._contact(known, signal.name, signal.kind, states, k)
         text = reaction_of(self.numeric.system, text, known)
         return require_fixed(text, known[text])
 
-    def _contact(self, known, name, part, state):
-        scene, n = self.released.scene, len(self.released.real)
-        held, reach = dict.fromkeys(scene.q[n:], scene.table.zero), scene.bodies[name].reach
-        normal = evaluate(substitute(normal_of(scene, name), held), Arrays, state)
+    def _contact(self, known, name, part, states, k):
+        reach, normal = self.released.scene.bodies[name].reach, self._normal(name)
+        state = {name: value[k] if getattr(value, "ndim", 0) else value for name, value in states.items()}
         if part == "friction" and reach is not None and f"{name}.drive" not in known:
-            return self._value(known, f"{name}.reaction.moment", state) / evaluate([reach], Arrays, state)[0]
-        return in_contact(part, normal, [self._value(known, f"{name}.reaction.{axis}", state) for axis in "xy"])
+            return self._value(known, f"{name}.reaction.moment", states, k) / evaluate([reach], Arrays, state)[0]
+        return in_contact(part, evaluate(normal, Arrays, state), [
+            self._value(known, f"{name}.reaction.{axis}", states, k) for axis in "xy"])
+
+    def _normal(self, name):
+        """The normal of the surface that a body touches, what is released being held."""
+        if name not in self._normals:
+            scene, n = self.released.scene, len(self.released.real)
+            self._normals[name] = substitute(normal_of(scene, name), dict.fromkeys(scene.q[n:], scene.table.zero))
+        return self._normals[name]

@@ -1,0 +1,139 @@
+"""`evaluate` as a function that is compiled: the same operations in the same order, so the same numbers.
+
+The source is made of slots and the repr of floats alone; functions, numbers and names of symbols are handed to it.
+"""
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+from vibcli.symbolic.floats import Floats
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
+
+AT_ONCE = 200           # terms of a sum or factors of a product in one line
+
+
+def in_floats(nodes: "Sequence[Node]", order: "Sequence[Node]") -> Callable:
+    """({symbol name: float}, arithmetic) ↦ the values of `nodes`, as `evaluate(nodes, Floats, values)` gives them;
+    `order`: all parts of them, each after its own."""
+    return _Source().function(nodes, order, "v,_")
+
+
+def in_any_arithmetic(nodes: "Sequence[Node]", order: "Sequence[Node]") -> Callable:
+    """({symbol name: number}, arithmetic) ↦ the values of `nodes`, as `evaluate` gives them in that arithmetic."""
+    return _SourceInAny().function(nodes, order, "v,a")
+
+
+class _Source:
+    """Lines that compute in floats."""
+
+    opening = ""
+
+    def __init__(self):
+        self.slots, self.lines = {}, []
+        self.space: dict[str, Any] = {"nan": float("nan"), "inf": float("inf"), "power": Floats.power}
+
+    def function(self, nodes: "Sequence[Node]", order: "Sequence[Node]", head: str) -> Callable:
+        for node in order:
+            self._add(node)
+        result = ",".join(self.slots[node] for node in nodes)
+        body = "".join(f"    {line}\n" for line in self.lines)
+        code = compile(f"def f({head}):\n{self.opening}{body}    return [{result}]\n", "<values>", "exec")
+        exec(code, self.space)      # slots and floats only
+        return self.space["f"]
+
+    def _add(self, node):
+        """Write what computes a node, those below it being written."""
+        self.slots[node] = slot = f"x{len(self.slots)}"
+        definition = node.table.definitions.get(node) if node.op == "symbol" else None
+        text = self._defined(node, definition) if definition is not None else getattr(self, "_" + node.op)(node)
+        self.lines.append(f"{slot}={text}")
+
+    def _given(self, kind, value):
+        """The name under which something is handed to the source."""
+        name = f"{kind}{len(self.space)}"
+        self.space[name] = value
+        return name
+
+    def _constant(self, value):
+        return f"({Floats.number(value)!r})"
+
+    def _defined(self, node, definition):
+        return self.slots[definition]
+
+    def _number(self, node):
+        return self._constant(node.coefficient)
+
+    def _pi(self, node):
+        return repr(Floats.pi)
+
+    def _symbol(self, node):
+        return f"v[{self._given('n', node.name)}]"
+
+    def _sum(self, node):
+        terms = [self.slots[part] if c == 1 else f"{self._constant(c)}*{self.slots[part]}" for part, c in node.args]
+        if node.coefficient:
+            terms.insert(1, self._constant(node.coefficient))
+        return self._joined(terms, "+")
+
+    def _product(self, node):
+        factors = [] if node.coefficient == 1 else [self._constant(node.coefficient)]
+        for base, exponent in node.args:
+            slot = self.slots[base]
+            factors.append(slot if exponent == 1 else f"power({slot},{self._given('e', exponent)})")
+        return self._joined(factors, "*")
+
+    def _joined(self, parts, sign):
+        """All of them, from left to right, long ones in lines of their own."""
+        while len(parts) > AT_ONCE:
+            slot = f"y{len(self.lines)}"
+            self.lines.append(f"{slot}={sign.join(parts[:AT_ONCE])}")
+            parts = [slot, *parts[AT_ONCE:]]
+        return sign.join(parts)
+
+    def _call(self, node):
+        table, args = node.table, [self.slots[arg] for arg in node.args]
+        if node.name in table.records:
+            order = node.args[1].coefficient if len(node.args) > 1 else 0
+            return self._record(node.name, self._of(table.records, node.name), args[0], self._given("o", order))
+        if node.name in table.functions:
+            return f"{self._called(self._of(table.functions, node.name))}({','.join(args)})"
+        return f"{self._function(node.name)}({','.join(args)})"
+
+    def _of(self, known, name):
+        return f"{self._given('t', known)}[{self._given('n', name)}]"
+
+    def _record(self, name, samples, at, order):
+        return f"{samples}.at({at},{order})"
+
+    def _called(self, function):
+        return f"{function}.at"
+
+    def _function(self, name):
+        return self._given("f", Floats.functions[name])
+
+
+class _SourceInAny(_Source):
+    """Lines that compute in the arithmetic `a`."""
+
+    opening = "    number=a.number;power=a.power;functions=a.functions;defined=getattr(a,'defined',None)\n"
+
+    def _constant(self, value):
+        return f"number({self._given('c', value)})"
+
+    def _defined(self, node, definition):
+        slot = self.slots[definition]
+        return f"{slot} if defined is None else defined({self._given('n', node.name)},{slot})"
+
+    def _pi(self, node):
+        return "a.pi"
+
+    def _record(self, name, samples, at, order):
+        return f"a.record({self._given('n', name)},{samples})({at},{order})"
+
+    def _called(self, function):
+        return f"a.called({function})"
+
+    def _function(self, name):
+        return f"functions[{self._given('n', name)}]"
