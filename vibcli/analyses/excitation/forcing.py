@@ -86,9 +86,9 @@ class Forcing:
         if self.period is None:
             return found
         repeated = [piece for piece in self.pieces if piece.start >= self.since]
-        count = max(0.0, until - self.since) * len(self.pieces) / self.period
+        count = max(0.0, until - self.since) * len(repeated) / self.period
         turns, most = 1, MOST * (1 if work is None else work.patience)
-        before = 0.99 * most * self.period / len(self.pieces)
+        before = self.since + 0.99 * most * self.period / len(repeated)
         with task_of(work, count, f"ask for an instant before t = {float(before):.3g} s") as task:
             while self.since + turns * self.period < until:
                 shift = turns * self.period

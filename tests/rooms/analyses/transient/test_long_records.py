@@ -39,7 +39,7 @@ def record(steps, kind="walk", seed=1):
     dice = np.random.default_rng(seed)
     lengths = np.full(COUNT - 1, 16) if steps == "even" else dice.integers(3, 40, COUNT - 1)
     times = np.append(0, np.cumsum(lengths)) / UNITS
-    values = np.cumsum(dice.normal(size=COUNT)) if kind == "walk" else np.sin(11.5 * times) + 0.01 * dice.normal(
+    values = np.cumsum(dice.normal(size=COUNT)) if kind == "walk" else np.sin(13.37 * times) + 0.01 * dice.normal(
         size=COUNT)
     values[[0, -1]] = 0.0
     return Samples(times.tolist(), values.tolist())
