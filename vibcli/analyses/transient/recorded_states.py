@@ -15,6 +15,7 @@ import numpy as np
 
 from vibcli.analyses.transient.exponential_differences import differences
 from vibcli.analyses.transient.forced import drives, ends
+from vibcli.analyses.transient.straight_sum import shapes
 from vibcli.numerics.recurrences import ROW, recurrence, recurrence_of_matrices
 
 if TYPE_CHECKING:
@@ -94,7 +95,10 @@ def _marched(motion, blocks: "Sequence[ModalBlock]", timeline: "Timeline", task:
 
 
 def _responses(nodes, driven, lengths):
-    """[e^{λh}, and what each SharedDrive adds] for lengths h."""
+    """[e^{λh}, and what each SharedDrive adds] for lengths h; under straight lines all blocks at once."""
+    if not any(one.exponent or one.power > 1 for one in driven):
+        kept, *lines = shapes(np.array(nodes), lengths)
+        return [kept, *(lines[one.power] * one.weights[:, None] for one in driven)]
     return [np.array([differences((node,), lengths) for node in nodes], complex),
             *(one.responses(nodes, lengths) for one in driven)]
 

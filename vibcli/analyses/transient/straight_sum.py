@@ -18,8 +18,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
     from vibcli.analyses.transient.pieces import Pieces
 
-EPSILON, NEAR = 2.0**-52, 2.0
-SERIES = [1 / math.factorial(k + 2) for k in reversed(range(24))]
+EPSILON, NEAR, TERMS, LOST = 2.0**-52, 2.0, 40, 1e-18
 
 
 def is_straight(pieces: "Pieces") -> bool:
@@ -57,7 +56,7 @@ class StraightSum:
     def at(self, segment: np.ndarray, tau: np.ndarray) -> np.ndarray:
         """The values at the times `tau` after the starts of the segments."""
         with np.errstate(all="ignore"):
-            y = np.einsum("kit,kit->t", self.parts[:, :, segment], _shapes(self.exponents, tau)).real
+            y = np.einsum("kit,kit->t", self.parts[:, :, segment], shapes(self.exponents, tau)).real
             y += self.lines[0, segment] + self.lines[1, segment] * tau
         if not np.isfinite(y).all():
             raise PhysicsError("the motion grows beyond the range of floating-point numbers",
@@ -89,15 +88,16 @@ class StraightSum:
         return np.abs(own + follows[0]), lines, lost
 
 
-def _shapes(exponents, tau):
+def shapes(exponents: np.ndarray, tau: np.ndarray) -> np.ndarray:
     """E[λ], E[λ, 0], E[λ, 0, 0] at times: (3, exponents, times)."""
     z = np.multiply.outer(exponents, tau)
+    size = np.abs(z)
+    far, reach = size > NEAR, min(NEAR, float(size.max(initial=0.0)))
     grown, second = np.exp(z), np.zeros_like(z)
-    for c in SERIES:
+    for k in reversed(range(next(k for k in range(1, TERMS) if reach**k < LOST * math.factorial(k)))):
         second *= z
-        second += c
+        second += 1 / math.factorial(k + 2)
     first, second = tau * (1 + z * second), tau**2 * second
-    far = np.abs(z) > NEAR
     if far.any():
         node, time = (np.broadcast_to(part, z.shape)[far] for part in (exponents[:, None], tau))
         first[far] = (grown[far] - 1) / node
