@@ -11,7 +11,7 @@ from vibcli.analyses.closed_form import characteristic, many_degrees
 from vibcli.analyses.excitation import forcing
 from vibcli.analyses.modal import modal_analysis as modes
 from vibcli.analyses.time_integration import integrate, time_stepping
-from vibcli.analyses.transient import extremes, isolating_intervals, linear_response, zeros
+from vibcli.analyses.transient import extremes, isolating_intervals, pieces, zeros
 from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Spent, Work
 from vibcli.cli import COMMANDS, progress, run
@@ -258,8 +258,8 @@ find: [{frequency_response: {of: [x], to: f}}, {response: {until: 2 s}}]
 
 
 @pytest.mark.parametrize(("room", "command"), [
-    (linear_response, ["response", "--at", "1.5"]), (linear_response, ["animate", "--response", "-o", "a.html"]),
-    (linear_response, ["check"]), (frequency_response, ["frf"]), (frequency_response, ["frf", "--save", "a.csv"]),
+    (pieces, ["response", "--at", "1.5"]), (pieces, ["animate", "--response", "-o", "a.html"]),
+    (pieces, ["check"]), (frequency_response, ["frf"]), (frequency_response, ["frf", "--save", "a.csv"]),
     (modes, ["solve"]),
     (modes, ["frequencies"]), (modes, ["draw", "--mode", "1", "-o", "a.svg"]), (modes, ["animate", "-o", "a.html"])],
     ids=lambda part: str(part)[-20:])

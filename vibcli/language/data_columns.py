@@ -5,31 +5,50 @@ The file is only ever read as text: of a bounded size, from the folder of the sc
 
 import os
 import stat
+from array import array
 from collections.abc import Callable, Sequence
+from math import isfinite
 
 from vibcli.base.diagnostics import quoted
 from vibcli.base.errors import Diagnostic, Where
 
-MAX_BYTES, MAX_ROWS, MAX_PROBLEMS = 5 * 2**20, 200_000, 5
+MAX_BYTES, MAX_ROWS, MAX_PROBLEMS = 100 * 2**20, 2_000_000, 5
 SEPARATORS = (";", ",", "\t")
 
 
 class Columns:
-    """`header`: the names of the columns, None without; `rows`: (line number, text) of each row of numbers."""
+    """`header`: the names of the columns, None without; `texts`: of each row of numbers, `lines`: its number in the
+    file."""
 
-    __slots__ = ("file", "header", "rows", "separator")
+    __slots__ = ("count", "file", "header", "lines", "separator", "texts")
 
-    def __init__(self, file: str, separator: str | None, header: Sequence[str] | None, rows: Sequence[tuple[int, str]]):
-        self.file, self.separator, self.header, self.rows = file, separator, header, rows
-
-    @property
-    def count(self):
-        return len(self.header or self.rows[0][1].split(self.separator))
+    def __init__(self, file: str, separator: str | None, header: Sequence[str] | None, lines: Sequence[int],
+                 texts: Sequence[str]):
+        self.file, self.separator, self.header, self.lines, self.texts = file, separator, header, lines, texts
+        self.count = len(header or texts[0].split(separator))
 
     def numbers(self, i: int, report: Callable):
         """The numbers of column i, from 0; None where one of them is none, after `report(where, message, hint)`."""
+        found = self._plain(i)
+        return self._checked(i, report) if found is None else found
+
+    def _plain(self, i):
+        """The same where all rows are plain at the first look; else None."""
+        count, separator, found = self.count, self.separator, []
+        try:
+            for text in self.texts:
+                row = text.split(separator)
+                cell = row[i]
+                if len(row) != count or not cell.isascii() or "_" in cell:
+                    return None
+                found.append(float(cell))
+        except (ValueError, IndexError):
+            return None
+        return found if all(map(isfinite, found)) else None
+
+    def _checked(self, i, report):
         found, wrong = [], 0
-        for line, text in self.rows:
+        for line, text in zip(self.lines, self.texts, strict=True):
             cells = text.split(self.separator)
             value = _number(cells[i]) if i < len(cells) == self.count else None
             if value is None:
@@ -41,8 +60,7 @@ class Columns:
 
     def place(self, row: int, i: int) -> Where:
         """The place of the cell of a row (from 0) and a column."""
-        line, text = self.rows[row]
-        return self._cell(line, text, i)[0]
+        return self._cell(self.lines[row], self.texts[row], i)[0]
 
     def _cell(self, line, text, i):
         """(place, text) of a cell."""
@@ -63,7 +81,7 @@ class Columns:
         where, cell = self._cell(line, text, i)
         comma = self.separator != "," and "," in cell
         hint = "decimals are written with a point: 0.5" if comma else "write a finite number such as 0.5 or 1e-3"
-        if line == self.rows[0][0] and self.header is None and _is_name(cell):
+        if line == self.lines[0] and self.header is None and _is_name(cell):
             hint = "a first line of names has a name for every column"
         return where, f"expected a number, found {quoted(cell) if cell else 'nothing'}", hint
 
@@ -138,19 +156,24 @@ def _parsed(path, data):
     except UnicodeDecodeError as error:
         line = 1 + data.count(b"\n", 0, error.start)
         return None, Diagnostic(Where(path, line, 1), "this line is not UTF-8", "save the file as UTF-8 text")
-    lines = text.replace("\r\n", "\n").split("\n")
-    rows = [(i, line) for i, line in enumerate(lines, 1) if line.strip() and not line.lstrip().startswith("#")]
-    if len(rows) > MAX_ROWS:
-        return None, Diagnostic(Where(path, rows[MAX_ROWS][0], 1), f"more than {MAX_ROWS} rows",
+    lines, texts = array("L"), []
+    for line, row in enumerate(text.replace("\r\n", "\n").split("\n"), 1):
+        start = row.lstrip()[:1]
+        if start and start != "#":
+            lines.append(line)
+            texts.append(row)
+    if len(texts) > MAX_ROWS:
+        return None, Diagnostic(Where(path, lines[MAX_ROWS], 1), f"more than {MAX_ROWS} rows",
                                 "thin the record out, or cut it")
-    separator = next((sign for sign in SEPARATORS if rows and sign in rows[0][1]), None)
+    separator = next((sign for sign in SEPARATORS if texts and sign in texts[0]), None)
     header = None
-    if rows and all(map(_is_name, rows[0][1].split(separator))):
-        header = [cell.strip().strip('"') for cell in rows.pop(0)[1].split(separator)]
-    if len(rows) < 2:
+    if texts and all(map(_is_name, texts[0].split(separator))):
+        header = [cell.strip().strip('"') for cell in texts.pop(0).split(separator)]
+        del lines[0]
+    if len(texts) < 2:
         return None, Diagnostic(Where(path, 1, 1, 0), "expected at least two rows of numbers",
                                 "write a time and a value in each row: 0.01, 0.35")
-    return Columns(path, separator, header, rows), None
+    return Columns(path, separator, header, lines, texts), None
 
 
 def shown_lines(file: str) -> list[str]:

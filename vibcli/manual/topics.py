@@ -239,11 +239,13 @@ REMARKS: dict[str, Any] = {
         "is constant, `F0*(1 - cos(W*t))` is in time as a whole. A load of velocities damps: `value: -c*x'`.",
     ],
     "record": [
-        "The file is plain text of at most 5 MB and 200000 rows, in UTF-8, with decimal points. Names lead down from "
-        "the folder of the scene, never out of it. Its numbers are read as double precision. What is measured in units "
-        "of g has no unit: write `g*ag(t)`.",
+        "The file is plain text of at most 100 MB and 2000000 rows, in UTF-8, with decimal points. Names lead down "
+        "from the folder of the scene, never out of it. Its numbers are read as double precision. What is measured in "
+        "units of g has no unit: write `g*ag(t)`.",
         "Responses of small motions are exact for the straight lines between the samples. The rate of a record is a "
-        "staircase, and its second rate, where something is carried by what moves so, holds an impulse at each sample.",
+        "staircase, and its second rate, where something is carried by what moves so, holds an impulse at each sample. "
+        "Small motions follow up to 4000000 samples, however many loads share them; where a record is multiplied by "
+        "what changes in time or drives members, and full motions, 100000.",
     ],
     "point": ["A driven point is one that bodies can be pinned at, and springs, ropes and links can end at."],
 }

@@ -182,7 +182,7 @@ def final(signal: "LinearSignal") -> float:
     import numpy as np
 
     motion = signal.motion
-    last = motion.forcing.segments(inf)[-1]
+    last = motion.forcing.last
     rates = [node.real for block in motion.blocks for node in block.nodes] + [wave.exponent.real for wave in last.waves]
     slowest = min((abs(rate) for rate in rates if rate), default=inf)
     return LEFT * float(motion.errors(signal.output, np.array([last.start + FADED / slowest]))[0])

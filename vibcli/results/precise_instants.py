@@ -60,6 +60,7 @@ def extreme_to(signal: "Signal", start: float, end: float, sense: int, digits: i
 
 def _rivals(signal, near, value, start, end, sense, digits, most):
     """The instants at which floats leave open whether the extreme is there."""
+    require_quick(estimated_steps(signal, near, digits), digits, signal.source[0].problem.work, most)
     margin = 2 * signal.error(end) + ROUNDING * abs(value)
     try:
         found = signal.rivals(start, end, sense, margin)

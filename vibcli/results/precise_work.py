@@ -25,17 +25,32 @@ def estimated_steps(signal: "Signal", until: float, digits: int) -> float:
     if not signal.source:
         return 0.0
     motion: Any = signal.source[0].alone
-    pieces = motion.forcing.segments(math.nextafter(until, math.inf), motion.work)
-    size = 2 * len(motion.M) + 2 * max(sum(wave.power + 1 for wave in piece.waves) for piece in pieces)
+    count, unlike, width, speeds = (_of_records if motion.forcing.recorded else _of_segments)(motion, until)
+    size = 2 * (len(motion.M) + width)
     rates = np.linalg.pinv(motion.M) @ np.abs(np.concatenate([motion.K, motion.C], axis=1))
-    speeds = [abs(wave.exponent) for piece in pieces for wave in piece.waves]
-    lengths = np.diff([*(float(piece.start) for piece in pieces), until])
-    unlike = len({(piece.waves, f"{length:.9g}") for piece, length in zip(pieces, lengths, strict=True)})
-    norm = max(1.0, np.abs(rates).sum(axis=1).max(initial=0.0), *speeds) * max(until, 1e-300) / len(pieces)
+    norm = max(1.0, np.abs(rates).sum(axis=1).max(initial=0.0), *speeds) * max(until, 1e-300) / count
     halvings = max(0.0, math.log2(norm)) + 8
     bits = (digits + SPARE) * math.log2(10) + 2 * halvings
-    passed = unlike * (halvings + bits / 10) * size**3 * price(int(bits)) + len(pieces) * PASSED * size**2
+    passed = unlike * (halvings + bits / 10) * size**3 * price(int(bits)) + count * PASSED * size**2
     return OWN + 2 * passed / 1e6
+
+
+def _of_segments(motion, until):
+    """(how many stretches there are, how many are unlike, how many functions drive the widest, their speeds)."""
+    import numpy as np
+
+    pieces = motion.forcing.segments(math.nextafter(until, math.inf), motion.work)
+    lengths = np.diff([*(float(piece.start) for piece in pieces), until])
+    unlike = len({(piece.waves, f"{length:.9g}") for piece, length in zip(pieces, lengths, strict=True)})
+    return (len(pieces), unlike, max(sum(wave.power + 1 for wave in piece.waves) for piece in pieces),
+            [abs(wave.exponent) for piece in pieces for wave in piece.waves])
+
+
+def _of_records(motion, until):
+    """The same of stretches that are not told one by one: no two are alike."""
+    count, waves = motion.forcing.count(until), motion.forcing.waves
+    return (count, count, sum((wave.power + 1) * len(wave.shares) for wave in waves),
+            [abs(wave.exponent) for wave in waves])
 
 
 def require_quick(steps: float, digits: int, work: "Work", most: float = MOST) -> None:

@@ -6,7 +6,6 @@ constant factors is exact at any time; products and powers are evaluated instant
 
 from collections.abc import Callable
 from functools import cached_property
-from math import tau
 from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.excitation.linear_output import LinearOutput, combined
@@ -145,14 +144,10 @@ class SmallResponse(Response):
         from vibcli.analyses.transient.duration import duration
 
         problem, forcing = self.problem, self.alone.forcing
-        if forcing.listed:
-            last = max((piece.start for piece in forcing.pieces), default=0.0)
-            speeds = [abs(wave.exponent.imag) for piece in forcing.pieces for wave in piece.waves]
-        else:
-            last, speeds = 0.0, [tau / forcing.turn]
+        last = forcing.last.start if forcing.listed else 0.0
         modes = () if problem.modal.damped or not self.alone.blocks else problem.modal.modes.shown()
         damped = problem.modal.damped and problem.modal.damped.shown()
-        return duration(modes, damped, last, [speed for speed in speeds if speed])
+        return duration(modes, damped, last, sorted(forcing.speeds))
 
     def signal(self, tree: NameRef | Power | Sum):
         """The signal of a tree."""

@@ -2,7 +2,7 @@
 x = A e^{−δt} cos(ω_d t − φ), beside what the loads that do not oscillate add."""
 
 from cmath import rect
-from math import inf, tau
+from math import tau
 from typing import TYPE_CHECKING
 
 from vibcli.analyses.excitation.forcing import oscillates
@@ -59,7 +59,7 @@ def from_the_start(signal: "LinearSignal") -> "Part":
 
 def require_from_the_start(signal: "LinearSignal") -> None:
     """Refuses a signal whose loads change after t = 0."""
-    last = signal.motion.forcing.segments(inf)[-1].start
+    last = signal.motion.forcing.last.start
     if last:
         kept = "kept up" if kept_up(signal) else "free"
         raise PhysicsError(f"this vibration is {kept} only from t = {last:.6g} s on: A e^(−δt) cos(ω_d t − φ) is not "
@@ -168,7 +168,7 @@ def lasting(signal: "LinearSignal") -> list[tuple[float, complex]]:
     parts = free_parts(signal)
     if any(part.amplitude and (part.rate > 0 or (part.power and not part.rate)) for part in parts):
         raise PhysicsError("this motion drifts or grows: it has no mean over a period", "ask for its value at a time")
-    start = signal.motion.forcing.segments(inf)[-1].start
+    start = signal.motion.forcing.last.start
     waves = [(part.omega, rect(part.amplitude, -part.phase - part.omega * start)) for part in parts
              if part.omega and abs(part.rate) <= UNDYING * part.omega]
     return [(0.0, complex(sum(part.amplitude for part in parts if not (part.omega or part.rate)))), *waves]

@@ -24,6 +24,15 @@ class Samples:
         """Does the record begin or end elsewhere than at zero?"""
         return bool(self.values[0] or self.values[-1])
 
+    @property
+    def arrays(self) -> tuple:
+        """(times, values) as NumPy arrays."""
+        if self._arrays is None:
+            import numpy as np
+
+            self._arrays = np.array(self.times), np.array(self.values)
+        return self._arrays
+
     def at(self, u: "float | mpmath.mpf", order: int = 0) -> "float | mpmath.mpf":
         """The value at the instant u, or its rate (0 of the second order: there are impulses at the samples), for
         floats and mpmath numbers."""
@@ -39,9 +48,7 @@ class Samples:
         """The same for NumPy arrays."""
         import numpy as np
 
-        if self._arrays is None:
-            self._arrays = np.array(self.times), np.array(self.values)
-        times, values = self._arrays
+        times, values = self.arrays
         if not order:
             return np.interp(u, times, values, left=0.0, right=0.0)
         slopes = np.concatenate(([0.0], np.diff(values) / np.diff(times), [0.0]))

@@ -261,11 +261,14 @@ def test_links_do_not_leave_the_folder(tmp_path, capsys):
     assert complaints(str(path), capsys)[0] == 0
 
 
-def test_what_is_too_large_or_no_file(beside, tmp_path, capsys):
-    path = beside(text="0,0\n" + "1,1\n" * 10, record="big.csv", **{"big.csv": b"1,1\n" * 1_400_000})
-    assert "more than 5 MB" in complaints(path, capsys)[1]
-    path = beside(record="many.csv", **{"many.csv": "".join(f"{i},1\n" for i in range(200_001))})
-    assert "more than 200000 rows" in complaints(path, capsys)[1]
+def test_what_is_too_large_or_no_file(beside, tmp_path, capsys, monkeypatch):
+    assert (data_columns.MAX_BYTES, data_columns.MAX_ROWS) == (100 * 2**20, 2_000_000)
+    monkeypatch.setattr(data_columns, "MAX_ROWS", 2000)
+    path = beside(record="many.csv", **{"many.csv": "".join(f"{i},1\n" for i in range(2001))})
+    assert "more than 2000 rows" in complaints(path, capsys)[1]
+    monkeypatch.setattr(data_columns, "MAX_BYTES", 2**20)
+    path = beside(text="0,0\n" + "1,1\n" * 10, record="big.csv", **{"big.csv": b"1,1\n" * 300_000})
+    assert "more than 1 MB" in complaints(path, capsys)[1]
     os.mkfifo(tmp_path / "pipe.csv")
     assert "is no file" in complaints(beside(record="pipe.csv"), capsys)[1]
 

@@ -10,13 +10,15 @@ from vibcli.analyses.excitation.forcing import Forcing, Irregular, Segment, Wave
 from vibcli.analyses.excitation.impulses import blows_of, nearest
 from vibcli.analyses.excitation.periods import common_period, shortest
 from vibcli.analyses.excitation.piecewise_linear import Instant, Periodic
+from vibcli.analyses.excitation.rounding import Floating
+from vibcli.analyses.excitation.tabulated import TabulatedFunction
 from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
-    from vibcli.analyses.excitation.tabulated import TabulatedFunction
     from vibcli.base.work import Work
 
 NEAR = 1e-6
+LENGTHY, MOST_SAMPLES = 5000, 4_000_000      # samples that are held as arrays
 SHORTER = "let it change less often, or for a shorter time"
 BEFORE = Fraction(-1)       # the instant from which a term counts that always does
 
@@ -26,7 +28,7 @@ class WaveGroup:
 
     __slots__ = ("channel", "end", "exponent", "gates", "instants", "places", "ps", "wave")
 
-    def __init__(self, channel: int, gates: "Sequence[Periodic | TabulatedFunction]", wave: Sequence[Fraction | int],
+    def __init__(self, channel: int, gates: Sequence[Periodic | TabulatedFunction], wave: Sequence[Fraction | int],
                  terms: Sequence[tuple[Fraction | None, tuple[Fraction, ...]]], numbers: type[Any]):
         self.channel, self.gates, self.wave = channel, gates, wave
         self.exponent = numbers.complex(numbers.number(wave[0]), numbers.number(wave[1]))
@@ -70,7 +72,13 @@ def assembled(sums: Mapping[int, dict[tuple[Fraction | None, tuple[Any, ...], tu
 
 def _forcing(groups, channels, numbers, work):
     spans = [(group, *span) for group in groups for span in group.spans()]
-    count = sum(gate.count(low, high) for group, low, high in spans if high is not None for gate in group.gates)
+    count = _count((gate, low, high) for group, low, high in spans if high is not None for gate in group.gates)
+    if numbers is Floating and _lengthy(groups):
+        from vibcli.analyses.excitation.records_as_arrays import held, recorded_forcing
+
+        if held(groups):
+            with task_of(work, count, SHORTER, MOST_SAMPLES):
+                return recorded_forcing(groups, channels)
     with task_of(work, count, SHORTER) as task:
         cuts, lasting = _cuts(spans)
         if not any(group.gates for group, _ in lasting):
@@ -83,7 +91,7 @@ def _forcing(groups, channels, numbers, work):
                          numbers.number(longest), refusal)
     settled = max(cuts)
     last = settled + 2 * period
-    count += sum(gate.count(low, last) for group, low in lasting for gate in group.gates)
+    count += _count((gate, low, last) for group, low in lasting for gate in group.gates)
     with task_of(work, count, SHORTER) as task:
         breaks = _repeated(lasting, last)
         since = min(instant for instant in breaks if instant >= settled)
@@ -93,10 +101,21 @@ def _forcing(groups, channels, numbers, work):
     return Forcing(channels, *shortest(pieces, numbers.number(period), start, numbers.same), start)
 
 
+def _count(spans):
+    """The breaks of functions in spans (function, low, high), of those that are one once."""
+    return sum(gate.count(low, high) for gate, low, high in set(spans))
+
+
+def _lengthy(groups):
+    """Do they hold so many samples of records that these are not looked at one by one?"""
+    gates = {gate for group in groups for gate in group.gates if isinstance(gate, TabulatedFunction)}
+    return sum(map(len, gates)) >= LENGTHY
+
+
 def _up_to(groups, cuts, lasting, until, longest, numbers, work):
     """The segments up to a time, and further by the longest period of what repeats."""
     last = numbers.exact(until) + longest
-    count = len(cuts) + sum(gate.count(0, last) for group, _ in lasting for gate in group.gates)
+    count = len(cuts) + _count((gate, 0, last) for group, _ in lasting for gate in group.gates)
     with task_of(work, count) as task:
         cuts = {cut for cut in cuts if cut < last} | _repeated(lasting, last)
         return _pieces(groups, cuts, last, 0, numbers, task)

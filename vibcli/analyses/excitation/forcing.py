@@ -5,7 +5,7 @@ and all their products. Counting from the start of the segment keeps a 5 ms puls
 """
 
 from collections.abc import Callable, Sequence
-from math import ceil, inf
+from math import ceil, inf, tau
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
@@ -21,14 +21,15 @@ class TooOften(PhysicsError):
     """There are more segments than may be followed."""
 
 
-def task_of(work: Work | None, count: float, ask: str = "ask for an earlier instant") -> "AbstractContextManager":
-    """The task of finding so many segments; TooOften where they are too many. ask: what helps then."""
-    work, count = work or Work(), float(count)
-    if count > MOST * work.patience:
-        more = f"; --patience {ceil(2 * count / MOST)} allows twice as many" if count < inf else ""
-        most = f": {count:.6g} stretches of time, and {MOST * work.patience:.0f} are the most" if count < inf else ""
-        raise TooOften(f"what drives this scene jumps or bends too often to be followed for so long{most}", ask + more)
-    return work.task("what drives the motion", MOST)
+def task_of(work: Work | None, count: float, ask: str = "ask for an earlier instant",
+            most: int | None = None) -> "AbstractContextManager":
+    """The task of finding so many segments; TooOften where they are more than the most. ask: what helps then."""
+    work, count, most = work or Work(), float(count), MOST if most is None else most
+    if count > most * work.patience:
+        more = f"; --patience {ceil(2 * count / most)} allows twice as many" if count < inf else ""
+        known = f": {count:.6g} stretches of time, and {most * work.patience:.0f} are the most" if count < inf else ""
+        raise TooOften(f"what drives this scene jumps or bends too often to be followed for so long{known}", ask + more)
+    return work.task("what drives the motion", most)
 
 
 class Wave(NamedTuple):
@@ -50,14 +51,16 @@ class Segment(NamedTuple):
 
 def oscillates(forcing: "Forcing") -> bool:
     """Do loads that are no repeated pieces oscillate without end?"""
-    return any(wave.exponent.imag and not wave.exponent.real and wave.coefficient
-               for wave in forcing.segments(inf)[-1].waves)
+    return any(wave.exponent.imag and not wave.exponent.real and wave.coefficient for wave in forcing.last.waves)
 
 
 class Forcing:
     """Segments in order of time, the first from 0 on; of periodic forcing those of the first period, repeated from
     `since` + `period` on (None: not periodic). `channels`: how many there are; `listed`: are its segments so many that
-    all can be told? `turn`: the longest time after which something of it repeats for ever; None where nothing does."""
+    all can be told? `turn`: the longest time after which something of it repeats for ever; None where nothing does;
+    `recorded`: is it held as arrays (recorded_forcing.py)?"""
+
+    recorded = False
 
     __slots__ = ("channels", "listed", "period", "pieces", "since", "turn")
 
@@ -65,15 +68,27 @@ class Forcing:
         self.channels, self.pieces, self.since = channels, tuple(pieces), since
         self.period, self.turn, self.listed = period, period, period is None
 
+    @property
+    def last(self) -> Segment:
+        """The last segment of those that are not repeated."""
+        return self.pieces[-1]
+
+    @property
+    def speeds(self) -> set[float]:
+        """The angular frequencies in it, of what repeats that of the longest turn."""
+        if self.turn is not None:
+            return {tau / self.turn}
+        return {abs(wave.exponent.imag) for piece in self.pieces for wave in piece.waves} - {0.0}
+
     def segments(self, until: float, work: Work | None = None) -> list[Segment]:
         """The segments that start before `until`; work: what counts them."""
         found = [piece for piece in self.pieces if piece.start < until or not piece.start]
         if self.period is None:
             return found
         repeated = [piece for piece in self.pieces if piece.start >= self.since]
-        count = max(0.0, until - self.since) * len(self.pieces) / self.period
+        count = max(0.0, until - self.since) * len(repeated) / self.period
         turns, most = 1, MOST * (1 if work is None else work.patience)
-        before = 0.99 * most * self.period / len(self.pieces)
+        before = self.since + 0.99 * most * self.period / len(repeated)
         with task_of(work, count, f"ask for an instant before t = {float(before):.3g} s") as task:
             while self.since + turns * self.period < until:
                 shift = turns * self.period
@@ -91,10 +106,19 @@ class Irregular:
     needs all of it is not found.
     """
 
-    period, listed = None, False
+    period, listed, recorded = None, False, False
 
     def __init__(self, channels: int, build: Callable, turn: float, refusal: PhysicsError):
         self.channels, self.build, self.turn, self.refusal = channels, build, turn, refusal
+
+    @property
+    def last(self) -> Segment:
+        raise self.refusal
+
+    @property
+    def speeds(self) -> set[float]:
+        """The angular frequency of the longest turn."""
+        return {tau / self.turn}
 
     def segments(self, until: float, work: Work | None = None) -> list[Segment]:
         """The segments that start before `until`; PhysicsError where that is infinite."""

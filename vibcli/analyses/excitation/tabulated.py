@@ -2,6 +2,7 @@
 
 from bisect import bisect_right
 from fractions import Fraction
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -11,25 +12,13 @@ if TYPE_CHECKING:
 
 class TabulatedFunction:
     """The record at a·t + b, or its rate by that argument of the order 1 or 2. `instants` are exact, all else are
-    numbers of the arithmetic: a record holds many samples."""
-
-    __slots__ = ("a", "b", "end", "instants", "number", "order", "places", "samples", "slopes", "values")
+    numbers of the arithmetic: a record holds many samples, which are looked at when asked for."""
 
     period = None
 
     def __init__(self, samples: "Samples", a: Fraction | int, b: Fraction | int, order: int, numbers: type[Any]):
-        self.samples, self.a, self.b, self.order, self.number = samples, a, b, order, numbers.number
-        times, values = samples.times, samples.values
-        steep = numbers.number(a)
-        slopes = [(numbers.real(values[i + 1]) - values[i]) / (numbers.real(times[i + 1]) - times[i]) * steep
-                  for i in range(len(times) - 1)]
-        self.instants = [(Fraction(time) - b) / a if b or a != 1 else Fraction(time) for time in times]
-        self.values, self.slopes = list(values), slopes
-        if a < 0:
-            for row in (self.instants, self.values, self.slopes):
-                row.reverse()
-        self.places = [numbers.number(instant) for instant in self.instants]
-        self.end = self.instants[-1]
+        self.samples, self.a, self.b, self.order, self.numbers = samples, a, b, order, numbers
+        self.number = numbers.number
 
     def __eq__(self, other: Any):
         return isinstance(other, TabulatedFunction) and self._key() == other._key()
@@ -40,8 +29,43 @@ class TabulatedFunction:
     def _key(self):
         return id(self.samples), self.a, self.b, self.order
 
+    def __len__(self) -> int:
+        return len(self.samples.times)
+
+    @cached_property
+    def instants(self) -> list[Fraction]:
+        return self._upwards([self._instant(time) for time in self.samples.times])
+
+    @cached_property
+    def places(self) -> list[Any]:
+        return [self.number(instant) for instant in self.instants]
+
+    @cached_property
+    def values(self) -> list[float]:
+        return self._upwards(list(self.samples.values))
+
+    @cached_property
+    def slopes(self) -> list[Any]:
+        times, values, real = self.samples.times, self.samples.values, self.numbers.real
+        steep = self.number(self.a)
+        return self._upwards([(real(values[i + 1]) - values[i]) / (real(times[i + 1]) - times[i]) * steep
+                              for i in range(len(times) - 1)])
+
+    @cached_property
+    def end(self) -> Fraction:
+        return self._instant(self.samples.times[-1 if self.a > 0 else 0])
+
+    def _instant(self, time):
+        return (Fraction(time) - self.b) / self.a if self.b or self.a != 1 else Fraction(time)
+
+    def _upwards(self, row):
+        """In order of the time."""
+        if self.a < 0:
+            row.reverse()
+        return row
+
     def count(self, low: Any, high: Any):
-        return len(self.instants)
+        return len(self)
 
     def breaks(self, low: Fraction, high: Fraction) -> list[Fraction]:
         return [instant for instant in self.instants if low <= instant <= high]

@@ -5,21 +5,20 @@ bound of its second derivative; what is composed of such sums follows by interva
 """
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from vibcli.analyses.excitation.forcing import Segment
-from vibcli.analyses.transient.forcing_arrays import Timeline
+from vibcli.analyses.transient.forcing_arrays import Timeline, bare_timeline
 from vibcli.analyses.transient.isolating_intervals import EPSILON, Cells, fastest, instants
 from vibcli.analyses.transient.jets import Jet, Jets
+from vibcli.analyses.transient.output_ranges import OutputRanges
 from vibcli.symbolic.array_arithmetic import Arrays
 from vibcli.symbolic.evaluation import evaluate
-from vibcli.symbolic.interval_arithmetic import Interval, exact
+from vibcli.symbolic.interval_arithmetic import Interval, Intervals, exact
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
-    from vibcli.analyses.transient.linear_response import Pieces
     from vibcli.symbolic.node import Node
 
 LOST = 1e-290       # what underflows in products counts as 0
@@ -30,7 +29,8 @@ WORTH = 8           # exponentials whose values take as long as one bound
 class Leaf:
     """An output of a linear motion."""
 
-    def __init__(self, pieces: "Pieces", output: "LinearOutput"):
+    def __init__(self, pieces: Any, output: "LinearOutput"):
+        self.pieces, self.output, self.recorded = pieces, output, pieces.recorded
         self.starts = pieces.timeline.starts
         self.y, self.slope, self.curvature = (pieces.terms(output, order) for order in range(3))
         self.nodes = [nodes for terms in (self.y, self.slope, self.curvature) for nodes in terms.nodes()]
@@ -60,20 +60,75 @@ def _within(value, bound, reach):
     return Interval(np.maximum(value - reach, -bound), np.minimum(value + reach, bound))
 
 
+class SegmentsOfLeaves(NamedTuple):
+    """The segments of a Composition: in which segment of each leaf they lie, and how much later they start there."""
+
+    timeline: Timeline
+    segments: Mapping[str, np.ndarray]
+    later: Mapping[str, np.ndarray]
+
+    @classmethod
+    def of(cls, leaves: Mapping[str, Leaf]) -> "SegmentsOfLeaves":
+        """Of all that leaves have."""
+        starts = np.unique(np.concatenate([np.zeros(1), *(leaf.starts for leaf in leaves.values())]))
+        segments = {name: np.searchsorted(leaf.starts, starts, "right") - 1 for name, leaf in leaves.items()}
+        later = {name: starts - leaf.starts[segments[name]] for name, leaf in leaves.items()}
+        return cls(bare_timeline(starts), segments, later)
+
+    def among(self, segments: np.ndarray, leaves: Mapping[str, Leaf]) -> "tuple[dict[str, Leaf], SegmentsOfLeaves]":
+        """({name: leaf of what is needed there}, the SegmentsOfLeaves) of some segments."""
+        found, own = dict(leaves), {name: places[segments] for name, places in self.segments.items()}
+        for name, leaf in leaves.items():
+            if leaf.recorded:
+                needed, own[name] = np.unique(own[name], return_inverse=True)
+                found[name] = Leaf(leaf.pieces.among(needed), leaf.output)
+        later = {name: times[segments] for name, times in self.later.items()}
+        return found, SegmentsOfLeaves(self.timeline.among(segments), own, later)
+
+
 class Composition:
     """node of the leaves {name: leaf}, of the time and of numbers {name: value}, up to an end; check(values, times)
     gives the values where all are finite."""
 
     def __init__(self, node: "Node", leaves: Mapping[str, Leaf], floats: Mapping[str, float], time: str,
-                 check: Callable, end: float):
+                 check: Callable, end: float, places: SegmentsOfLeaves | None = None):
         self.node, self.leaves, self.floats, self.time, self.check = node, leaves, floats, time, check
-        self.starts = np.unique(np.concatenate([np.zeros(1), *(leaf.starts for leaf in leaves.values())]))
-        self.timeline = Timeline(0, [Segment(start) for start in self.starts.tolist()])
-        self.segments = {name: np.searchsorted(leaf.starts, self.starts, "right") - 1 for name, leaf in leaves.items()}
-        self.later = {name: self.starts - leaf.starts[self.segments[name]] for name, leaf in leaves.items()}
+        self.timeline, self.segments, self.later = self.places = places or SegmentsOfLeaves.of(leaves)
+        self.starts, self.end = self.timeline.starts, end
+        self.recorded = any(leaf.recorded for leaf in leaves.values())
         self.nodes = [nodes for leaf in leaves.values() for nodes in leaf.nodes] or [(complex(FINEST / end),)]
         self.constants = {name: Jet(exact(value)) for name, value in floats.items() if isinstance(value, float)}
         self._last: dict[str, tuple] = {}
+
+    def among(self, segments: np.ndarray) -> "Composition":
+        """The same on some segments."""
+        leaves, places = self.places.among(segments, self.leaves)
+        return Composition(self.node, leaves, self.floats, self.time, self.check, self.end, places)
+
+    def ranges(self, output: Any) -> OutputRanges:
+        """Between which values it stays on each segment; KeyError where it holds what has no known bounds."""
+        known = {name: self._ranges(name) for name in self.leaves}
+        starts, lengths = self.starts, self.timeline.lengths
+        given = {self.time: Interval(starts, starts + lengths), **{
+            name: Interval(found.low, found.high) for name, found in known.items()}}
+        constants = {name: jet.value for name, jet in self.constants.items()}
+        with np.errstate(all="ignore"):
+            whole = evaluate([self.node], Intervals, {**constants, **given})[0]
+            ends = [evaluate([self.node], Arrays, {**self.floats, self.time: time, **{
+                name: getattr(found, end) for name, found in known.items()}})[0]
+                for end, time in (("starts", starts), ("ends", starts + lengths))]
+        return OutputRanges(*(np.broadcast_to(row, starts.shape) for row in (*ends, whole.low, whole.high)))
+
+    def _ranges(self, name):
+        """The OutputRanges of a leaf on the segments."""
+        leaf, segment, later = self.leaves[name], self.segments[name], self.later[name]
+        if leaf.recorded and not later.any():
+            return OutputRanges(*(row[segment] for row in leaf.pieces.ranges(leaf.output)))
+        last = np.append(self.timeline.lengths[:-1], 0.0)
+        whole = leaf.jet(segment, later, later + last).value
+        starts, ends = (leaf.at(segment, later + by) for by in (0.0, last))
+        return OutputRanges(starts, ends, *(np.append(np.asarray(row)[:-1], end)
+                                            for row, end in ((whole.low, -np.inf), (whole.high, np.inf))))
 
     def terms(self, output: Any, order: int) -> "Derivative":
         """What Pieces.terms gives of one output."""

@@ -12,9 +12,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from vibcli.analyses.excitation.forcing import Segment
 from vibcli.analyses.transient.extremes import extreme
-from vibcli.analyses.transient.forcing_arrays import Timeline
+from vibcli.analyses.transient.forcing_arrays import bare_timeline
 from vibcli.analyses.transient.isolating_intervals import EPSILON
 from vibcli.analyses.transient.jets import Jet, Jets
 from vibcli.base.errors import PhysicsError
@@ -32,7 +31,7 @@ UNDYING = 1e-13     # decay, relative to the angular frequency, that counts as n
 class Decay:
     """A e^{rate t}, also as a part of a Composition."""
 
-    starts, period = np.zeros(1), None
+    starts, period, recorded = np.zeros(1), None, False
 
     def __init__(self, amplitude: float, rate: float):
         self.amplitude, self.rate, self.nodes = amplitude, rate, [(complex(rate),)]
@@ -75,7 +74,7 @@ class Beats:
     """Of two Parts, each A e^{rate t} cos(ω t − φ) from t = 0 on, also as a part of a Composition. `terms`, `timeline`:
     what E² is the sum of, as Pieces has them."""
 
-    starts, timeline = np.zeros(1), Timeline(0, [Segment(0.0)])
+    starts, recorded, timeline = np.zeros(1), False, bare_timeline(np.zeros(1))
 
     def __init__(self, one: "Part", two: "Part"):
         self.one, self.two = one, two

@@ -14,7 +14,7 @@ from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
-    from vibcli.analyses.transient.linear_response import Pieces
+    from vibcli.analyses.transient.pieces import Pieces
 
 
 class ExponentialTerm(NamedTuple):
@@ -71,7 +71,7 @@ class ExponentialTerms:
         H = markov(motion, order + 2)
         for i, row in direct(output, order, H, motion.forcing.channels).items():
             for waves in pieces.timeline.waves:
-                given = waves.coefficients @ row
+                given = waves.onto(row)
                 for power, factor in waves.derivative(i).items() if given.any() else ():
                     self._add_wave(power, waves.exponent, waves.at, factor * given)
 

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.analyses.transient.isolating_intervals import EPSILON, LEVELS, MOST, BoundedOutput, refused
+from vibcli.analyses.transient.isolating_intervals import EPSILON, LEVELS, MOST, refused
+from vibcli.analyses.transient.segments_held import highest
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
@@ -21,7 +22,7 @@ FINE = 1e-6
 def extreme(pieces: Any, output: "LinearOutput", start: float, end: float, sense: str,
             work: "Work") -> tuple[float, float]:
     """(t, value) of the largest or smallest value of the output, also where it jumps or has a kink."""
-    search = ExtremeSearch(BoundedOutput(pieces, output, start, end), sense)
+    search = ExtremeSearch(pieces, output, (start, end), sense)
     with work.task(f"the search for the {search.which} value until t = {end:.6g} s", MOST, search.refusal) as task:
         return search.run(task)
 
@@ -29,20 +30,23 @@ def extreme(pieces: Any, output: "LinearOutput", start: float, end: float, sense
 def rivals(pieces: Any, output: "LinearOutput | None", start: float, end: float, sense: str, margin: float,
            work: "Work") -> list[float]:
     """The instants, one of each top, at which the output comes within a margin of its largest or smallest value."""
-    search = ExtremeSearch(BoundedOutput(pieces, output, start, end), sense, margin)
+    search = ExtremeSearch(pieces, output, (start, end), sense, margin)
     with work.task(f"the search for the {search.which} value until t = {end:.6g} s", MOST, search.refusal) as task:
         return search.instants(task)
 
 
 class ExtremeSearch:
     """margin: how much less than the largest is looked for too. value, time: the largest found, its value times `sign`,
-    −1 for the smallest; left: [(what none of them exceeds, how often they were divided, Cells)]; tops: [(values, times,
-    whether these are peaks or ends of a segment)] of instants that may be those of the largest."""
+    −1 for the smallest; curves: [(what none of them exceeds, gives a BoundedOutput)] of parts of the time; left: [(what
+    none of them exceeds, how often they were divided, Cells)] of one; tops: [(values, times, whether these are peaks or
+    ends of a segment)] of instants that may be those of the largest; bends: gives (the curvature, its timeline)."""
 
-    def __init__(self, curve: BoundedOutput, sense: str, margin: float = 0.0):
+    def __init__(self, pieces: Any, output: "LinearOutput | None", ends: tuple[float, float], sense: str,
+                 margin: float = 0.0):
         self.which, self.sign = ("smallest", -1.0) if sense == "min" else ("largest", 1.0)
-        self.curve, self.value, self.time, self.scale = curve, -np.inf, curve.start, 0.0
-        self.left, self.tops, self.margin = [(np.inf, 0, curve.first_cells())], [], margin
+        self.value, self.time, self.scale, self.margin = -np.inf, ends[0], 0.0, margin
+        self.curves, self.left, self.tops = highest(pieces, output, ends, self.sign, margin), [], []
+        self.bends: Any = (lambda: (pieces.terms(output, 2), pieces.timeline))
 
     def run(self, task: "Task") -> tuple[float, float]:
         """(t, value), the earliest of equals."""
@@ -67,29 +71,42 @@ class ExtremeSearch:
 
     def _tops(self, task):
         """(values, times, whether these are peaks or ends of a segment) of what may be the largest."""
-        while self.left:
-            most, level, cells = max(self.left, key=lambda part: part[0])
-            task.step(steps=self.curve.steps(cells))
-            self.left = [part for part in self.left if part[2] is not cells]
+        alone = len(self.curves) == 1
+        while self.curves:
+            most, given = self.curves[0]
             if most >= self.value - self.rounding - self.margin:
-                self._look(level, cells)
-        whole = self.curve.whole
-        self._keep(np.concatenate([whole.segment, whole.segment]), np.concatenate([whole.early, whole.late]), True)
+                self._along(curve := given(), task)
+                if alone:
+                    self.bends = (lambda curve=curve: (curve.curvature, curve.timeline))
+            self.curves = self.curves[1:]
         values, times, peaks = (np.concatenate(parts) for parts in zip(*self.tops, strict=True))
         near = values >= max(self.value, values.max(initial=-np.inf)) - self.rounding - self.margin
         return values[near], times[near], peaks[near]
 
+    def _along(self, curve, task):
+        """The tops of one curve."""
+        self.left = [(np.inf, 0, curve.first_cells())]
+        while self.left:
+            most, level, cells = max(self.left, key=lambda part: part[0])
+            task.step(steps=curve.steps(cells))
+            self.left = [part for part in self.left if part[2] is not cells]
+            if most >= self.value - self.rounding - self.margin:
+                self._look(curve, level, cells)
+        whole = curve.whole
+        self._keep(curve, np.concatenate([whole.segment, whole.segment]), np.concatenate([whole.early, whole.late]),
+                   True)
+
     def _flat(self, times):
         """How wide the top about each instant is within which values are one but for rounding."""
-        bend = np.abs(self.curve.curvature.at(*self.curve.timeline.place(times)))
+        curvature, timeline = self.bends()
+        bend = np.abs(curvature.at(*timeline.place(times)))
         return 2 * np.sqrt(8 * self.rounding / np.where(bend, bend, np.inf))
 
     @property
     def rounding(self) -> float:
         return 4 * EPSILON * self.scale
 
-    def _look(self, level, cells):
-        curve = self.curve
+    def _look(self, curve, level, cells):
         ends = [self.sign * values for values in curve.ends(cells)]
         for found, tau in zip(ends, (cells.early, cells.late), strict=True):
             top = np.argmax(found)
@@ -104,29 +121,29 @@ class ExtremeSearch:
         settled = curve.instants(cells) | (room <= self.rounding)
         if settled.any():
             for tau in (cells.early, cells.late):
-                self._keep(cells.segment[settled], tau[settled])
-            self._narrow(cells.where(settled))
+                self._keep(curve, cells.segment[settled], tau[settled])
+            self._narrow(curve, cells.where(settled))
         cells, room, most = cells.where(~settled), room[~settled], most[~settled]
         if level + 1 == LEVELS or not (room > FINE * self.scale).any():
-            self._narrow(cells)
+            self._narrow(curve, cells)
         else:
             self.left += [(most[part].max(), level + 1, some) for part, some in curve.batches(cells)]
 
-    def _narrow(self, cells):
+    def _narrow(self, curve, cells):
         """The peaks within the cells."""
-        rises, falls = (self.sign * slopes for slopes in self.curve.ends(cells, slope=True))
+        rises, falls = (self.sign * slopes for slopes in curve.ends(cells, slope=True))
         peaks = cells.where((rises >= 0) & (falls <= 0))
-        self._keep(peaks.segment, self.curve.turns(peaks), True)
+        self._keep(curve, peaks.segment, curve.turns(peaks), True)
 
-    def _keep(self, segment, tau, peak=False):
-        values = self.sign * self.curve.y.at(segment, tau)
+    def _keep(self, curve, segment, tau, peak=False):
+        values = self.sign * curve.y.at(segment, tau)
         near = values >= max(self.value, values.max(initial=-np.inf)) - self.rounding - self.margin
-        times = self.curve.times(segment[near], tau[near])
+        times = curve.times(segment[near], tau[near])
         self.tops.append((values[near], times, np.full(len(times), peak)))
 
     def refusal(self, task: "Task"):
         """What is said of a search that was given up, and what is known by then."""
-        more = max(0.0, *(most - self.value for most, *_ in self.left))
+        more = max(0.0, *(most - self.value for most, *_ in (*self.left, *self.curves[1:])))
         known = f": so far {self.sign * self.value:.6g} at t = {self.time:.6g} s is the {self.which} (in SI units)"
         if np.isfinite(more):
             known += f", and none is {'above' if self.sign > 0 else 'below'} it by more than {1.05 * more:.2g}"

@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.analyses.excitation.forcing import oscillates
-from vibcli.analyses.transient.exponential_sum import ExponentialSum
 from vibcli.analyses.transient.textbook_form import expanded
 from vibcli.base.errors import PhysicsError
 
@@ -25,8 +24,7 @@ def final(motion: "LinearMotion", output: "LinearOutput") -> float:
     if motion.forcing.period is not None:
         raise PhysicsError("the load is periodic: the motion comes to no rest",
                            hint="ask for max(x), min(x) or a value at a time")
-    terms = ExponentialSum(motion.pieces(math.inf), output, 0, split=False)
-    parts = terms.on(terms.count - 1)
+    parts = motion.pieces(math.inf).on(output, -1, split=False)
     scale = sum(abs(factor * _size(nodes)) for nodes, factor in parts)
     drift, vibration = {}, {}
     for nodes, factor in parts:

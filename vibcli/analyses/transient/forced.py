@@ -41,11 +41,10 @@ def drives(blocks: Sequence[ModalBlock], timeline: "Timeline", strict: bool = Fa
     stops = np.cumsum([0] + [len(block.B) for block in blocks]).tolist()
     found = [[] for _ in blocks]
     for waves in timeline.waves:
-        force = waves.coefficients[:, :W.shape[1]]
-        if not force.any():
+        if not waves.pushes(W.shape[1]):
             continue
-        s, inputs = waves.exponent, _times(force, W)
-        turned = _times(force.conj(), W) if s.imag and any(block.half for block in blocks) else None
+        s, inputs = waves.exponent, waves.through(W)
+        turned = waves.through(W, True) if s.imag and any(block.half for block in blocks) else None
         for block, mine, *ends in zip(blocks, found, stops, stops[1:], strict=False):
             at, node = slice(*ends), block.nodes[0]
             both = block.half and s.imag
@@ -56,13 +55,6 @@ def drives(blocks: Sequence[ModalBlock], timeline: "Timeline", strict: bool = Fa
                 after = SPLIT * (waves.power + 1) / gap if apart else math.inf
                 mine.append(Drive(waves.power, exponent, waves.at, given[:, at], after))
     return found
-
-
-def _times(force, W):
-    """W f of every row f, without turning real numbers into complex ones."""
-    if np.iscomplexobj(force):
-        return force @ W.T
-    return force @ W.real.T + 1j * (force @ W.imag.T)
 
 
 def fractions(drive: Drive, node: complex) -> list[tuple[int, np.ndarray]]:
@@ -79,18 +71,17 @@ def ends(block: ModalBlock, found: Sequence[Drive], timeline: "Timeline") -> tup
     count, p = len(timeline.starts), len(block.B)
     if count == 1:
         return np.zeros((0, p, p), complex), np.zeros((1, p), complex)
-    lengths = timeline.lengths[:-1]
-    unique, which = np.unique(lengths, return_inverse=True)
+    lengths, (unique, which) = timeline.lengths[:-1], timeline.steps
     step, added = np.zeros((count - 1, p, p), complex), np.zeros((count, p), complex)
     for i, j, product, nodes in paths(block.B):
         step[:, i, j] += product * differences(nodes, unique)[which]
         for drive in found:
-            inside = drive.at < count - 1
-            at = drive.at[inside]
-            few = len(at) < len(unique)
+            inside = slice(count - 1) if len(drive.at) == count else drive.at < count - 1
+            at, after = (inside, slice(1, None)) if len(drive.at) == count else (drive.at[inside], drive.at[inside] + 1)
+            few = len(lengths[at]) < len(unique)
             response = differences(nodes + drive.nodes, lengths[at] if few else unique)
             factor = math.factorial(drive.power) * product * drive.inputs[inside, j]
-            added[at + 1, i] += factor * (response if few else response[which[at]])
+            added[after, i] += factor * (response if few else response[which[at]])
     return step, added
 
 

@@ -114,13 +114,13 @@ class BoundedOutput:
 
     def turns(self, cells: Cells) -> np.ndarray:
         """The zero of the slope in each cell."""
-        return root(self.slope, self.curvature, cells)
+        return root(self.slope, self.curvature, cells, self.timeline.starts[cells.segment])
 
 
 def stretches(timeline: "Timeline", start: float, end: float) -> Cells:
     """The Cells of the segments between two times, one each."""
     first, last = timeline.place(np.array([start, end]))[0]
-    segment = np.arange(first, last + 1)
+    segment = np.arange(max(first, 0), last + 1)
     starts = timeline.starts[segment]
     return Cells(segment, np.maximum(start - starts, 0.0), np.minimum(timeline.lengths[segment], end - starts))
 
@@ -136,9 +136,10 @@ def instants(timeline: Any, cells: Cells, speed: float) -> np.ndarray:
     return cells.width <= HAIR * EPSILON * np.maximum(timeline.starts[cells.segment] + cells.late, shortest)
 
 
-def root(function: "ExponentialSum", derivative: "ExponentialSum", cells: Cells) -> np.ndarray:
-    """The zero of the function in each cell, by Newton's method held within the bracket; where it does not change sign,
-    the end where it is least."""
+def root(function: "ExponentialSum", derivative: "ExponentialSum", cells: Cells, starts: np.ndarray) -> np.ndarray:
+    """The zero of the function in each cell, by Newton's method held within the bracket, until the instant, counted
+    from t = 0 with the starts of the segments, is known to a rounding; where it does not change sign, the end where it
+    is least."""
     low, high = cells.early.copy(), cells.late.copy()
     left, right = function.at(cells.segment, low), function.at(cells.segment, high)
     rising, moving = right > left, left * right < 0
@@ -157,7 +158,8 @@ def root(function: "ExponentialSum", derivative: "ExponentialSum", cells: Cells)
         inside = (step >= low[moving]) & (step <= high[moving])
         step = np.where(value == 0, here, np.where(inside, step, (low[moving] + high[moving]) / 2))
         tau[moving] = step
-        moving[np.flatnonzero(moving)[np.abs(step - here) <= EPSILON * np.abs(here)]] = False
+        found = np.abs(step - here) <= EPSILON * (starts[moving] + np.abs(here))
+        moving[np.flatnonzero(moving)[found]] = False
     return tau
 
 

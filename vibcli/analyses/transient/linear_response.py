@@ -9,10 +9,8 @@ import numpy as np
 
 from vibcli.analyses.modal.mode_numbers import beyond
 from vibcli.analyses.transient.decoupling import spectrum
-from vibcli.analyses.transient.exponential_sum import ExponentialSum
 from vibcli.analyses.transient.extremes import extreme
-from vibcli.analyses.transient.forced import drives, ends, marched
-from vibcli.analyses.transient.forcing_arrays import Timeline
+from vibcli.analyses.transient.pieces import Pieces, followed
 from vibcli.analyses.transient.static_condensation import condensed
 from vibcli.analyses.transient.zeros import zeros
 from vibcli.base.errors import PhysicsError
@@ -24,10 +22,8 @@ if TYPE_CHECKING:
     from vibcli.analyses.modal.undamped import Mode
     from vibcli.analyses.transient.data_errors import DataErrors
     from vibcli.analyses.transient.modal_block import ModalBlock
-    from vibcli.analyses.transient.motion_errors import MotionErrors
 
 ROUNDING = 1e-12        # of the terms of a sum that is 0
-MOST, STRETCHES = 20_000, 1000      # steps, each so many stretches of time of one exponential
 
 
 def linear_motion(M: np.ndarray, C: np.ndarray, K: np.ndarray, forcing: "Forcing", q0: np.ndarray, v0: np.ndarray,
@@ -130,19 +126,26 @@ class LinearMotion:
         return LinearMotion(self.matrices, self.blocks, forcing, q0, v0, self.work,
                             doubt=lambda: self.data_errors.started(np.zeros(len(self.M)), np.zeros(len(self.M))))
 
-    def pieces(self, until: Any) -> "Pieces":
+    def pieces(self, until: Any) -> Pieces:
         """The Pieces of the motion up to a time."""
         if self._pieces is None or until > self._pieces.until:
             if self.forcing.listed:
                 until = math.inf
             further = until if self._pieces is None else max(until, 2 * self._pieces.until)
             try:
-                self._pieces = Pieces(self, further)
+                self._pieces = self._followed(further)
             except PhysicsError:
                 if further == until:
                     raise
-                self._pieces = Pieces(self, until)
+                self._pieces = self._followed(until)
         return self._pieces
+
+    def _followed(self, until):
+        if not self.forcing.recorded:
+            return followed(self, until)
+        from vibcli.analyses.transient.recorded_pieces import recorded
+
+        return recorded(self)
 
 
 class SteadyMotion(LinearMotion):
@@ -237,36 +240,3 @@ def read(output: "LinearOutput", s: complex, Q: np.ndarray, F: np.ndarray) -> co
     return complex(sum(x * factor * Q[i] for coefficients, factor in parts for i, x in coefficients.items())
                    + sum(x * F[channel] for channel, x in output.channels.items()))
 
-
-class Pieces:
-    """The motion up to a time, segment by segment: c of each block at their starts, and what drives it."""
-
-    def __init__(self, motion: LinearMotion, until: float):
-        self.motion, self.until = motion, until
-        forcing = motion.forcing
-        pieces = forcing.segments(math.nextafter(until, math.inf), motion.work)
-        self.timeline = timeline = Timeline(forcing.channels, pieces)
-        self.drives, self.states = drives(motion.blocks, timeline, len(motion.M) == 1), []
-        jumps = timeline.impulses[:, :len(motion.M)]
-        struck = np.flatnonzero(jumps.any(axis=1))
-        if motion.system is not None and (jumps @ motion.system.follow).any():
-            raise PhysicsError("a blow falls on what neither inertia nor a damper holds back: it would be displaced "
-                               "without bound", hint="give it an inertia or a damper, or let the blow last")
-        marching = motion.work.task("the motion from one jump or bend of its loads to the next", MOST)
-        with marching as task, np.errstate(over="ignore", invalid="ignore"):
-            for number, (block, found) in enumerate(zip(motion.blocks, self.drives, strict=True)):
-                task.step(number / len(motion.blocks), len(timeline.starts) * len(block.B)**2 / STRETCHES)
-                step, added = ends(block, found, timeline)
-                added[struck] += jumps[struck] @ block.W.T
-                self.states.append(marched(step, added, block.P @ motion.q0 + block.R @ motion.v0))
-
-    @cached_property
-    def errors(self) -> "MotionErrors":
-        """Bounds of what rounding has done to it."""
-        from vibcli.analyses.transient.motion_errors import MotionErrors
-
-        return MotionErrors(self)
-
-    def terms(self, output: "LinearOutput", order: int) -> ExponentialSum:
-        """What the order-th derivative of the output is the sum of."""
-        return ExponentialSum(self, output, order)

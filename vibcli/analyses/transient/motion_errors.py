@@ -10,6 +10,7 @@ loads ε is carried on as c is. Rounding is counted by the sizes of the terms th
 """
 
 import math
+from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -23,7 +24,7 @@ from vibcli.analyses.transient.textbook_form import APART
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
-    from vibcli.analyses.transient.linear_response import Pieces
+    from vibcli.analyses.transient.pieces import Pieces
 
 EPSILON = 2.0**-52
 ROUNDINGS = 8       # of a term, in units of EPSILON
@@ -52,7 +53,6 @@ class MotionErrors:
             self.system = BlockPerturbation(self.motion.blocks, self.motion.matrices[:3], self.motion.data_errors)
             self._chain()
             with np.errstate(all="ignore"):
-                self.parts = [self._free(), *self._driven()]
                 self.starts = self._carried()
 
     def of(self, output: "LinearOutput", times: np.ndarray, order: int = 0) -> np.ndarray:
@@ -74,16 +74,18 @@ class MotionErrors:
         row = np.concatenate([block.rows(output, 0) for block in self.motion.blocks])
         rounded = sum(abs(x) * self.system.power(k)[1][i, j] for k, part in enumerate((output.q, output.v, output.a))
                       for i, x in part.items())
-        last, node, off = len(self.timeline.starts) - 1, self.system.B[j, j], 0.0
-        for part in self.parts:
+        node, off = self.system.B[j, j], 0.0
+        (_, parts), (last,) = self._near(np.array([len(self.timeline.starts) - 1]))
+        for part in parts:
             place = np.flatnonzero(part.at == last)
             if len(place) and part.tail:
                 gap = abs(part.tail[0] - node)
                 moved = (self.system.dA[j, j] + DATA * abs(part.tail[0])) / gap
                 off += math.factorial(part.power) * part.size[j, place[0]] / gap ** (part.power + 1) * (
                     2 * ROUNDINGS * EPSILON + (part.power + 1) * moved)
-        state = abs(self.pieces.states[next(k for k, at in enumerate(self.system.places) if at.start == j)][last, 0])
-        return float(abs(row[j]) * (self.starts[j, last] + off) + self._turned(row, j)
+        state = abs(self.pieces.states[next(k for k, at in enumerate(self.system.places) if at.start == j)][-1, 0])
+        start = self._started(np.array([len(self.timeline.starts) - 1]))[j, 0]
+        return float(abs(row[j]) * (start + off) + self._turned(row, j)
                      + 2 * ROUNDINGS * EPSILON * rounded * state)
 
     def _turned(self, row, j):
@@ -119,14 +121,15 @@ class MotionErrors:
         if not (output.a or output.channels or (order and output.v) or order > 1 or motion.system is not None):
             return found
         segment, tau = self.timeline.place(times)
+        (timeline, _), local = self._near(segment)
         H = [np.abs(part) for part in markov(motion, order + 2)]
         large = output._replace(**{kind: {i: abs(x) for i, x in getattr(output, kind).items()} for kind in "qva"})
         for i, row in direct(large, order, H, motion.forcing.channels).items():
-            for waves in self.timeline.waves:
-                inside = np.isin(segment, waves.at)
+            for waves in timeline.waves:
+                inside = np.isin(local, waves.at)
                 if not inside.any():
                     continue
-                size = np.abs(waves.coefficients[np.searchsorted(waves.at, segment[inside])]) @ np.abs(row)
+                size = waves.size(row[None])[0, np.searchsorted(waves.at, local[inside])]
                 s, here = waves.exponent, tau[inside]
                 grown = sum(abs(factor) * here**power for power, factor in waves.derivative(i).items())
                 off = 2 * ROUNDINGS * EPSILON + abs(s) * (2 * DATA * here + EPSILON * times[inside])
@@ -139,14 +142,31 @@ class MotionErrors:
         if missing:
             segment, tau = self.timeline.place(np.array(missing))
             found = np.zeros((3, self.count, len(missing)))
-            for part in self.parts:
-                inside = np.flatnonzero(np.isin(segment, part.at))
+            (_, parts), local = self._near(segment)
+            for part in parts:
+                inside = np.flatnonzero(np.isin(local, part.at))
                 if len(inside):
-                    here, place = tau[inside], np.searchsorted(part.at, segment[inside])
+                    here, place = tau[inside], np.searchsorted(part.at, local[inside])
                     found[:, :, inside] += self._brought(part, place, here, here, np.arange(len(inside)))
-            found[0] += np.einsum("tij,jt->it", self._summed(self.plain, (), tau, tau), self.starts[:, segment])
+            found[0] += np.einsum("tij,jt->it", self._summed(self.plain, (), tau, tau), self._started(segment))
             self.known |= {t: found[:, :, k] for k, t in enumerate(missing)}
         return np.stack([self.known[t] for t in times.tolist()], axis=2)
+
+    @cached_property
+    def parts(self) -> list[Drawn]:
+        """Those of all segments."""
+        return self._parts(self.timeline, self.pieces.states)
+
+    def _near(self, segment):
+        """((a timeline with these segments, its parts), their numbers in it)."""
+        return (self.timeline, self.parts), segment
+
+    def _started(self, segment):
+        """ε at the starts of segments."""
+        return self.starts[:, segment]
+
+    def _parts(self, timeline, states):
+        return [self._free(states), *self._driven(timeline)] if self.count else []
 
     def _brought(self, part, place, early, late, which):
         """(ε that a part brings, the sizes of c and of its rate) in intervals of time after the starts of its segments;
@@ -203,27 +223,21 @@ class MotionErrors:
                 total[k] += np.bincount(places, bounds[:, k], self.count**2)
         return total.reshape(-1, self.count, self.count)
 
-    def _free(self):
-        states = np.abs(np.concatenate(self.pieces.states, axis=1)).T
-        return Drawn((), 0, np.arange(len(self.timeline.starts)), states, states)
+    def _free(self, states):
+        sizes = np.abs(np.concatenate(states, axis=1)).T
+        return Drawn((), 0, np.arange(sizes.shape[1]), sizes, sizes)
 
-    def _driven(self):
+    def _driven(self, timeline):
         """The Drawn of each wave."""
-        n = len(self.motion.M)
-        for waves in self.timeline.waves:
-            force = waves.coefficients[:, :n]
-            if force.any():
-                size = np.abs(self.system.W) @ np.abs(force).T
-                given = np.maximum(*(np.abs(self.system.W @ one.T) for one in (force, force.conj())))
+        for waves in timeline.waves:
+            if waves.pushes(len(self.motion.M)):
+                given, size = waves.size(self.system.W, largest=True), waves.size(self.system.W)
                 yield Drawn((waves.exponent,) * (waves.power + 1), waves.power, waves.at, given, size)
 
     def _carried(self):
         """ε at the start of every segment, (P, segments)."""
-        lengths, buckets = self._buckets()
-        data, motion, last = self.motion.data_errors, self.motion, len(self.timeline.starts) - 1
-        P, R = (np.abs(np.concatenate([getattr(block, kind) for block in motion.blocks])) for kind in "PR")
-        first = P @ (data.q0 + 4 * EPSILON * np.abs(motion.q0)) + R @ (data.v0 + 4 * EPSILON * np.abs(motion.v0))
-        added = self._struck()
+        lengths, buckets = buckets_of(self.timeline.lengths[:-1])
+        last, first, added = len(self.timeline.starts) - 1, self._first(), self._struck(self.timeline)
         if last:
             for part in self.parts:
                 place = np.flatnonzero(part.at < last)
@@ -235,24 +249,30 @@ class MotionErrors:
             found[at] = marched(step[:, at, at], added[at].T.copy(), first[at]).T
         return found
 
-    def _buckets(self):
-        """((shortest, longest of each bucket), the bucket of each segment but the last)."""
-        lengths = self.timeline.lengths[:-1]
-        marks, buckets = np.unique(np.floor(np.log2(lengths) / math.log2(BUCKET)), return_inverse=True)
-        ends = [np.array([choose(lengths[buckets == k]) for k in range(len(marks))]) for choose in (np.min, np.max)]
-        return ends, buckets
+    def _first(self):
+        """ε at the start."""
+        data, motion = self.motion.data_errors, self.motion
+        P, R = (np.abs(np.concatenate([getattr(block, kind) for block in motion.blocks])) for kind in "PR")
+        return P @ (data.q0 + 4 * EPSILON * np.abs(motion.q0)) + R @ (data.v0 + 4 * EPSILON * np.abs(motion.v0))
 
-    def _struck(self):
+    def _struck(self, timeline):
         """What blows, and loads that jump or bend at instants that are rounded, add at the starts of segments."""
-        n, late = len(self.motion.M), EPSILON * self.timeline.starts
-        pushed = 4 * EPSILON * np.abs(self.timeline.impulses[:, :n])
-        for waves in self.timeline.waves:
-            force = np.abs(waves.coefficients[:, :n])
-            lengths = np.where(np.isfinite(self.timeline.lengths[waves.at]), self.timeline.lengths[waves.at], 0.0)
+        late = EPSILON * timeline.starts
+        found = np.abs(self.system.W) @ (4 * EPSILON * np.abs(timeline.impulses[:, :len(self.motion.M)])).T
+        for waves in timeline.waves:
+            size = waves.size(self.system.W)
+            lengths = np.where(np.isfinite(timeline.lengths[waves.at]), timeline.lengths[waves.at], 0.0)
             if not waves.power:
-                pushed[waves.at] += 2 * late[waves.at][:, None] * force
+                found[:, waves.at] += 2 * late[waves.at] * size
             after = waves.at + 1
             kept = after < len(late)
             grown = lengths**waves.power * np.exp(np.maximum(waves.exponent.real * lengths, 0.0))
-            pushed[after[kept]] += (2 * late[after[kept]] * grown[kept])[:, None] * force[kept]
-        return np.abs(self.system.W) @ pushed.T
+            found[:, after[kept]] += 2 * late[after[kept]] * grown[kept] * size[:, kept]
+        return found
+
+
+def buckets_of(lengths: np.ndarray) -> tuple[list[np.ndarray], np.ndarray]:
+    """([shortest, longest of each bucket], the bucket of each length): lengths within a ratio."""
+    marks, buckets = np.unique(np.floor(np.log2(lengths) / math.log2(BUCKET)), return_inverse=True)
+    ends = [np.array([choose(lengths[buckets == k]) for k in range(len(marks))]) for choose in (np.min, np.max)]
+    return ends, buckets

@@ -9,7 +9,7 @@ vibration does not die out: the steady state is then what the force keeps up.
 import cmath
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -34,7 +34,7 @@ def steady_forcing(forcing: Forcing) -> Forcing:
     time."""
     if forcing.period is not None:
         return Forcing(forcing.channels, turned(forcing), forcing.period)
-    last = forcing.segments(math.inf)[-1]
+    last = forcing.last
     for wave in last.waves:
         if wave.coefficient and (wave.exponent.real > 0 or (wave.power and wave.exponent.imag
                                                             and not wave.exponent.real)):
@@ -44,12 +44,14 @@ def steady_forcing(forcing: Forcing) -> Forcing:
     return Forcing(forcing.channels, [Segment(0.0, tuple(part for wave in waves for part in later(wave, -last.start)))])
 
 
-def transient_forcing(forcing: Forcing, steady: Forcing) -> Forcing:
+def transient_forcing(forcing: Any, steady: Forcing) -> Forcing:
     """What drives the transient: the forcing less that of the steady state."""
+    if forcing.recorded:
+        return forcing.less(steady.pieces[0].waves)
     if forcing.period is not None:
         end, tail = forcing.since, []
     else:
-        last = forcing.segments(math.inf)[-1]
+        last = forcing.last
         end = last.start
         tail = [last._replace(waves=tuple(wave for wave in last.waves if wave.exponent.real))]
     pieces = difference(forcing.segments(end), steady.segments(end), end) if end else []

@@ -68,12 +68,11 @@ def formula(motion: "LinearMotion", output: Any, segment: int = 0, same: float =
     nobody may see that they are two: (e^{λt} − e^{μt})/(λ − μ) is t e^{λt} but for ((λ − μ) t)²/24 of it, while e^{λt}
     itself is e^{μt} but for (λ − μ) t of it."""
     pieces = motion.pieces(0.0 if motion.forcing.period else math.inf)
-    terms = pieces.terms(output, 0)
-    segment = segment % terms.count
+    terms = pieces.on(output, segment)
     if until is not None:
-        fastest = max((abs(node) for nodes, _ in terms.on(segment) for node in nodes), default=0.0)
+        fastest = max((abs(node) for nodes, _ in terms for node in nodes), default=0.0)
         same = min(same, MERGED / (until * fastest)) if fastest else same
-    found = [_upper(node, power, factor * c) for nodes, factor in terms.on(segment)
+    found = [_upper(node, power, factor * c) for nodes, factor in terms
              for (node, power), c in fractions(nodes, same).items()]
     real, lost = _merged(found, same, until or 0.0)
     if lost > LOST * max((abs(c) * (until or 1.0)**power for (_, power), c in real.items()), default=0.0):

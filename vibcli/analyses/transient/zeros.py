@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vibcli.analyses.transient.isolating_intervals import EPSILON, LEVELS, MOST, BoundedOutput, Cells, refused, root
+from vibcli.analyses.transient.segments_held import passing
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
     from vibcli.analyses.transient.composition import Composition
-    from vibcli.analyses.transient.linear_response import Pieces
+    from vibcli.analyses.transient.pieces import Pieces
     from vibcli.base.work import Task, Work
 
 CLEAR, SOONER = 64, 2.0 ** np.arange(-60, 1)
@@ -22,9 +23,13 @@ CLEAR, SOONER = 64, 2.0 ** np.arange(-60, 1)
 def zeros(pieces: "Composition | Pieces", output: "LinearOutput | None", start: float, end: float,
           work: "Work") -> np.ndarray:
     """All times where the output passes or touches zero, ascending; where it rests at zero, none."""
-    search = PassageSearch(BoundedOutput(pieces, output, start, end))
-    with work.task(f"the search for passages until t = {end:.6g} s", MOST, search.refusal) as task:
-        return search.run(task)
+    curves, leaps = passing(pieces, output, (start, end))
+    found = [leaps]
+    for curve in curves:
+        search = PassageSearch(curve())
+        with work.task(f"the search for passages until t = {end:.6g} s", MOST, search.refusal) as task:
+            found.append(search.run(task))
+    return found[1] if len(found) == 2 and not len(leaps) else _told_apart(np.concatenate(found), start, end)
 
 
 class PassageSearch:
@@ -51,9 +56,7 @@ class PassageSearch:
 
     def _times(self):
         """Those found, ascending, of those that but rounding tells apart the first."""
-        times = np.sort(np.concatenate(self.found))
-        apart = 4 * EPSILON * max(abs(self.curve.start), abs(self.curve.end))
-        return times[np.append(True, np.diff(times) > apart)] if len(times) else times
+        return _told_apart(np.concatenate(self.found), self.curve.start, self.curve.end)
 
     @property
     def reached(self):
@@ -71,7 +74,8 @@ class PassageSearch:
         steep = (rise > bend) & (rise > 4 * rounding) | jump
         through = (left * right < 0) | (left == 0) | (right == 0)
         single = cells.where(steep & through)
-        self.found.append(curve.times(single.segment, root(curve.y, curve.slope, single)))
+        starts = curve.timeline.starts[single.segment]
+        self.found.append(curve.times(single.segment, root(curve.y, curve.slope, single, starts)))
         unsure = ~steep & (through | (np.minimum(np.abs(left), np.abs(right)) <= bend / 8 + rounding))
         resolved = bend / 8 <= rounding
         self.closest.append(cells.where(unsure & resolved))
@@ -87,9 +91,16 @@ class PassageSearch:
         return refused(task, f": before t = {self.reached:.6g} s it passes {passed} times")
 
 
+def _told_apart(times, start, end):
+    """The times, ascending, of those that but rounding tells apart the first."""
+    times = np.sort(times)
+    return times[np.append(True, np.diff(times) > 4 * EPSILON * max(abs(start), abs(end)))] if len(times) else times
+
+
 def _jumps(curve, cells):
     """Times where one segment leaves the output on one side of zero and the next finds it on the other."""
-    follow = np.flatnonzero(cells.segment[1:] == cells.segment[:-1] + 1)
+    early, late = curve.times(cells.segment[1:], cells.early[1:]), curve.times(cells.segment[:-1], cells.late[:-1])
+    follow = np.flatnonzero((cells.segment[1:] == cells.segment[:-1] + 1) & (early - late <= 4 * EPSILON * early))
     before = curve.y.at(cells.segment[follow], cells.late[follow])
     after = curve.y.at(cells.segment[follow + 1], cells.early[follow + 1])
     return curve.timeline.starts[cells.segment[follow + 1][before * after < 0]]
@@ -100,7 +111,8 @@ def _left_once(curve, times):
     until it is more than rounding; the first start always counts."""
     whole, y = curve.whole, curve.y
     zero = np.abs(y.at(whole.segment, whole.early)) <= 4 * EPSILON * y.bound(whole.segment, whole.early, whole.early)
-    whole, first = whole.where(zero), bool(len(zero)) and bool(zero[0])
+    first = bool(len(zero)) and bool(zero[0]) and curve.times(whole.segment[0], whole.early[0]) <= curve.start
+    whole = whole.where(zero)
     away = _away(curve, whole)
     for k in np.flatnonzero(away):
         left = curve.times(whole.segment[k], whole.early[k])

@@ -190,7 +190,7 @@ def _from_file(record, reader):
         return reader.report(problem.where, problem.message, problem.hint)
     if problem:
         return reader.report(where, *problem)
-    if len(columns.rows) > MOST:
+    if len(columns.texts) > MOST:
         return _too_long(reader, where)
     found = []
     for number in range(2):

@@ -83,7 +83,7 @@ def _samples(record, reader):
     if problem:
         return reader.report(file.where, *problem)
     values = _scaled(record, reader, "unit", _column(record, reader, columns, "value", 0 if "every" in record else 1))
-    times = _spaced(record, reader, len(columns.rows)) if "every" in record else _times(record, reader, columns)
+    times = _spaced(record, reader, len(columns.texts)) if "every" in record else _times(record, reader, columns)
     return None if times is None or values is None else Samples(times, values)
 
 

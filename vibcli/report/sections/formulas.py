@@ -22,7 +22,7 @@ def formulas(asked: "Sequence[RequestedSignal]", until: float) -> Iterator[Secti
     found = []
     for one in asked:
         signal = one.signal
-        if not hasattr(signal, "output") or not signal.motion.forcing.listed:
+        if not hasattr(signal, "output") or not signal.motion.forcing.listed or signal.motion.forcing.recorded:
             continue
         starts = [piece.start for piece in signal.motion.forcing.segments(math.inf)]
         if len(starts) <= MOST_PIECES:

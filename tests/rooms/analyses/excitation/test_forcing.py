@@ -10,6 +10,7 @@ import pytest
 from support.fourier import coefficients, integral
 
 from vibcli.analyses.excitation.decompose import forcing_of
+from vibcli.analyses.excitation.forcing import Forcing, Segment, TooOften
 from vibcli.analyses.excitation.impulses import nearest
 from vibcli.analyses.excitation.rounding import Floating
 from vibcli.analyses.excitation.tabulated import TabulatedFunction
@@ -301,6 +302,14 @@ def test_integrals_of_waves(k):
             wanted = mpmath.mpf(h) ** (k + 1) / (k + 1) * mpmath.hyp1f1(k + 1, k + 2, mpmath.mpc(z) * h)
         assert integral(k, z, h) == pytest.approx(complex(wanted), rel=1e-14)
     assert cmath.isfinite(integral(k, 1j, 0.0))
+
+
+def test_what_comes_before_a_period_does_not_count_again_and_again():
+    pieces = [Segment(i / 1000) for i in range(2001)]
+    assert len(Forcing(1, pieces, 1.0, 2.0).segments(1000.0)) == 2001 + 997
+    with pytest.raises(TooOften) as refusal:
+        Forcing(1, pieces, 1.0, 2.0).segments(1e6)
+    assert "before t = 9.9e+04 s" in refusal.value.hint
 
 
 # records
