@@ -140,7 +140,10 @@ class Trajectory:
     def share(self, shared: Any) -> None:
         """Know what is `shared` with a second solution, and end where that is too little."""
         self.shared, horizon = shared, shared.horizon
-        if horizon is not None:
+        if horizon is not None and horizon != shared.lost_from:
+            self.stop(horizon, f"the accuracy {shared.asked:g} that is asked is held up to t = {horizon:.4g} s alone",
+                      "ask for earlier instants, or for less accuracy")
+        elif horizon is not None:
             why = ("the last digits of its data leave less than three of them" if shared.folding is None else
                    f"neighbouring motions part e-fold every {shared.folding:.1g} s")
             self.stop(horizon, f"digits run out at t ≈ {horizon:.4g} s: {why}", "ask for earlier instants: the motion "
