@@ -29,6 +29,7 @@ SHORTEST = 1e-13            # of the time gone
 SOON, TINY = 1e-10, 1e-300
 MOST_UNKNOWNS = 1200        # of Newton's method
 STRAINED = 20               # Picard iterations: those of longer windows amplify rounding errors
+SHORTER = 0.7               # a window that does not resolve the motion
 UNUSED = 0.2                # of the coefficients used: only the iteration keeps the windows short
 PATIENCE = 3                # such windows before the scene counts as stiff
 LEAP, SETTLING = 2000.0, 8  # radians of what is stepped over in a window; windows until it has died out
@@ -102,8 +103,10 @@ class March:
                     self.sizes.roughen(tail)                                    # it is rounding
                     break
                 tails.append(tail)
-            H *= 0.5 if done is None else 0.7
-            guess = np.repeat(a, self.rule.points, 1)
+            shorter = 0.5 if done is None else SHORTER
+            guess = np.repeat(a, self.rule.points, 1) if done is None else self.rule.within(done.A, SHORTER)
+            H *= shorter
+            self.unseen = self.unseen if done is None else 0        # this guess is near
             if max(SHORTEST * self.t, 1e-300) > H:
                 raise singular(self.system, self.t)
         window = Window(self.rule, self.t, H, self.q, self.v, done.A, self.g, self.slides)
