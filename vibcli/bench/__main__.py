@@ -9,6 +9,7 @@ import click
 
 from vibcli.bench import (
     accuracy,
+    asked_motions,
     files,
     growth,
     lagranges_method,
@@ -26,7 +27,7 @@ from vibcli.bench.rows import HEAD, aligned
 @click.option("--quick", is_flag=True, help="Three runs of each instead of eleven.")
 @click.option("--json", "as_json", is_flag=True, help="The table as JSON.")
 @click.option("--only", type=click.Choice(["startup", "growth", "linkage", "files", "accuracy", "responses",
-                                           "trajectories", "members", "sweeps"]), multiple=True,
+                                           "trajectories", "asked_motions", "members", "sweeps"]), multiple=True,
               help="Only these measurements.")
 @click.option("--sympy", "slow", is_flag=True, help="Also SymPy's LagrangesMethod on the pendulum; takes seconds.")
 def main(quick: Any, as_json: bool, only: Any, slow: complex):
@@ -36,8 +37,8 @@ def main(quick: Any, as_json: bool, only: Any, slow: complex):
         parts = {"startup": lambda: startup.rows(runs, folder), "growth": lambda: growth.rows(runs),
                  "linkage": lambda: linkage.rows(runs), "files": lambda: files.rows(3 if quick else 9, folder),
                  "accuracy": lambda: accuracy.rows(runs), "responses": lambda: responses.rows(runs),
-                 "trajectories": lambda: trajectories.rows(runs), "members": lambda: members.rows(runs),
-                 "sweeps": lambda: sweeps.rows(runs)}
+                 "trajectories": lambda: trajectories.rows(runs), "asked_motions": lambda: asked_motions.rows(runs),
+                 "members": lambda: members.rows(runs), "sweeps": lambda: sweeps.rows(runs)}
         rows = [row for name, part in parts.items() if not only or name in only for row in part()]
         if slow:
             rows += lagranges_method.rows(runs)

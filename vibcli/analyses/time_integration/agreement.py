@@ -1,8 +1,8 @@
 """What two solutions of one motion share: how well it is known, and until when.
 
-The second solution is of another order, has other steps, and starts from a state that differs in the last digit. Of a
-motion that is not sensitive to these both differ by rounding; where it is chaotic, or leaves an unstable place, their
-difference grows as e^(λt), and from some instant on no digit of either is right.
+The second solution is of another order, or has longer steps, and starts from a state that differs in the last digit. Of
+a motion that is not sensitive to these both differ by rounding, or by what longer steps leave; where it is chaotic, or
+leaves an unstable place, their difference grows as e^(λt), and from some instant on no digit of either is right.
 """
 
 from collections.abc import Callable
@@ -26,6 +26,7 @@ POWER = 6           # of the time: with which nothing grows that is no exponenti
 EDGE = 1e-6         # of a window
 STILL = 1e-3        # of the size of a coordinate: its error is not compared with less, however little it moves
 GAP, ALONE = 4.0, 10.0  # what of the difference of two solutions counts; by what it is multiplied without deviations
+ALIKE = 3.0         # the same where both are of one rule: errors of a like kind may pass one another
 TWICE = 2.0         # how far a coordinate goes is at most so many times its largest value
 HELD = TWICE * GAP
 
@@ -34,7 +35,7 @@ class Shared:
     """Two Trajectories of one motion; error: the largest difference of their states at the places `times` or before,
     relative to how far each coordinate goes and how fast; lost: may less than three digits be left of it there, and is
     it more than rounding? still: is all no more? units: the size of the figure along each coordinate; asked: the
-    accuracy that is; deviations: those of the first, once they are known."""
+    accuracy that is; deviations: those of the first, once they are known; share: by what a difference is multiplied."""
 
     def __init__(self, one: Trajectory, other: Trajectory, units: np.ndarray, asked: float | None = None):
         self.one, self.other, self.asked = one, other, asked
@@ -50,7 +51,9 @@ class Shared:
         self.still = bool((np.ptp(both[0][0], axis=1) <= rounding[0].max(axis=1)).all())
         compared = [_compared(*row) for row in zip(*both, [one.sizes] * 2, rounding, fast, strict=True)]
         worst, gone = zip(*compared, strict=True)
-        self.error, self.lost = np.maximum.accumulate(np.maximum(*worst)), np.logical_or(*gone)
+        self.share = ALIKE if one.explicit else 1.0
+        self.error = self.share * np.maximum.accumulate(np.maximum(*worst))
+        self.lost = np.logical_or(*gone)
 
     def _rounding(self, units, q):
         """What rounding may make of q and q̇ at the times: that of a place at the end of each window, and that of the
@@ -136,7 +139,7 @@ class Shared:
         inside = window.start + window.end * np.clip((t - window.start) / window.end, EDGE, 1 - EDGE)
         about = np.append(self.times[max(k - NEAR, 0):k + NEAR], inside)
         times = np.minimum(about, min(self.one.end, self.other.end))
-        return float(np.abs(values(self.one, times) - values(self.other, times)).max())
+        return self.share * float(np.abs(values(self.one, times) - values(self.other, times)).max())
 
 
 def _compared(a, b, sizes, rounding, fast):

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
 
 ACCURACY, BALANCED = 1e-12, 1e-8      # of a step relative to the motion; of the energies
+MANY = 1e3          # errors of a step, that add up to one of the motion
 MOST_STEPS = 100_000
 MOST_AT_ONCE = 20       # events at one instant
 
@@ -35,10 +36,11 @@ def simulate(configuration: "Configuration", until: float, rtol: float = ACCURAC
              initial: Mapping[str, float] | None = None) -> Trajectory:
     """The Trajectory of a system up to t = `until` [s].
 
-    rtol: the error of each step relative to the motion. initial: {x: m or rad, x': m/s or rad/s}; what is not given
-    starts at rest in equilibrium. Where its work comes to its limit the motion is that which was found until then.
+    rtol: the error of each step relative to the motion, by collocation ACCURACY at most. initial: {x: m or rad,
+    x': m/s or rad/s}; what is not given starts at rest in equilibrium. Where its work comes to its limit the motion is
+    that which was found until then.
     """
-    return solved(PreparedMotion(configuration, until, initial), rtol)
+    return solved(PreparedMotion(configuration, until, initial), rtol, max(BALANCED, MANY * rtol))
 
 
 @np.errstate(all="ignore")      # what is not finite is refused with its instant
@@ -67,8 +69,8 @@ def solved(motion: PreparedMotion, rtol: float = ACCURACY, balanced: float = BAL
 
 @np.errstate(all="ignore")
 def solved_again(motion: PreparedMotion, until: float, rtol: float = ACCURACY) -> Trajectory:
-    """A second solution: by rules of another order, from a start that differs in its last digit, its energies left
-    alone."""
+    """A second solution: by rules of another order or longer steps, from a start that differs in its last digit, its
+    energies left alone."""
     march, events, rests = _followed(motion, until, rtol, SECOND)
     return Trajectory(march, march.t, events, rests, motion.stops)
 
@@ -78,12 +80,12 @@ def _followed(motion, until, rtol, points):
     again, work = points is SECOND, motion.configuration.numeric.work
     with work.task("the integration" + " once more" * again, MOST_STEPS * (1 + again)) as task:
         q, v = (x * (1 + EPSILON * again) for x in motion.start)
-        march, events = March(motion.system, motion.switching, q, v, rtol, until, task, points), []
+        march, events = March(motion.system, motion.switching, q, v, min(rtol, ACCURACY), until, task, points), []
         if not v.any():
             stay(march, motion.stops, starts_at_rest(motion.initial) and not motion.configuration.falls)
         rests = march.t
         try:
-            _marched(march, motion.stops, events)
+            _marched(march, motion.stops, events, motion.explicit_windows(rtol, again))
         except Spent as spent:
             if spent.task is not task or not march.windows:
                 raise
@@ -110,18 +112,21 @@ def _unbalanced(energies):
                         "follow it for a shorter time, or let what acts change less abruptly")
 
 
-def _marched(march, stops, events):
-    """March to the end; the events on the way go to `events`."""
+def _marched(march, stops, events, explicit):
+    """March to the end, by `explicit` windows where these pay; the events on the way go to `events`."""
     until, at_once = march.until, 0
     if march.t == until:
         return
     _strike(march, stops, events)
     march.begin(stops.after(march.t, until))
     while march.t < until:
-        limit = stops.after(march.t, until)
-        window = march.advance(limit)
-        instant, which = _event(march, window, limit)
-        march.finish(window, instant)
+        limit, instant, which = stops.after(march.t, until), None, ()
+        if explicit is not None and explicit.pay(march, limit):
+            explicit.follow(march, limit)
+        else:
+            window = march.advance(limit)
+            instant, which = _event(march, window, limit)
+            march.finish(window, instant)
         if instant is None:
             at_once = 0
             if limit - march.t <= 1e-15 * limit:

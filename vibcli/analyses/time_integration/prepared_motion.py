@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vibcli.analyses.time_integration.driven_places import driven_places
+from vibcli.analyses.time_integration.explicit_windows import ExplicitWindows, explicit
 from vibcli.analyses.time_integration.forcing_breaks import breaks
 from vibcli.analyses.time_integration.initial_state import start, vectors
 from vibcli.base.errors import PhysicsError
@@ -21,6 +22,8 @@ if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
 
 LONGEST = 1e12
+FINE = 5e-11        # the error of a step, below which collocation costs less
+PARTS = 0.03, 0.3    # of the error of a step: what its estimate may be, in the first solution and in the second
 
 
 class PreparedMotion:
@@ -36,10 +39,21 @@ class PreparedMotion:
         self.configuration, self.until, self.initial = configuration, until, initial
         self.system = NumericEquations(scene, numeric.floats, drawn.freedom.redundant)
         owners, bounds = drawn.law_switches()
-        nodes = [*self.system.parts.nodes(), *driven_places(scene)]
-        self.stops = breaks(scene, nodes, numeric.floats, until, numeric.work)
+        self.driven = driven_places(scene)
+        self.stops = breaks(scene, [*self.system.parts.nodes(), *self.driven], numeric.floats, until, numeric.work)
         self.start = vectors(scene, places, speeds)
         self.switching = Switching(self.system, bounds, owners)
+
+    def explicit_windows(self, rtol: float, again: bool) -> ExplicitWindows | None:
+        """Windows from explicit steps whose errors are `rtol`, by longer ones where it is integrated `again`; None
+        where collocation is better."""
+        if rtol < FINE or self._explicit is None:
+            return None
+        return ExplicitWindows(self._explicit, self.system.n, PARTS[again] * rtol, rtol)
+
+    @cached_property
+    def _explicit(self):
+        return explicit(self.system, self.switching, self.driven)
 
     @cached_property
     def units(self) -> np.ndarray:

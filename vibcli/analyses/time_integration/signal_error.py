@@ -131,7 +131,7 @@ class SignalError:
         times = np.minimum(self.window.start + gauss.c * self.length, min(shared.one.end, shared.other.end))
         gaps = self.values(shared.one, times) - self.values(shared.other, times)
         rates = legendre.legval(2 * gauss.c - 1, legendre.legder(gaps @ gauss.to_series))
-        return float(np.abs(rates).max()) * 2 / self.length
+        return shared.share * float(np.abs(rates).max()) * 2 / self.length
 
     def of_time(self, t: float) -> float:
         """Of an instant that was searched: of an extreme where the rate vanishes, else of a passage [s]."""

@@ -55,7 +55,7 @@ class March:
         self.rule, self.windows, self.ends, self.struck = rule(points[0]), [], [], []
         self.stiff, self.held, self.calm, self.tries, self.unseen = False, 0, CALM, 0, 0
         self.sizes, self.guess, self.H, self.paced = Sizes(q), None, None, 0.0
-        self.slow, self.fast, self.factored, self.settling = False, None, (None, None), 0
+        self.slow, self.fast, self.factored, self.settling, self.explicit = False, None, (None, None), 0, False
         self.rooted, self.driven = rooted(system.parts.nodes()), Driven(system)
 
     def begin(self, limit: float, zero: Any = ()) -> None:
@@ -91,7 +91,7 @@ class March:
         guess = np.repeat(a, self.rule.points, 1) if begins else self.guess
         tails = []
         while True:
-            self._count()
+            self.count()
             done, tail, used = self._attempt(H, guess, self._ahead(H, a[:, 0]) if begins else a[:, 0])
             if done is not None:
                 if tail <= 1:
@@ -132,7 +132,7 @@ class March:
 
     def _no_blow(self, H, done):
         """Does what is left of the series of q̈ change no velocity?"""
-        return bool((H * self._series(H, done.A)[:, -TAIL:].max(axis=1) <= self.rtol * np.abs(self.v)).all())
+        return bool((H * self.coefficients(H, done.A)[:, -TAIL:].max(axis=1) <= self.rtol * np.abs(self.v)).all())
 
     def _ahead(self, H, a):
         """|q̈| at its largest within a window, the velocities being kept: a force that begins at zero grows there, and
@@ -144,7 +144,7 @@ class March:
         largest = np.abs(A).max(axis=1)
         return np.where(np.isfinite(largest), np.maximum(largest, np.abs(a)), np.abs(a))
 
-    def _count(self):
+    def count(self) -> None:
         """Stop a motion which takes too many windows, or would at the pace of the last ones."""
         self.task.step(self.t / self.until)
         self.tries += 1
@@ -162,13 +162,13 @@ class March:
         solve, part, known = (newton, 1e-4, self._factored(H)) if self.stiff else (iterated, 1e-2, self.unseen)
         with np.errstate(all="ignore"):
             done = solve(self.force(self.t + H * self.rule.c), self.rule, H, self.q, self.v, guess,
-                         (part * self.rtol * scale if self.fast is None else 1e-2 * self._allowed(H, scale))
+                         (part * self.rtol * scale if self.fast is None else 1e-2 * self.allowed(H, scale))
                          + 0.5 * EPSILON * np.abs(self.q)[:, None], known, self.more)  # type: ignore[arg-type]
         self.factored = (H, self.g, self.slides), done.inverse
         if done.A is None:
             return None, np.inf, 1.0
         self.sizes.meet(done.A)
-        sizes = (self._series(H, done.A) / self._allowed(H, scale)).max(axis=0)
+        sizes = (self.coefficients(H, done.A) / self.allowed(H, scale)).max(axis=0)
         used = np.flatnonzero(sizes > 1)
         return done, float(sizes[-TAIL:].max()), (used[-1] + 1 if len(used) else 1) / self.rule.points
 
@@ -190,13 +190,13 @@ class March:
         it would be followed badly."""
         self.H, self.settling = max(self.H, LEAP / self.fast.speed), SETTLING
 
-    def _series(self, H, A):
+    def coefficients(self, H: float, A: np.ndarray) -> np.ndarray:
         """|Legendre coefficients| of q̈; of q in stiff scenes, where what is left of fast parts roughens q̈ alone."""
         if self.stiff:
             A = self.v[:, None] * (H * self.rule.c) + H * H * (A @ self.rule.V2)
         return np.abs(A @ self.rule.to_series)
 
-    def _allowed(self, H, scale):
+    def allowed(self, H: float, scale: np.ndarray) -> np.ndarray:
         """Which of them need not be resolved."""
         if self.stiff:
             found = self.rtol * scale
@@ -274,6 +274,14 @@ class March:
         self.sizes.move(self.q)
         if window.end:
             self._keep(window)
+
+    def take(self, window: Window, q: np.ndarray, v: np.ndarray) -> None:
+        """Keep a window that was found by itself, and move to its end, the state there."""
+        self.count()
+        self.sizes.meet(window.values)
+        self.t, self.q, self.v, self.guess, self.explicit = window.start + window.length, q, v, None, True
+        self.sizes.move(q)
+        self._keep(window)
 
     def close(self, t: float) -> None:
         """Put the state on the constraints of an instant, from which it drifts by rounding."""
