@@ -1,6 +1,6 @@
 """Estimates of the error of full motions against Taylor series in integers, by scenes at random:
 
-    python tests/fuzz/full_bounds.py COUNT SEED
+    python tests/fuzz/full_bounds.py COUNT SEED [ACCURACY]
 
 prints what is exceeded, and the median of estimate/error.
 """
@@ -45,12 +45,13 @@ def signals(moving, motion, one):
             yield name, one.response.signal(given_expression(name, "the signal").tree)
 
 
-def compared(seed, longest=1e9):
-    """(its Moving, [(what, error, estimate)] of its numbers) of a scene, followed for `longest`."""
+def compared(seed, longest=1e9, accuracy=None):
+    """(its Moving, [(what, error, estimate)] of its numbers) of a scene, followed for `longest` as accurately as is
+    asked."""
     moving = drawn(seed)
     moving = moving._replace(until=min(moving.until, longest, key=float))
     motion = moving.motion()
-    one = problem(moving.text)
+    one = problem(moving.text) if accuracy is None else problem(moving.text).with_accuracy(accuracy)
     trajectory = one.response.trajectory(float(moving.until))
     source, found = random.Random(seed + 1), []
     for name, signal in signals(moving, motion, one):
@@ -86,12 +87,12 @@ def _zeros(name, signal, motion, end):
             yield f"zero({name}) {t:.6g}", float(abs(near - t)), signal.error_of_time(t)
 
 
-def main(count, seed):
+def main(count, seed, accuracy=None):
     ratios, exceeded, refused, kinds = [], 0, 0, {}
     with mpmath.workdps(DIGITS):
         for number in range(seed, seed + count):
             try:
-                moving, found = compared(number)
+                moving, found = compared(number, accuracy=accuracy)
             except PhysicsError as error:
                 refused += 1
                 print(number, drawn(number).kind, "refused:", error, flush=True)
@@ -113,4 +114,4 @@ def main(count, seed):
 
 
 if __name__ == "__main__":
-    sys.exit(bool(main(int(sys.argv[1]), int(sys.argv[2]))))
+    sys.exit(bool(main(int(sys.argv[1]), int(sys.argv[2]), *map(float, sys.argv[3:]))))

@@ -47,6 +47,13 @@ def parsed(text: str, option: str) -> tuple[object, Scalar]:
         raise ValueError(error.message + (f" ({error.hint})" if error.hint else "")) from None
 
 
+def accuracy(text: str) -> float:
+    """How accurately motions are to be integrated."""
+    from vibcli.language.accuracy import accuracy as asked
+
+    return asked(text)
+
+
 def expression(text: str, option: str) -> Expression:
     """A signal or quantity as an Expression."""
     tree, scalar = parsed(text, option)

@@ -29,8 +29,9 @@ class Model:
     such answer. Values are in SI units; those of a scene in letters are SymbolicExpressions."""
 
     def __init__(self, source: SceneSource, problem: "Problem", settings: dict[str, tuple] | None = None,
-                 case: str | None = None):
-        self._source, self._as_read, self._settings, self._case = source, problem, settings or {}, case
+                 case: str | None = None, accuracy: float | None = None):
+        self._source, self._settings, self._case, self._accuracy = source, settings or {}, case, accuracy
+        self._as_read = problem if accuracy is None else problem.with_accuracy(accuracy)
 
     @cached_property
     def _problem(self):
@@ -49,7 +50,16 @@ class Model:
 
     def case(self, name: str) -> "Model":
         """A case of the file."""
-        return Model(self._source, _case(self._as_read, name), self._settings, name)
+        return Model(self._source, _case(self._as_read, name), self._settings, name, self._accuracy)
+
+    def with_accuracy(self, accuracy: float | str) -> "Model":
+        """The scene with its motions integrated so accurately: the error of each coordinate relative to how far it
+        goes, 1e-9 unless asked."""
+        try:
+            asked = given.accuracy(str(accuracy))
+        except ValueError as error:
+            raise SpecError([Diagnostic(Where(f"with_accuracy {accuracy}", 1, 1, 0), str(error))]) from None
+        return Model(self._source, self._as_read, self._settings, self._case, asked)
 
     def with_values(self, **values: float | str) -> "Model":
         """The scene with other values of parameters: numbers in the unit of the file, texts with their own."""
@@ -60,7 +70,8 @@ class Model:
             except ValueError as error:
                 raise SpecError([Diagnostic(Where(f"with_values {name}", 1, 1, 0), str(error))]) from None
         problem = problem_of(self._source, found)
-        return Model(self._source, problem if self._case is None else _case(problem, self._case), found, self._case)
+        return Model(self._source, problem if self._case is None else _case(problem, self._case), found, self._case,
+                     self._accuracy)
 
     def sweep(self, *quantities: str, **parameters: "ArrayLike") -> "SweptValues":
         """Quantities over ascending values of parameters, in the unit of the file; over two, over their grid. The

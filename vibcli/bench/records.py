@@ -5,24 +5,27 @@ is that of the whole command.
 
 import json
 import os
+import tempfile
 from math import log
 from statistics import median
 from time import process_time
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from vibcli.bench.processes import answer, costs, vibcli
 from vibcli.bench.rows import Timing
-
-if TYPE_CHECKING:
-    from pathlib import Path
 
 DEGREES, SAMPLES, GROWTH, EVERY = 10, 100_000, (10_000, 1_000_000), 0.01
 GATE, SHARED, LINEAR, SAME, MEMORY = 0.5, 1.5, 1.1, 1e-10, 200.0
 ROUNDS, POINTS = 5, 272       # instants, of which the last is the last sample
 
 
-def rows(runs: Any, folder: "Path | str") -> list[Timing]:
+def rows(runs: Any) -> list[Timing]:
     """Processor time against lsim by turns, its growth, how far both are apart, and the memory of a process."""
+    with tempfile.TemporaryDirectory() as folder:
+        return _rows(runs, folder)
+
+
+def _rows(runs, folder):
     found = json.loads(answer("from vibcli.bench.records import main; main()", min(runs, ROUNDS), folder))
     memory = costs({"response": (vibcli("response", os.path.join(folder, f"one_{SAMPLES}.yaml")), (0,))}, 3)
     case = f"record of {SAMPLES} samples, {DEGREES} degrees, extremes with bounds"

@@ -8,10 +8,13 @@ import json
 from math import cos, sin
 from statistics import median
 from time import process_time
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.bench.processes import answer
 from vibcli.bench.rows import Timing
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
 
 AT_100 = (0.15683620292567552, 0.1549800061482823, 0.7581220395333563, 0.9338915929100756)
 DOUBLE = """
@@ -57,7 +60,7 @@ def main():
     from vibcli.analyses.time_integration.integrate import simulate
 
     runs, start = min(int(sys.argv[1]), 5), [0.3, 0.5, 0.0, 0.0]
-    scene = _problem(DOUBLE).configuration
+    scene = problem_of_text(DOUBLE).configuration
 
     def ours(accuracy):
         q, v, _ = simulate(scene, 100.0, accuracy, {"p": 0.3, "r": 0.5}).at([100.0])
@@ -65,16 +68,18 @@ def main():
 
     methods = {
         "ours": [(accuracy, lambda accuracy=accuracy: ours(accuracy)) for accuracy in ACCURACIES],
-        "odeint": [(rtol, lambda rtol=rtol: odeint(lambda y, t: _rates(y), start, [0.0, 100.0], rtol=rtol, atol=rtol,
-                                                   mxstep=10**6)[-1]) for rtol in TOLERANCES],
-        "DOP853": [(rtol, lambda rtol=rtol: solve_ivp(lambda t, y: _rates(y), (0.0, 100.0), start, method="DOP853",
-                                                      rtol=rtol, atol=rtol).y[:, -1]) for rtol in TOLERANCES]}
-    found = {name: [[tolerance, _measured(solved, AT_100, runs)] for tolerance, solved in tried]
+        "odeint": [(rtol, lambda rtol=rtol: odeint(lambda y, t: rates_of_double(y), start, [0.0, 100.0],
+                                                   rtol=rtol, atol=rtol, mxstep=10**6)[-1]) for rtol in TOLERANCES],
+        "DOP853": [(rtol, lambda rtol=rtol: solve_ivp(lambda t, y: rates_of_double(y), (0.0, 100.0), start,
+                                                      method="DOP853", rtol=rtol, atol=rtol).y[:, -1])
+                   for rtol in TOLERANCES]}
+    found = {name: [[tolerance, measured(solved, AT_100, runs)] for tolerance, solved in tried]
              for name, tried in methods.items()}
     print(json.dumps({**found, "pendulum": _thousand()}))
 
 
-def _problem(text):
+def problem_of_text(text: str) -> "Problem":
+    """The Problem of a scene, built."""
     from vibcli.api.source import problem_of, text_source
 
     problem = problem_of(text_source(text))
@@ -82,7 +87,8 @@ def _problem(text):
     return problem
 
 
-def _rates(y):
+def rates_of_double(y: Any) -> tuple[float, ...]:
+    """(q̇, q̈) of the double pendulum."""
     a, b, u, w = y
     s, c = sin(a - b), cos(a - b)
     h, k = s * w * w + 19.62 * sin(a), 9.81 * sin(b) - s * u * u
@@ -90,7 +96,7 @@ def _rates(y):
     return u, w, (c * k - h) / bottom, (c * h - 2 * k) / bottom
 
 
-def _measured(solved, exact, runs):
+def measured(solved: Any, exact: Any, runs: int) -> list[float]:
     """[largest error, ms]."""
     spent = []
     for _ in range(runs):
@@ -110,7 +116,7 @@ def _thousand():
         omega, k = mpmath.sqrt(mpmath.mpf("9.81")), mpmath.sin(mpmath.mpf(1) / 2)
         time = float(4 * mpmath.ellipk(k * k) / omega * mpmath.mpf("999.63"))
         exact = float(2 * mpmath.asin(k * mpmath.ellipfun("cd", omega * time, m=k * k)))
-    scene = _problem(PENDULUM).configuration
+    scene = problem_of_text(PENDULUM).configuration
     start = process_time()
     found = simulate(scene, time, initial={"p": 1.0})
     spent = process_time() - start

@@ -38,6 +38,32 @@ def patience_option(function: Callable) -> Callable:
                         help="Let long work take N times as many steps before it is given up.")(function)
 
 
+def accuracy_option(function: Callable) -> Callable:
+    return click.option("--accuracy", metavar="E", callback=_accuracy, help="The error of each coordinate of a motion "
+                        "that is integrated, relative to how far it goes: 1e-6 is sooner found than 1e-9, the "
+                        "default.")(function)
+
+
+def _accuracy(context, parameter, value):
+    if value is None:
+        return None
+    from vibcli.api.given import accuracy
+
+    try:
+        return accuracy(value)
+    except ValueError as error:
+        raise click.UsageError(f"--accuracy {value}: {error}") from None
+
+
+def integrated(problems: "Sequence[tuple[Any, Problem]]", accuracy: float | None) -> "list[tuple[Any, Problem]]":
+    """The same with their motions integrated as accurately as is asked; a usage error where they are small ones."""
+    if accuracy is None:
+        return list(problems)
+    if all(problem.spec.motion == "small" for _, problem in problems):
+        raise click.UsageError("--accuracy is for motions that are integrated: small oscillations are exact in time")
+    return [(case, problem.with_accuracy(accuracy)) for case, problem in problems]
+
+
 def color_option(function: Callable) -> Callable:
     option = click.option("--color", type=click.Choice(["auto", "always", "never"]), default="auto",
                           callback=_set_color, expose_value=False,

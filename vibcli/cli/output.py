@@ -77,7 +77,7 @@ def print_scenes(problems: "Sequence[tuple[str | None, Problem]]", sections: Cal
 def _in_series(problem, digits, wanted, sections):
     """The problem with its motion of the full equations followed to the digits that are asked for; those that are asked
     for of frequencies leave one that has no more in floats."""
-    if problem.spec.get("motion") != "full" or "response" not in sections:
+    if problem.spec.motion != "full" or "response" not in sections:
         return problem
     if wanted is not None and wanted.digits is not None:
         return problem.with_digits(wanted.digits)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import click
 from click.core import ParameterSource
 
-from vibcli.cli.common import chosen, load, scene_options
+from vibcli.cli.common import accuracy_option, chosen, integrated, load, scene_options
 from vibcli.cli.output import print_scenes
 from vibcli.cli.reports import output_of, report_options
 from vibcli.cli.sampled import (
@@ -36,6 +36,7 @@ if TYPE_CHECKING:
               "'40 ms'; may be given several times.")
 @click.option("--digits", type=click.IntRange(1, 200), metavar="N", help="Those values, and extremes, with N correct "
               "digits, in arbitrary precision.")
+@accuracy_option
 @click.option("--points", type=click.IntRange(2, 1_000_000), default=1001, show_default=True, metavar="N",
               help="How many instants are plotted or saved.")
 @click.option("--phase", type=click.Choice(["sine", "cosine", "lead"]), default="sine", show_default=True,
@@ -46,9 +47,9 @@ if TYPE_CHECKING:
 @click.option("--transient", is_flag=True, help="Plot or save the transient part as well.")
 @curve_options
 def command(file: str, settings: Sequence[Any], case: Any, as_json: bool, patience: int, timings: bool,
-            signals: Sequence[str], until: str | None, instants: Sequence[str], digits: int | None, points: int,
-            phase: str, plane: bool, steady: bool, transient: bool, plot: bool, saves: Sequence[str],
-            **report: bool | None) -> int:
+            signals: Sequence[str], until: str | None, instants: Sequence[str], digits: int | None,
+            accuracy: float | None, points: int, phase: str, plane: bool, steady: bool, transient: bool, plot: bool,
+            saves: Sequence[str], **report: bool | None) -> int:
     """The motion in time, free or forced: its formula, steady state and extremes; plotted, or saved as numbers.
 
     It starts as `initial` in the file says, else at rest: vibcli explain response.
@@ -57,12 +58,14 @@ def command(file: str, settings: Sequence[Any], case: Any, as_json: bool, patien
 
     if plane:
         refuse_beside_plane({"--of": signals, "--until": until, "--at": instants, "--digits": digits,
-                             "--steady": steady, "--transient": transient})
+                             "--accuracy": accuracy, "--steady": steady, "--transient": transient})
         return _phase_plane(file, settings, case, as_json, patience, timings, plot, saves, report)
     refuse_targets(saves, report["force"])
     require_curves(plot, saves, as_json, {"--steady": steady, "--transient": transient})
+    if digits and accuracy:
+        raise click.UsageError("--accuracy does not go with --digits, which ask for more than floats have")
     output = output_of(file, as_json, **report)
-    problems = cases_to_show(chosen(load(file, settings, patience), case), saves)
+    problems = integrated(cases_to_show(chosen(load(file, settings, patience), case), saves), accuracy)
     parts = tuple(word for word, on in (("steady", steady), ("transient", transient)) if on)
     wanted = Wanted(tuple(asked(text, "--of") for text in signals), None, phase, parts=parts, points=points,
                     at=tuple((text, size(text, "--at", "s", INSTANT, exact=True)) for text in instants), digits=digits)

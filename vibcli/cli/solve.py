@@ -5,7 +5,7 @@ from typing import Any
 
 import click
 
-from vibcli.cli.common import chosen, load, number_options, scene_options
+from vibcli.cli.common import accuracy_option, chosen, integrated, load, number_options, scene_options
 from vibcli.cli.output import print_scenes
 from vibcli.cli.reports import output_of, report_options
 
@@ -14,19 +14,23 @@ from vibcli.cli.reports import output_of, report_options
 @scene_options
 @report_options
 @number_options
+@accuracy_option
 @click.option("--insight", is_flag=True, help="Also whose energy each mode has, what its frequency depends on, and "
               "estimates of the lowest one.")
 @click.option("--steps", is_flag=True, help="Line by line instead: coordinates, energies of each body, spring and "
               "damper, rest, Lagrange's equations, frequencies.")
 def command(file: str, settings: Sequence[str], case: str | None, as_json: bool, patience: int, timings: bool,
-            digits: int | None, normalise: str, insight: bool, steps: bool, **report: Any) -> int:
+            digits: int | None, normalise: str, accuracy: float | None, insight: bool, steps: bool,
+            **report: Any) -> int:
     """The solution of a scene: equilibrium, energies, equations of motion, frequencies, damping, modes; or what `find`
     in the file asks, responses too."""
     from vibcli.api.reports import STEPS, solution
 
     output = output_of(file, as_json, **report)
-    problems = chosen(load(file, settings, patience), case)
+    problems = integrated(chosen(load(file, settings, patience), case), accuracy)
     sections, data = (lambda problem: solution(problem, insight)), ("equations", "frequencies", "equilibria")
     if steps:
         sections, data = (lambda problem: STEPS), ()
+    if accuracy and not any("response" in sections(problem) for _, problem in problems):
+        raise click.UsageError("--accuracy is for motions in time, and none is asked for: find: [response]")
     return print_scenes(problems, sections, output, timings, digits, normalise, data, question=True)

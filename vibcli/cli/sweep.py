@@ -5,7 +5,7 @@ from typing import Any
 
 import click
 
-from vibcli.cli.common import chosen, load, scene_options
+from vibcli.cli.common import accuracy_option, chosen, integrated, load, scene_options
 from vibcli.cli.output import print_scenes
 from vibcli.cli.reports import output_of, report_options
 from vibcli.cli.sampled import asked, curve_options, refuse_targets, show_curves
@@ -23,10 +23,11 @@ POINTS, ALONG_TWO, MOST = 51, 21, 100_000
 @click.option("--points", type=click.IntRange(2, MOST), metavar="N", help=f"How many values: {POINTS}, along each of "
               f"two parameters {ALONG_TWO}, unless given.")
 @click.option("--log", "by_ratio", is_flag=True, help="Space the values by one ratio.")
+@accuracy_option
 @curve_options
 def command(file: str, settings: Sequence[str], case: Any, as_json: bool, patience: int, timings: bool,
-            ranges: Sequence[str], quantities: Sequence[str], points: int | None, by_ratio: bool, plot: bool,
-            saves: Sequence[str], **report: Any) -> int:
+            ranges: Sequence[str], quantities: Sequence[str], points: int | None, by_ratio: bool,
+            accuracy: float | None, plot: bool, saves: Sequence[str], **report: Any) -> int:
     """Quantities over one or two parameters: tables, curves, contours, Campbell diagrams.
 
     The scene is derived once; natural modes are followed by their shapes: vibcli explain sweep.
@@ -39,7 +40,7 @@ def command(file: str, settings: Sequence[str], case: Any, as_json: bool, patien
     if len(ranges) > 2:
         raise click.UsageError("--over is given more than twice: sweep over one or two parameters, and --set others")
     output = output_of(file, as_json, **report)
-    (name, problem), *_ = chosen(load(file, settings, patience), case)
+    (name, problem), *_ = integrated(chosen(load(file, settings, patience), case), accuracy)
     found = _found(problem, ranges, quantities, points or (POINTS if len(ranges) < 2 else ALONG_TWO), by_ratio)
     return print_scenes([(name, problem)], lambda problem: ("sweep",), output, timings, data=("sweep",),
                         wanted=Wanted(sweep=found), curves=lambda problem: _shown(found, plot, saves, report["force"]))

@@ -1,6 +1,6 @@
 """A scene file as read: records by section, coordinates in order, dimensions of all names."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from vibcli.base.units import Dimensions
@@ -8,6 +8,14 @@ from vibcli.language.reader import Record
 
 EXPANDED = "expanded"       # motions of the equations to the third order, {order: 3}
 MEMBERS = ("bars", "shafts", "beams", "strings")        # the sections of continuous members
+
+
+class Integrated(NamedTuple):
+    """What `motion:` says of motions beyond a word: their kind, None where that is left open, and the accuracy that is
+    asked."""
+
+    kind: str | None
+    accuracy: float | None = None
 
 
 class Spec(NamedTuple):
@@ -33,14 +41,31 @@ class Spec(NamedTuple):
     asked_dimension: Callable | None = None
 
     @property
+    def motion(self) -> str | None:
+        """What its motions are: small, full or EXPANDED; None where that is not said."""
+        said = self.get("motion")
+        return said.kind if isinstance(said, Integrated) else said
+
+    @property
+    def accuracy(self) -> float | None:
+        """How accurately its motions are integrated; None where nothing is asked."""
+        said = self.get("motion")
+        return said.accuracy if isinstance(said, Integrated) else None
+
+    def with_accuracy(self, accuracy: float) -> "Spec":
+        """The Spec whose motions, and those of its cases, are integrated so accurately."""
+        cases = {name: case.with_accuracy(accuracy) for name, case in self.cases.items()}
+        return self.with_sections(motion=Integrated(self.motion, accuracy))._replace(cases=cases)
+
+    @property
     def in_full(self) -> bool:
         """Are its motions integrated, of equations that are not those of small oscillations?"""
-        return self.get("motion") in ("full", EXPANDED)
+        return self.motion in ("full", EXPANDED)
 
     @property
     def expanded(self) -> bool:
         """Are they those of the equations expanded to the third order?"""
-        return self.get("motion") == EXPANDED
+        return self.motion == EXPANDED
 
     @classmethod
     def of(cls, file: Any, sections: Any, named: Any) -> "Spec":
@@ -48,7 +73,7 @@ class Spec(NamedTuple):
         return cls(file, sections, sections.get, named, parameters=sections.get("parameters", {}), choices={},
                    answers=sections.get("answers", []), used=set(), counts={}, sample={}, cases={})
 
-    def with_sections(self, **changed: Mapping[str, Record]) -> "Spec":
+    def with_sections(self, **changed: Any) -> "Spec":
         """The Spec with other records in some sections."""
         sections = {**self.sections, **changed}
         return self._replace(sections=sections, get=sections.get)

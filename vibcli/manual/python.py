@@ -10,6 +10,7 @@ PYTHON = [
         ("p.case(name)", "a case of the scene, itself a `Model`; `p.cases` lists them"),
         ("p.with_values(k=600, m=\"2 kg\")", "the scene with other values: numbers in the unit of the file, texts with "
          "their own, as with --set"),
+        ("p.with_accuracy(1e-6)", "the scene with motions that are integrated so accurately, as with --accuracy"),
         ("p.coordinates", "the names of the degrees of freedom"),
         ("p.omega", "natural angular frequencies, ascending; `p.zeta` damping ratios by damped mode"),
         ("p.modes", "mode shapes as columns, the first coordinate that moves being 1"),

@@ -34,12 +34,21 @@ RESPONSE = [
          "argument principle counts in a circle. A mode that is damped critically is refused, and a damper of "
          "√(Nμ) beside drag, as no wave comes back from it."),
         ("full", "`motion: full`: the full equations, integrated, for wide swings, laws, dry friction, stops, slack. "
-         "Events and the balance of the energies are printed; a motion whose energies do not balance to 1e-8 is "
-         "refused. It is found twice, by rules of another order and with another last digit of its start: what the two "
-         "do not share is not printed, and from where they share less than three digits (chaos, a start at an unstable "
-         "place) nothing is known; plots and files end there. Values in time, `max`, `min`, `zero` and `period` can be "
-         "asked, no steady states. What starts at rest in its equilibrium stays there, to the last digit, until a load "
-         "or a drive in time acts. A period is looked for beyond the end, up to eight times as long."),
+         "Events and the balance of the energies are printed; a motion whose energies do not balance to 1e-8, or to "
+         "the accuracy that is asked, is refused. It is found twice, by rules of another order or by longer steps, and "
+         "with another last digit of its start: what the two do not share is not printed, and from where they share "
+         "less than three digits (chaos, a start at an unstable place) nothing is known; plots and files end there. "
+         "Values in time, `max`, `min`, `zero` and `period` can be asked, no steady states. What starts at rest in its "
+         "equilibrium stays there, to the last digit, until a load or a drive in time acts. A period is looked for "
+         "beyond the end, up to eight times as long."),
+        ("accuracy", "`motion: {accuracy: 1e-6}` or `--accuracy 1e-6` asks how accurately the full equations are "
+         "integrated: from 1e-13 to 1e-3 of each coordinate and velocity, relative to how far it goes, or to its "
+         "largest value where that is less; what hardly moves is held to a thousandth of where it is, or of what moves "
+         "most beside it. Unless asked 1e-9 is aimed at. The errors that are printed are estimated all the same: where "
+         "they exceed what is asked, steps are tightened, and where that does not help, the motion ends and says so. "
+         "Less is sooner found: from 1e-7 on, long motions of few coordinates without loops, friction, stops and "
+         "pulses go by explicit steps, which are as much longer as less is asked; all others go by collocation, which "
+         "takes as long whatever is asked."),
         ("full --digits", "With `--digits N` the full equations are followed by power series, twice, with as many "
          "digits more as neighbouring motions lose, until both agree to N digits: chaos has no horizon then. Steps and "
          "bends of the time are ends of pieces. What bends or jumps with the motion (friction, stops, ropes, "

@@ -18,6 +18,7 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.numeric_code import Compiled
 
 if TYPE_CHECKING:
+    from vibcli.mechanics.equations_of_motion import Dynamics
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
@@ -29,15 +30,18 @@ class NumericEquations:
     """A scene's equations compiled; `n` coordinates, `m` independent constraints.
 
     switches: the arguments whose signs stay as they are while the motion is smooth, in the order of their senses g.
-    changed: what each constant of the equations is written as instead, None: itself.
+    changed: what each constant of the equations is written as instead, None: itself; like: those of the same scene with
+    other constants, whose expressions these are too.
     """
 
     _sizes: Callable
+    parts: "Dynamics"
+    solution: "list[Node]"
 
     def __init__(self, scene: "Scene", floats: Mapping[str, float], redundant: Sequence[Any] = (),
-                 changed: Callable[[float], float] | None = None):
+                 changed: Callable[[float], float] | None = None, like: "NumericEquations | None" = None):
         self.scene, self.floats, self.redundant, self.changed = scene, floats, redundant, changed
-        self.parts = parts = dynamics(scene, redundant)
+        parts = self.parts = dynamics(scene, redundant) if like is None else like.parts
         self.n, self.m = len(scene.q), len(parts.gaps)
         self._slots, self._sizes = {}, None
         self.still = self.m == 0 and all(not node.mask for node in parts.M.values())
@@ -47,7 +51,8 @@ class NumericEquations:
                 raise massless(name)
         self.inertia = self.compiled([parts.M[i, i] for i in range(self.n)])
         if self.direct:
-            self._compiled = self.compiled(_solved(scene.table, parts, self.n))
+            self.solution = _solved(scene.table, parts, self.n) if like is None else like.solution
+            self._compiled = self.compiled(self.solution)
         else:
             self._pairs, self._ties = list(parts.M), list(parts.slopes)
             entries = [*parts.M.values(), *parts.slopes.values(), *parts.h, *parts.bends]

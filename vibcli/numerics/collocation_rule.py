@@ -21,10 +21,10 @@ LONG = np.longdouble
 class Rule:
     """Points c and weights w on [0, 1]; V1, V2: integrals at the points, transposed; b2: weights w (1 − c) of the
     double integral to the end; to_series: values at the points to Legendre coefficients (transposed); once, twice:
-    coefficients of the integrals of Pₖ; at_points: P₀ … P_{s+1} there. Found in extended precision: their rounding
-    errors would be the same in each window, and add up."""
+    coefficients of the integrals of Pₖ. Found in extended precision: their rounding errors would be the same in each
+    window, and add up."""
 
-    __slots__ = ("V1", "V2", "at_points", "b2", "c", "once", "points", "to_series", "twice", "w")
+    __slots__ = ("V1", "V2", "_known", "b2", "c", "once", "points", "to_series", "twice", "w")
 
     def __init__(self, points: int, radau: bool = False):
         x, w = (_radau if radau else _gauss)(points)
@@ -37,17 +37,27 @@ class Rule:
             twice = np.pad(once @ P[:-1] @ to_series @ once, ((0, 0), (0, 1)))
         else:
             twice = once @ _integrated(points + 1)
-        self.points = points
+        self.points, self._known = points, {}
         self.c, self.w = _rounded((x + 1) / 2), _rounded(w / 2)
         self.b2 = _rounded(to_series @ twice.sum(axis=1) if radau else w * (1 - x) / 4)
         self.to_series, self.once, self.twice = _rounded(to_series), _rounded(once), _rounded(twice)
         self.V1 = _rounded(to_series @ once @ P[:-1])
         self.V2 = _rounded(to_series @ twice @ P)
-        self.at_points = _rounded(P)
 
     def basis(self, x: np.ndarray) -> np.ndarray:
         """P₀ … P_{s+1} at places x in [−1, 1], of shape (s + 2, places)."""
         return _legendre(x, self.points + 1)
+
+    def basis_at(self, c: np.ndarray) -> np.ndarray:
+        """The same at parts c of [0, 1], kept for the next window."""
+        key = c.tobytes()
+        if key not in self._known:
+            self._known[key] = _rounded(self.basis(2 * c.astype(LONG) - 1))
+        return self._known[key]
+
+    def within(self, values: np.ndarray, part: float) -> np.ndarray:
+        """The values at the points of the first part of a window, of polynomials through values at those of all."""
+        return values @ self.to_series @ self.basis_at(part * self.c)[:-2]
 
 
 def _rounded(array):

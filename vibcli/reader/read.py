@@ -73,7 +73,8 @@ SECTIONS = {
     "motion": (LazyKind("motion", "language.sections"), (
         "what motions in time are: `small` oscillations in closed form, the default about an equilibrium, or those of "
         "the `full` equations, integrated; `{order: 3}`: those of the equations expanded to the third order in the "
-        "deviations from equilibrium. Scenes with nonlinear laws must say which")),
+        "deviations from equilibrium; `{accuracy: 1e-6}`: how accurately the full ones, or with `order: 3` the "
+        "expanded ones, are integrated. Scenes with nonlinear laws must say which")),
     "find": (find.QUESTIONS, ASKED["find"]),
     "choose": (Named(Lazy("choose", "reader.sections"), "a mapping from parameters to conditions", ("pi", "t")),
                ASKED["choose"]),

@@ -49,15 +49,9 @@ class ExpandedResponse(FullResponse):
         """The motion of the full equations from the same start."""
         return FullResponse(self.problem)
 
-    def trajectory(self, until: Any = None):
-        """The Trajectory up to an instant at least, to the end asked for if none is given."""
-        until = self.until if until is None else until
-        found = self._trajectory
-        if found is None or (found.until < until and not found.reason):
-            from vibcli.analyses.time_integration.integrate import known_motion
-
-            self._trajectory = known_motion(self.expanded, until, self.problem.initial.given)
-        return self._trajectory
+    @property
+    def _integrated(self):
+        return self.expanded
 
     def signal(self, tree: Any):
         """The signal of a tree: a function of places, velocities and accelerations, and of forces of elements."""

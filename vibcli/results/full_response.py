@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     import numpy as np
 
     from vibcli.analyses.time_integration.trajectory import Trajectory
+    from vibcli.mechanics.configuration import Configuration
     from vibcli.results.motion_in_series import MotionInSeries
     from vibcli.results.problem import Problem
     from vibcli.results.shared_friction import SharedFriction
@@ -104,6 +105,11 @@ class FullResponse(StatesInTime):
         self._periods: dict[str, tuple[float, float]] = {}
 
     @property
+    def _integrated(self) -> "Configuration":
+        """The system whose equations are integrated."""
+        return self.problem.configuration
+
+    @property
     def integrated(self):
         return self._trajectory is not None
 
@@ -112,9 +118,10 @@ class FullResponse(StatesInTime):
         until = self.until if until is None else until
         found = self._trajectory
         if found is None or (found.until < until and not found.reason):
-            from vibcli.analyses.time_integration.integrate import known_motion
+            from vibcli.analyses.time_integration.known_motion import known_motion
 
-            self._trajectory = known_motion(self.problem.configuration, until, self.problem.initial.given)
+            self._trajectory = known_motion(self._integrated, until, self.problem.initial.given,
+                                            self.problem.spec.accuracy)
         return self._trajectory
 
     @cached_property
@@ -133,7 +140,7 @@ class FullResponse(StatesInTime):
         trajectory = self.trajectory()
         refusal = trajectory.unknown(t)
         known = trajectory.shared
-        if known is not None and trajectory.end == known.horizon and self._is_affordable(known, t):
+        if known is not None and trajectory.end == known.lost_from and self._is_affordable(known, t):
             return Unknown(refusal.message, f"{refusal.hint}; --digits {FOLLOWED} carries as many as it takes")
         return refusal
 

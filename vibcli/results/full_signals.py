@@ -149,7 +149,9 @@ class FullSignal(Signal):
         trajectory = self.motion.reaching(end)
         bends = self._bends(trajectory, start, end)
         if not len(bends):
-            return extreme(trajectory, self.values, start, end, sense)
+            found = extreme(trajectory, self.values, start, end, sense)
+            error = self.error(found[0]) if trajectory.shared.asked else 0.0    # more known, peaks alike are alike
+            return extreme(trajectory, self.values, start, end, sense, 2 * error) if error else found
         from vibcli.analyses.transient.sampled_extremes import SampledSearch
 
         search = SampledSearch(self.values, start, min(end, trajectory.end), self.motion.problem.work)

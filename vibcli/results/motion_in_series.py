@@ -3,9 +3,9 @@
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from vibcli.analyses.time_integration.integrate import equations_of
 from vibcli.analyses.time_integration.motion_series import fixed_point
 from vibcli.analyses.time_integration.motionless import starts_at_rest
+from vibcli.analyses.time_integration.prepared_motion import equations_of
 from vibcli.analyses.time_integration.proven_digits import ProvenMotion
 from vibcli.analyses.time_integration.smooth_pieces import WITHOUT, SmoothPieces
 from vibcli.base.errors import PhysicsError

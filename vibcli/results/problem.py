@@ -101,6 +101,10 @@ class Problem:
         """The same scene with amplitudes that have a sign."""
         return self._copy(signed=True)
 
+    def with_accuracy(self, accuracy: float) -> "Problem":
+        """The same scene with its motions integrated so accurately."""
+        return self._copy(spec=self.spec.with_accuracy(accuracy))
+
     def with_digits(self, digits: int) -> "Problem":
         """The same scene with its quantities found to so many digits."""
         return self._copy(digits=digits)
@@ -110,9 +114,9 @@ class Problem:
         return self._copy(modal=ModalAnalysis(configuration, free), end=None)
 
     def _copy(self, **changes):
-        kept = {"modal": self.modal, "choice": self.choice, "earlier": self.earlier, "end": self.end,
+        kept = {"spec": self.spec, "modal": self.modal, "choice": self.choice, "earlier": self.earlier, "end": self.end,
                 "signed": self.signed, "digits": self.digits}
-        return Problem(self.spec, **{**kept, **changes})
+        return Problem(**{**kept, **changes})
 
     def case(self, name: str) -> "Problem":
         """The problem of a case of the file."""
@@ -168,10 +172,11 @@ class Problem:
             from vibcli.results.prescribed_motion import PrescribedResponse
 
             return PrescribedResponse(self)
-        kind = self.spec.get("motion")
+        kind = self.spec.motion
         if kind is None and self.scene.laws:
             raise responses.nonlinear(self.spec, self.scene.laws[0].owner)
         if self.scene.pieces:
+            require_no_accuracy(self.spec)
             from vibcli.results.members_in_time import members_in_time
 
             return members_in_time(self)
@@ -187,6 +192,7 @@ class Problem:
             from vibcli.results.full_response import FullResponse
 
             return FullResponse(self)
+        require_no_accuracy(self.spec)
         return responses.SmallResponse(self, _precise_response)
 
     def response_of(self, tree: "QuantityRef") -> Any:
@@ -202,7 +208,7 @@ class Problem:
         it; None where none does, or the motion is not one of small oscillations."""
         from vibcli.results.steady_response import SteadyResponse
 
-        kind = self.spec.get("motion")
+        kind = self.spec.motion
         if self.spec.in_full or (kind is None and self.scene.laws):
             return None
         found = SteadyResponse(self, PhysicsError("this is not found of small oscillations of members",
@@ -268,6 +274,13 @@ class Problem:
         if (signal, driver) not in self._curves:
             self._curves[signal, driver] = FrequencyResponse(self, signal, driver)
         return self._curves[signal, driver]
+
+
+def require_no_accuracy(spec: "Spec") -> None:
+    """PhysicsError where an accuracy is asked of a motion that is not integrated."""
+    if spec.accuracy is not None:
+        raise PhysicsError("this motion is exact in time: it is not integrated, and no accuracy can be asked of it",
+                           "leave the accuracy out, or ask for motion: full")
 
 
 def _precise_response(problem):

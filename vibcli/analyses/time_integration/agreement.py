@@ -1,8 +1,8 @@
 """What two solutions of one motion share: how well it is known, and until when.
 
-The second solution is of another order, has other steps, and starts from a state that differs in the last digit. Of a
-motion that is not sensitive to these both differ by rounding; where it is chaotic, or leaves an unstable place, their
-difference grows as e^(λt), and from some instant on no digit of either is right.
+The second solution is of another order, or has longer steps, and starts from a state that differs in the last digit. Of
+a motion that is not sensitive to these both differ by rounding, or by what longer steps leave; where it is chaotic, or
+leaves an unstable place, their difference grows as e^(λt), and from some instant on no digit of either is right.
 """
 
 from collections.abc import Callable
@@ -25,16 +25,21 @@ FEW, FOLDS, PLACES = 3, 8, 100   # windows and e-foldings at least, of which a r
 POWER = 6           # of the time: with which nothing grows that is no exponential
 EDGE = 1e-6         # of a window
 STILL = 1e-3        # of the size of a coordinate: its error is not compared with less, however little it moves
+GAP, ALONE = 4.0, 10.0  # what of the difference of two solutions counts; by what it is multiplied without deviations
+ALIKE = 3.0         # the same where both are of one rule: errors of a like kind may pass one another
+TWICE = 2.0         # how far a coordinate goes is at most so many times its largest value
+HELD = TWICE * GAP
 
 
 class Shared:
     """Two Trajectories of one motion; error: the largest difference of their states at the places `times` or before,
     relative to how far each coordinate goes and how fast; lost: may less than three digits be left of it there, and is
-    it more than rounding? still: is all no more? units: the size of the figure along each coordinate; deviations: those
-    of the first."""
+    it more than rounding? still: is all no more? units: the size of the figure along each coordinate; asked: the
+    accuracy that is; deviations: those of the first, once they are known; share: by what a difference is multiplied."""
 
-    def __init__(self, one: Trajectory, other: Trajectory, units: np.ndarray, deviations: "Deviations | None" = None):
-        self.one, self.other, self.deviations = one, other, deviations
+    def __init__(self, one: Trajectory, other: Trajectory, units: np.ndarray, asked: float | None = None):
+        self.one, self.other, self.asked = one, other, asked
+        self.deviations: Deviations | None = None
         end = min(one.end, other.end)
         c = rule(POINTS).c      # not the ends of windows: there forces may jump, in the other solution a little later
         times = np.concatenate([window.start + c * window.end for window in one.windows])
@@ -46,7 +51,9 @@ class Shared:
         self.still = bool((np.ptp(both[0][0], axis=1) <= rounding[0].max(axis=1)).all())
         compared = [_compared(*row) for row in zip(*both, [one.sizes] * 2, rounding, fast, strict=True)]
         worst, gone = zip(*compared, strict=True)
-        self.error, self.lost = np.maximum.accumulate(np.maximum(*worst)), np.logical_or(*gone)
+        self.share = ALIKE if one.explicit else 1.0
+        self.error = self.share * np.maximum.accumulate(np.maximum(*worst))
+        self.lost = np.logical_or(*gone)
 
     def _rounding(self, units, q):
         """What rounding may make of q and q̇ at the times: that of a place at the end of each window, and that of the
@@ -57,10 +64,39 @@ class Shared:
         forces = (sizes.noise + EPSILON * (sizes.slopes @ reach))[:, None]
         return forces * self.times**2 + places, forces * self.times + places / sizes.radian
 
+    def beside(self, deviations: "Deviations | None") -> "Shared":
+        """The same with what the data leave."""
+        self.deviations = deviations
+        return self
+
+    @property
+    def largest(self) -> float:
+        """The largest error that the integration leaves, by the difference of the two."""
+        return 0.0 if self.still else HELD * float(self.error.max(initial=0.0))
+
     @property
     def horizon(self) -> float | None:
-        """The last place before the two share less than three digits, or the deviations leave less; None where all of
-        the motion is known."""
+        """The last place at which the motion is known as it is to be; None where all of it is."""
+        found = [end for end in (self.lost_from, self.held_to) if end is not None]
+        return min(found, default=None)
+
+    @property
+    def held_to(self) -> float | None:
+        """The last place before the error exceeds the accuracy that is asked; None where it nowhere does."""
+        if self.asked is None or self.still:
+            return None
+        error = (ALONE if self.deviations is None else 1.0) * HELD * self.error
+        if self.deviations is not None:
+            sizes = np.maximum.accumulate(self.deviations.sizes)
+            error = error + TWICE * sizes[np.minimum(np.searchsorted(self.one.starts, self.times), len(sizes) - 1)]
+        beyond = error > self.asked
+        first = int(np.argmax(beyond))
+        return (float(self.times[first - 1]) if first else 0.0) if beyond[first] else None
+
+    @property
+    def lost_from(self) -> float | None:
+        """The last place before the two share less than three digits, or the deviations leave less; None where they
+        nowhere do."""
         first = int(np.argmax(self.lost))
         found = [float(self.times[max(first - 1, 0)])] if self.lost[first] else []
         if self.deviations is not None and (self.deviations.sizes > LOST).any():
@@ -103,7 +139,7 @@ class Shared:
         inside = window.start + window.end * np.clip((t - window.start) / window.end, EDGE, 1 - EDGE)
         about = np.append(self.times[max(k - NEAR, 0):k + NEAR], inside)
         times = np.minimum(about, min(self.one.end, self.other.end))
-        return float(np.abs(values(self.one, times) - values(self.other, times)).max())
+        return self.share * float(np.abs(values(self.one, times) - values(self.other, times)).max())
 
 
 def _compared(a, b, sizes, rounding, fast):

@@ -39,6 +39,11 @@ class Window:
         """(q, q̇, q̈) of shapes (n, instants) at the instants tau [s] after the start."""
         return self.summed(tau, self.rule.basis(2 * tau / self.length - 1))
 
+    def along(self, c: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """The same at parts c of what it holds."""
+        whole = self.end == self.length
+        return self.summed(c * self.end, self.rule.basis_at(c)) if whole else self.states(c * self.end)
+
     def summed(self, tau: Any, P: np.ndarray):
         """The same with the values of the Legendre polynomials at the instants at hand."""
         rule, H = self.rule, self.length

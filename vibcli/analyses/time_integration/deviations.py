@@ -27,6 +27,7 @@ AT_REST = 16            # last digits by which the place where forces balance ma
 STILL = 1e-3            # of the size of a coordinate: what it moves at least, to see slopes
 TINY = 1e-6             # of the figure: motions that are smaller
 LOOKS = np.array([0.0, 0.3, 0.7, 1.0])  # of a window: where its size is looked at
+AT_END = np.ones(1)
 MOST = 24               # coordinates
 LARGEST = 1e30          # of the motion: where nothing of it is known any more
 
@@ -57,7 +58,7 @@ class Deviations:
     def _sizes(self):
         """How large places and velocities are, those that hardly change lifted."""
         trajectory, found = self.trajectory, []
-        states = [window.states(LOOKS * window.end) for window in trajectory.windows]
+        states = [window.along(LOOKS) for window in trajectory.windows]
         for rows in (np.concatenate([state[order].T for state in states]) for order in range(2)):
             least = STILL * (np.abs(rows).max(axis=0) + (0.0 if found else STILL * self.units))
             found.append(trajectory.sizes.lifted(np.maximum(np.ptp(rows, axis=0), least)))
@@ -162,7 +163,7 @@ class Deviations:
     def _rounded(self, window):
         """The covariance of what is rounded within a window: the state at its end, the forces before, the instant."""
         H, noise = window.end, self.trajectory.sizes.noise
-        q, v, a = window.state(H)
+        q, v, a = (row[:, 0] for row in window.along(AT_END))
         state = np.concatenate([EPSILON * np.abs(q) + H * H * noise, EPSILON * np.abs(v) + H * noise])
         late = HALF * (window.start + H) * np.concatenate([v, a])
         return np.diag(state**2) + np.outer(late, late)

@@ -27,7 +27,7 @@ def balance(system: "NumericEquations", switching: "Switching", windows: "Sequen
     [(instant, q, q̇ before, q̇ after)] of impulses, whose work is that of loads, or of what drives the scene; corners:
     instants at which that jumps or bends."""
     r, flow = rule(POINTS), powers(system.scene, system.parts.gaps)
-    points = [_at_points(window, r) for window in windows]
+    points = [window.along(r.c) for window in windows]
     q, v, a = (np.concatenate([part[i] for part in points], axis=1) for i in range(3))
     t = np.concatenate([window.start + r.c * window.end for window in windows])
     senses = _senses(switching, windows, points, r)
@@ -116,10 +116,3 @@ def _all(system, senses, t, q, v):
     more = system.switches[len(senses):]
     signs = Compiled(system.scene, system.floats, None, more)(t, q, v) if more else ()
     return [*senses, *(np.sign(np.broadcast_to(value, t.shape)) for value in signs)]
-
-
-def _at_points(window, rule):
-    """(q, q̇, q̈) at the Gauss points of what a window holds."""
-    tau = rule.c * window.end
-    known = window.end == window.length and window.rule is rule
-    return window.summed(tau, rule.at_points)[:3] if known else window.states(tau)[:3]

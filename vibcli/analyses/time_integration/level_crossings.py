@@ -70,15 +70,17 @@ def _away(signal, level, window, size):
     return float(sooner[clear.argmax()]) if clear.any() else window.end
 
 
-def extreme(trajectory: Any, signal: Callable, start: float, end: float, sense: int) -> tuple[float, float]:
+def extreme(trajectory: Any, signal: Callable, start: float, end: float, sense: int,
+            alike: float = 0.0) -> tuple[float, float]:
     """(instant, value) of the largest (sense 1) or smallest (−1) value in [start, end]; where the signal jumps, the
-    limits on both sides count."""
+    limits on both sides count. alike: by how much values may differ that are taken for the same, of which the first
+    counts: at the start, or where the signal turns."""
     candidates, before, parts = [start, end], {}, list(_series(trajectory, signal, start, end))
     for window, _, series in parts:
         last = min(window.start + window.end, trajectory.end)
         candidates += [window.start, last]
         before[float(last)] = float(series.sum()), float(np.abs(series).sum())
-    turns = _turns(parts, start, end, sense)
+    turns = _turns(parts, start, end, sense, alike)
     times = np.array(sorted({float(time) for time in [*candidates, *(turn for turn, _ in turns)]
                              if start <= time <= end}))
     values, jumps = np.array(signal(times), dtype=float), set()
@@ -88,13 +90,16 @@ def extreme(trajectory: Any, signal: Callable, start: float, end: float, sense: 
             values[i] = limit
             jumps.add(i)
     best = int(np.argmax(sense * values >= max(sense * values) - ALIKE * np.ptp(values)))    # the first of those alike
+    if alike:
+        turning = np.isin(times, [start, times[best], *(turn for turn, _ in turns)])
+        best = int(np.argmax(turning & (sense * values >= sense * values[best] - alike)))
     beside = [turn for turn, length in turns if abs(turn - times[best]) <= BESIDE * length and start <= turn <= end]
     if beside and best not in jumps and start < times[best] < end:      # the end of a window next to its turn
         best = int(np.searchsorted(times, min(beside, key=lambda turn: abs(turn - times[best]))))
     return float(times[best]), float(values[best])
 
 
-def _turns(parts, start, end, sense):
+def _turns(parts, start, end, sense, alike):
     """[(instant, length of its window)] at which a signal turns, in the windows that can hold its extreme from start to
     end: those that come nearest to the largest value are looked at first.
 
@@ -107,7 +112,7 @@ def _turns(parts, start, end, sense):
     highest = middle + reach / np.cos(0.5 * np.pi * (POINTS - 1) / NODES)
     whole = [start <= float(t(-1)) and float(t(1)) <= end for _, t, _ in parts]
     reached, turns = values[whole].max(initial=-np.inf), []
-    slack = CLEAR * ALIKE * (highest.max() - (middle - reach).min() + np.abs(middle).max())
+    slack = alike + CLEAR * ALIKE * (highest.max() - (middle - reach).min() + np.abs(middle).max())
     for k in np.argsort(-highest, kind="stable"):
         if highest[k] < reached - slack:
             break

@@ -49,7 +49,8 @@ class Varied:
         self.systems, self.switchings = [trajectory.system], [trajectory.switching]
         self.directions = [ChangeOfData(seed) for seed in range(DIRECTIONS)]
         for direction in self.directions:
-            system = NumericEquations(scene, changed(floats, direction), trajectory.system.redundant, direction)
+            system = NumericEquations(scene, changed(floats, direction), trajectory.system.redundant, direction,
+                                      trajectory.system)
             self.systems.append(system)
             self.switchings.append(Switching(system, bounds, owners))
 

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.polynomial import legendre
 
+from vibcli.analyses.time_integration.agreement import ALONE, GAP
 from vibcli.analyses.time_integration.deviations import SPREAD
 from vibcli.analyses.time_integration.error_scales import EPSILON
 from vibcli.analyses.time_integration.trajectory import Trajectory
@@ -22,10 +23,9 @@ from vibcli.analyses.time_integration.variation import NEAR
 from vibcli.base.errors import PhysicsError
 from vibcli.numerics.collocation_rule import rule
 
-GAP, ROUNDED = 4.0, 8 * EPSILON
+ROUNDED = 8 * EPSILON
 POINTS, FINE, FINER = 12, 40, 50    # of a window: where neighbours are looked at, the motion, its error
 NEARER = (1.0, 1e-3, 1e-6)      # of NEAR: where neighbours are looked at if the signal has no value there
-ALONE = 10.0                    # by which the rest is multiplied where there are no deviations of first order
 ROUGH = 12.0                    # of the rate of a polynomial through values that are rounded at random
 STILL = 1e-5                    # of a window: an extreme that is as near is that one
 NOTHING = 1e-200                # of the motion: deviations that are none
@@ -131,7 +131,7 @@ class SignalError:
         times = np.minimum(self.window.start + gauss.c * self.length, min(shared.one.end, shared.other.end))
         gaps = self.values(shared.one, times) - self.values(shared.other, times)
         rates = legendre.legval(2 * gauss.c - 1, legendre.legder(gaps @ gauss.to_series))
-        return float(np.abs(rates).max()) * 2 / self.length
+        return shared.share * float(np.abs(rates).max()) * 2 / self.length
 
     def of_time(self, t: float) -> float:
         """Of an instant that was searched: of an extreme where the rate vanishes, else of a passage [s]."""

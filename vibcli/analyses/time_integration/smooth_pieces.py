@@ -52,7 +52,7 @@ def require_smooth_motion(scene: "Scene", nodes: "Sequence[Node]") -> None:
             raise PhysicsError(f"{what} drives this motion: more digits of it are not found", WITHOUT)
 
 
-def _may_hide(scene, nodes):
+def may_hide(scene: "Scene", nodes: "Sequence[Node]") -> bool:
     """Is there a function of the time in expressions that may be nothing but for a pulse?"""
     time = scene.time
     return any(part.mask == time.mask and (
@@ -71,7 +71,7 @@ class SmoothPieces:
         require_smooth_motion(scene, parts.nodes())
         self.rests = rests
         self.scene, self.parts, self.values, self.floats, self.until = scene, parts, values, floats, until
-        self._bent, self._hidden = bent(parts.nodes()), _may_hide(scene, parts.nodes())
+        self._bent, self._hidden = bent(parts.nodes()), may_hide(scene, parts.nodes())
         self.times = list(breaks(scene, parts.nodes(), floats, until, work).times) if self._bent else []
         self._pieces, self._compiled, self._instants = {}, {}, {}
 

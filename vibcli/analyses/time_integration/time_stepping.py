@@ -29,6 +29,7 @@ SHORTEST = 1e-13            # of the time gone
 SOON, TINY = 1e-10, 1e-300
 MOST_UNKNOWNS = 1200        # of Newton's method
 STRAINED = 20               # Picard iterations: those of longer windows amplify rounding errors
+SHORTER = 0.7               # a window that does not resolve the motion
 UNUSED = 0.2                # of the coefficients used: only the iteration keeps the windows short
 PATIENCE = 3                # such windows before the scene counts as stiff
 LEAP, SETTLING = 2000.0, 8  # radians of what is stepped over in a window; windows until it has died out
@@ -54,7 +55,7 @@ class March:
         self.rule, self.windows, self.ends, self.struck = rule(points[0]), [], [], []
         self.stiff, self.held, self.calm, self.tries, self.unseen = False, 0, CALM, 0, 0
         self.sizes, self.guess, self.H, self.paced = Sizes(q), None, None, 0.0
-        self.slow, self.fast, self.factored, self.settling = False, None, (None, None), 0
+        self.slow, self.fast, self.factored, self.settling, self.explicit = False, None, (None, None), 0, False
         self.rooted, self.driven = rooted(system.parts.nodes()), Driven(system)
 
     def begin(self, limit: float, zero: Any = ()) -> None:
@@ -90,7 +91,7 @@ class March:
         guess = np.repeat(a, self.rule.points, 1) if begins else self.guess
         tails = []
         while True:
-            self._count()
+            self.count()
             done, tail, used = self._attempt(H, guess, self._ahead(H, a[:, 0]) if begins else a[:, 0])
             if done is not None:
                 if tail <= 1:
@@ -102,8 +103,10 @@ class March:
                     self.sizes.roughen(tail)                                    # it is rounding
                     break
                 tails.append(tail)
-            H *= 0.5 if done is None else 0.7
-            guess = np.repeat(a, self.rule.points, 1)
+            shorter = 0.5 if done is None else SHORTER
+            guess = np.repeat(a, self.rule.points, 1) if done is None else self.rule.within(done.A, SHORTER)
+            H *= shorter
+            self.unseen = self.unseen if done is None else 0        # this guess is near
             if max(SHORTEST * self.t, 1e-300) > H:
                 raise singular(self.system, self.t)
         window = Window(self.rule, self.t, H, self.q, self.v, done.A, self.g, self.slides)
@@ -129,7 +132,7 @@ class March:
 
     def _no_blow(self, H, done):
         """Does what is left of the series of q̈ change no velocity?"""
-        return bool((H * self._series(H, done.A)[:, -TAIL:].max(axis=1) <= self.rtol * np.abs(self.v)).all())
+        return bool((H * self.coefficients(H, done.A)[:, -TAIL:].max(axis=1) <= self.rtol * np.abs(self.v)).all())
 
     def _ahead(self, H, a):
         """|q̈| at its largest within a window, the velocities being kept: a force that begins at zero grows there, and
@@ -141,7 +144,7 @@ class March:
         largest = np.abs(A).max(axis=1)
         return np.where(np.isfinite(largest), np.maximum(largest, np.abs(a)), np.abs(a))
 
-    def _count(self):
+    def count(self) -> None:
         """Stop a motion which takes too many windows, or would at the pace of the last ones."""
         self.task.step(self.t / self.until)
         self.tries += 1
@@ -159,13 +162,13 @@ class March:
         solve, part, known = (newton, 1e-4, self._factored(H)) if self.stiff else (iterated, 1e-2, self.unseen)
         with np.errstate(all="ignore"):
             done = solve(self.force(self.t + H * self.rule.c), self.rule, H, self.q, self.v, guess,
-                         (part * self.rtol * scale if self.fast is None else 1e-2 * self._allowed(H, scale))
+                         (part * self.rtol * scale if self.fast is None else 1e-2 * self.allowed(H, scale))
                          + 0.5 * EPSILON * np.abs(self.q)[:, None], known, self.more)  # type: ignore[arg-type]
         self.factored = (H, self.g, self.slides), done.inverse
         if done.A is None:
             return None, np.inf, 1.0
         self.sizes.meet(done.A)
-        sizes = (self._series(H, done.A) / self._allowed(H, scale)).max(axis=0)
+        sizes = (self.coefficients(H, done.A) / self.allowed(H, scale)).max(axis=0)
         used = np.flatnonzero(sizes > 1)
         return done, float(sizes[-TAIL:].max()), (used[-1] + 1 if len(used) else 1) / self.rule.points
 
@@ -187,13 +190,13 @@ class March:
         it would be followed badly."""
         self.H, self.settling = max(self.H, LEAP / self.fast.speed), SETTLING
 
-    def _series(self, H, A):
+    def coefficients(self, H: float, A: np.ndarray) -> np.ndarray:
         """|Legendre coefficients| of q̈; of q in stiff scenes, where what is left of fast parts roughens q̈ alone."""
         if self.stiff:
             A = self.v[:, None] * (H * self.rule.c) + H * H * (A @ self.rule.V2)
         return np.abs(A @ self.rule.to_series)
 
-    def _allowed(self, H, scale):
+    def allowed(self, H: float, scale: np.ndarray) -> np.ndarray:
         """Which of them need not be resolved."""
         if self.stiff:
             found = self.rtol * scale
@@ -271,6 +274,14 @@ class March:
         self.sizes.move(self.q)
         if window.end:
             self._keep(window)
+
+    def take(self, window: Window, q: np.ndarray, v: np.ndarray) -> None:
+        """Keep a window that was found by itself, and move to its end, the state there."""
+        self.count()
+        self.sizes.meet(window.values)
+        self.t, self.q, self.v, self.guess, self.explicit = window.start + window.length, q, v, None, True
+        self.sizes.move(q)
+        self._keep(window)
 
     def close(self, t: float) -> None:
         """Put the state on the constraints of an instant, from which it drifts by rounding."""

@@ -51,9 +51,9 @@ class Trajectory:
     """names: the coordinates; windows: their polynomials; until: the end asked for, and `end` that which was reached,
     earlier where a rope goes slack; events; balance; drift: the largest gaps of the constraints
     (positions, velocities) relative to the motion, None without closed loops; shared: with a second solution; sizes:
-    those of the motion; breaks: of what drives it; struck: (t, q, q̇ before, q̇ after) of each blow; fast: the
-    oscillation that was stepped over, None where all is followed; rests: the instant up to which it stays in the
-    equilibrium in which it starts."""
+    those of the motion; explicit: are there windows of explicit steps in it? breaks: of what drives it; struck: (t, q,
+    q̇ before, q̇ after) of each blow; fast: the oscillation that was stepped over, None where all is followed; rests: the
+    instant up to which it stays in the equilibrium in which it starts."""
 
     shared: Any
 
@@ -61,6 +61,7 @@ class Trajectory:
                  balance: Balance | None = None, drift: Any = None):
         self.system, self.switching, self.windows = march.system, march.switching, march.windows
         self.breaks, self.struck = breaks, tuple(march.struck)
+        self.explicit = march.explicit
         self.names, self.sizes, self.fast = list(march.system.scene.coordinates), march.sizes, march.fast
         self.until, self.end, self.events, self.rests = until, until, tuple(events), rests
         self.balance, self.drift, self.reason, self.advice, self.shared = balance, drift, None, None, None
@@ -140,7 +141,10 @@ class Trajectory:
     def share(self, shared: Any) -> None:
         """Know what is `shared` with a second solution, and end where that is too little."""
         self.shared, horizon = shared, shared.horizon
-        if horizon is not None:
+        if horizon is not None and horizon != shared.lost_from:
+            self.stop(horizon, f"the accuracy {shared.asked:g} that is asked is held up to t = {horizon:.4g} s alone",
+                      "ask for earlier instants, or for less accuracy")
+        elif horizon is not None:
             why = ("the last digits of its data leave less than three of them" if shared.folding is None else
                    f"neighbouring motions part e-fold every {shared.folding:.1g} s")
             self.stop(horizon, f"digits run out at t ≈ {horizon:.4g} s: {why}", "ask for earlier instants: the motion "

@@ -92,7 +92,7 @@ def _chunk(varied, windows, chosen, slides, steps):
     c, n, s, W = chosen.c, len(windows[0].q), chosen.points, len(windows)
     H = np.array([window.end for window in windows])
     t = np.concatenate([window.start + c * window.end for window in windows])
-    states = [window.states(c * window.end) for window in windows]
+    states = [window.along(c) for window in windows]
     q, v = (np.concatenate([state[i] for state in states], axis=1) for i in range(2))
     g = [np.repeat(senses, s) for senses in zip(*(window.g for window in windows), strict=True)] if windows[0].g else ()
     F = slopes(varied, t, q, v, g, slides, steps).reshape(n, -1, W, s).transpose(2, 0, 3, 1)    # (W, n, s, columns)

@@ -37,7 +37,7 @@ def _accuracy(trajectory):
     told += f"the balance of these energies holds to {error} of the largest of them"
     shared = max(trajectory.shared.of_state(trajectory.end), LEAST)
     told += ("; nothing moves by more than rounding may" if trajectory.shared.still else
-             f"; a second solution of another order agrees to {figure(shared, digits=2)} of the motion")
+             f"; a second solution agrees to {figure(shared, digits=2)} of the motion")
     if trajectory.end < trajectory.until:
         told += f" up to t = {figure(trajectory.end, digits=4)} s, from where on it is not known: {trajectory.reason}"
     if trajectory.fast is not None:

@@ -7,7 +7,7 @@ import pytest
 from support.motions import AT_THE_TOP, RESTING, problem
 
 from vibcli.analyses.time_integration import integrate as simulating
-from vibcli.analyses.time_integration.integrate import known_motion
+from vibcli.analyses.time_integration.known_motion import known_motion
 from vibcli.cli import run
 
 HANGING = """

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from support.motions import AT_THE_TOP, PENDULUM, duffing_period, problem
 
-from vibcli.analyses.time_integration.integrate import known_motion
+from vibcli.analyses.time_integration.known_motion import known_motion
 from vibcli.analyses.time_integration.level_crossings import extreme
 from vibcli.analyses.time_integration.rounded_data import DIRECTIONS, STEP, ChangeOfData
 from vibcli.api.values import given_expression

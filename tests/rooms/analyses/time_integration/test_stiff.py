@@ -6,7 +6,8 @@ import pytest
 from support.motions import problem
 
 from vibcli.analyses.time_integration import collocation_step
-from vibcli.analyses.time_integration.integrate import known_motion, simulate
+from vibcli.analyses.time_integration.integrate import simulate
+from vibcli.analyses.time_integration.known_motion import known_motion
 from vibcli.base.errors import PhysicsError
 from vibcli.numerics.collocation_rule import rule
 from vibcli.results.full_signals import FullSignal

@@ -12,7 +12,10 @@ from vibcli.analyses.nonlinear.period import exact_period
 from vibcli.analyses.time_integration import level_crossings
 from vibcli.analyses.time_integration.integrate import simulate
 from vibcli.analyses.time_integration.level_crossings import extreme, passages
+from vibcli.analyses.time_integration.prepared_motion import PreparedMotion
+from vibcli.analyses.time_integration.rounded_data import ChangeOfData, changed
 from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.numeric_equations import NumericEquations
 from vibcli.symbolic import numeric_code
 
 # tests/support/motions.double_pendulum, started at (0.3, 0.5, 0, 0)
@@ -358,3 +361,26 @@ def test_a_motion_at_rest_under_a_force_that_begins_at_zero(force, windows):
     text = ("parameters: {F: 4 N}\nbodies: {b: {mass: 2 kg, slide: x}}\nsprings: {s: {k: 50 N/m, between: [ground, b]}}"
             f"\nforces: {{push: {{at: b, force: {force}}}}}\nmotion: full\n")
     assert len(simulate(problem(text).configuration, 1.5).windows) <= windows
+
+
+def test_a_window_that_was_too_long_is_the_guess_of_a_shorter_one(monkeypatch):
+    """A hundred windows of forty points, each by some fifteen iterations; a quarter is first tried too long."""
+    counts, accelerations = [0], NumericEquations.accelerations
+
+    def counting(self, t, *rest):
+        counts[0] += len(t) == 40
+        return accelerations(self, t, *rest)
+
+    monkeypatch.setattr(NumericEquations, "accelerations", counting)
+    simulate(problem(DOUBLE).configuration, 100.0, initial={"p": 0.3, "r": 0.5})
+    assert 1000 < counts[0] < 2000      # 2370 where each begins anew
+
+
+def test_equations_with_other_constants_are_those_that_are_derived_anew():
+    motion = PreparedMotion(problem(DOUBLE).configuration, 1.0)
+    one, change = motion.system, ChangeOfData(3)
+    like, anew = (NumericEquations(one.scene, changed(one.floats, change), one.redundant, change, of)
+                  for of in (one, None))
+    state = np.linspace(0, 1, 5), *np.random.default_rng(1).normal(size=(2, 2, 5))
+    assert np.array_equal(like.accelerations(*state), anew.accelerations(*state))
+    assert like.parts is one.parts and anew.parts is not one.parts

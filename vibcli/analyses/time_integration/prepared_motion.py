@@ -1,0 +1,76 @@
+"""What all solutions of one motion share: the equations compiled, what drives them, where they start."""
+
+from collections.abc import Mapping
+from fractions import Fraction
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from vibcli.analyses.time_integration.driven_places import driven_places
+from vibcli.analyses.time_integration.explicit_windows import ExplicitWindows, explicit
+from vibcli.analyses.time_integration.forcing_breaks import breaks
+from vibcli.analyses.time_integration.initial_state import start, vectors
+from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.numeric_equations import NumericEquations
+from vibcli.mechanics.switching import Switching
+from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.numeric_system import NumericSystem
+    from vibcli.scene.scene import Scene
+
+LONGEST = 1e12
+FINE = 5e-11        # the error of a step, below which collocation costs less
+PARTS = 0.03, 0.3    # of the error of a step: what its estimate may be, in the first solution and in the second
+
+
+class PreparedMotion:
+    """The motion of a system up to t = `until` [s]; initial: {x: m or rad, x': m/s or rad/s}. system: its equations;
+    stops: the Breaks of what drives it; start: (q, q̇)."""
+
+    def __init__(self, configuration: "Configuration", until: float, initial: Mapping[str, float] | None = None):
+        if not 0 < until < LONGEST:
+            raise PhysicsError(f"a motion cannot end at t = {until:.6g} s", "ask for an instant after its start, t = 0")
+        places, speeds = start(configuration, initial)
+        numeric, drawn = configuration.numeric, configuration.scene
+        scene = equations_of(numeric)
+        self.configuration, self.until, self.initial = configuration, until, initial
+        self.system = NumericEquations(scene, numeric.floats, drawn.freedom.redundant)
+        owners, bounds = drawn.law_switches()
+        self.driven = driven_places(scene)
+        self.stops = breaks(scene, [*self.system.parts.nodes(), *self.driven], numeric.floats, until, numeric.work)
+        self.start = vectors(scene, places, speeds)
+        self.switching = Switching(self.system, bounds, owners)
+
+    def explicit_windows(self, rtol: float, again: bool) -> ExplicitWindows | None:
+        """Windows from explicit steps whose errors are `rtol`, by longer ones where it is integrated `again`; None
+        where collocation is better."""
+        if rtol < FINE or self._explicit is None:
+            return None
+        return ExplicitWindows(self._explicit, self.system.n, PARTS[again] * rtol, rtol)
+
+    @cached_property
+    def _explicit(self):
+        return explicit(self.system, self.switching, self.driven)
+
+    @cached_property
+    def units(self) -> np.ndarray:
+        """The size of the figure along each coordinate."""
+        return np.array(list(map(self.configuration.numeric.size_along, self.system.scene.coordinates)))
+
+
+def equations_of(numeric: "NumericSystem") -> "Scene":
+    """The scene whose equations are integrated: that with all its coordinates where loops are closed."""
+    return numeric.scene if numeric.scene.loops is None else loose(numeric)
+
+
+def loose(numeric: "NumericSystem") -> "Scene":
+    """The scene with all its coordinates, its static preloads in numbers."""
+    free = numeric.scene.with_multipliers() if numeric.scene.loops is None else numeric.system.scene_with_multipliers
+    if not free.static_preloads:
+        return free
+    number, floats, preloads = free.table.number, numeric.floats, numeric.system.preloads
+    return free.with_preloads({node: number(Fraction(evaluate([preloads[record.name]], Floats, floats)[0]))
+                                for node, record in free.static_preloads})
