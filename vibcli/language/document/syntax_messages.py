@@ -12,6 +12,7 @@ from vibcli.base.diagnostics import quoted
 from vibcli.base.errors import Diagnostic, Where
 from vibcli.language.document import misread_expressions
 from vibcli.language.document.nodes import Sequence
+from vibcli.language.document.tree_builder import TOO_DEEP
 
 if TYPE_CHECKING:
     from vibcli.language.document.tree_builder import Tree
@@ -184,6 +185,7 @@ def _indentation(halt):
 
 
 _EXPLAINED = (  # words of libyaml and of the pure Python parser, the more specific ones first
+    ("maximum nesting depth", lambda halt: (halt.here(), *TOO_DEEP)),
     ("tab character", _tab),
     ("cannot start any token", _start),
     ("scanning an anchor", _start),

@@ -12,6 +12,7 @@ from vibcli.base.errors import Diagnostic, Where
 from vibcli.language.document.nodes import Mapping, Scalar, Sequence
 
 MAX_DEPTH = 32
+TOO_DEEP = f"nested more than {MAX_DEPTH} deep", "a scene needs about eight levels"
 MAX_NODES = 200_000
 MAX_TEXT = 4096
 MAX_PROBLEMS = 100
@@ -133,7 +134,7 @@ class Tree:
         if event.anchor is not None or event.tag is not None:
             self._properties(event)
         if len(self.stack) >= MAX_DEPTH:
-            self.report(where, f"nested more than {MAX_DEPTH} deep", "a scene needs about eight levels")
+            self.report(where, *TOO_DEEP)
             raise Stopped
         node = kind(where)
         self._add(node)
