@@ -46,7 +46,7 @@ def _kept(system, places, sign=-1):
     anywhere, and a mode that takes no part is no pole of H."""
     at, step, near = places.astype(complex), np.full(len(places), np.inf + 0j), np.arange(len(places))
     if sign == 1 and len(places):
-        at = np.where(system.at(places)[2], places, places * (1 + BESIDE))
+        at = np.where(system.at(at)[2], at, at * (1 + BESIDE))
     for _ in range(STEPS):
         if not len(near):
             break

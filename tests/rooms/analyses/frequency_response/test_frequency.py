@@ -554,3 +554,9 @@ forces: {f: {at: a, force: (3 N)*sin(5 rad/s*t)}}
     assert curve.peaks == [] and curve.antiresonances == []
     peaks_of = [np.ravel(found.frequency_response("x", "f").peaks) for found in (alone, both)]
     assert peaks_of[0] == pytest.approx(peaks_of[1], rel=1e-13)
+
+
+def test_poles_that_are_all_real_are_none_of_the_axis():
+    """K − Ω²M of an equilibrium that tips over, without damping."""
+    system = TransferFunction([[2.0]], [[0.0]], [[-8.0]], unit(1, 0), unit(1, 0))
+    assert [len(part) for part in system.endless()] == [0, 0] and not peaks(system)
