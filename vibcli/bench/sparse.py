@@ -14,8 +14,9 @@ STIFFNESS = 1000.0
 BESIDE_DATA, TENFOLD, ASSEMBLY, ERROR, MEMORY = 1.3, 15.0, 1.1, 1e-13, 2048.0
 
 
-def rows(_: int) -> list[Timing]:
-    """Of each size the time to the modes beside that to the element data; growth between the two."""
+def rows(runs: int) -> list[Timing]:
+    """Of each size the time to the modes beside that to the element data; growth between the two. Each once, however
+    many `runs`."""
     found, measured = [], []
     for n in SIZES:
         data, whole, error, memory, peer, off = json.loads(answer("from vibcli.bench.sparse import main; main()", n))
