@@ -160,8 +160,8 @@ STEPS = [
     ],
     "New letters never meet those of the scene. What the lines add up to is held against M, C and K of the engine "
     "before any line is told. `--json` gives each line as data: what it settles, from which lines, its expression and "
-    "value. Not told are members, driven supports, dry friction at rest, "
-    "matrices written out, and more than 8 coordinates.",
+    "value. Not told are members, dry friction at rest, matrices written out, "
+    "and more than 8 coordinates.",
 ]
 
 FREQUENCY_RESPONSE = [

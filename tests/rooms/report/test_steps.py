@@ -232,7 +232,7 @@ def test_what_has_no_steps(text, reason):
 
 
 def test_a_bead_in_a_rod_that_turns():
-    """K is k − mΩ², its centrifugal part the energy without speeds; the shaken one is refused."""
+    """K is k − mΩ², its centrifugal part the energy without speeds; one that rocks has no such K."""
     turning = """
 parameters: {m: , k: , Omega: , L: }
 bodies:
@@ -243,8 +243,36 @@ springs: {s: {k: k, between: [[0, 0], bead], preload: static}}
     told = [formula(line.parts, plain) for line in worked(problem(turning))]
     assert any("V0_bead = −m·Ω²·L·x − m·Ω²·x²/2 + …" in line for line in told), told
     assert any("m·ẍ + (k − m·Ω²)·x = 0" in line for line in told), told
-    with pytest.raises(PhysicsError, match="driven"):
+    with pytest.raises(PhysicsError, match="depends on the time"):
         worked(problem(turning.replace("Omega*t", "0.1*sin(Omega*t)").replace("Omega: ,", "Omega: 9 rad/s,")))
+
+
+def test_a_shaken_support():
+    text = """
+parameters: {m: , k: , c: , Y: , Omega: }
+points: {S: {at: [0, 1 m], moves: [0, Y*sin(Omega*t)]}}
+bodies: {b: {mass: m, at: [0, 0], slide: {along: [0, 1], by: y}}}
+springs: {s: {k: k, between: [b, S]}}
+dampers: {d: {c: c, between: [b, S]}}
+"""
+    told = [formula(line.parts, plain) for line in worked(problem(text))]
+    assert any("Δ = Y·sin(Ω·t) − y" in line for line in told), told
+    assert any("∂V/∂y = k·y − k·Y·sin(Ω·t),  ∂Φ/∂ẏ = c·ẏ − c·Y·Ω·cos(Ω·t)" in line for line in told), told
+    assert any("m·ÿ + c·ẏ + k·y = k·Y·sin(Ω·t) + c·Y·Ω·cos(Ω·t)" in line for line in told), told
+
+
+def test_what_is_driven_is_held_against_the_equations(monkeypatch):
+    """A stretch without what drives it is not told."""
+    from vibcli.report.steps.small import AboutRest
+
+    monkeypatch.setattr(AboutRest, "moves", lambda self, small: self.first(small, self.scene.q))
+    with pytest.raises(PhysicsError, match="not told apart"):
+        worked(problem("""
+parameters: {m: , k: , Y: , Omega: }
+points: {S: {at: [0, 1 m], moves: [0, Y*sin(Omega*t)]}}
+bodies: {b: {mass: m, at: [0, 0], slide: {along: [0, 1], by: y}}}
+springs: {s: {k: k, between: [b, S]}}
+"""))
 
 
 def test_new_letters_never_meet_those_of_the_scene():

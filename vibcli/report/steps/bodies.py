@@ -77,7 +77,7 @@ class Bodies:
         line = self.sheet.write(Words(f"{body.name} turns about the fixed O:  "), Name(letter), " = ", *how, *told, J,
                                 *self._number(J), settles=letter, node=J, value=about.value(J), unit="kg·m²")
         omega = about.small(body.frame.angle)
-        rate = about.first(omega, self.scene.v)
+        rate = about.rate(omega)
         return self._energy(body.name, [(J, omega)], line, [self.about.letter(letter) * rate ** 2 / 2])
 
     def _in_the_plane(self, body, terms):
@@ -85,9 +85,9 @@ class Bodies:
         x, y = body.frame.point(*body.centre)
         lines = [self._placed(body, x, y)]
         moves = [(axis, about.small(node)) for axis, node in (("x", x), ("y", y)) if node.mask]
-        speeds = [(axis, about.first(small, self.scene.v)) for axis, small in moves if small.slopes]
+        speeds = [(axis, about.rate(small)) for axis, small in moves if small.slopes or small.drive.mask]
         turns = body.frame.angle.mask and body.inertia is not None and not body.inertia.is_zero
-        omega = about.first(about.small(body.frame.angle), self.scene.v) if turns else None
+        omega = about.rate(about.small(body.frame.angle)) if turns else None
         v, turn = (about.letter(self.sheet.letter(letter, body.name)) for letter in ("v", "omega"))
         told = [part for axis, node in speeds for part in (Words(",  "), Name(f"{axis}_C'"), " = ", node)][1:]
         if speeds and not _is_plain(speeds, omega):
@@ -112,13 +112,13 @@ class Bodies:
         about = self.about
         parts = [(term.weight, about.small(term.s)) for term in terms]
         (weight, small), *others = parts
-        rate = about.first(small, self.scene.v)
+        rate = about.rate(small)
         return self._energy(name, parts, None, [] if others else [weight * rate ** 2 / 2])
 
     def _energy(self, name, parts, line, formula, lines=()):
         """A line T = formula = the same with what it stands for."""
         about = self.about
-        node = about.squared(about.sum_of_squares(parts), self.scene.v)
+        node = about.half_squares(parts, rates=True)
         letter = self._letter(name)
         head = () if not formula or [plain(one) for one in formula] == [plain(node)] else (
             SumOfTerms(tuple(formula)), " = ")

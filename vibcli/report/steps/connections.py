@@ -9,6 +9,7 @@ force meets the curvature of s; else the first order suffices, the square of Δ 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from vibcli.notation.plain import plain
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.bodies import LONG, EnergyPart
 from vibcli.report.steps.small import AboutRest, Small
@@ -77,9 +78,9 @@ class Connections:
         loaded = not tension.is_zero
         delta, V = self._letter("Delta", term.owner), self._letter("V", term.owner)
         shown = self.scene.table.parameter(self._letter("N", term.owner), positive=False) if loaded else tension
-        moves = about.first(small, self.scene.q) + (about.bent(small) if loaded else self.scene.table.zero)
+        moves = about.moves(small) + (about.bent(small) if loaded else self.scene.table.zero)
         told = self._told(term, small, moves, delta, loaded)
-        square = about.squared(about.sum_of_squares([(k, small)]), self.scene.q)
+        square = about.half_squares([(k, small)], rates=False)
         node = shown * moves + square
         letter = about.letter(delta)
         line = sheet.write(Name(V), " = ", shown * letter + k * letter ** 2 / 2, " = ", node, settles=V, node=node,
@@ -90,17 +91,11 @@ class Connections:
     def _told(self, term, small, moves, letter, loaded):
         """The line of a stretch, counted from rest."""
         s = textbook(term.s - small.at_rest)
-        exact = not small.second and s.op != "call" and all(
-            part.mask == 0 or part.op == "symbol" for part in self._atoms(s))
+        exact = not small.second and plain(s) == plain(textbook(moves))
         parts = [] if exact or letters(s) > LONG else [s, " = "]
         more = () if exact else (" + …", Words(SECOND if loaded else FIRST))
         return self.sheet.write(Words(f"stretch of {term.owner}, from rest:  "), Name(letter), " = ", *parts,
                                 moves, *more, settles=letter, node=moves)
-
-    def _atoms(self, node):
-        if node.op in ("sum", "product"):
-            return [atom for arg, _ in node.args for atom in self._atoms(arg)]
-        return [node]
 
     def _turns(self, s):
         """Does what moves along s turn in time, so that a weight is a load in time there?"""
@@ -136,14 +131,13 @@ class Connections:
         several = len({term.owner for term, _ in found}) > 1
         for term, c in found:
             small = self.about.small(term.s)
-            rate = self.about.first(small, self.scene.v)
+            rate = self.about.rate(small)
             letter = self.sheet.letter("Phi", term.owner) if several else "Phi"
             u = self.sheet.letter("u", term.owner)
             first = "   (first order)" if small.second else ""
             told = self.sheet.write(Words(f"speed across {term.owner}:  "), Name(u + "'"), " = ", rate, Words(first),
                                     settles=u, node=rate)
-            entries = self.about.sum_of_squares([(c, small)])
-            node = self.about.squared(entries, self.scene.v)
+            node = self.about.half_squares([(c, small)], rates=True)
             line = self.sheet.write(Name(letter), " = ", c * self.about.letter(u + "'") ** 2 / 2, " = ", node,
                                     settles=letter, node=node, uses=[told])
             yield EnergyPart(letter, node, line)

@@ -5,13 +5,14 @@ against what it came from:
 """
 
 from collections.abc import Mapping, Sequence
+from random import Random
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import NotInLetters
 from vibcli.language.parameter_samples import sample_values
 from vibcli.mechanics.linearise import row_of, slopes_of
 from vibcli.symbolic.common_denominator import shorter
-from vibcli.symbolic.derivatives import substitute
+from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import is_zero, textbook
@@ -23,16 +24,17 @@ if TYPE_CHECKING:
 
 ALIKE = 1e-9            # relative: of an expression and its simpler form at values of the letters
 LEFT = 1e-7             # relative: of forces at rest, whose place may be known in numbers
-SAMPLES = 60, 61, 62
+SAMPLES, STATES = (60, 61, 62), 3
 
 
 class Small(NamedTuple):
-    """A function about rest: its value there, {i: aᵢ} and {(i, j): bᵢⱼ}, zeros left out; bends: has it terms of the
-    second order?"""
+    """A function about rest: its value there, {i: aᵢ} and {(i, j): bᵢⱼ}, zeros left out; drive: what of it is a
+    function of the time, counted from t = 0."""
 
     at_rest: Any
     slopes: "dict[int, Node]"
     second: "dict[tuple[int, int], Node]"
+    drive: Any
 
 
 class AboutRest:
@@ -54,7 +56,14 @@ class AboutRest:
         """A function of the coordinates about rest."""
         row = row_of(s, self._index)
         second = slopes_of(row, self._index)
-        return Small(self.rest(s), self._entries(row), self._entries(second))
+        return Small(self.rest(s), self._entries(row), self._entries(second), self._drive(s))
+
+    def _drive(self, s):
+        """s(q₀, t) − s(q₀, 0)."""
+        if self.scene.time not in gradient(s):
+            return self.table.zero
+        still = {symbol: node for symbol, node in self.place.items() if symbol is not self.scene.time}
+        return textbook(substitute([s], still)[0] - self.rest(s))
 
     def _entries(self, found):
         entries = {key: self.rest(node) for key, node in found.items()}
@@ -89,6 +98,17 @@ class AboutRest:
                 return False
         return True
 
+    def agree_in_motion(self, one: "Sequence[Node]", other: "Sequence[Node]") -> bool:
+        """Have two lists of terms, functions of the motion and the time, the same sum at states of motion?"""
+        scene, draw = self.scene, Random("states")
+        for values in self.samples * STATES:
+            state = {node.name: draw.uniform(-1, 1) for node in (*scene.q, *scene.v, *scene.a)}
+            found = [evaluate(list(terms), Floats, {**values, **state, scene.time.name: t})
+                     for t in [draw.uniform(0, 3)] for terms in (one, other)]
+            if not abs(sum(found[0]) - sum(found[1])) <= LEFT * sum(abs(x) for terms in found for x in terms):
+                return False
+        return True
+
     def letter(self, name: str) -> "Node":
         """The symbol of a new letter."""
         return self.table.parameter(name)
@@ -104,6 +124,21 @@ class AboutRest:
     def first(self, small: Small, symbols: "Sequence[Node]") -> "Node":
         """Σ aᵢ xᵢ."""
         return self.table.sum(*((a * symbols[i], ONE) for i, a in small.slopes.items()))
+
+    def moves(self, small: Small) -> "Node":
+        """Σ aᵢ qᵢ and what drives it."""
+        return self.first(small, self.scene.q) + small.drive
+
+    def rate(self, small: Small) -> "Node":
+        """Its rate, to the first order."""
+        return self.first(small, self.scene.v) + self.scene.rate(small.drive)
+
+    def half_squares(self, parts: "Sequence[tuple[Node, Small]]", rates: bool) -> "Node":
+        """½ Σ w s² of what moves, or of its rates: multiplied out where nothing is driven."""
+        if all(small.drive.is_zero for _, small in parts):
+            return self.squared(self.sum_of_squares(parts), self.scene.v if rates else self.scene.q)
+        of = self.rate if rates else self.moves
+        return self.table.total([weight * of(small) ** 2 / 2 for weight, small in parts])
 
     def bent(self, small: Small) -> "Node":
         """½ Σ bᵢⱼ qᵢ qⱼ."""

@@ -12,7 +12,7 @@ from vibcli.report.steps.small import about_rest
 from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.report.steps.turning import TurningFrames
 from vibcli.report.steps.written_out import WrittenOut
-from vibcli.symbolic.derivatives import gradient
+from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
@@ -50,7 +50,6 @@ class Derivation:
         self._coordinates()
         written = WrittenOut(self.about, self.sheet)
         turning = TurningFrames(self.about, self.sheet)
-        self._require_undriven(turning.names)
         bodies = Bodies(self.about, self.sheet, "T" in written or bool(turning.names), turning.names)
         T = [*bodies.kinetic(), *turning.kinetic(), *written.of_speeds("T")]
         connections = Connections(self.about, self.sheet, "V" in written)
@@ -61,18 +60,48 @@ class Derivation:
         slowed = self._added(connections.damping_matrix(), written.quadratic("Phi"))
         M, C, G, K = self._held(self._added(bodies.mass_matrix(), written.quadratic("T")), slowed,
                                 connections.stiffness(acting), turning.gyroscopic())
+        if self._driven(turning.names):
+            energies = self._driven_energies(T, V, Phi, acting, (M, C, G, K))
+            return self._lagrange(M, C, G, K, [part.line for part in (*T, *V, *Phi)], energies)
         sums = [self._sum("T", T, self.about.squared(M, self.scene.v)),
                 self._sum("V", V, self.about.squared(K, self.scene.q), rest),
                 self._sum("Phi", Phi, self.about.squared(slowed, self.scene.v))]
-        return self._lagrange(M, C, G, K, [line for line in sums if line], rest)
+        return self._lagrange(M, C, G, K, [line for line in sums if line])
 
-    def _require_undriven(self, turning):
-        """PhysicsError where something is driven, but for frames that turn steadily."""
+    def _driven(self, turning):
+        """Is something driven, but for frames that turn steadily?"""
         scene, time = self.scene, self.scene.time
-        driven = any(time in gradient(term.s) for term in scene.inertias if term.owner not in turning)
         stretched = (*scene.springs, *scene.dampers, *scene.laws)
-        if driven or any(textbook(term.s).mask & time.mask for term in stretched if time in gradient(term.s)):
-            raise PhysicsError("the steps of scenes whose supports or bodies are driven are not told one by one", HINT)
+        return any(time in gradient(term.s) for term in scene.inertias if term.owner not in turning) or any(
+            textbook(term.s).mask & time.mask for term in stretched if time in gradient(term.s))
+
+    def _driven_energies(self, T, V, Phi, acting, matrices):
+        """T, V and Φ of what is driven; PhysicsError where Lagrange's equations of these, written down term by term,
+        are not those of the engine."""
+        table, scene = self.scene.table, self.scene
+        known = {one.shown: one.tension for one in acting if one.shown.op == "symbol"}
+        total = [table.total([part.node for part in parts if part.node is not None]) for parts in (T, V, Phi)]
+        energies = substitute(total, known)
+        for i, (q, v) in enumerate(zip(scene.q, scene.v, strict=True)):
+            mine = self._equation(energies, q, v)
+            loads = [(term.weight - term.steady) * self.about.small(term.s).slopes.get(i, table.zero)
+                     for term in scene.forces]
+            engine = [self._left(matrices, i), -self.problem.symbolic.excitation.get(i, table.zero)]
+            if not self.about.agree_in_motion(mine, [*loads, *engine]):
+                raise PhysicsError(UNTOLD, HINT)
+        return energies
+
+    def _equation(self, energies, q, v):
+        """The terms of d/dt ∂T/∂q̇ − ∂T/∂q + ∂V/∂q + ∂Φ/∂q̇."""
+        T, V, Phi = energies
+        zero = self.scene.table.zero
+        return [self.scene.rate(gradient(T).get(v, zero)), -gradient(T).get(q, zero), gradient(V).get(q, zero),
+                gradient(Phi).get(v, zero)]
+
+    def _left(self, matrices, i):
+        M, C, G, K = matrices
+        return self._row(M, i, self.scene.a) + self._row(C, i, self.scene.v) + self._row(
+            G, i, self.scene.v) + self._row(K, i, self.scene.q)
 
     def _added(self, one, other):
         """The sum of two matrices, simplified."""
@@ -199,14 +228,13 @@ class Derivation:
         return self.sheet.write(Name(letter), " = ", *several, " = " * bool(several), node, *why, settles=letter,
                                 node=node, uses=[*uses, rest])
 
-    def _lagrange(self, M, C, G, K, uses, rest) -> SmallEquations:
+    def _lagrange(self, M, C, G, K, uses, driven=None) -> SmallEquations:
         drive = self.problem.symbolic.excitation if self.scene.timed else {}
         lines = []
         for i, name in enumerate(self.names):
             if len(self.names) == 1:
-                self._derivatives(i, name, M, C, K, uses)
-            left = self._row(M, i, self.scene.a) + self._row(C, i, self.scene.v) + self._row(
-                G, i, self.scene.v) + self._row(K, i, self.scene.q)
+                self._derivatives(i, name, M, C, K, uses, driven)
+            left = self._left((M, C, G, K), i)
             head = () if len(self.names) == 1 else (Name(name), Words(":  "))
             lines.append(self.sheet.write(*head, left, " = ", drive.get(i, self.scene.table.zero),
                                           settles=f"equation[{name}]", node=left, uses=uses))
@@ -215,14 +243,22 @@ class Derivation:
     def _row(self, matrix, i, symbols):
         return self.scene.table.sum(*((node * symbols[j], 1) for (k, j), node in matrix.items() if k == i))
 
-    def _derivatives(self, i, name, M, C, K, uses):
-        """∂T/∂q̇, its rate, ∂V/∂q and ∂Φ/∂q̇ of one degree of freedom."""
+    def _derivatives(self, i, name, M, C, K, uses, driven):
+        """∂T/∂q̇, its rate, ∂V/∂q and ∂Φ/∂q̇ of one degree of freedom; `driven`: T, V and Φ of one that is."""
         scene, q, v = self.scene, Name(name), Name(name + "'")
+        if driven is None:
+            p, change, spring, damper = (self._row(M, i, scene.v), self._row(M, i, scene.a), self._row(K, i, scene.q),
+                                         self._row(C, i, scene.v))
+        else:
+            zero = scene.table.zero
+            p, spring, damper = (textbook(gradient(node).get(x, zero)) for node, x in zip(
+                driven, (scene.v[i], scene.q[i], scene.v[i]), strict=True))
+            change = textbook(scene.rate(p))
         if M:
-            self.sheet.write("∂T/∂", v, " = ", self._row(M, i, scene.v), Words(",  "), "d/dt ∂T/∂", v, " = ",
-                             self._row(M, i, scene.a), Words(",  "), "∂T/∂", q, " = 0", uses=uses)
-        damped = [Words(",  "), "∂Φ/∂", v, " = ", self._row(C, i, scene.v)] if C else []
-        self.sheet.write("∂V/∂", q, " = ", self._row(K, i, scene.q), *damped, uses=uses)
+            self.sheet.write("∂T/∂", v, " = ", p, Words(",  "), "d/dt ∂T/∂", v, " = ", change, Words(",  "), "∂T/∂", q,
+                             " = 0", uses=uses)
+        damped = [Words(",  "), "∂Φ/∂", v, " = ", damper] if C else []
+        self.sheet.write("∂V/∂", q, " = ", spring, *damped, uses=uses)
 
 
 def _require_told(problem):
@@ -230,6 +266,8 @@ def _require_told(problem):
     scene, system = problem.scene, problem.system
     if scene.pieces or scene.members:
         raise PhysicsError("the steps of members with distributed inertia or stiffness are not told one by one", HINT)
+    if scene.loops is not None and scene.timed and scene.vibrating is not scene:
+        raise PhysicsError("the steps of closed loops that are driven are not told one by one", HINT)
     if system.sticking is not None:
         raise PhysicsError("the steps of scenes that dry friction holds are not told one by one", HINT)
     if scene.matrices:
