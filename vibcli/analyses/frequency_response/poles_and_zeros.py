@@ -16,6 +16,7 @@ from vibcli.numerics.fixed_point import count_floats
 
 FAR = 1e-7      # |μ| of what counts as infinite
 STEPS, NEAR, STILL = 6, 0.03, 1e-6
+ASIDE = 1e-3
 BESIDE = 1e-9   # where Newton's method for a pole starts that rounding hides at its own place
 
 
@@ -54,9 +55,18 @@ def _kept(system, places, sign=-1):
         with np.errstate(all="ignore"):
             moved = np.where((values == 0) | resonant, 0.0, sign * values / slopes)
         step[near] = np.where(np.isfinite(moved), moved, np.inf)
+        step[near[(values == 0) & ~resonant & _vanishes(system, at[near], values)]] = np.inf
         near = near[np.abs(step[near]) <= NEAR * np.abs(at[near])]      # where the others are they stay
         at[near] += step[near]
     return at[(np.abs(step) <= STILL * np.abs(at)) & (np.abs(at - places) <= NEAR * np.abs(places))]
+
+
+def _vanishes(system, at, values):
+    """Is H, where its value is 0, 0 beside it too: is it so small that floats do not hold it?"""
+    found = np.zeros(len(at), bool)
+    if (values == 0).any():
+        found[values == 0] = system.at(at[values == 0] * (1 + ASIDE))[0] == 0
+    return found
 
 
 def pace(system: Any) -> float:

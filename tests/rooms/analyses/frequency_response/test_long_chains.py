@@ -8,7 +8,7 @@ from vibcli.analyses.frequency_response.direct import direct
 from vibcli.analyses.frequency_response.extremes import extremes
 from vibcli.analyses.frequency_response.large_systems import Banded, _ordered, chosen
 from vibcli.analyses.frequency_response.modal_solution import ModalSolution
-from vibcli.analyses.frequency_response.peaks import peaks
+from vibcli.analyses.frequency_response.peaks import antiresonances, peaks
 from vibcli.analyses.frequency_response.transfer_function import TransferFunction
 from vibcli.analyses.frequency_response.value_errors import of_values
 from vibcli.analyses.transient.data_errors import of_matrices
@@ -32,6 +32,12 @@ def frequencies(n):
 def test_every_peak_of_a_chain_with_weak_dampers(c):
     """However fast the springs would creep against the dampers alone, peaks are where the masses are."""
     assert [one.Omega for one in peaks(chain(40, c))] == pytest.approx(frequencies(40), rel=1e-4)
+
+
+def test_what_floats_do_not_hold_is_no_antiresonance():
+    """From end to end H = (k + sc)ⁿ⁻¹/det has no zero but far on the left; right of its poles it falls below the least
+    float."""
+    assert antiresonances(chain(400, 0.02)) == []
 
 
 def test_what_the_input_does_not_reach_has_no_peaks():
