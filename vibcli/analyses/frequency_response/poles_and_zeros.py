@@ -17,6 +17,7 @@ from vibcli.numerics.fixed_point import count_floats
 FAR = 1e-7      # |μ| of what counts as infinite
 STEPS, NEAR, STILL = 6, 0.03, 1e-6
 ASIDE = 1e-3
+LONG = 12       # coordinates in a row
 BESIDE = 1e-9   # where Newton's method for a pole starts that rounding hides at its own place
 
 
@@ -27,6 +28,9 @@ def poles(system: Any) -> np.ndarray:
 
 def zeros(system: Any) -> np.ndarray:
     """The zeros with Im s ≥ 0."""
+    cut = _cut_chain(system)
+    if cut is not None:
+        return _kept(system, np.concatenate([_of_block(system, parts) for parts in cut]))
     parts = [np.block([[matrix, -b[:, None]], [c[None, :], np.atleast_2d(d)]]) for matrix, b, c, d in
              zip((system.K, system.C, system.M), system.b, system.c, system.d, strict=True)]
     if np.iscomplexobj(parts[0]) and not any(part.imag.any() for part in parts):
@@ -34,6 +38,33 @@ def zeros(system: Any) -> np.ndarray:
     if system.undamped:
         return _kept(system, np.sqrt(-_squares(parts[0].real, parts[2].real, pace(system))) * 1j)
     return _kept(system, _roots(parts, pace(system)))
+
+
+def _cut_chain(system):
+    """[(K, C, M)] of what is left of coordinates in a row on either side of the way from the input to the output, and
+    of the couplings on the way, whose poles are the zeros: H = det D_left · ∏ couplings · det D_right/det D. None of
+    other systems; bordered as above, what lies on a long way would drown the others."""
+    parts = (system.K, system.C, system.M)
+    couples = sum(np.abs(part) for part in parts)
+    ends = [np.flatnonzero(row[0]) for row in (system.b, system.c)]
+    if len(couples) < LONG or np.triu(couples, 2).any() or np.tril(couples, -2).any() or any(
+            part.any() for part in (system.b[1:], system.c[1:], np.asarray(system.d))) or any(
+            len(places) != 1 for places in ends) or any(map(np.iscomplexobj, parts)):
+        return None
+    low, high = sorted(int(places[0]) for places in ends)
+    if not np.diagonal(couples, 1)[low:high].all() or not np.diagonal(couples, -1)[low:high].all():
+        return None
+    sides = [tuple(part[side, side] for part in parts) for side in (slice(0, low), slice(high + 1, None))]
+    way = [tuple(part[i:i + 1, i + 1:i + 2] for part in parts) for i in range(low, high)]
+    return [block for block in (*sides, *way) if len(block[0])]
+
+
+def _of_block(system, parts):
+    """The s with Im s ≥ 0 at which a block is singular."""
+    K, C, M = parts
+    if system.undamped:
+        return np.sqrt(-_squares(K, M, pace(system))) * 1j
+    return _roots([K, C, M], pace(system))
 
 
 def endless(system: Any) -> list[np.ndarray]:

@@ -34,6 +34,17 @@ def test_every_peak_of_a_chain_with_weak_dampers(c):
     assert [one.Omega for one in peaks(chain(40, c))] == pytest.approx(frequencies(40), rel=1e-4)
 
 
+@pytest.mark.parametrize(("output", "driven"), [(42, 119), (119, 42), (60, 60)])
+def test_every_antiresonance_of_what_is_cut_off(output, driven):
+    """H vanishes where what is left of the way from the input to the output vibrates by itself: j masses between two
+    walls have ω = 2√(k/m) sin(iπ/(2j + 2)); what is right of it is free at its end."""
+    n, (low, high) = 120, sorted((output, driven))
+    walls = 20 * np.sin(np.arange(1, low + 1) * np.pi / (2 * low + 2))
+    exact = np.sort(np.concatenate([walls, frequencies(n - 1 - high)]))
+    found = [one.Omega for one in antiresonances(chain(n, 1e-6, output, driven))]
+    assert found == pytest.approx(exact, rel=1e-6)
+
+
 def test_what_floats_do_not_hold_is_no_antiresonance():
     """From end to end H = (k + sc)ⁿ⁻¹/det has no zero but far on the left; right of its poles it falls below the least
     float."""
