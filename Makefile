@@ -1,4 +1,4 @@
-# make solve: install into .venv and solve a problem.  make quick: tests without sweeps over many scenes, in two minutes.
+# make solve: install into .venv and solve a problem.  make quick: tests without sweeps over many scenes, in under four minutes.
 # make test: everything that must hold, as CI runs it.  make lint: style and types.  make bench: speed and error.
 PYTHON ?= python3
 BIN := .venv/bin
