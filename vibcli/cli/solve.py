@@ -30,7 +30,16 @@ def command(file: str, settings: Sequence[str], case: str | None, as_json: bool,
     problems = integrated(chosen(load(file, settings, patience), case), accuracy)
     sections, data = (lambda problem: solution(problem, insight)), ("equations", "frequencies", "equilibria")
     if steps:
+        _require_told(insight, normalise, as_json, digits)
         sections, data = (lambda problem: STEPS), ()
     if accuracy and not any("response" in sections(problem) for _, problem in problems):
         raise click.UsageError("--accuracy is for motions in time, and none is asked for: find: [response]")
     return print_scenes(problems, sections, output, timings, digits, normalise, data, question=True)
+
+
+def _require_told(insight, normalise, as_json, digits):
+    """UsageError of what is asked beside the lines of a worked solution, which do not tell it."""
+    for asked, option in ((insight, "--insight"), (normalise != "first", "--normalise"),
+                          (as_json and digits is not None, "--digits with --json")):
+        if asked:
+            raise click.UsageError(f"--steps and {option} exclude each other")

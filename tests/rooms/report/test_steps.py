@@ -80,6 +80,14 @@ def test_each_line_is_data(tmp_path, capsys):
         assert told[quantity]["value"] == pytest.approx(p[quantity].value, rel=1e-13)
 
 
+@pytest.mark.parametrize("options", [["--insight"], ["--normalise", "largest"], ["--json", "--digits", "20"]])
+def test_what_lines_do_not_tell_is_no_option_beside_them(tmp_path, capsys, options):
+    path = tmp_path / "rod.yaml"
+    path.write_text(ROD)
+    assert run(["solve", str(path), "--steps", *options]) == 2
+    assert "exclude each other" in capsys.readouterr().err
+
+
 class Checked:
     """The lines of a scene at values of its letters: how many equalities hold, and those that do not."""
 
