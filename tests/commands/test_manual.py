@@ -228,6 +228,9 @@ def test_json_keys_are_those_that_are_printed(capsys, tmp_path):
         code, out, _ = call(capsys, "solve", "--json", *options, scenes.path(name))
         assert code == 0
         printed |= _paths(json.loads(out))
+    code, out, _ = call(capsys, "variants", scenes.path("set_of_variants"), "--json")
+    assert code == 0
+    printed |= _paths(json.loads(out))
     code, out, _ = call(capsys, "response", scenes.path("forced_vibration"), "--json", "--at", "0.5")
     assert code == 0
     printed |= _paths(json.loads(out))

@@ -20,6 +20,7 @@ springs: {s: {k: k, between: [ground, a]}}
 forces: {f: {at: a, force: 3 N*cos(1 rad/s*t)}}
 answers:
   omega[NUMBER]: RATE rad/s
+variants: {parameters: {k: [4 N/m, 5 N/m]}, without: [told]}
 """
 SILENT = ("draw", "animate")        # these print nothing on stdout
 CALLS = {"explain": ["springs"], "schema": [], "new": []}       # the others read a scene

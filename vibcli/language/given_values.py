@@ -18,10 +18,17 @@ FIGURES = 12        # of values that are computed
 
 
 class GivenValue(NamedTuple):
-    """A value of a parameter: as it would stand in the file, and in SI units, the next float of what is irrational."""
+    """A value of a parameter: as it would stand in the file, and in SI units, the next float of what is irrational;
+    so many of a unit, '' of none."""
 
     expression: Expression
     exact: Fraction
+    number: Fraction
+    unit: str
+
+    @property
+    def text(self) -> str:
+        return self.expression.text
 
 
 def giver(unit: str, name: str) -> "Callable[[float | Fraction], GivenValue]":
@@ -30,13 +37,20 @@ def giver(unit: str, name: str) -> "Callable[[float | Fraction], GivenValue]":
 
     def given(number: float | Fraction) -> GivenValue:
         number = rounded(number) if isinstance(number, float) else number
-        text = f"{decimal(number)} {unit}".strip()
-        tree = one._replace(value=number) if number >= 0 else parse(text)
+        digits = decimal(number)
+        text = f"{digits} {unit}".strip()
+        tree = _moved(one, number, len(digits) - 1) if number >= 0 else parse(text)
         exact = number if factor is None else (
             number * factor.value if not factor.pi and not factor.roots else Fraction(factor.in_si(number)))
-        return GivenValue(Expression(Scalar(text, Where(name, 1, 1, len(text))), tree), exact)
+        return GivenValue(Expression(Scalar(text, Where(name, 1, 1, len(text))), tree), exact, number, unit)
 
     return given
+
+
+def _moved(one, number, width):
+    """The literal 1 with another number, which is wider by so much."""
+    units = tuple(part._replace(start=part.start + width, end=part.end + width) for part in one.units)
+    return one._replace(value=number, units=units, end=one.end + width)
 
 
 def number_and_unit(expression: Expression) -> tuple[Fraction, str] | None:

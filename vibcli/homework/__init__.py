@@ -1,0 +1,1 @@
+"""Homework: the variants of a problem, solved and passed through gates before they are handed out."""

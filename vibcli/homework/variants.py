@@ -1,0 +1,277 @@
+"""All variants of a problem: every candidate solved once, passed through the gates, and held against a second way."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
+from vibcli.homework.bands import Band
+from vibcli.homework.candidates import candidates
+from vibcli.homework.gates import Wrong, failed, is_same, missed_by, told_apart, unreadable
+from vibcli.homework.keys import AnswerKey, key_of
+from vibcli.homework.mistakes import KnownMistake, mistakes_of
+from vibcli.homework.printed import with_given, with_printed
+from vibcli.homework.regime import Regime, regime
+from vibcli.homework.told import untold
+from vibcli.language.given_values import GivenValue, giver, number_and_unit
+from vibcli.reader.sections.variants import GATES
+
+if TYPE_CHECKING:
+    from vibcli.homework.document import SceneDocument
+    from vibcli.reader.variants import VariantRules
+    from vibcli.results.problem import Problem
+    from vibcli.results.variants import Place
+
+SOLVED = "solved"           # the gate before all others: is there such a scene, and has it such an answer?
+REREAD = 20                 # variants that are held against the scene read anew
+ROUTES = 1e-9               # relative: by so much two ways to a key may differ
+
+
+class KeyValue(NamedTuple):
+    """The key of a variant: value and error bound in its unit, its Band, what mistakes give."""
+
+    value: float
+    error: float
+    band: Band
+    wrong: tuple[Wrong, ...]
+
+
+class ProblemVariant(NamedTuple):
+    """place in the grid; values: {parameter: what the sheet says}, printed ones among them; keys: one KeyValue each."""
+
+    place: "Place"
+    values: dict[str, GivenValue]
+    keys: tuple[KeyValue, ...]
+
+
+class Rejected(NamedTuple):
+    """A candidate that did not pass: its place and values, the first gate that it failed, why, and by how much a
+    comparison is missed, relative to its sides."""
+
+    place: "Place"
+    values: dict[str, GivenValue]
+    gate: str
+    reason: str
+    missed: float = 0.0
+
+
+class SolvedVariants(NamedTuple):
+    """What is known of all candidates, in the order of the grid. same: (mistake, quantity) of mistakes that lead to the
+    key in every variant, which are left out; reread: how many were held against the scene read anew."""
+
+    problem: "Problem"
+    rules: "VariantRules"
+    keys: list[AnswerKey]
+    mistakes: list[KnownMistake]
+    accepted: list[ProblemVariant]
+    rejected: list[Rejected]
+    same: list[tuple[str, str]]
+    reread: int
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """{gate: how many candidates it rejected}, in the order of the gates."""
+        return {gate: sum(one.gate == gate for one in self.rejected) for gate in (SOLVED, *GATES)}
+
+    @property
+    def advice(self) -> str:
+        """Where no variant is left: the gate that took most, and which values come nearest."""
+        gate, count = max(self.counts.items(), key=lambda pair: pair[1])
+        those = [one for one in self.rejected if one.gate == gate]
+        found = f"'{gate}' took {count} of {len(self.rejected)}, for example: {those[0].reason}"
+        return found + (f"; {nearer}" if gate == "require" and (nearer := _nearer(self.rules, those)) else "")
+
+
+def _nearer(rules, those):
+    """Of which parameter smaller or larger values miss a comparison by less, in words; None where that is not seen."""
+    best, words = 0.0, None
+    for number, axis in enumerate(rules.axes):
+        low, high = ([one.missed for one in those if one.place[number] == end]
+                     for end in (0, len(next(iter(axis.values()))) - 1))
+        if low and high and abs(slope := sum(high) / len(high) - sum(low) / len(low)) > best:
+            best, words = abs(slope), f"{'smaller' if slope > 0 else 'larger'} values of {next(iter(axis))} come nearer"
+    return words
+
+
+class _Solved(NamedTuple):
+    """A candidate with a solution: what the sheet says, (value, error) of each key."""
+
+    problem: "Problem"
+    values: dict[str, GivenValue]
+    found: list[tuple[float, float]]
+
+
+def solve_variants(problem: "Problem", document: "SceneDocument") -> SolvedVariants:
+    """The SolvedVariants of a scene that has VariantRules; document: its own. SpecError where its mistakes are no
+    scenes, or its own values do not fulfil what it requires."""
+    rules = problem.spec.get("variants")
+    keys = [key_of(problem.spec, one) for one in rules.ask]
+    mistakes = mistakes_of(problem, rules, document, keys)
+    rejected: list[Rejected] = []
+    solved = _solve(problem, rules, keys, rejected)
+    wrong = _wrong(problem, rules, keys, mistakes, solved)
+    same = _same(keys, mistakes, solved, wrong)
+    accepted = _accept(rules, keys, solved, wrong, set(same), rejected)
+    rejected.sort(key=lambda one: one.place)
+    reread = 0 if "routes" in rules.without else _reread(document, keys, accepted)
+    return SolvedVariants(problem, rules, keys, mistakes, accepted, rejected, same, reread)
+
+
+def _settle(rules):
+    return lambda problem: with_printed(problem, rules)
+
+
+def _rests(problem):
+    """Are its equilibria counted, as quantities ask about several?"""
+    find = problem.spec.get("find")
+    return find is not None and find.search is not None
+
+
+def _own(problem, rules):
+    """The scene with the values of its file, and its Regime; None where it has letters. SpecError where it does not
+    fulfil what its variants have to."""
+    if (problem.numeric.has_free_symbols and not problem.spec.choices) or any(
+            "value" not in problem.spec.parameters[name] for axis in rules.axes for name in axis):
+        return None
+    found = with_printed(problem, rules)
+    if "require" not in rules.without and (one := failed(found, rules.require)) is not None:
+        raise SpecError([Diagnostic(one.where, "the values of the file do not fulfil this", "give the scene itself "
+                                    "values that a variant may have")])
+    return found, regime(found, _rests(problem))
+
+
+def _solve(problem, rules, keys, rejected) -> "dict[Place, _Solved]":
+    """{place: what was found} of the candidates that pass the gates which hang on themselves alone."""
+    own, solved = _own(problem, rules), {}
+    kind: Regime | None = None if own is None else own[1]
+    told: list[str] | None = None
+    variants = candidates(problem, rules, _settle(rules))
+    count = rules.candidates if rules.sample is None else min(rules.sample, rules.candidates)
+    with problem.work.task("the variants") as task:
+        for number, (place, found) in enumerate(variants, 1):
+            task.step(number / count)
+            values = variants.values_at(place)
+            gate, reason, missed = _first_failed(found, rules, keys, kind)
+            if gate is not None or isinstance(found, (SpecError, PhysicsError)):
+                rejected.append(Rejected(place, values, gate, reason, missed))
+                continue
+            values = {**values, **_printed(problem, found)}
+            one = _Solved(found, values, [key.value(found) for key in keys])
+            if told is None:
+                told = [] if "told" in rules.without else untold(own[0] if own else found, keys)
+            gate, reason = _of_keys(rules, keys, one, told)
+            if gate is None:
+                kind = kind or regime(found, _rests(problem))
+                solved[place] = one
+            else:
+                rejected.append(Rejected(place, values, gate, reason))
+    return solved
+
+
+def _first_failed(found, rules, keys, kind):
+    """(gate, reason, by how much) of what a scene fails before its keys are looked at; (None, None, 0) of nothing."""
+    if isinstance(found, SpecError):
+        return SOLVED, found.diagnostics[0].message, 0.0
+    if isinstance(found, PhysicsError):
+        return SOLVED, found.message, 0.0
+    try:
+        if "require" not in rules.without and (one := failed(found, rules.require)) is not None:
+            return "require", f"not {one.text}", missed_by(found, one)
+        if kind is not None and "regime" not in rules.without:
+            its = regime(found, kind.rests is not None)
+            if its != kind:
+                return "regime", kind.told(its), 0.0
+        for key in keys:
+            key.value(found)
+    except PhysicsError as error:
+        return SOLVED, error.message, 0.0
+    return None, None, 0.0
+
+
+def _of_keys(rules, keys, one, told):
+    """(gate, reason) of what keys with values fail; (None, None) of nothing. told: parameters that are not told."""
+    if "readable" not in rules.without and (reason := unreadable(keys, one.found, one.values)) is not None:
+        return "readable", reason
+    return ("told", f"neither question nor figure tells {', '.join(told)}") if told else (None, None)
+
+
+def _printed(problem, found):
+    """{chosen parameter: its value as printed}, of a scene that was solved again with these."""
+    return {name: giver(unit, name)(number) for name in problem.spec.choices if name not in found.spec.choices
+            for number, unit in [number_and_unit(found.spec.parameters[name]["value"])]}
+
+
+def _wrong(problem, rules, keys, mistakes, solved) -> "dict[tuple[str, Place], list[float | None]]":
+    """{(mistake, place): what it gives for each key, None where it does not concern it or has no solution}."""
+    found: dict = {}
+    for mistake in mistakes:
+        for place, scene in _scenes(problem, rules, mistake, solved):
+            found[mistake.name, place] = [_value(mistake, scene, key) for key in keys]
+    return found
+
+
+def _scenes(problem, rules, mistake, solved):
+    """(place, the scene with a mistake) of all candidates that are solved."""
+    if mistake.problem is None:
+        yield from ((place, one.problem) for place, one in solved.items())
+    elif problem.spec.choices:
+        for place, one in solved.items():
+            try:
+                yield place, with_printed(with_given(mistake.problem, one.values), rules)
+            except (SpecError, PhysicsError) as error:
+                yield place, error
+    else:
+        yield from candidates(mistake.problem, rules, _settle(rules), solved)
+
+
+def _value(mistake, scene, key):
+    if isinstance(scene, Exception) or not mistake.concerns(key):
+        return None
+    try:
+        return mistake.value(scene, key)
+    except (SpecError, PhysicsError):
+        return None
+
+
+def _same(keys, mistakes, solved, wrong):
+    """[(mistake, quantity)] of those that lead to the key in every variant."""
+    found = []
+    for mistake in mistakes:
+        for i, key in enumerate(keys):
+            pairs = [(one.found[i][0], wrong[mistake.name, place][i]) for place, one in solved.items()]
+            if pairs and all(value is not None and is_same(own, value) for own, value in pairs):
+                found.append((mistake.name, key.text))
+    return found
+
+
+def _accept(rules, keys, solved, wrong, same, rejected):
+    """The Variants that pass the gate of mistakes."""
+    accepted = []
+    for place, one in solved.items():
+        values, reason = [], None
+        for i, (key, (value, error)) in enumerate(zip(keys, one.found, strict=True)):
+            given = tuple(Wrong(name, wrong[name, place][i]) for name in rules.mistakes
+                          if (name, key.text) not in same and wrong[name, place][i] is not None)
+            found, why = told_apart(key, value, given)
+            reason = reason or why
+            values.append(KeyValue(value, error, found, given))
+        if reason and "apart" not in rules.without:
+            rejected.append(Rejected(place, one.values, "apart", reason))
+        else:
+            accepted.append(ProblemVariant(place, one.values, tuple(values)))
+    return accepted
+
+
+def _reread(document, keys, accepted: Sequence[ProblemVariant]) -> int:
+    """Hold some variants against the scene read anew from the values that are printed; RuntimeError, a fault of ours,
+    where one differs."""
+    step = max(1, len(accepted) // REREAD)
+    chosen = accepted[::step][:REREAD]
+    for variant in chosen:
+        fresh = document.anew(variant.values)
+        for key, one in zip(keys, variant.keys, strict=True):
+            value, error = key.value(fresh)
+            if abs(value - one.value) > ROUTES * abs(value) + error + one.error:
+                raise RuntimeError(f"two ways to {key.text} differ, {value!r} and {one.value!r}, at "
+                                   + ", ".join(one.text for one in variant.values.values()))
+    return len(chosen)
+

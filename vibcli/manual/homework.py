@@ -1,0 +1,28 @@
+"""Pages of the manual on homework. Data alone."""
+
+from vibcli.reader.sections.variants import GATES
+
+HOMEWORK = [
+    "`variants:` in a scene file says which values its parameters take in homework; what `solve` and `check` find does "
+    "not hang on it. The candidates are the grid of all values under `parameters` and `rows`, these being one axis; "
+    "each is solved, and kept as a variant where it passes all gates: `vibcli variants FILE` tells how many, "
+    "`--table` and `--rejected` list them, `--at-least N` exits with 1 where fewer are left.",
+    [("solved", "there is such a scene, and it has such an answer"), *GATES.items()],
+    "`without: [told]` switches gates off. A candidate is counted with the first gate that it fails, in this order.",
+    [
+        ("values", "as they are printed: steps are exact decimals; `series: R10` takes the preferred numbers of ISO 3 "
+         "between the ends. A parameter without a value may be varied too, so that a scene in letters has numbers."),
+        ("chosen parameters", "What is not asked is rounded as `printed` says, to three figures unless given, and the "
+         "scene is solved again from the printed values: keys are those of what the student reads."),
+        ("ask", "what is asked, in which unit, for how many points; what `answers` ask that is a number unless given"),
+        ("figures", "An answer is asked to three figures; where the band of a mistake would meet that of the key, to "
+         "four, then to five. A variant in which that does not help is rejected."),
+        ("mistakes", "parts of the scene, merged over it as cases are, and solved anew: "
+         "`weight forgotten: {gravity: 0}`; wrong values by other quantities: "
+         "`natural for damped: {answers: {\"omega_d[1]\": \"omega[1]\"}}`. One that leads to the key in every variant "
+         "is told and left out."),
+        ("sample", "so many candidates of a larger grid, the same ones on every machine"),
+    ],
+    "Cases do not inherit variants; a case may have its own (`--case`). All variants share one derivation where no "
+    "sign of the drawing hangs on their values; twenty are held against the scene read anew from the printed values.",
+]
