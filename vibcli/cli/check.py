@@ -12,11 +12,13 @@ from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.cli.common import (
     _sources,
     color_option,
-    load,
     patience_option,
+    problem_in,
+    settings_in,
     show_diagnostics,
     show_fault,
     show_refusal,
+    source_of,
 )
 
 GRAVEST = (101, 3, 4, 1, 0)
@@ -120,13 +122,14 @@ def _files(path):
 def _check_file(file, settings, patience):
     """(exit code, verdicts) of one file; what is wrong with it goes to stderr."""
     try:
-        problem = load(file, settings, patience)
+        source = source_of(file)
+        problem = problem_in(source, settings_in(source, settings), patience)
         if not any(spec.answers for spec in (problem.spec, *problem.spec.cases.values())):
             _settle(problem)
             return 0, []
         from vibcli.check.verdicts import check
 
-        verdicts = check(problem)
+        verdicts = check(problem, source.node)
         refused = [v for v in verdicts if v.refusal]
         for refusal in _once([v.refusal for v in refused]):
             show_refusal(refusal, file)

@@ -1,41 +1,31 @@
-"""Known mistakes of a file: scenes with a part changed, and wrong values by other quantities."""
+"""The mistakes that a problem knows: those of its file, and those of the catalogue that concern it."""
 
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from vibcli.base.diagnostics import quoted
 from vibcli.base.errors import Diagnostic, SpecError
+from vibcli.mistakes.known import KnownMistake, of_catalogue
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from vibcli.homework.document import SceneDocument
     from vibcli.homework.keys import AnswerKey
-    from vibcli.language.reader import Expression
     from vibcli.reader.variants import VariantRules
     from vibcli.results.problem import Problem
 
-
-class KnownMistake(NamedTuple):
-    """A mistake: its name; the scene as it takes it, None where it changes nothing of it; {what is asked: the wrong
-    expression that it gives instead}."""
-
-    name: str
-    problem: "Problem | None"
-    instead: "dict[str, Expression]"
-
-    def concerns(self, key: "AnswerKey") -> bool:
-        """Does it change the value of a key?"""
-        return self.problem is not None or key.text in self.instead
-
-    def value(self, problem: "Problem", key: "AnswerKey") -> float:
-        """What it gives for a key in a scene."""
-        return key.value(problem, self.instead.get(key.text))[0]
+OF_FILE = "file"
 
 
 def mistakes_of(problem: "Problem", rules: "VariantRules", document: "SceneDocument",
                 keys: "Sequence[AnswerKey]") -> list[KnownMistake]:
-    """The KnownMistakes that a file names; document: that of the scene. SpecError where one is no scene."""
-    found = []
+    """The KnownMistakes of a problem; document: that of the scene. SpecError where one of the file is no scene."""
+    found = list(_of_file(problem, rules, document, keys))
+    taken = {one.name for one in found}
+    catalogue = of_catalogue(problem, document.root, [key.asked for key in keys], document.settings)
+    return found + [one for one in catalogue if one.name not in taken]
+
+
+def _of_file(problem, rules, document, keys) -> Iterator[KnownMistake]:
     for name, part in rules.mistakes.items():
         spec = document.changed(part, f" (in the mistake {quoted(name)})")
         instead = {answer.asked.text: answer.expected for answer in spec.answers}
@@ -43,6 +33,5 @@ def mistakes_of(problem: "Problem", rules: "VariantRules", document: "SceneDocum
             if text not in [key.text for key in keys]:
                 raise SpecError([Diagnostic(expected.where, f"{quoted(text)} is not asked (in the mistake "
                                             f"{quoted(name)})", f"asked are {', '.join(key.text for key in keys)}")])
-        changed = problem.with_spec(spec) if set(part.entries) - {"answers"} else None
-        found.append(KnownMistake(name, changed, instead))
-    return found
+        scene = problem.with_spec(spec) if set(part.entries) - {"answers"} else None
+        yield KnownMistake(name, OF_FILE, name, scene, instead)

@@ -8,11 +8,12 @@ from vibcli.homework.bands import Band
 from vibcli.homework.candidates import candidates
 from vibcli.homework.gates import Wrong, failed, is_same, missed_by, told_apart, unreadable
 from vibcli.homework.keys import AnswerKey, key_of
-from vibcli.homework.mistakes import KnownMistake, mistakes_of
+from vibcli.homework.mistakes import mistakes_of
 from vibcli.homework.printed import with_given, with_printed
 from vibcli.homework.regime import Regime, regime
 from vibcli.homework.told import untold
 from vibcli.language.given_values import GivenValue, giver, number_and_unit
+from vibcli.mistakes.known import KnownMistake
 from vibcli.reader.sections.variants import GATES
 
 if TYPE_CHECKING:
@@ -205,12 +206,13 @@ def _wrong(problem, rules, keys, mistakes, solved) -> "dict[tuple[str, Place], l
     found: dict = {}
     for mistake in mistakes:
         for place, scene in _scenes(problem, rules, mistake, solved):
-            found[mistake.name, place] = [_value(mistake, scene, key) for key in keys]
+            found[mistake.name, place] = [_value(mistake, scene, key, right)
+                                          for key, (right, _) in zip(keys, solved[place].found, strict=True)]
     return found
 
 
 def _scenes(problem, rules, mistake, solved):
-    """(place, the scene with a mistake) of all candidates that are solved."""
+    """(place, the scene that a mistake takes for the right one) of all candidates that are solved."""
     if mistake.problem is None:
         yield from ((place, one.problem) for place, one in solved.items())
     elif problem.spec.choices:
@@ -223,11 +225,11 @@ def _scenes(problem, rules, mistake, solved):
         yield from candidates(mistake.problem, rules, _settle(rules), solved)
 
 
-def _value(mistake, scene, key):
-    if isinstance(scene, Exception) or not mistake.concerns(key):
+def _value(mistake, scene, key, right):
+    if isinstance(scene, Exception):
         return None
     try:
-        return mistake.value(scene, key)
+        return mistake.wrong(key.asked, key.unit, right, lambda expression: key.value(scene, expression)[0])
     except (SpecError, PhysicsError):
         return None
 
@@ -245,11 +247,11 @@ def _same(keys, mistakes, solved, wrong):
 
 def _accept(rules, keys, solved, wrong, same, rejected):
     """The Variants that pass the gate of mistakes."""
-    accepted = []
+    accepted, names = [], list(dict.fromkeys(name for name, _ in wrong))
     for place, one in solved.items():
         values, reason = [], None
         for i, (key, (value, error)) in enumerate(zip(keys, one.found, strict=True)):
-            given = tuple(Wrong(name, wrong[name, place][i]) for name in rules.mistakes
+            given = tuple(Wrong(name, wrong[name, place][i]) for name in names
                           if (name, key.text) not in same and wrong[name, place][i] is not None)
             found, why = told_apart(key, value, given)
             reason = reason or why

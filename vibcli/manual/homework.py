@@ -1,6 +1,12 @@
 """Pages of the manual on homework. Data alone."""
 
+from vibcli.mistakes import FORMULA, MISTAKES, MODEL, READING
 from vibcli.reader.sections.variants import GATES
+
+
+def _of(kind):
+    return [(name.replace("_", " "), about) for name, (its, about) in MISTAKES.items() if its == kind]
+
 
 HOMEWORK = [
     "`variants:` in a scene file says which values its parameters take in homework; what `solve` and `check` find does "
@@ -17,12 +23,19 @@ HOMEWORK = [
         ("ask", "what is asked, in which unit, for how many points; what `answers` ask that is a number unless given"),
         ("figures", "An answer is asked to three figures; where the band of a mistake would meet that of the key, to "
          "four, then to five. A variant in which that does not help is rejected."),
-        ("mistakes", "parts of the scene, merged over it as cases are, and solved anew: "
-         "`weight forgotten: {gravity: 0}`; wrong values by other quantities: "
-         "`natural for damped: {answers: {\"omega_d[1]\": \"omega[1]\"}}`. One that leads to the key in every variant "
-         "is told and left out."),
+        ("mistakes", "those that `vibcli explain mistakes` lists, as far as they concern the scene, and parts of the "
+         "scene, merged over it as cases are, and solved anew: `weight forgotten: {gravity: 0}`; wrong values by other "
+         "quantities: `natural for damped: {answers: {\"omega_d[1]\": \"omega[1]\"}}`. One that leads to the key in "
+         "every variant is told and left out."),
         ("sample", "so many candidates of a larger grid, the same ones on every machine"),
     ],
     "Cases do not inherit variants; a case may have its own (`--case`). All variants share one derivation where no "
     "sign of the drawing hangs on their values; twenty are held against the scene read anew from the printed values.",
+]
+
+KNOWN_MISTAKES = [
+    "What leads to a wrong answer, as students make it. `vibcli check` names the mistake that leads to an answer which "
+    "differs; `vibcli variants` rejects a variant in which one would be marked right. Those of the model change the "
+    "scene and solve it anew. A scene may name more of its own: `vibcli explain homework`.",
+    "Of reading:", _of(READING), "Of formulas:", _of(FORMULA), "Of the model:", _of(MODEL),
 ]

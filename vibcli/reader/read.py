@@ -112,11 +112,12 @@ def read_spec(root: Any, file: str, diagnostics: Sequence[Any] = (), settings: A
     return base._replace(cases=specs)
 
 
-def read_changed(root: Mapping, part: Mapping, file: str, remark: str, settings: Any = None) -> Spec:
+def read_changed(root: Mapping, part: Mapping, file: str, remark: str, settings: Any = None,
+                 any_dimension: bool = False) -> Spec:
     """The Spec of a document with a part merged over it as a case is, which may leave parameters unused; SpecError,
-    with this remark, where it is none."""
+    with this remark, where it is none. any_dimension: its numbers are in SI units, whatever they measure."""
     found: list = []
-    spec = _read_one(_merged(root, part), file, found, settings or {}, {}, remark)
+    spec = _read_one(_merged(root, part), file, found, settings or {}, {}, remark, any_dimension)
     if spec is None:
         raise SpecError(found)
     return spec
@@ -159,7 +160,7 @@ def _over(below, above):
     return merged
 
 
-def _read_one(root, file, found, settings, files, remark=""):
+def _read_one(root, file, found, settings, files, remark="", any_dimension=False):
     from vibcli.reader.unit_consistency import resolve  # the manual needs the declarations alone
 
     named, spec = {key: _names(value) for key, (_, value) in root.entries.items()}, None
@@ -171,7 +172,7 @@ def _read_one(root, file, found, settings, files, remark=""):
             from vibcli.reader.choices import with_choices
 
             spec = with_choices(spec, reader)
-        spec = resolve(_with_settings(spec, reader, settings), reader)
+        spec = resolve(_with_settings(spec, reader, settings), reader, any_dimension)
         _question(spec, root, reader)
     except TooManyErrors:
         pass
