@@ -20,6 +20,7 @@ from vibcli.cli.common import (
     show_refusal,
     source_of,
 )
+from vibcli.homework import SET
 
 GRAVEST = (101, 3, 4, 1, 0)
 
@@ -107,7 +108,7 @@ def _failed(code, verdicts):
 
 
 def _files(path):
-    """A file itself, or all .yaml and .yml files below a folder, sorted."""
+    """A file itself, or all .yaml and .yml files below a folder, sorted; sets name problems, and are none."""
     if not os.path.isdir(path):
         if not os.path.exists(path):
             raise click.UsageError(f"there is no file or folder '{path}'")
@@ -115,7 +116,8 @@ def _files(path):
     found = []
     for folder, folders, names in os.walk(path):
         folders.sort()
-        found += [os.path.join(folder, name) for name in sorted(names) if name.endswith((".yaml", ".yml"))]
+        found += [os.path.join(folder, name) for name in sorted(names)
+                  if name.endswith((".yaml", ".yml")) and name != SET]
     return found
 
 

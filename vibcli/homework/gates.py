@@ -5,7 +5,6 @@ from operator import ge, gt, le, lt
 from typing import TYPE_CHECKING, NamedTuple
 
 from vibcli.homework.bands import FIGURES, WIDEST, Band, band
-from vibcli.language.given_values import GivenValue, unit_of_text
 from vibcli.notation.numbers import figure, in_figures
 from vibcli.quantities.expression import value_of
 
@@ -40,32 +39,23 @@ def missed_by(problem: "Problem", one: "Requirement") -> float:
 
 
 def unreadable(keys: "Sequence[AnswerKey]", found: Sequence[tuple[float, float]],
-               given: Mapping[str, GivenValue]) -> str | None:
+               given: Mapping[str, float]) -> str | None:
     """Why keys, (value, error bound) of each, can not be asked for: their size, or what is given or asked beside them;
-    given: {parameter: its value} that the sheet tells."""
+    given: {what it is: number} that the sheet tells, in whatever unit."""
     for key, (value, error) in zip(keys, found, strict=True):
         if not LEAST <= abs(value) <= MOST:
             return f"{key.text} is {figure(value)} {key.unit}".rstrip() + ": write it in another unit"
         width = band(key, value, FIGURES[0]).width
         if error > BOUND * width:
             return f"{key.text} is known to {figure(error, digits=2)} {key.unit} only"
-        for name, number in _alike(key, given):
-            if abs(number - value) <= width:
+        for name, number in given.items():
+            if abs(abs(number) - abs(value)) <= width:
                 return f"{key.text} is the given {name}"
     for i, (key, (value, _)) in enumerate(zip(keys, found, strict=True)):
         for other, (its, _) in zip(keys[:i], found, strict=False):
             if other.unit == key.unit and abs(its - value) <= band(key, value, FIGURES[0]).width:
                 return f"{key.text} is {other.text}"
     return None
-
-
-def _alike(key, given):
-    """(name, value in the unit of a key) of what is given in units of its dimension."""
-    own = unit_of_text(key.unit)
-    for name, value in given.items():
-        unit = unit_of_text(value.unit)
-        if own is not None and unit is not None and unit.dimension == own.dimension and own.dimension:
-            yield name, float(value.exact) / key.factor
 
 
 def told_apart(key: "AnswerKey", value: float, wrong: Sequence[Wrong]) -> tuple[Band, str | None]:

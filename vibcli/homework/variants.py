@@ -8,12 +8,14 @@ from vibcli.homework.bands import Band
 from vibcli.homework.candidates import candidates
 from vibcli.homework.gates import Wrong, failed, is_same, missed_by, told_apart, unreadable
 from vibcli.homework.keys import AnswerKey, key_of
+from vibcli.homework.leaks import numbers_in
 from vibcli.homework.mistakes import mistakes_of
 from vibcli.homework.printed import with_given, with_printed
 from vibcli.homework.regime import Regime, regime
 from vibcli.homework.told import untold
 from vibcli.language.given_values import GivenValue, giver, number_and_unit
 from vibcli.mistakes.known import KnownMistake
+from vibcli.reader.read import QUOTE
 from vibcli.reader.sections.variants import GATES
 
 if TYPE_CHECKING:
@@ -145,6 +147,7 @@ def _solve(problem, rules, keys, rejected) -> "dict[Place, _Solved]":
     own, solved = _own(problem, rules), {}
     kind: Regime | None = None if own is None else own[1]
     told: list[str] | None = None
+    given = _given(problem.spec)
     variants = candidates(problem, rules, _settle(rules))
     count = rules.candidates if rules.sample is None else min(rules.sample, rules.candidates)
     with problem.work.task("the variants") as task:
@@ -159,13 +162,21 @@ def _solve(problem, rules, keys, rejected) -> "dict[Place, _Solved]":
             one = _Solved(found, values, [key.value(found) for key in keys])
             if told is None:
                 told = [] if "told" in rules.without else untold(own[0] if own else found, keys)
-            gate, reason = _of_keys(rules, keys, one, told)
+            gate, reason = _of_keys(rules, keys, one, told, given)
             if gate is None:
                 kind = kind or regime(found, _rests(problem))
                 solved[place] = one
             else:
                 rejected.append(Rejected(place, values, gate, reason))
     return solved
+
+
+def _given(spec):
+    """{what it is: number} of the parameters of a file, and of the numbers in the words of its question."""
+    written = {name: number_and_unit(record["value"]) for name, record in spec.parameters.items() if "value" in record}
+    numbers = {name: float(found[0]) for name, found in written.items() if found is not None}
+    return numbers | {f"number {said} of the question": value
+                      for value, _, said in numbers_in(QUOTE.sub(" ", spec.get("question", "")))}
 
 
 def _first_failed(found, rules, keys, kind):
@@ -188,9 +199,11 @@ def _first_failed(found, rules, keys, kind):
     return None, None, 0.0
 
 
-def _of_keys(rules, keys, one, told):
-    """(gate, reason) of what keys with values fail; (None, None) of nothing. told: parameters that are not told."""
-    if "readable" not in rules.without and (reason := unreadable(keys, one.found, one.values)) is not None:
+def _of_keys(rules, keys, one, told, given):
+    """(gate, reason) of what keys with values fail; (None, None) of nothing. told: parameters that are not told; given:
+    {what it is: number} of what all sheets tell."""
+    numbers = {**given, **{name: float(value.number) for name, value in one.values.items()}}
+    if "readable" not in rules.without and (reason := unreadable(keys, one.found, numbers)) is not None:
         return "readable", reason
     return ("told", f"neither question nor figure tells {', '.join(told)}") if told else (None, None)
 

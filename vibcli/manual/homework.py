@@ -29,6 +29,26 @@ HOMEWORK = [
          "every variant is told and left out."),
         ("sample", "so many candidates of a larger grid, the same ones on every machine"),
     ],
+    "`vibcli homework SET -o FOLDER` hands out a problem file, a folder of them or a `set.yaml`, to the students of a "
+    "roster (`--students roster.csv`), by a secret text (`--salt-file F`): under `student/` a sheet for each student, "
+    "under `instructor/` the key of each variant with its worked solution, `keys.csv`, an overview and "
+    "`manifest.json`. `--paper N` numbers sheets instead.",
+    [
+        ("set.yaml", "`{title: Week 3, course: Dynamics, due: Friday, problems: [lever.yaml, {file: shafts.yaml, case: "
+         "stiff, points: 4}, {file: more, pick: 2}]}`: of a folder each student gets so many problems"),
+        ("roster", "a CSV file with a heading: `id`, and perhaps `name`"),
+        ("who gets what", "In the order of the roster each the first variant still free in a permutation of their own, "
+         "made of hashes of the salt, the problem, the id and `--attempt`: none share while variants last, and who is "
+         "added at the end changes nobody's sheet. `--distinct` refuses where students would share."),
+        ("leaks", "No student's file tells a key at three or more figures, the salt or a comment of the scene: else "
+         "nothing is written."),
+        ("again", "The same input gives the same bytes; `--from-manifest` writes the sheets of a manifest again, "
+         "whatever became of the files."),
+    ],
+    "`vibcli grade manifest.json` marks answers: `--student s1 --answer 'omega[1]=21.9 rad/s'` those of one, "
+    "`--csv answers.csv -o marks.csv` those of all (columns `id`, `problem`, one for each quantity). Without a unit "
+    "the one that was asked is meant; decimal commas are read; a mistake that is known is named. The exit code is 0 "
+    "whatever the marks are.",
     "Cases do not inherit variants; a case may have its own (`--case`). All variants share one derivation where no "
     "sign of the drawing hangs on their values; twenty are held against the scene read anew from the printed values.",
 ]
