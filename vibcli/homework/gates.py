@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from operator import ge, gt, le, lt
 from typing import TYPE_CHECKING, NamedTuple
 
-from vibcli.homework.bands import FIGURES, WIDEST, Band, band
+from vibcli.homework.bands import FIGURES, WIDEST, Band, KeyBand
 from vibcli.notation.numbers import figure, in_figures
 from vibcli.quantities.expression import value_of
 
@@ -38,14 +38,14 @@ def missed_by(problem: "Problem", one: "Requirement") -> float:
     return abs(left - right) / (abs(left) + abs(right))
 
 
-def unreadable(keys: "Sequence[AnswerKey]", found: Sequence[tuple[float, float]],
+def unreadable(keys: "Sequence[AnswerKey]", bands: Sequence[KeyBand], found: Sequence[tuple[float, float]],
                given: Mapping[str, float]) -> str | None:
     """Why keys, (value, error bound) of each, can not be asked for: their size, or what is given or asked beside them;
     given: {what it is: number} that the sheet tells, in whatever unit."""
-    for key, (value, error) in zip(keys, found, strict=True):
+    for key, hangs_on, (value, error) in zip(keys, bands, found, strict=True):
         if not LEAST <= abs(value) <= MOST:
             return f"{key.text} is {figure(value)} {key.unit}".rstrip() + ": write it in another unit"
-        width = band(key, value, FIGURES[0]).width
+        width = hangs_on.band(value, FIGURES[0]).width
         if error > BOUND * width:
             return f"{key.text} is known to {figure(error, digits=2)} {key.unit} only"
         for name, number in given.items():
@@ -53,19 +53,20 @@ def unreadable(keys: "Sequence[AnswerKey]", found: Sequence[tuple[float, float]]
                 return f"{key.text} is the given {name}"
     for i, (key, (value, _)) in enumerate(zip(keys, found, strict=True)):
         for other, (its, _) in zip(keys[:i], found, strict=False):
-            if other.unit == key.unit and abs(its - value) <= band(key, value, FIGURES[0]).width:
+            if other.unit == key.unit and abs(its - value) <= bands[i].band(value, FIGURES[0]).width:
                 return f"{key.text} is {other.text}"
     return None
 
 
-def told_apart(key: "AnswerKey", value: float, wrong: Sequence[Wrong]) -> tuple[Band, str | None]:
+def told_apart(key: "AnswerKey", hangs_on: KeyBand, value: float,
+               wrong: Sequence[Wrong]) -> tuple[Band, str | None]:
     """(Band with the fewest figures in which no mistake leads into it, None), or the last one and why there is none."""
-    found = band(key, value, FIGURES[0])
+    found = hangs_on.band(value, FIGURES[0])
     if found.width > WIDEST * abs(value):
         return found, f"the band of {key.text} is {figure(100 * found.width / abs(value), digits=2)} % of it"
     for figures in FIGURES:
-        found = band(key, value, figures)
-        near = next((one for one in wrong if one.value is not None and _meet(key, value, found, one.value)), None)
+        found = hangs_on.band(value, figures)
+        near = next((one for one in wrong if one.value is not None and _meet(hangs_on, value, found, one.value)), None)
         if near is None:
             return found, None
         if key.rtol is not None:
@@ -74,9 +75,9 @@ def told_apart(key: "AnswerKey", value: float, wrong: Sequence[Wrong]) -> tuple[
                    f"{in_figures(value, found.figures)} {key.unit}".rstrip() + f" of {key.text}")
 
 
-def _meet(key, value, found, wrong):
+def _meet(hangs_on, value, found, wrong):
     """Does the band of a mistake, rounded likewise, meet that of the key?"""
-    return abs(wrong - value) <= found.width + band(key, wrong, found.figures).width
+    return abs(wrong - value) <= found.width + hangs_on.band(wrong, found.figures).width
 
 
 def is_same(value: float, wrong: float) -> bool:

@@ -3,17 +3,17 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
-from vibcli.homework.bands import Band
+from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.homework.bands import Band, KeyBand
 from vibcli.homework.candidates import candidates
-from vibcli.homework.gates import Wrong, failed, is_same, missed_by, told_apart, unreadable
+from vibcli.homework.gates import Wrong, is_same, told_apart, unreadable
 from vibcli.homework.keys import AnswerKey, key_of
 from vibcli.homework.leaks import numbers_in
 from vibcli.homework.mistakes import mistakes_of
 from vibcli.homework.printed import with_given, with_printed
-from vibcli.homework.regime import Regime, regime
+from vibcli.homework.solved import SOLVED, Rejected, solve_candidates
 from vibcli.homework.told import untold
-from vibcli.language.given_values import GivenValue, giver, number_and_unit
+from vibcli.language.given_values import GivenValue, number_and_unit
 from vibcli.mistakes.known import KnownMistake
 from vibcli.reader.read import QUOTE
 from vibcli.reader.sections.variants import GATES
@@ -24,7 +24,6 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.results.variants import Place
 
-SOLVED = "solved"           # the gate before all others: is there such a scene, and has it such an answer?
 REREAD = 20                 # variants that are held against the scene read anew
 ROUTES = 1e-9               # relative: by so much two ways to a key may differ
 
@@ -44,17 +43,6 @@ class ProblemVariant(NamedTuple):
     place: "Place"
     values: dict[str, GivenValue]
     keys: tuple[KeyValue, ...]
-
-
-class Rejected(NamedTuple):
-    """A candidate that did not pass: its place and values, the first gate that it failed, why, and by how much a
-    comparison is missed, relative to its sides."""
-
-    place: "Place"
-    values: dict[str, GivenValue]
-    gate: str
-    reason: str
-    missed: float = 0.0
 
 
 class SolvedVariants(NamedTuple):
@@ -95,80 +83,42 @@ def _nearer(rules, those):
     return words
 
 
-class _Solved(NamedTuple):
-    """A candidate with a solution: what the sheet says, (value, error) of each key."""
-
-    problem: "Problem"
-    values: dict[str, GivenValue]
-    found: list[tuple[float, float]]
-
-
 def solve_variants(problem: "Problem", document: "SceneDocument") -> SolvedVariants:
     """The SolvedVariants of a scene that has VariantRules; document: its own. SpecError where its mistakes are no
     scenes, or its own values do not fulfil what it requires."""
     rules = problem.spec.get("variants")
     keys = [key_of(problem.spec, one) for one in rules.ask]
     mistakes = mistakes_of(problem, rules, document, keys)
-    rejected: list[Rejected] = []
-    solved = _solve(problem, rules, keys, rejected)
+    solved, rejected, base = solve_candidates(problem, rules, keys)
+    bands = _bands(base, keys, solved)
+    _look(problem, rules, keys, base, bands, solved, rejected)
     wrong = _wrong(problem, rules, keys, mistakes, solved)
     same = _same(keys, mistakes, solved, wrong)
-    accepted = _accept(rules, keys, solved, wrong, set(same), rejected)
+    accepted = _accept(keys, bands, solved, wrong, set(same), rejected, "apart" in rules.without)
     rejected.sort(key=lambda one: one.place)
     reread = 0 if "routes" in rules.without else _reread(document, keys, accepted)
     return SolvedVariants(problem, rules, keys, mistakes, accepted, rejected, same, reread)
 
 
-def _settle(rules):
-    return lambda problem: with_printed(problem, rules)
+def _bands(base, keys, solved) -> "dict[Place, list[KeyBand]]":
+    """{place: the KeyBand of each key}."""
+    if base is None or not solved:
+        return {}
+    from vibcli.homework.rounding import shares_of
+
+    shares = shares_of(base, keys, [one.values for one in solved.values()])
+    return {place: [KeyBand(key.rtol, None if share is None else (float(share[0, i]), float(share[1, i])))
+                    for key, share in zip(keys, shares, strict=True)] for i, place in enumerate(solved)}
 
 
-def _rests(problem):
-    """Are its equilibria counted, as quantities ask about several?"""
-    find = problem.spec.get("find")
-    return find is not None and find.search is not None
-
-
-def _own(problem, rules):
-    """The scene with the values of its file, and its Regime; None where it has letters. SpecError where it does not
-    fulfil what its variants have to."""
-    if (problem.numeric.has_free_symbols and not problem.spec.choices) or any(
-            "value" not in problem.spec.parameters[name] for axis in rules.axes for name in axis):
-        return None
-    found = with_printed(problem, rules)
-    if "require" not in rules.without and (one := failed(found, rules.require)) is not None:
-        raise SpecError([Diagnostic(one.where, "the values of the file do not fulfil this", "give the scene itself "
-                                    "values that a variant may have")])
-    return found, regime(found, _rests(problem))
-
-
-def _solve(problem, rules, keys, rejected) -> "dict[Place, _Solved]":
-    """{place: what was found} of the candidates that pass the gates which hang on themselves alone."""
-    own, solved = _own(problem, rules), {}
-    kind: Regime | None = None if own is None else own[1]
-    told: list[str] | None = None
+def _look(problem, rules, keys, base, bands, solved, rejected):
+    """Take out of what is solved what cannot be read, or is told nowhere."""
+    told = [] if base is None or "told" in rules.without else untold(base, keys)
     given = _given(problem.spec)
-    variants = candidates(problem, rules, _settle(rules))
-    count = rules.candidates if rules.sample is None else min(rules.sample, rules.candidates)
-    with problem.work.task("the variants") as task:
-        for number, (place, found) in enumerate(variants, 1):
-            task.step(number / count)
-            values = variants.values_at(place)
-            gate, reason, missed = _first_failed(found, rules, keys, kind)
-            if gate is not None or isinstance(found, (SpecError, PhysicsError)):
-                rejected.append(Rejected(place, values, gate, reason, missed))
-                continue
-            values = {**values, **_printed(problem, found)}
-            one = _Solved(found, values, [key.value(found) for key in keys])
-            if told is None:
-                told = [] if "told" in rules.without else untold(own[0] if own else found, keys)
-            gate, reason = _of_keys(rules, keys, one, told, given)
-            if gate is None:
-                kind = kind or regime(found, _rests(problem))
-                solved[place] = one
-            else:
-                rejected.append(Rejected(place, values, gate, reason))
-    return solved
+    for place, one in list(solved.items()):
+        gate, reason = _of_keys(rules, keys, bands[place], one, told, given)
+        if gate is not None:
+            rejected.append(Rejected(place, solved.pop(place).values, gate, reason))
 
 
 def _given(spec):
@@ -179,39 +129,13 @@ def _given(spec):
                       for value, _, said in numbers_in(QUOTE.sub(" ", spec.get("question", "")))}
 
 
-def _first_failed(found, rules, keys, kind):
-    """(gate, reason, by how much) of what a scene fails before its keys are looked at; (None, None, 0) of nothing."""
-    if isinstance(found, SpecError):
-        return SOLVED, found.diagnostics[0].message, 0.0
-    if isinstance(found, PhysicsError):
-        return SOLVED, found.message, 0.0
-    try:
-        if "require" not in rules.without and (one := failed(found, rules.require)) is not None:
-            return "require", f"not {one.text}", missed_by(found, one)
-        if kind is not None and "regime" not in rules.without:
-            its = regime(found, kind.rests is not None)
-            if its != kind:
-                return "regime", kind.told(its), 0.0
-        for key in keys:
-            key.value(found)
-    except PhysicsError as error:
-        return SOLVED, error.message, 0.0
-    return None, None, 0.0
-
-
-def _of_keys(rules, keys, one, told, given):
+def _of_keys(rules, keys, bands, one, told, given):
     """(gate, reason) of what keys with values fail; (None, None) of nothing. told: parameters that are not told; given:
     {what it is: number} of what all sheets tell."""
     numbers = {**given, **{name: float(value.number) for name, value in one.values.items()}}
-    if "readable" not in rules.without and (reason := unreadable(keys, one.found, numbers)) is not None:
+    if "readable" not in rules.without and (reason := unreadable(keys, bands, one.found, numbers)) is not None:
         return "readable", reason
     return ("told", f"neither question nor figure tells {', '.join(told)}") if told else (None, None)
-
-
-def _printed(problem, found):
-    """{chosen parameter: its value as printed}, of a scene that was solved again with these."""
-    return {name: giver(unit, name)(number) for name in problem.spec.choices if name not in found.spec.choices
-            for number, unit in [number_and_unit(found.spec.parameters[name]["value"])]}
 
 
 def _wrong(problem, rules, keys, mistakes, solved) -> "dict[tuple[str, Place], list[float | None]]":
@@ -235,7 +159,7 @@ def _scenes(problem, rules, mistake, solved):
             except (SpecError, PhysicsError) as error:
                 yield place, error
     else:
-        yield from candidates(mistake.problem, rules, _settle(rules), solved)
+        yield from candidates(mistake.problem, rules, lambda one: with_printed(one, rules), solved)
 
 
 def _value(mistake, scene, key, right):
@@ -258,7 +182,7 @@ def _same(keys, mistakes, solved, wrong):
     return found
 
 
-def _accept(rules, keys, solved, wrong, same, rejected):
+def _accept(keys, bands, solved, wrong, same, rejected, all_pass):
     """The Variants that pass the gate of mistakes."""
     accepted, names = [], list(dict.fromkeys(name for name, _ in wrong))
     for place, one in solved.items():
@@ -266,10 +190,10 @@ def _accept(rules, keys, solved, wrong, same, rejected):
         for i, (key, (value, error)) in enumerate(zip(keys, one.found, strict=True)):
             given = tuple(Wrong(name, wrong[name, place][i]) for name in names
                           if (name, key.text) not in same and wrong[name, place][i] is not None)
-            found, why = told_apart(key, value, given)
+            found, why = told_apart(key, bands[place][i], value, given)
             reason = reason or why
             values.append(KeyValue(value, error, found, given))
-        if reason and "apart" not in rules.without:
+        if reason and not all_pass:
             rejected.append(Rejected(place, one.values, "apart", reason))
         else:
             accepted.append(ProblemVariant(place, one.values, tuple(values)))
