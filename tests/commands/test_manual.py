@@ -35,7 +35,7 @@ ROOT = Path(__file__).parents[2]
 PACKAGE = Path(vibcli.__file__).parent
 EXAMPLES = sorted((PACKAGE / "examples").glob("*.yaml"))
 TEMPLATES = sorted((PACKAGE / "templates").glob("*.yaml"))
-PROBLEMS = sorted((ROOT / "problems").rglob("*.yaml"))
+PROBLEMS = sorted((ROOT / "problems").glob("*/*.yaml"))
 NARROW = 88
 HEAVY = ("numpy", "scipy", "sympy", "matplotlib", "mpmath")
 

@@ -5,6 +5,8 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.diagnostics import quoted
 from vibcli.base.errors import Diagnostic, SpecError
+from vibcli.base.spelling import nearest
+from vibcli.mistakes import MISTAKES
 from vibcli.mistakes.known import KnownMistake, of_catalogue
 
 if TYPE_CHECKING:
@@ -18,15 +20,21 @@ OF_FILE = "file"
 
 def mistakes_of(problem: "Problem", rules: "VariantRules", document: "SceneDocument",
                 keys: "Sequence[AnswerKey]") -> list[KnownMistake]:
-    """The KnownMistakes of a problem; document: that of the scene. SpecError where one of the file is no scene."""
-    found = list(_of_file(problem, rules, document, keys))
-    taken = {one.name for one in found}
+    """The KnownMistakes of a problem; document: that of the scene. SpecError where one of the file is no scene, or none
+    of the catalogue."""
+    for name, part in rules.mistakes.items():
+        if part is None and name.replace(" ", "_") not in MISTAKES:
+            raise SpecError([Diagnostic(rules.where, f"there is no known mistake {quoted(name)} to be switched off",
+                                        nearest(name, [one.replace("_", " ") for one in MISTAKES]))])
     catalogue = of_catalogue(problem, document.root, [key.asked for key in keys], document.settings)
-    return found + [one for one in catalogue if one.name not in taken]
+    own = list(_of_file(problem, rules, document, keys))
+    return own + [one for one in catalogue if not {one.name, one.name.partition(" (")[0]} & set(rules.mistakes)]
 
 
 def _of_file(problem, rules, document, keys) -> Iterator[KnownMistake]:
     for name, part in rules.mistakes.items():
+        if part is None:
+            continue
         spec = document.changed(part, f" (in the mistake {quoted(name)})")
         instead = {answer.asked.text: answer.expected for answer in spec.answers}
         for text, expected in instead.items():

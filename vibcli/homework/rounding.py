@@ -66,7 +66,9 @@ class Rounding:
         for name in free:
             at = given.get(name, self._problem.numeric.floats[name] if name not in given else None)
             up, down = (self._values({**given, name: at * (1 + sign * STEP)}) for sign in (1, -1))
-            slopes.append([(np.log(np.abs(a)) - np.log(np.abs(b))) / (2 * STEP) for a, b in zip(up, down, strict=True)])
+            with np.errstate(all="ignore"):
+                ratios = [np.log(np.abs(a / b)) / (2 * STEP) for a, b in zip(up, down, strict=True)]
+            slopes.append([np.nan_to_num(one, nan=0.0, posinf=0.0, neginf=0.0) for one in ratios])
         return values, [np.stack([by[i] for by in slopes], axis=-1) for i in range(len(values))]
 
     def _values(self, given):
@@ -148,7 +150,8 @@ def _half_a_unit(value: np.ndarray) -> np.ndarray:
     """Half a unit of the third figure, relative to the value."""
     size = np.abs(value)
     with np.errstate(all="ignore"):
-        return 0.5 * 10.0**(np.floor(np.log10(size)) - FIGURES + 1) / size
+        found = 0.5 * 10.0**(np.floor(np.log10(size)) - FIGURES + 1) / size
+    return np.nan_to_num(found, nan=0.0, posinf=0.0)
 
 
 def _carried(end: int, uses: "list[list[int]]", weights: "list[list[np.ndarray]]",

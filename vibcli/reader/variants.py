@@ -33,14 +33,15 @@ DECADES = range(-60, 60)
 
 class VariantRules(NamedTuple):
     """axes: {parameter: values} of those that go together, the grid of all axes being the candidates; require, ask: as
-    checked; printed: {chosen parameter: its figures or series}; mistakes: {name: part of the scene}; sample: how many
+    checked; printed: {chosen parameter: its figures or series}; mistakes: {name: part of the scene, None of a
+    known one that is not looked for}; sample: how many
     candidates are taken, None of all; without: the gates that are switched off."""
 
     axes: list[dict[str, list[GivenValue]]]
     require: list[Requirement]
     printed: dict[str, str]
     ask: list[AskedQuantity]
-    mistakes: "dict[str, Mapping]"
+    mistakes: "dict[str, Mapping | None]"
     sample: int | None
     without: tuple[str, ...]
     where: "Where"

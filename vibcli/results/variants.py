@@ -94,7 +94,9 @@ class Variants:
         cuts = [_corners(length, count) for length in self.lengths]
         groups: dict = {}
         for block, places in self._by_block(cuts).items():
-            corners = list(product(*block))
+            corners = list(dict.fromkeys(product(*block)))
+            if len(places) < len(corners):
+                continue        # sooner drawn by themselves
             structure = self._structure(corners[0])
             if structure is None or any(self._structure(corner) != structure for corner in corners):
                 continue

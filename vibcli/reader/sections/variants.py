@@ -29,6 +29,7 @@ GATES = {
     "apart": "no mistake leads into the band of its key",
     "routes": "the key found by a shared derivation is the one of the scene read anew",
 }
+OFF = "off"         # of a known mistake that is not looked for
 SIGNS = re.compile(r"<=|>=|<|>")
 
 
@@ -117,7 +118,7 @@ class _Asked(Kind):
 
 
 class _Mistakes(Kind):
-    """Each mistake is a part of a scene: kept as a node, merged over the scene as a case is."""
+    """Each mistake is a part of a scene: kept as a node, merged over the scene as a case is; None where it is off."""
 
     wants = "a mapping from mistakes, in words, to what they change in the scene"
 
@@ -127,14 +128,16 @@ class _Mistakes(Kind):
         if len(node.entries) > MOST_MISTAKES:
             return reader.report(node.where, f"{len(node.entries)} mistakes; the limit is {MOST_MISTAKES}")
         for key, (key_node, value) in node.entries.items():
+            if isinstance(value, Scalar) and value.text == OFF:
+                continue
             if not isinstance(value, Mapping) or not value.entries:
-                reader.expected(value, "the part of the scene that this mistake changes")
+                reader.expected(value, f"the part of the scene that this mistake changes, or the word {OFF}")
             for word in {"cases", "variants"} & set(value.entries if isinstance(value, Mapping) else ()):
                 reader.report(key_node.where, f"the mistake {quoted(key)} cannot hold {word}")
-        return {key: value for key, (_, value) in node.entries.items() if isinstance(value, Mapping)}
+        return {key: value if isinstance(value, Mapping) else None for key, (_, value) in node.entries.items()}
 
     def schema(self):
-        return {"type": "object", "additionalProperties": {"type": "object"}}
+        return {"type": "object", "additionalProperties": {"anyOf": [{"type": "object"}, {"enum": [OFF, False]}]}}
 
 
 RANGE = Element(
@@ -179,7 +182,8 @@ ELEMENT = Element(
                          "solved again with that"),
         "ask": Field(_Asked(), "the quantities that are asked; those of `answers` that are numbers unless given"),
         "mistakes": Field(_Mistakes(), "known mistakes: parts of the scene, merged over it as cases are, and wrong "
-                                       "values by quantities, as in {answers: {\"omega_d[1]\": \"omega[1]\"}}"),
+                                       "values by quantities, as in {answers: {\"omega_d[1]\": \"omega[1]\"}}; `off` "
+                                       "where one that `vibcli explain mistakes` lists is not looked for"),
         "sample": Field(WholeNumber(MOST_SAMPLED), "how many candidates of a larger grid are taken"),
         "without": Field(Many(Choice(*GATES), 1, len(GATES)), "gates that are switched off"),
     },
