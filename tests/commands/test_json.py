@@ -10,7 +10,7 @@ import pytest
 
 from vibcli.cli import run
 
-PROBLEMS = sorted((Path(__file__).parents[2] / "problems").rglob("*.yaml"))
+PROBLEMS = sorted((Path(__file__).parents[2] / "problems").glob("*/*.yaml"))
 EQUATIONS = ["coordinate", "text", "latex", "linear_text", "linear_latex", "left_out"]
 EQUILIBRIUM = ["coordinates", "dependent", "from_start", "stable", "residual", "condition", "warning", "of_members"]
 MATRICES = ["M", "C", "G", "K"]

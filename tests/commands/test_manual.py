@@ -35,7 +35,7 @@ ROOT = Path(__file__).parents[2]
 PACKAGE = Path(vibcli.__file__).parent
 EXAMPLES = sorted((PACKAGE / "examples").glob("*.yaml"))
 TEMPLATES = sorted((PACKAGE / "templates").glob("*.yaml"))
-PROBLEMS = sorted((ROOT / "problems").rglob("*.yaml"))
+PROBLEMS = sorted((ROOT / "problems").glob("*/*.yaml"))
 NARROW = 88
 HEAVY = ("numpy", "scipy", "sympy", "matplotlib", "mpmath")
 
@@ -228,6 +228,9 @@ def test_json_keys_are_those_that_are_printed(capsys, tmp_path):
         code, out, _ = call(capsys, "solve", "--json", *options, scenes.path(name))
         assert code == 0
         printed |= _paths(json.loads(out))
+    code, out, _ = call(capsys, "variants", scenes.path("set_of_variants"), "--json")
+    assert code == 0
+    printed |= _paths(json.loads(out))
     code, out, _ = call(capsys, "response", scenes.path("forced_vibration"), "--json", "--at", "0.5")
     assert code == 0
     printed |= _paths(json.loads(out))

@@ -18,7 +18,7 @@ from vibcli.report.sections.mode_tables import damped_row, mode_row, polar, shap
 from vibcli.symbolic.evaluation import multiprecision
 
 ROOT = Path(__file__).parents[2]
-FILES = sorted([*(ROOT / "problems").rglob("*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml")])
+FILES = sorted([*(ROOT / "problems").glob("*/*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml")])
 NUMBER = re.compile(r"-?\d+(\.\d+)?(e-?\d+)?")
 
 

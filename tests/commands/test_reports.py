@@ -28,7 +28,7 @@ from vibcli.report.formats.formula import formula, pieces, rows, without_words
 from vibcli.symbolic.expression import Table
 
 PROBLEMS = Path(__file__).parents[2] / "problems"
-SAMPLE = sorted(PROBLEMS.rglob("*.yaml"))[::9]
+SAMPLE = sorted(PROBLEMS.glob("*/*.yaml"))[::9]
 FORMATS = ("markdown", "latex", "asciidoc", "html")
 
 

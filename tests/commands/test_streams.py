@@ -20,10 +20,15 @@ springs: {s: {k: k, between: [ground, a]}}
 forces: {f: {at: a, force: 3 N*cos(1 rad/s*t)}}
 answers:
   omega[NUMBER]: RATE rad/s
+variants: {parameters: {k: [4 N/m, 5 N/m]}, without: [told]}
 """
 SILENT = ("draw", "animate")        # these print nothing on stdout
-CALLS = {"explain": ["springs"], "schema": [], "new": []}       # the others read a scene
-MORE = {"sweep": ["--over", "k=3 .. 5"]}
+CALLS = {"explain": ["springs"], "schema": [], "new": [], "grade": ["manifest.json"]}      # the others read a scene
+MORE = {"sweep": ["--over", "k=3 .. 5"], "grade": ["--student", "1", "--answer", "omega[1]=2 rad/s"],
+        "homework": ["--paper", "2", "--salt-file", "salt", "--force", "-o", "sheets_for_all"]}
+MANIFEST = """{"form": "vibcli homework 1", "problems": [{"name": "scene", "mistakes": {}, "variants": [{"variant": 1,
+"keys": [{"quantity": "omega[1]", "unit": "rad/s", "points": 1, "value": 2, "band": 0.01, "mistakes": []}]}]}],
+"students": [{"id": "1", "name": "", "sheets": [{"problem": "scene", "variant": 1}]}]}"""
 pytestmark = pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")
 
 
@@ -31,12 +36,22 @@ pytestmark = pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")
 def imported(tmp_path_factory):
     """What the commands import, once for all processes."""
     folder = tmp_path_factory.mktemp("once")
+    before = Path.cwd()
+    os.chdir(folder)
+    beside(folder)
     scene = folder / "scene.yaml"
     scene.write_text(SCENE.replace("NUMBER", "1").replace("RATE", "2"))
     with redirect_stdout(StringIO()), redirect_stderr(StringIO()):
         for command in COMMANDS:
             files = ["-o", str(folder / f"{command}.{'gif' if command == 'animate' else 'png'}")] * (command in SILENT)
             assert run([command, *CALLS.get(command, [str(scene)]), *MORE.get(command, []), *files]) == 0
+    os.chdir(before)
+
+
+def beside(folder):
+    """What homework and marks read beside a scene."""
+    (folder / "salt").write_text("a secret text")
+    (folder / "manifest.json").write_text(MANIFEST)
 
 
 @pytest.fixture
@@ -46,6 +61,7 @@ def call(tmp_path, monkeypatch):
     for name, number, rate in (("right", 1, 2), ("wrong", 1, 3), ("refused", 2, 3)):
         text = SCENE.replace("NUMBER", str(number)).replace("RATE", str(rate))
         (tmp_path / f"{name}.yaml").write_text(text)
+    beside(tmp_path)
 
     def called(args, stdout="file", stderr="file"):
         files = [tmp_path / "out.txt", tmp_path / "err.txt"]

@@ -20,7 +20,7 @@ from vibcli.mechanics.equilibrium import all_equilibria
 from vibcli.results import frequency_response
 from vibcli.symbolic.syntax import NameRef
 
-SCENELESS = {"explain", "schema", "new"}
+SCENELESS = {"explain", "schema", "new", "grade"}
 MOTION = """motion: full
 bodies: {b: {mass: 1 kg, slide: x}}
 springs: {s: {law: (10 N/m)*d + (4 N/m^3)*d^3, between: [ground, b]}}

@@ -20,7 +20,7 @@ from vibcli.inverse import settled
 from vibcli.symbolic.syntax import QuantityRef
 
 HERE = Path(__file__).parent
-PROBLEMS = sorted((HERE.parents[1] / "problems").rglob("*.yaml"))
+PROBLEMS = sorted((HERE.parents[1] / "problems").glob("*/*.yaml"))
 DERIVATIONS = sorted(path for path in HERE.glob("*.py") if path.stem != "test_derivations")
 EXPRESSION, WIDEST, SMALL = 1e-9, 0.005, 1e-10
 LEAST_FILES, LEAST_ANSWERS = 45, 300

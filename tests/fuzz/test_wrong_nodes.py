@@ -12,7 +12,7 @@ from vibcli.reader.read import read_spec
 from vibcli.results.problem import Problem
 
 ROOT = Path(__file__).parents[2]
-SCENES = sorted([*(ROOT / "vibcli" / "examples").glob("*.yaml"), *(ROOT / "problems").rglob("*.yaml")])
+SCENES = sorted([*(ROOT / "vibcli" / "examples").glob("*.yaml"), *(ROOT / "problems").glob("*/*.yaml")])
 LOADER = getattr(yaml, "CBaseLoader", yaml.BaseLoader)
 NAMED = ("parameters", "points", "surfaces", "bodies", "springs", "dampers", "forces", "constraints", "records",
          "cases", "coordinates", "choose", "answers", "equilibrium", "initial", "drawn")     # below them stand names

@@ -21,7 +21,7 @@ from vibcli.mechanics.lagrange import equation_of
 from vibcli.results.random_states import reach
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 
-PROBLEMS = {path.stem: path for path in (Path(__file__).parents[2] / "problems").rglob("*.yaml")}
+PROBLEMS = {path.stem: path for path in (Path(__file__).parents[2] / "problems").glob("*/*.yaml")}
 DIGITS, STATES, RTOL, STEP = 40, 4, 1e-12, mpmath.mpf(10) ** -12
 EXCITATION = {"rods_on_shaken_pivot": "X", "lever_on_shaking_floor": "Y", "spool_on_driven_plank": "Y",
               "centrifugal_pendulum_absorber": "M0"}      # what the small oscillations leave out

@@ -39,7 +39,7 @@ from vibcli.symbolic.derivatives import gradient
 
 pytest.importorskip("mujoco", reason="MuJoCo is not installed: pip install -e '.[test]'")
 
-PROBLEMS = {path.stem: path for path in (Path(__file__).parents[2] / "problems").rglob("*.yaml")}
+PROBLEMS = {path.stem: path for path in (Path(__file__).parents[2] / "problems").glob("*/*.yaml")}
 EXACT, ROUNDING, FREQUENCY, ZERO, STATES = 1e-9, 1e-13, 1e-6, 1e-5, 3
 
 

@@ -3,31 +3,11 @@
 from typing import Any
 
 from vibcli.analyses.modal.mode_sequence import MOST
-from vibcli.language.document.document import Scalar
 from vibcli.language.fields import Element, Field
-from vibcli.language.kinds import Kind, Many, OneOf
+from vibcli.language.kinds import Many, OneOf, WholeNumber
 from vibcli.language.signal_kinds import FrequencyField
 
 LAST = 100_000       # number of a mode
-
-
-class ModeNumber(Kind):
-    """How many modes, or the number of one, or an order: a whole number from `least` to `most`."""
-
-    def __init__(self, most: int, least: int = 1):
-        self.wants, self.least, self.most = f"a whole number from {least} to {most}", least, most
-
-    def read(self, node: Any, reader: Any):
-        text = node.text.strip() if isinstance(node, Scalar) else ""
-        if not (text.isascii() and text.isdigit()) or int(text) < self.least:
-            return reader.expected(node, self.wants)
-        if int(text) > self.most:
-            return reader.report(node.where, f"{text} is too many: expected {self.wants}",
-                                 f"ask for {self.most} at most")
-        return int(text)
-
-    def schema(self):
-        return {"type": "integer", "minimum": self.least, "maximum": self.most}
 
 
 class NumberRange(Many):
@@ -54,8 +34,8 @@ ELEMENT = Element(
     "are found (a fourth of all at most), none missed by a count of signs; what needs matrices of them all is refused.",
     {
         "numbers": Field(OneOf("how many modes, or two numbers [from, to]",
-                               scalar=ModeNumber(MOST),
-                               sequence=NumberRange(ModeNumber(LAST), 2, 2, "two numbers [from, to]")),
+                               scalar=WholeNumber(MOST),
+                               sequence=NumberRange(WholeNumber(LAST), 2, 2, "two numbers [from, to]")),
                          "so many of the lowest, or those from one number to another"),
         "up_to": Field(FrequencyField("Hz"), "all up to this frequency, those that grow or rest included"),
     },

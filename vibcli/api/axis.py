@@ -1,30 +1,24 @@
 """A range of values of a parameter, as text: `k=400 N/m .. 1.2 kN/m`. ValueError: what is wrong with it."""
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
 from math import exp, log
 from typing import TYPE_CHECKING
 
 from vibcli.api.given import parsed, said
-from vibcli.base.errors import Where
 from vibcli.base.spelling import nearest
-from vibcli.language.document.nodes import Scalar
+from vibcli.language.given_values import converted, giver, number_and_unit, rounded, unit_of_text
 from vibcli.language.parameters import unit_text
 from vibcli.language.reader import Expression
 from vibcli.quantities.sweep import SweptAxis
-from vibcli.results.variants import GivenValue
 from vibcli.symbolic.parser import plain_name
-from vibcli.symbolic.semantics import literal_unit
-from vibcli.symbolic.syntax import Sum, whole_literal
 
 if TYPE_CHECKING:
-    from vibcli.base.units import Unit
     from vibcli.language.spec import Spec
 
 BETWEEN = re.compile(r"\s*\.\.\s*")
-FIGURES = 12        # of values between the ends
 
 
 def axis(spec: "Spec", text: str, points: int, spaced_by_ratio: bool = False) -> SweptAxis:
@@ -40,7 +34,7 @@ def axis(spec: "Spec", text: str, points: int, spaced_by_ratio: bool = False) ->
         raise ValueError(f"the range is empty: {both[0].strip()} is not below {both[1].strip()}")
     if spaced_by_ratio and not low > 0:
         raise ValueError("values that grow by one ratio are positive: begin above zero")
-    shown = [_rounded(_part(low, high, Fraction(k, points - 1), spaced_by_ratio)) for k in range(points)]
+    shown = [rounded(_part(low, high, Fraction(k, points - 1), spaced_by_ratio)) for k in range(points)]
     shown[0], shown[-1] = low, high
     given = giver(unit, name)
     return SweptAxis(name, unit, tuple(map(given, shown)), tuple(map(float, shown)), given)
@@ -56,21 +50,6 @@ def of_numbers(spec: "Spec", name: str, numbers: Sequence[float]) -> SweptAxis:
     unit = unit_text(spec.parameters[name])
     given = giver(unit, name)
     return SweptAxis(name, unit, tuple(map(given, shown)), tuple(map(float, shown)), given)
-
-
-def giver(unit: str, name: str) -> "Callable[[float | Fraction], GivenValue]":
-    """number ↦ the GivenValue of so many of a unit."""
-    factor, one = _unit(unit), whole_literal(parsed(f"1 {unit}".strip(), name)[0])
-
-    def given(number: float | Fraction) -> GivenValue:
-        number = _rounded(number) if isinstance(number, float) else number
-        text = f"{_decimal(number)} {unit}".strip()
-        tree = one._replace(value=number) if number >= 0 else parsed(text, name)[0]
-        exact = number if factor is None else (
-            number * factor.value if not factor.pi and not factor.roots else Fraction(factor.in_si(number)))
-        return GivenValue(Expression(Scalar(text, Where(name, 1, 1, len(text))), tree), exact)
-
-    return given
 
 
 def _require_free(spec, name):
@@ -91,12 +70,12 @@ def _in_one_unit(spec, name, texts):
     found = [_literal(text) for text in texts]
     units = [unit for _, unit in found]
     unit = next((unit for unit in units if unit), unit_text(spec.parameters[name]))
-    own, numbers = _unit(unit), []
+    own, numbers = unit_of_text(unit), []
     for number, text in found:
-        other = _unit(text or unit)
+        other = unit_of_text(text or unit)
         if (own is None) != (other is None) or (own is not None and own.dimension != other.dimension):
             raise ValueError(f"'{text or unit}' and '{unit}' do not go together")
-        numbers.append(number if not text or text == unit else _converted(number, other, own))
+        numbers.append(number if not text or text == unit else converted(number, other, own))
     dimension = spec.dimensions.of(name)
     known = not any(base.startswith("?") for base in dimension)
     if known and (own.dimension if own is not None else {}) != dimension and not (own is None and spec.free_numbers):
@@ -107,39 +86,14 @@ def _in_one_unit(spec, name, texts):
 
 def _literal(text):
     """(number, text of its unit)."""
-    tree, sign = parsed(text.strip(), "")[0], 1
-    if isinstance(tree, Sum) and len(tree.parts) == 1:
-        (sign, tree), = tree.parts
-    literal = whole_literal(tree)
-    if literal is None:
+    tree, scalar = parsed(text.strip(), "")
+    found = number_and_unit(Expression(scalar, tree))
+    if found is None:
         raise ValueError(f"'{text.strip()}' is no number with a unit")
-    return sign * literal.value, text.strip()[literal.units[0].start:literal.end].strip() if literal.units else ""
-
-
-def _unit(text: str) -> "Unit | None":
-    if not text:
-        return None
-    return literal_unit(whole_literal(parsed(f"1 {text}", "")[0]).units)
-
-
-def _converted(number, unit, other):
-    if unit.pi == other.pi and not unit.roots and not other.roots:
-        return number * unit.value / other.value
-    return _rounded(Fraction(unit.in_si(number) / other.in_si(1)))
+    return found
 
 
 def _part(low, high, part, spaced_by_ratio):
     if spaced_by_ratio:
         return Fraction(exp(log(low) + float(part) * (log(high) - log(low))))
     return low + (high - low) * part
-
-
-def _rounded(number):
-    return Fraction(f"{float(number):.{FIGURES}g}")
-
-
-def _decimal(number):
-    """A rational as a decimal, to so many figures as floats have where it has more."""
-    found = f"{float(number):.{FIGURES}g}"
-    return found if Fraction(found) == number else repr(float(number))
-

@@ -3,9 +3,9 @@
 import os
 from collections.abc import Mapping
 
-from vibcli.api.mapping import document_of
 from vibcli.api.model import Model
 from vibcli.api.source import UNNAMED, SceneSource, file_source, problem_of, text_source
+from vibcli.language.document.mapping import document_of
 
 
 def load(scene: str | os.PathLike[str] | Mapping[str, object]) -> Model:

@@ -5,9 +5,9 @@ from math import nan
 from typing import TYPE_CHECKING
 
 from vibcli.api import given
-from vibcli.api.mapping import text_of
 from vibcli.api.source import SceneSource, problem_of, settled
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError, Where
+from vibcli.language.document.mapping import text_of
 
 if TYPE_CHECKING:
     from numpy import ndarray

@@ -96,6 +96,10 @@ def data(problem: "Problem", parts: Sequence[str], normalise: str, digits: int |
         from vibcli.report.sections.sweep import KEY, sweep_data
 
         return found | {KEY.name: sweep_data(wanted.sweep)}
+    if "variants" in sections:
+        from vibcli.report.sections import variants
+
+        return found | {variants.KEY.name: variants.variants_data(wanted.variants)}
     if words := [word for word in sections if word in OF_MODES]:
         found["insight"] = _insight(problem, words, sections)
     return found

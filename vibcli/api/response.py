@@ -4,9 +4,9 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from vibcli.api import given
-from vibcli.api.mapping import text_of
 from vibcli.api.values import given_expression
 from vibcli.base.errors import Diagnostic, SpecError, Where
+from vibcli.language.document.mapping import text_of
 from vibcli.reader.sections.find import RESPONSE
 from vibcli.report.sections.requested_signals import curves_asked, trees_asked
 from vibcli.report.sections.response import unknown

@@ -5,8 +5,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from vibcli.api.axis import of_numbers
 from vibcli.api.source import settled
-from vibcli.api.values import checked_quantity, given_expression, unit_of
+from vibcli.api.values import checked_quantity, given_expression
 from vibcli.base.errors import Diagnostic, SpecError, Where
+from vibcli.quantities.dimensions import unit_of
 from vibcli.quantities.quantity import OF_STATE, kind_of
 from vibcli.quantities.sweep import Sweep, SweptAxis
 
@@ -89,7 +90,7 @@ def _natural(problem, axes):
     """The natural frequencies of the scene at the middle of its ranges."""
     from vibcli.results.variants import Variants
 
-    middle = Variants(problem, {axis.name: axis.values for axis in axes}, settled).alone(
+    middle = Variants(problem, [{axis.name: axis.values} for axis in axes], settled).alone(
         tuple(len(axis.values) // 2 for axis in axes))
     if isinstance(middle, Exception):
         raise middle

@@ -5,13 +5,12 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from vibcli.api import given
 from vibcli.api.expressions import SymbolicExpression
-from vibcli.base import units
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError, Where
 from vibcli.language.reader import Reader
 from vibcli.quantities import FAMILIES
-from vibcli.quantities.dimensions import asked_dimension, dimension_of
+from vibcli.quantities.dimensions import unit_of
 from vibcli.quantities.expression import evaluated, measure, value_of
-from vibcli.quantities.quantity import ERROR, OF_STATE, ROUNDING, SIGNAL, declared, kind_of, quantity_of
+from vibcli.quantities.quantity import ERROR, OF_STATE, ROUNDING, declared, kind_of
 from vibcli.reader.answer_check import check_question
 from vibcli.symbolic.syntax import QuantityRef, parts_of
 
@@ -72,20 +71,6 @@ def given_expression(text: str, place: str) -> "Expression":
         return given.expression(text, place)
     except ValueError as error:
         raise SpecError([Diagnostic(Where(f"{place} {text}", 1, 1, 0), str(error))]) from None
-
-
-def unit_of(spec: "Spec", asked: "Expression") -> str:
-    """The SI unit of the value of a quantity: 1 of a pure number, nothing where the scene has no units."""
-    tree = asked.tree
-    quantity = quantity_of(spec, tree)
-    if quantity is not None and quantity.own_unit is not None:
-        return quantity.unit
-    dimension = asked_dimension(spec, tree) if quantity is not None else dimension_of(spec, asked)
-    if dimension is None:
-        return ""
-    found = spec.dimensions.resolve(dimension)
-    angle = quantity is not None and (quantity.unit == SIGNAL or tree.head == "equilibrium")
-    return ("rad" if angle else "1") if found == {} else units.text(found)
 
 
 def bounded(problem: "Problem", asked: "Expression") -> tuple[float | complex | bool, float]:

@@ -4,7 +4,6 @@ Numbers are compared within their tolerance (comparison.py); equations of motion
 constant, at random states. A scene with symbols is checked at several sets of random values of its symbols.
 """
 
-import math
 from typing import TYPE_CHECKING, NamedTuple
 
 from vibcli.base.errors import PhysicsError
@@ -15,9 +14,11 @@ from vibcli.quantities.energies import equation_number
 from vibcli.quantities.expression import lowered, measure
 from vibcli.quantities.quantity import EQUATION, OF_STATE, TRUTH, asked_in, declared, kind_of
 from vibcli.quantities.response import ALONG
+from vibcli.reader.read import document_of_case
 from vibcli.results.random_states import at_states, states
 
 if TYPE_CHECKING:
+    from vibcli.language.document.nodes import Mapping
     from vibcli.reader.sections.answer import Answer
     from vibcli.results.problem import Problem
 
@@ -42,24 +43,26 @@ class Verdict(NamedTuple):
     estimated: bool = False
 
 
-def check(problem: "Problem") -> list[Verdict]:
-    """The Verdicts of a problem and of its cases; SpecError where the geometry of one contradicts itself."""
+def check(problem: "Problem", root: "Mapping | None" = None) -> list[Verdict]:
+    """The Verdicts of a problem and of its cases; SpecError where the geometry of one contradicts itself. root: its
+    document, for remarks on mistakes of its model."""
     problem.draw()
     verdicts = []
     for case in (None, *problem.spec.cases):
         part = problem if case is None else problem.case(case)
         instances = Instances(part)
-        verdicts += [_verdict(instances, answer, case) for answer in part.spec.answers]
+        document = root and document_of_case(root, case)
+        verdicts += [_verdict(instances, answer, case, document) for answer in part.spec.answers]
     return verdicts
 
 
-def _verdict(instances, answer, case):
+def _verdict(instances, answer, case, root):
     """Compare at every instance, to the first that differs; of a scene with symbols, those of a regime that has no such
     answer are passed over."""
     verdict, count = None, 0
     for instance in instances:
         try:
-            found = _compare(instance, answer)
+            found = _compare(instance, answer, root)
         except PhysicsError as error:
             if verdict is None:
                 verdict = Verdict(answer, False, remark="no such answer: " + error.message,
@@ -81,7 +84,7 @@ def _worst(wanted, found, groups, rounding=0.0):
     return None
 
 
-def _compare(problem, answer):
+def _compare(problem, answer, root):
     tree = answer.asked.tree
     kind = kind_of(problem.spec, tree)
     head = None if kind is None else tree.head
@@ -90,16 +93,22 @@ def _compare(problem, answer):
     if kind == TRUTH:
         wanted, found = answer.expected.text == "true", measure(problem, tree)[0]
         return Verdict(answer, found == wanted, wanted, found)
-    return _number(problem, answer, head)
+    return _number(problem, answer, root)
 
 
-def _number(problem, answer, head):
+def _number(problem, answer, root):
     found = compared(problem, answer)
     differs = found.agrees is False and found.digits is None
-    remark = likely_mistake(head, found.expected, found.found) if differs else None
-    verdict = Verdict(answer, found.agrees, found.expected, found.found, remark, error=found.error, digits=found.digits,
+    told = _remark(problem, answer, found, root) if differs else None
+    verdict = Verdict(answer, found.agrees, found.expected, found.found, told, error=found.error, digits=found.digits,
                       estimated=_estimated(problem, answer.asked.tree))
     return _uncertain(verdict) if found.agrees is None else verdict
+
+
+def _remark(problem, answer, found, root):
+    from vibcli.check.remarks import remark
+
+    return remark(problem, answer.asked, found.expected, found.found, root)
 
 
 def _estimated(problem, tree):
@@ -196,28 +205,3 @@ def _small_oscillation(problem, i, at):
                          + (C.get((i, j), 0.0) + G.get((i, j), 0.0)) * at[name + "'"])
     return total
 
-
-MISTAKES = (
-    (("omega", "omega_d"), 1 / math.tau, "the expected value looks like a frequency in Hz, not rad/s"),
-    (("frequency",), math.tau, "the expected value looks like an angular frequency in rad/s, not Hz"),
-    (("period",), 1 / math.tau, "the expected value looks like 1/ω, not 2π/ω"),
-    (("equilibrium", "mode"), 180 / math.pi, "the expected value looks like degrees, not radians"),
-    (("omega", "frequency", "omega_d"), 0.5, "half of it: is a factor 4 missing under the root?"),
-    (("omega", "frequency", "omega_d"), 2.0, "twice of it: is a factor 4 too much under the root?"),
-    (("zeta", "C"), 2.0, "twice of it: c/m instead of c/(2m)?"),
-    (("zeta", "C"), 0.5, "half of it: 2c/m instead of c/m?"),
-    (("J",), 4.0, "four times: diameter for radius?"),
-    (("J",), 0.25, "a quarter: radius for diameter?"),
-    (None, -1.0, "the sign differs: which direction is positive?"),
-)
-
-
-def likely_mistake(head: str, expected: float, found: float) -> str | None:
-    """A known mistake that explains the ratio, else the ratio."""
-    if not found or not expected:
-        return None
-    ratio = expected / found
-    for heads, factor, words in MISTAKES:
-        if (heads is None or head in heads) and abs(ratio / factor - 1) < 2e-3:
-            return words
-    return f"off by {abs(ratio - 1):.2g} of it" if abs(ratio - 1) < 1e-4 else f"ratio {ratio:.6g}"

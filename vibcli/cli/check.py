@@ -12,12 +12,15 @@ from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.cli.common import (
     _sources,
     color_option,
-    load,
     patience_option,
+    problem_in,
+    settings_in,
     show_diagnostics,
     show_fault,
     show_refusal,
+    source_of,
 )
+from vibcli.homework import SET
 
 GRAVEST = (101, 3, 4, 1, 0)
 
@@ -105,7 +108,7 @@ def _failed(code, verdicts):
 
 
 def _files(path):
-    """A file itself, or all .yaml and .yml files below a folder, sorted."""
+    """A file itself, or all .yaml and .yml files below a folder, sorted; sets name problems, and are none."""
     if not os.path.isdir(path):
         if not os.path.exists(path):
             raise click.UsageError(f"there is no file or folder '{path}'")
@@ -113,20 +116,22 @@ def _files(path):
     found = []
     for folder, folders, names in os.walk(path):
         folders.sort()
-        found += [os.path.join(folder, name) for name in sorted(names) if name.endswith((".yaml", ".yml"))]
+        found += [os.path.join(folder, name) for name in sorted(names)
+                  if name.endswith((".yaml", ".yml")) and name != SET]
     return found
 
 
 def _check_file(file, settings, patience):
     """(exit code, verdicts) of one file; what is wrong with it goes to stderr."""
     try:
-        problem = load(file, settings, patience)
+        source = source_of(file)
+        problem = problem_in(source, settings_in(source, settings), patience)
         if not any(spec.answers for spec in (problem.spec, *problem.spec.cases.values())):
             _settle(problem)
             return 0, []
         from vibcli.check.verdicts import check
 
-        verdicts = check(problem)
+        verdicts = check(problem, source.node)
         refused = [v for v in verdicts if v.refusal]
         for refusal in _once([v.refusal for v in refused]):
             show_refusal(refusal, file)

@@ -12,6 +12,7 @@ import click
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
 
 if TYPE_CHECKING:
+    from vibcli.api.source import SceneSource
     from vibcli.results.problem import Problem
 
 MOST = 600      # steps of a million products, for --digits
@@ -95,9 +96,13 @@ def _set_color(context, parameter, value):
 def load(file: Any, settings: Sequence[str] = (), patience: int = 1) -> "Problem":
     """The Problem of a file, with its reading timed; SpecError or a usage error where it cannot be read. patience:
     the factor of what its long work may take."""
-    from vibcli.api.source import file_source, problem_of
-    from vibcli.base.work import Work
-    from vibcli.cli.progress import teller
+    source = source_of(file)
+    return problem_in(source, settings_in(source, settings), patience)
+
+
+def source_of(file: Any) -> "SceneSource":
+    """A file as it is read; SpecError or a usage error where it cannot be."""
+    from vibcli.api.source import file_source
 
     try:
         source = file_source(file)
@@ -107,7 +112,16 @@ def load(file: Any, settings: Sequence[str] = (), patience: int = 1) -> "Problem
     _sources[source.file] = source.lines
     if source.node is None:
         raise SpecError(source.diagnostics)
-    return problem_of(source, _settings(settings, source.node), Work(patience, teller()))
+    return source
+
+
+def problem_in(source: "SceneSource", settings: dict, patience: int = 1) -> "Problem":
+    """The Problem of a file that was read, whose long work tells how far it is."""
+    from vibcli.api.source import problem_of
+    from vibcli.base.work import Work
+    from vibcli.cli.progress import teller
+
+    return problem_of(source, settings, Work(patience, teller()))
 
 
 def _near(file):
@@ -121,13 +135,13 @@ def _near(file):
     return f"; did you mean '{os.path.join(folder, near[0])}'?" if near else ""
 
 
-def _settings(settings, node):
+def settings_in(source: "SceneSource", settings: Sequence[str]) -> dict:
     """{name: (tree, scalar)} of the --set options."""
     if not settings:
         return {}
     from vibcli.api.given import parameters_of, setting
 
-    found, known = {}, parameters_of(node)
+    found, known = {}, parameters_of(source.node)
     for option in settings:
         name, equals, text = option.partition("=")
         if not equals or not text.strip():

@@ -139,7 +139,26 @@ class Choice(Kind):
         return node.text
 
     def schema(self):
-        return {"enum": list(self.words)}
+        return {"enum": [*self.words, *(int(word) for word in self.words if word.isdecimal())]}
+
+
+class WholeNumber(Kind):
+    """A whole number from `least` to `most`: how many, or the number of one, or an order."""
+
+    def __init__(self, most: int, least: int = 1):
+        self.wants, self.least, self.most = f"a whole number from {least} to {most}", least, most
+
+    def read(self, node: Any, reader: Any):
+        text = node.text.strip() if isinstance(node, Scalar) else ""
+        if not (text.isascii() and text.isdigit()) or int(text) < self.least:
+            return reader.expected(node, self.wants)
+        if int(text) > self.most:
+            return reader.report(node.where, f"{text} is too many: expected {self.wants}",
+                                 f"ask for {self.most} at most")
+        return int(text)
+
+    def schema(self):
+        return {"type": "integer", "minimum": self.least, "maximum": self.most}
 
 
 class Flag(Choice):

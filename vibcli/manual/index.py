@@ -7,7 +7,7 @@ from vibcli.manual.aliases import ALIASES
 from vibcli.manual.catalogue import Catalogue
 from vibcli.manual.layout import blocks
 from vibcli.quantities import FAMILIES
-from vibcli.reader.read import INSTEAD, SECTIONS
+from vibcli.reader.read import SECTIONS
 from vibcli.reader.sections.find import FIND
 from vibcli.report.json_keys import KEYS
 from vibcli.symbolic.parser import plain_name
@@ -31,7 +31,7 @@ class Index:
                 self._add(key, "key", elements.key_page, word, key)
         subjects_of = (("find", subjects.find_page, FIND), ("quantity", subjects.quantity_page, FAMILIES),
                        ("shape", subjects.shape_page, NEEDS), ("function", subjects.function_page, topics.FUNCTIONS),
-                       ("unit", subjects.unit_page, UNITS), ("missing", subjects.missing_page, INSTEAD))
+                       ("unit", subjects.unit_page, UNITS))
         for kind, function, words in subjects_of:
             for word in words:
                 self._add(word, kind, function, word)

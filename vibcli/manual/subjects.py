@@ -10,7 +10,6 @@ from vibcli.manual.layout import blocks, in_short, paragraph, table
 from vibcli.manual.python import EXAMPLE
 from vibcli.quantities import FAMILIES, quantity
 from vibcli.quantities.quantity import named
-from vibcli.reader.read import INSTEAD
 from vibcli.reader.sections.find import FIND
 from vibcli.report import json_keys, keys
 
@@ -160,10 +159,6 @@ def _more(head):
 def find_page(catalogue: "Catalogue", word: str) -> str:
     return blocks([f"{word} — a word of `find`"], table([("prints", FIND[word])]),
                   ["All words of `find`: vibcli explain find"])
-
-
-def missing_page(catalogue: "Catalogue", word: str):
-    return blocks([f"{word} — no section of a scene, but:"], paragraph(INSTEAD[word], 2))
 
 
 def function_page(catalogue: "Catalogue", name: str) -> str:

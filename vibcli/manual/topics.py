@@ -5,6 +5,7 @@ A topic is a list of parts: a text is a paragraph, a list of pairs a table. REMA
 
 from typing import Any
 
+from vibcli.manual.homework import HOMEWORK, KNOWN_MISTAKES
 from vibcli.manual.members import MEMBERS
 from vibcli.manual.on_paper import DATA, PICTURES, REPORTS
 from vibcli.manual.python import PYTHON
@@ -275,6 +276,8 @@ TOPICS: dict[str, Any] = {
     "phase_plane": ("orbits of one degree of freedom over its place and speed", PHASE_PLANE),
     "steps": ("the worked solution, line by line", STEPS),
     "sweep": ("quantities over one or two parameters", SWEEP),
+    "mistakes": ("known mistakes, and how they are found", KNOWN_MISTAKES),
+    "homework": ("variants of a problem, and the gates that they pass", HOMEWORK),
     "frequency_response": ("amplitude and phase over the frequency", FREQUENCY_RESPONSE),
     "signals": ("places, turns, stretches and forces that can be asked for", SIGNALS),
     "ground": ("the fixed end of springs and dampers", GROUND),

@@ -79,3 +79,10 @@ def wrapped(text: str, columns: int = 100, indent: int = 2, gap: str = " ", firs
         else:
             line = f"{line}{gap}{word}" if line else " " * first + word
     return [*lines, line] if line else lines
+
+def in_figures(value: float, figures: int) -> str:
+    """A value with so many figures, without an exponent."""
+    if not value:
+        return "0"
+    exponent = int(f"{value:.{figures - 1}e}".partition("e")[2])
+    return f"{float(f'{value:.{figures - 1}e}'):.{max(figures - 1 - exponent, 0)}f}"

@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from vibcli.base import units
-from vibcli.quantities.quantity import SIGNAL, about_which, declared, is_choice
+from vibcli.quantities.quantity import SIGNAL, about_which, declared, is_choice, quantity_of
 from vibcli.quantities.signal_dimensions import output_dimension
 from vibcli.symbolic.semantics import DimensionCheck
 from vibcli.symbolic.syntax import ExpressionError, QuantityRef
@@ -34,6 +34,20 @@ def dimension_of(spec: "Spec", expression: "Expression") -> "dict[str, Fraction 
                               lambda tree: asked_dimension(spec, tree)).dimension(expression.tree)
     except ExpressionError:
         return None
+
+
+def unit_of(spec: "Spec", asked: "Expression") -> str:
+    """The SI unit of the value of a quantity: 1 of a pure number, nothing where the scene has no units."""
+    tree = asked.tree
+    quantity = quantity_of(spec, tree)
+    if quantity is not None and quantity.own_unit is not None:
+        return quantity.unit
+    dimension = asked_dimension(spec, tree) if quantity is not None else dimension_of(spec, asked)
+    if dimension is None:
+        return ""
+    found = spec.dimensions.resolve(dimension)
+    angle = quantity is not None and (quantity.unit == SIGNAL or tree.head == "equilibrium")
+    return ("rad" if angle else "1") if found == {} else units.text(found)
 
 
 def checker(spec: "Spec", text: str = "") -> DimensionCheck:

@@ -6,9 +6,10 @@ from itertools import product
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.language.given_values import GivenValue
 from vibcli.quantities.expression import value_of
 from vibcli.quantities.quantity import declared
-from vibcli.results.variants import GivenValue, Variants
+from vibcli.results.variants import Variants
 from vibcli.symbolic.syntax import QuantityRef
 
 if TYPE_CHECKING:
@@ -49,7 +50,7 @@ class Sweep:
     def __init__(self, problem: "Problem", axes: Sequence[SweptAxis], asked: "Sequence[Expression]",
                  units: Sequence[str], settle: "Callable[[Problem], Problem]"):
         self.problem, self.axes, self.asked, self.units = problem, list(axes), list(asked), list(units)
-        self._variants = Variants(problem, {axis.name: axis.values for axis in axes}, settle)
+        self._variants = Variants(problem, [{axis.name: axis.values} for axis in axes], settle)
 
     @property
     def invalid_end(self) -> "tuple[str, str] | None":

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.base import units
 from vibcli.language.dimension_check import check
-from vibcli.language.reader import Reader, Record
+from vibcli.language.reader import Expression, Reader, Record
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.dimensions import asked_dimension, dimension_of
 from vibcli.quantities.quantity import LEAPING, OF_STATE, kind_of
@@ -59,12 +59,17 @@ def check_choices(spec: "Spec", reader: Reader) -> "Spec":
 
 def _finished(spec, condition):
     """An equation in which names alone are the quantities that they stand for, its expected side in their unit."""
-    left, right = (as_quantity(spec, side) for side in condition.sides)
+    return Condition(condition.text, condition.where, None, *finished_sides(spec, *condition.sides))
+
+
+def finished_sides(spec: "Spec", left: Expression, right: Expression) -> tuple[Expression, Expression]:
+    """Two sides in which names alone are the quantities that they stand for, the expected one in their unit."""
+    left, right = as_quantity(spec, left), as_quantity(spec, right)
     if _head(right) and not _head(left):
         left = in_unit_asked(spec, left, right.tree)
     elif _head(left):
         right = in_unit_asked(spec, right, left.tree)
-    return Condition(condition.text, condition.where, None, left, right)
+    return left, right
 
 
 def _equation(spec, reader, name, condition):
@@ -85,22 +90,29 @@ def _equation(spec, reader, name, condition):
             reader.report(_place(side, tree), f"'{tree.text}' cannot stand in a condition: it is not a number",
                           "conditions are made of numbers, parameters and quantities such as omega[1]")
             return
+    if not check_sides(spec, reader, left, right):
+        return
+    if not quantities and not any(part[0] in spec.choices for side in condition.sides for part in side.parts.names):
+        reader.report(condition.where, f"this does not determine '{name}': it holds no quantity and nothing chosen",
+                      "write an equation such as omega[1] = 20 rad/s")
+
+
+def check_sides(spec: "Spec", reader: Reader, left: Expression, right: Expression) -> bool:
+    """Do both sides of an equation or comparison measure the same? False where one of them cannot stand; reports what
+    is wrong with them."""
     asked, expected = (right, left) if _head(right) and not _head(left) else (left, right)
     if not check(spec, reader, asked, spec.parameters, None):
-        return
+        return False
     if _head(asked):
         fits = check(spec, reader, expected, spec.parameters, asked_dimension(spec, asked.tree))
     else:
         fits = check(spec, reader, expected, spec.parameters, None) and _same(spec, reader, asked, expected)
     if fits:
         check_cycles(spec, reader, asked, expected)
-    if not quantities and not any(part[0] in spec.choices for side in condition.sides for part in side.parts.names):
-        reader.report(condition.where, f"this does not determine '{name}': it holds no quantity and nothing chosen",
-                      "write an equation such as omega[1] = 20 rad/s")
+    return True
 
 
 def _same(spec, reader, left, right):
-    """Do both sides of an equation measure the same?"""
     one, other = (dimension_of(spec, side) for side in (left, right))
     if spec.free_numbers != ALL_NUMBERS and None not in (one, other) and not spec.dimensions.equate(one, other):
         found = [units.name(spec.dimensions.resolve(part)) for part in (one, other)]

@@ -39,6 +39,11 @@ def settle(spec: "Spec", reader: Reader) -> "Spec":
     apart |= {side.scalar for record in (spec.get("choose") or {}).values() for side in record["so"].sides}
     circular = _parameters(spec, reader)
     due = {**_matrices(spec), **_start(spec), **_along(spec, reader)}
+    if spec.get("variants") is not None:
+        from vibcli.reader.variants import checked_later, varied
+
+        due |= {value.scalar: spec.dimensions.unknown(name) for value, name in varied(spec)}
+        apart |= checked_later(spec)
     _bounded(spec, reader)
     known = dict.fromkeys((*spec.parameters, *spec.coordinates, "t"))
     if "t" not in spec.parameters and "t" not in spec.coordinates:
@@ -77,6 +82,10 @@ def _asked(spec, reader, before):
         from vibcli.reader.answer_check import checked
 
         spec = spec._replace(answers=[checked(spec, reader, answer) for answer in spec.answers])
+    if spec.get("variants") is not None and reader.sound and len(reader.diagnostics) == before:
+        from vibcli.reader.variants import with_variants
+
+        spec = with_variants(spec, reader)
     return spec
 
 

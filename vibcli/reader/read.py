@@ -79,14 +79,12 @@ SECTIONS = {
     "choose": (Named(Lazy("choose", "reader.sections"), "a mapping from parameters to conditions", ("pi", "t")),
                ASKED["choose"]),
     "answers": (answer.KIND, ASKED["answer"]),
+    "variants": (Lazy("variants", "reader.sections"), ASKED["variants"]),
     "cases": (_Cases(), "parts of the scene by name, each merged over it, with its own find and answers"),
 }
 
 
-INSTEAD = {
-    "variants": "give other values under cases, or with --set",
-}
-
+OWN = ("cases", "answers", "find", "variants")         # sections that a case does not inherit
 WHOLE = ("damping",)        # sections that a case replaces, as their keys exclude each other
 
 
@@ -114,9 +112,25 @@ def read_spec(root: Any, file: str, diagnostics: Sequence[Any] = (), settings: A
     return base._replace(cases=specs)
 
 
+def read_changed(root: Mapping, part: Mapping, file: str, remark: str, settings: Any = None,
+                 any_dimension: bool = False) -> Spec:
+    """The Spec of a document with a part merged over it as a case is, which may leave parameters unused; SpecError,
+    with this remark, where it is none. any_dimension: its numbers are in SI units, whatever they measure."""
+    found: list = []
+    spec = _read_one(_merged(root, part), file, found, settings or {}, {}, remark, any_dimension)
+    if spec is None:
+        raise SpecError(found)
+    return spec
+
+
+def document_of_case(root: Mapping, case: str | None) -> Mapping:
+    """The document of a case of another, itself where none is named."""
+    return root if case is None else _merged(root, root.entries["cases"][1].entries[case][1])
+
+
 def _merged(root, part):
     """The scene with a case merged over it; answers and find are the case's own."""
-    entries = {key: pair for key, pair in root.entries.items() if key not in ("cases", "answers", "find")}
+    entries = {key: pair for key, pair in root.entries.items() if key not in OWN}
     merged = _over(entries, part.entries)
     if "choose" in entries and isinstance(merged["choose"][1], Mapping):
         merged["choose"] = _still_chosen(*merged["choose"], part)
@@ -146,7 +160,7 @@ def _over(below, above):
     return merged
 
 
-def _read_one(root, file, found, settings, files, remark=""):
+def _read_one(root, file, found, settings, files, remark="", any_dimension=False):
     from vibcli.reader.unit_consistency import resolve  # the manual needs the declarations alone
 
     named, spec = {key: _names(value) for key, (_, value) in root.entries.items()}, None
@@ -158,7 +172,7 @@ def _read_one(root, file, found, settings, files, remark=""):
             from vibcli.reader.choices import with_choices
 
             spec = with_choices(spec, reader)
-        spec = resolve(_with_settings(spec, reader, settings), reader)
+        spec = resolve(_with_settings(spec, reader, settings), reader, any_dimension)
         _question(spec, root, reader)
     except TooManyErrors:
         pass
@@ -175,14 +189,14 @@ def _sections(root, reader):
     for key, (key_node, value) in root.entries.items():
         before = len(reader.diagnostics)
         if key not in SECTIONS:
-            reader.report(key_node.where, f"unknown key {quoted(key)}", INSTEAD.get(key) or nearest(key, SECTIONS))
+            reader.report(key_node.where, f"unknown key {quoted(key)}", nearest(key, SECTIONS))
         elif _is_empty(value) and not isinstance(SECTIONS[key][0], Text):
             reader.report(key_node.where, f"the section '{key}' is empty", "fill it in or leave it out")
         else:
             record = SECTIONS[key][0].read(value, reader)
             if record is not None:
                 sections[key] = record
-        if len(reader.diagnostics) > before and key not in ("answers", "find", "cases", "choose", "initial"):
+        if len(reader.diagnostics) > before and key not in (*OWN, "choose", "initial"):
             reader.not_whole()
     found = _with_member_points({key: sections[key] for key in SECTIONS if key in sections})
     return initial.with_fields_apart(found) if reader.members else found

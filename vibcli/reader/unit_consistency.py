@@ -12,10 +12,13 @@ if TYPE_CHECKING:
     from vibcli.language.spec import Spec
 
 
-def resolve(spec: "Spec", reader: Reader) -> "Spec":
+def resolve(spec: "Spec", reader: Reader, any_dimension: bool = False) -> "Spec":
     """`spec` with its names and dimensions settled; whatever does not fit goes to reader.diagnostics. A scene that uses
     no unit is taken in consistent SI numbers. Its dimensions are those of its letters, small whole numbers being
-    factors, where all fits so; else, if it has data in numbers, everything fits: 2·d³ may be a force."""
+    factors, where all fits so; else, if it has data in numbers, everything fits: 2·d³ may be a force, as it does with
+    any_dimension."""
+    if any_dimension:
+        return settle(spec._replace(free_numbers=ALL_NUMBERS), reader)
     before = len(reader.diagnostics)
     spec = spec._replace(free_numbers=_uses_no_units(spec, reader))
     if not (spec.free_numbers and _has_numbers(spec, reader)):

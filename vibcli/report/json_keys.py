@@ -18,10 +18,12 @@ from vibcli.report.sections.response import MOTION
 from vibcli.report.sections.spectrum import DAMPED_MODES, MODES, POLYNOMIAL
 from vibcli.report.sections.statics import REACTIONS
 from vibcli.report.sections.sweep import KEY as SWEEP
+from vibcli.report.sections.variants import KEY as VARIANTS
 
-ABOUT = ("What `vibcli solve`, `frequencies`, `equations`, `response`, `frf` and `sweep` print with --json: one object "
-         "in SI units, angles in radians, null where there is nothing. Values are strings where the scene has symbols "
-         "without value (expressions of the scene language) or with --digits (decimals); else numbers.")
+ABOUT = ("What `vibcli solve`, `frequencies`, `equations`, `response`, `frf`, `sweep` and `variants` print with "
+         "--json: one object in SI units, angles in radians, null where there is nothing. Values are strings where the "
+         "scene has symbols without value (expressions of the scene language) or with --digits (decimals); else "
+         "numbers.")
 KEYS = dict(documented((
     Key("title", "the title of the scene, or null"),
     Key("coordinates", "names of the generalised coordinates, in the order of all rows and columns"),
@@ -29,6 +31,6 @@ KEYS = dict(documented((
     Key("remark", "why a scene in letters, or one with a kink at rest, has no equilibrium, matrices and modes here, or "
         "one without inertia no modes, in words; absent otherwise"),
     MODES._replace(each=(*MODES.each, MEMBERS)), COUNT, DAMPED_MODES, MOTION, FREQUENCY_RESPONSE,
-    EQUIVALENTS, BACKBONE, EXPANSION, PHASE_PLANE, SWEEP,
+    EQUIVALENTS, BACKBONE, EXPANSION, PHASE_PLANE, SWEEP, VARIANTS,
     Key("insight", "only where `find` or --insight asks for it", of=section_keys(OF_MODES)), POLYNOMIAL,
     Key("cases", "{name: the same keys}, where the file has cases"))))

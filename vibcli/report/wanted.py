@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.analyses.modal.mode_sequence import Selection
+    from vibcli.homework.variants import SolvedVariants
     from vibcli.quantities.sweep import Sweep
 
 
@@ -11,7 +12,7 @@ class Wanted(NamedTuple):
     """signals: Expressions, those of the file if empty; driver: the Expression of an input, or None; phase: sine,
     cosine or lead; low, high: angular frequencies or None; parts: steady, transient, to be shown apart; points: how
     many instants are sampled; at: instants as (text, Fraction of a second), to so many digits; modes: the Selection of
-    them, or None; sweep: the Sweep that is told, or None."""
+    them, or None; sweep: the Sweep, variants: the SolvedVariants that are told, or None."""
 
     signals: tuple = ()
     driver: Any = None
@@ -24,3 +25,4 @@ class Wanted(NamedTuple):
     digits: int | None = None
     modes: "Selection | None" = None
     sweep: "Sweep | None" = None
+    variants: "SolvedVariants | None" = None

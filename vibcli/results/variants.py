@@ -5,17 +5,16 @@ a block have the same expressions, those within share them, and their equilibria
 arrays do not settle, and what lies between unlike corners, is found as a scene by itself.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from itertools import pairwise, product
-from typing import TYPE_CHECKING, Any, NamedTuple
+from bisect import bisect_right
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from itertools import product
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
-from vibcli.language.reader import Expression
+from vibcli.language.given_values import GivenValue
 from vibcli.symbolic.expression_graph import fingerprint
 
 if TYPE_CHECKING:
-    from fractions import Fraction
-
     from vibcli.results.problem import Problem
 
 CORNERS = 9, 4, 3          # along each axis of one, two, more of them
@@ -23,45 +22,41 @@ CORNERS = 9, 4, 3          # along each axis of one, two, more of them
 Place = tuple[int, ...]
 
 
-class GivenValue(NamedTuple):
-    """A value of a parameter: as it would stand in the file, and in SI units, the next float of what is irrational."""
-
-    expression: Expression
-    exact: "Fraction"
-
-
 class Variants:
-    """The Problems of a grid, axes {name: values}; `settle(problem)` gives values to what it chooses."""
+    """The Problems of a grid: each of `axes` gives the values of parameters that go together, {name: values}; `places`:
+    those of the grid that are wanted, all unless given; `settle(problem)` gives values to what it chooses."""
 
-    def __init__(self, problem: "Problem", axes: Mapping[str, Sequence[GivenValue]],
-                 settle: "Callable[[Problem], Problem]" = lambda problem: problem):
-        self.problem, self.names, self.axes, self._settle = problem, list(axes), list(axes.values()), settle
+    def __init__(self, problem: "Problem", axes: Sequence[Mapping[str, Sequence[GivenValue]]],
+                 settle: "Callable[[Problem], Problem]" = lambda problem: problem,
+                 places: Sequence[Place] | None = None):
+        self.problem, self.axes, self._settle, self._wanted = problem, list(axes), settle, places
+        self.lengths = [len(next(iter(axis.values()))) for axis in self.axes]
         self._drawn: dict[Place, Any] = {}
         self._structures: dict[Place, tuple | None] = {}
 
+    @property
+    def places(self) -> Iterable[Place]:
+        """The places that are wanted, in the order of the axes unless they were given."""
+        return product(*map(range, self.lengths)) if self._wanted is None else self._wanted
+
     def __iter__(self) -> "Iterator[tuple[Place, Problem | SpecError | PhysicsError]]":
-        """(its place on each axis, its Problem or why there is none), in the order of the axes."""
+        """(its place on each axis, its Problem or why there is none)."""
         shared = self._shared()
-        for place in product(*(range(len(axis)) for axis in self.axes)):
+        for place in self.places:
             if place in shared and place not in self._drawn:
                 base, known = shared[place]
                 yield place, base.sharing(self._exact(place), *known)
             else:
                 yield place, self.alone(place)
 
+    def values_at(self, place: Place) -> dict[str, GivenValue]:
+        """{parameter: its value} at a place."""
+        return {name: values[i] for axis, i in zip(self.axes, place, strict=True) for name, values in axis.items()}
+
     def at(self, values: Mapping[str, GivenValue]) -> "Problem | SpecError | PhysicsError":
         """The Problem of values that the grid need not have, drawn by itself, or why there is none."""
-        return self._by_itself([values[name] for name in self.names])
-
-    def alone(self, place: Place) -> "Problem | SpecError | PhysicsError":
-        """The Problem of a place, drawn by itself, or why there is none."""
-        if place not in self._drawn:
-            self._drawn[place] = self._by_itself([axis[i] for axis, i in zip(self.axes, place, strict=True)])
-        return self._drawn[place]
-
-    def _by_itself(self, values):
         spec, parameters = self.problem.spec, dict(self.problem.spec.parameters)
-        for name, value in zip(self.names, values, strict=True):
+        for name, value in values.items():
             parameters[name] = parameters[name].with_values({**parameters[name], "value": value.expression})
         try:
             found = self.problem.with_spec(spec.with_parameters(parameters))
@@ -70,8 +65,14 @@ class Variants:
         except (SpecError, PhysicsError) as error:
             return error
 
+    def alone(self, place: Place) -> "Problem | SpecError | PhysicsError":
+        """The Problem of a place, drawn by itself, or why there is none."""
+        if place not in self._drawn:
+            self._drawn[place] = self.at(self.values_at(place))
+        return self._drawn[place]
+
     def _exact(self, place):
-        return {name: axis[i].exact for name, axis, i in zip(self.names, self.axes, place, strict=True)}
+        return {name: value.exact for name, value in self.values_at(place).items()}
 
     def _shared(self):
         """{place: (Problem whose expressions it shares, what of it is known)}."""
@@ -90,18 +91,27 @@ class Variants:
         """[(Problem, blocks, places)] of the blocks, ((low, high) on each axis), whose corners all have the same
         expressions."""
         count = CORNERS[min(len(self.axes), len(CORNERS)) - 1]
-        cuts = [_corners(len(axis), count) for axis in self.axes]
+        cuts = [_corners(length, count) for length in self.lengths]
         groups: dict = {}
-        for block in product(*(list(pairwise(cut)) or [(0, 0)] for cut in cuts)):
-            corners = list(product(*block))
+        for block, places in self._by_block(cuts).items():
+            corners = list(dict.fromkeys(product(*block)))
+            if len(places) < len(corners):
+                continue        # sooner drawn by themselves
             structure = self._structure(corners[0])
             if structure is None or any(self._structure(corner) != structure for corner in corners):
                 continue
             base = self._drawn[corners[0]]
             found = groups.setdefault(structure, (base, [], {}))
             found[1].append(block)
-            found[2].update(dict.fromkeys(product(*(range(low, high + 1) for low, high in block))))
+            found[2].update(dict.fromkeys((*corners, *places)))
         return groups.values()
+
+    def _by_block(self, cuts):
+        """{block: places in it}."""
+        found: dict = {}
+        for place in self.places:
+            found.setdefault(tuple(_block(i, cut) for i, cut in zip(place, cuts, strict=True)), []).append(place)
+        return found
 
     def _structure(self, place):
         """What tells the expressions of a corner apart; None where there are none."""
@@ -112,6 +122,12 @@ class Variants:
             except (SpecError, PhysicsError, ArithmeticError):
                 self._structures[place] = None
         return self._structures[place]
+
+
+def _block(i, cut):
+    """(low, high) of the cuts between which a number lies."""
+    above = min(max(bisect_right(cut, i), 1), len(cut) - 1)
+    return (cut[above - 1], cut[above]) if above else (cut[0], cut[0])
 
 
 def _corners(length, count):

@@ -23,7 +23,7 @@ from vibcli.manual.index import page
 from vibcli.manual.python import EXAMPLE
 
 ROOT = Path(__file__).parents[3]
-PROBLEMS = sorted((ROOT / "problems").rglob("*.yaml"))[4::14]
+PROBLEMS = sorted((ROOT / "problems").glob("*/*.yaml"))[4::14]
 EXAMPLES = Path(vibcli.__file__).parent / "examples"
 DRIVEN = {
     "parameters": {"m": "2 kg", "k": "800 N/m", "c": "8 N*s/m"},

@@ -15,7 +15,7 @@ from vibcli.drawing.symbols import mode_shape
 from vibcli.report.sections.spectrum import frequencies_data
 
 ROOT = Path(__file__).parents[3]
-FILES = sorted([*(ROOT / "problems").rglob("*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml"),
+FILES = sorted([*(ROOT / "problems").glob("*/*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml"),
                 *(ROOT / "tests" / "trials").glob("*.yaml")])[::3]
 STEP, LEAST_SCENES, LEAST_MODES = 1e-5, 40, 70
 

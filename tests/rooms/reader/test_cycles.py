@@ -10,7 +10,7 @@ from vibcli.language.document.document import read
 from vibcli.reader.read import read_spec
 
 ROOT = Path(__file__).parents[3]
-SCENES = sorted([*(ROOT / "problems").rglob("*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml"),
+SCENES = sorted([*(ROOT / "problems").glob("*/*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml"),
                  *(ROOT / "tests" / "trials").glob("*.yaml")])
 ANGULAR = re.compile(r"(\b[A-Za-z_]\w*): (\d[\d.e+-]*) (rad/s|rpm)(?=[,}\s])")
 

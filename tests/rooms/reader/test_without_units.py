@@ -18,7 +18,7 @@ from vibcli.symbolic.semantics import literal_unit
 from vibcli.symbolic.syntax import ExpressionError, parts_of
 
 ROOT = Path(__file__).parents[3]
-SCENES = sorted([*(ROOT / "problems").rglob("*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml")])
+SCENES = sorted([*(ROOT / "problems").glob("*/*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml")])
 WORDS = ("title", "source", "question", "about", "sign", "unused", "unit", "shape", "find", "motion", "records")
 
 

@@ -63,7 +63,7 @@ def test_each_is_the_scene_with_its_value(text, name, values, quantities):
 def test_small_vibrations_are_found_by_arrays():
     p = vibcli.loads(CAR)
     axis = of_numbers(p._as_read.spec, "kf", np.linspace(9, 60, 40).tolist())
-    found = [problem.modal._known for _, problem in Variants(p._as_read, {"kf": axis.values})]
+    found = [problem.modal._known for _, problem in Variants(p._as_read, [{"kf": axis.values}])]
     assert sum(natural is not None for natural, _ in found) == 31       # all but nine corners
     assert sum(damped is not None for _, damped in found) >= 20
 
@@ -80,7 +80,7 @@ bodies: {b: {mass: m, at: [0, 0], move: [x, 0, 0]}}
 springs: {s: {k: k, between: [[0.3 m, 0], e]}}
 """)
     axis = of_numbers(p._as_read.spec, "a", [0.1, 0.15, 0.2, 0.25, 0.35, 0.4, 0.5, 0.6])
-    for (i,), problem in Variants(p._as_read, {"a": axis.values}):
+    for (i,), problem in Variants(p._as_read, [{"a": axis.values}]):
         stretch = float(problem.numeric.floats["a"]) - 0.3
         assert problem.configuration.linear_system.springs[0][1][0] == pytest.approx(np.sign(stretch), abs=1e-15), i
 

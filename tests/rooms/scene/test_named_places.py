@@ -13,7 +13,7 @@ from vibcli.language.document.document import read
 from vibcli.reader.read import read_spec
 
 ROOT = Path(__file__).parents[3]
-SCENES = sorted([*(ROOT / "problems").rglob("*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml")])
+SCENES = sorted([*(ROOT / "problems").glob("*/*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml")])
 PLACES = ("at", "from", "to", "circle")
 
 

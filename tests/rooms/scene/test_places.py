@@ -18,7 +18,7 @@ from vibcli.scene.build import build_scene
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 ROOT = Path(__file__).parents[3]
-FILES = sorted([*(ROOT / "problems").rglob("*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml"),
+FILES = sorted([*(ROOT / "problems").glob("*/*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml"),
                 *(ROOT / "tests" / "trials").glob("*.yaml")])
 random.Random(5).shuffle(FILES)
 MOST = 60       # files of a way

@@ -2,9 +2,9 @@
 
 from typing import NamedTuple
 
-from vibcli.analyses.modes import LAST, ModeNumber
+from vibcli.analyses.modes import LAST
 from vibcli.language.fields import Element, Field
-from vibcli.language.kinds import Many, Quantity
+from vibcli.language.kinds import Many, Quantity, WholeNumber
 from vibcli.language.signal_kinds import SignalField
 
 ELEMENT = Element(
@@ -16,7 +16,7 @@ ELEMENT = Element(
     {
         "of": Field(Many(SignalField(), 1, 1, "a list of one signal"), "the signal; the coordinate if left out"),
         "up_to": Field(Quantity(), "the largest amplitude of that signal", required=True),
-        "mode": Field(ModeNumber(LAST), "the mode at which the family starts; the first if left out"),
+        "mode": Field(WholeNumber(LAST), "the mode at which the family starts; the first if left out"),
     },
     example="swing_by_amplitude",
 )

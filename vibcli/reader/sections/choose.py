@@ -10,6 +10,7 @@ from vibcli.language.kinds import Kind, Quantity
 from vibcli.language.reader import Expression
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.quantity import ALL
+from vibcli.reader.sides import side
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.syntax import ExpressionError
 
@@ -62,20 +63,11 @@ class _Condition(Kind):
                 return reader.report(node.place(error.offset, error.width), f"unknown quantity {quoted(asked)}",
                                      nearest(asked, FAMILIES) or ALL)
             return reader.report(node.place(error.offset, error.width), error.message, error.hint)
-        sides = [_side(node, tree, reader) for tree in equation.children]
-        reader.expressions.update((side.scalar, side) for side in sides)
+        sides = [side(node, tree.start, tree.end, reader) for tree in equation.children]
         return Condition(words, node.where, None, *sides)
 
     def schema(self):
         return {"type": "string"}
-
-
-def _side(node, tree, reader):
-    """One side of an equation as an expression of its own, so that messages quote and mark it alone."""
-    text = node.text[tree.start:tree.end].rstrip()
-    inset = None if node.inset is None else 0
-    scalar = Scalar(text, node.place(tree.start, len(text)), node.quoted, inset)
-    return Expression(scalar, reader.at_places(parse(text)))
 
 
 ELEMENT = Element(

@@ -26,9 +26,9 @@ _PROLOGUE = re.compile(r"<\?xml.*?\?>|<!DOCTYPE[^>]*>|<metadata>.*?</metadata>",
 _DEFINED = re.compile(r'\bid="|href="#|url\(#')
 
 
-def render(documents: Sequence[Document], _: Callable | None = None) -> str:
-    """The page with all documents, the first at its top, the others below it as cases."""
-    contents = _contents(documents) if len(documents) > 1 else ""
+def render(documents: Sequence[Document], _: Callable | None = None, listed: bool = True) -> str:
+    """The page with all documents, the first at its top, the others below it as cases; `listed`: with their list."""
+    contents = _contents(documents) if listed and len(documents) > 1 else ""
     articles = [_article(number, document) for number, document in enumerate(documents)]
     return page(documents[0].title, contents + "\n".join(articles))
 

@@ -13,7 +13,7 @@ from vibcli.symbolic.parser import parse
 from vibcli.symbolic.semantics import lower
 
 ROOT = Path(__file__).parents[4]
-SCENES = sorted((ROOT / "problems").rglob("*.yaml")) + sorted((ROOT / "tests" / "trials").glob("*.yaml"))
+SCENES = sorted((ROOT / "problems").glob("*/*.yaml")) + sorted((ROOT / "tests" / "trials").glob("*.yaml"))
 
 
 def damped(scene):

@@ -18,7 +18,7 @@ from vibcli.language.document.document import read
 from vibcli.language.reader import Reader
 from vibcli.reader.sections.find import QUESTIONS
 
-PROBLEMS = sorted((Path(__file__).parents[4] / "problems").rglob("*.yaml"))
+PROBLEMS = sorted((Path(__file__).parents[4] / "problems").glob("*/*.yaml"))
 SHAFT = dedent("""
     bodies: {one: {inertia: 2, turn: a}, two: {inertia: 1.5, turn: b}, three: {inertia: 0.8, turn: c}}
     springs: {s: {torsion: 30e3, between: [ground, one]}, t: {torsion: 24e3, between: [one, two]},

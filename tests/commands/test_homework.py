@@ -1,0 +1,153 @@
+"""`vibcli homework` and `vibcli grade` as a lecturer uses them: sheets, keys, manifest, marks; what is refused."""
+
+import csv
+import json
+
+import pytest
+
+from vibcli.cli import run
+from vibcli.homework.leaks import leak, text_of_page
+
+SCENE = """# the answer is easy
+title: A block
+question: A block {m} on a spring {k} and a damper {c}.
+parameters: {m: 2 kg, k: 800 N/m, c: 8 N*s/m}
+bodies: {block: {mass: m, slide: x}}
+springs: {s: {k: k, between: [ground, block]}}
+dampers: {d: {c: c, between: [ground, block]}}
+answers: {"omega_d[1]": 19.90 rad/s}
+variants:
+  parameters: {m: {from: 1.2 kg, to: 3.2 kg, step: 0.4 kg}, k: [620 N/m, 820 N/m, 1.1 kN/m]}
+  ask: {"omega_d[1]": {unit: rad/s, points: 2}, "zeta[1]": }
+"""
+
+
+@pytest.fixture
+def course(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "block.yaml").write_text(SCENE, encoding="utf-8")
+    (tmp_path / "roster.csv").write_text("id,name\ns1,Ada\ns2,Bo\ns3,\n", encoding="utf-8")
+    (tmp_path / "salt").write_text("a secret text\n", encoding="utf-8")
+    return tmp_path
+
+
+def homework(*options, file="block.yaml", out="out"):
+    return run(["homework", file, "-o", out, "--students", "roster.csv", "--salt-file", "salt", *options])
+
+
+def files(folder):
+    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+def test_sheets_keys_and_marks(course, capsys):
+    assert homework() == 0
+    out = course / "out"
+    manifest = json.loads((out / "instructor" / "manifest.json").read_text(encoding="utf-8"))
+    assert [one["id"] for one in manifest["students"]] == ["s1", "s2", "s3"]
+    variants = {one["variant"]: one for one in manifest["problems"][0]["variants"]}
+    assert len(variants) == 3
+    keys = list(csv.DictReader((out / "instructor" / "keys.csv").open(encoding="utf-8")))
+    assert len(keys) == 6
+    for student in manifest["students"]:
+        found = variants[student["sheets"][0]["variant"]]
+        page = text_of_page((out / "student" / f"{student['id']}.html").read_text(encoding="utf-8"))
+        assert leak(page, [key["value"] for key in found["keys"]], ["a secret text", "the answer is easy"]) is None
+        for text in found["values"].values():
+            assert text.split()[0] in page
+        assert "Steps" in (out / "instructor" / "keys" / f"block-{found['variant']}.html").read_text(encoding="utf-8")
+    capsys.readouterr()
+    own = [row for row in keys if row["id"] == "s2"]
+    answers = [f"--answer={row['quantity']}={row['key']} {row['unit']}" for row in own]
+    assert run(["grade", "out/instructor/manifest.json", "--student", "s2", *answers]) == 0
+    assert "3 of 3 points" in capsys.readouterr().out
+    (course / "answers.csv").write_text("id,omega_d[1],zeta[1]\n" + f"s2,{own[0]['key']},{own[1]['key']}\ns1,4,=2\n",
+                                        encoding="utf-8")
+    assert run(["grade", "out/instructor/manifest.json", "--csv", "answers.csv", "-o", "marks.csv"]) == 0
+    found = list(csv.DictReader((course / "marks.csv").open(encoding="utf-8")))
+    assert [row["verdict"] for row in found] == ["right", "right", "wrong", "unreadable"]
+    assert found[3]["answer"] == "'=2"
+
+
+def test_the_same_bytes_again_and_from_the_manifest_after_an_edit(course):
+    assert homework("--force") == 0 and homework(out="again") == 0
+    assert files(course / "out") == files(course / "again")
+    (course / "block.yaml").write_text(SCENE.replace("800", "900").replace("A block {m}", "A thing {m}"),
+                                       encoding="utf-8")
+    assert run(["homework", "out/instructor/manifest.json", "--from-manifest", "-o", "third"]) == 0
+    assert files(course / "out") == files(course / "third")
+
+
+def test_a_student_who_comes_later_changes_nobody(course):
+    assert homework() == 0
+    with (course / "roster.csv").open("a", encoding="utf-8") as stream:
+        stream.write("s4,Eve\n")
+    assert homework(out="more") == 0
+    before, after = files(course / "out"), files(course / "more")
+    assert all(after[name] == data for name, data in before.items() if name.startswith("student"))
+
+
+def test_a_set_with_parts(course, capsys):
+    (course / "more").mkdir()
+    for name in ("one", "two", "three"):
+        (course / "more" / f"{name}.yaml").write_text(SCENE.replace("A block", f"The {name}"), encoding="utf-8")
+    (course / "set.yaml").write_text("title: Week 3\ncourse: Dynamics\nproblems: [{file: block.yaml, points: 6}, "
+                                     "{file: more, pick: 2}]\n", encoding="utf-8")
+    assert homework(file="set.yaml") == 0
+    manifest = json.loads((course / "out" / "instructor" / "manifest.json").read_text(encoding="utf-8"))
+    assert all(len(one["sheets"]) == 3 and one["sheets"][0]["problem"] == "block" for one in manifest["students"])
+    assert [key["points"] for key in manifest["problems"][0]["variants"][0]["keys"]] == [4, 2]
+    page = (course / "out" / "student" / "s1.html").read_text(encoding="utf-8")
+    assert "Week 3" in page and "Dynamics" in page and "3. The" in page
+    capsys.readouterr()
+    assert run(["grade", "out/instructor/manifest.json", "--student", "s1", "--answer", "zeta[1]=0.1"]) == 2
+    assert "say which of block" in capsys.readouterr().err
+    assert run(["check", "."]) == 0
+    assert "set.yaml" not in capsys.readouterr().out
+
+
+def test_numbered_sheets(course):
+    assert run(["homework", "block.yaml", "-o", "out", "--paper", "12", "--salt-file", "salt"]) == 0
+    assert sorted(path.name for path in (course / "out" / "student").iterdir())[0] == "01.html"
+
+
+@pytest.mark.parametrize("options, code, said", [
+    (["--paper", "3"], 2, "say for whom"), (["--distinct"], 0, ""), (["--attempt", "0"], 2, "attempt"),
+    (["--from-manifest"], 2, "knows its students")])
+def test_options(course, capsys, options, code, said):
+    assert homework(*options) == code
+    assert said in capsys.readouterr().err
+
+
+def test_refusals_leave_nothing_behind(course, capsys):
+    def refused(code, said, *args):
+        assert run(["homework", *args]) == code
+        assert said in capsys.readouterr().err
+        assert not (course / "out").exists() and not list(course.glob(".out*"))
+
+    known = ("-o", "out", "--students", "roster.csv", "--salt-file", "salt")
+    refused(2, "name a file with a secret text", "block.yaml", "-o", "out", "--paper", "3")
+    (course / "short").write_text("abc")
+    refused(2, "it could be guessed", "block.yaml", "-o", "out", "--paper", "3", "--salt-file", "short")
+    refused(2, "there is no file 'none'", "none", *known)
+    (course / "leak.yaml").write_text(SCENE.replace("A block {m}", "Find 25.05 = 626/25 of {m}").replace(
+        "  parameters: {m: {from: 1.2 kg, to: 3.2 kg, step: 0.4 kg}, k: [620 N/m, 820 N/m, 1.1 kN/m]}",
+        "  parameters: {m: [1 kg]}\n  without: [readable]").replace("800 N/m", "643.6 N/m"), encoding="utf-8")
+    refused(4, "would tell the key 25.05", "leak.yaml", *known)
+    (course / "bare.yaml").write_text(SCENE.partition("variants")[0], encoding="utf-8")
+    refused(3, "says nothing of variants", "bare.yaml", *known)
+    (course / "few.yaml").write_text(SCENE.replace("k: [620 N/m, 820 N/m, 1.1 kN/m]}", "k: [800 N/m]}").replace(
+        "from: 1.2 kg, to: 3.2 kg, step: 0.4 kg", "from: 1 kg, to: 2 kg, step: 1 kg"), encoding="utf-8")
+    refused(4, "3 students, 2 variants: up to 2 share one", "few.yaml", *known, "--distinct")
+    (course / "full").mkdir()
+    (course / "full" / "thesis.txt").write_text("mine")
+    assert homework(out="full") == 4 and homework("--force", out="full") == 4
+    assert (course / "full" / "thesis.txt").read_text() == "mine"
+
+
+def test_manifests_that_are_none(course, capsys):
+    for text, said in (("{", "this is no manifest"), ("[]", "no manifest of this version"),
+                       ('{"form": 1}', "no manifest")):
+        (course / "m.json").write_text(text)
+        assert run(["grade", "m.json", "--student", "s1", "--answer", "x=1"]) == 3
+        assert said in capsys.readouterr().err
+    assert run(["grade", "nowhere.json", "--student", "s1"]) == 3

@@ -1,0 +1,89 @@
+"""Answers as students write them, their marks, and what no sheet may tell."""
+
+from math import pi
+
+import pytest
+
+from vibcli.homework.given_answers import read_answer
+from vibcli.homework.leaks import leak, text_of_page
+from vibcli.homework.marks import Marker
+
+
+@pytest.mark.parametrize("text, unit, value", [
+    ("21.9", "rad/s", 21.9), ("21.9 rad/s", "rad/s", 21.9), ("21,9 rad/s", "rad/s", 21.9),
+    (" 21.9rad/s ", "rad/s", 21.9),
+    ("21.9 1/s", "rad/s", 21.9), ("3.49 Hz", "rad/s", 3.49), ("209 rpm", "rad/s", 209 * pi / 30),
+    ("2.19e1", "rad/s", 21.9),
+    ("2,19·10^1", "rad/s", None), ("2.19×10^1 rad/s", "rad/s", 21.9), ("2.19*10^1", "rad/s", 21.9), ("-3", "mm", -3),
+    ("−3,5 cm", "mm", -35), ("0.012 m", "mm", 12), ("0,125", "", 0.125), (".5", "", 0.5), ("12 %", "", 0.12),
+    ("1,234", "", None), ("1,2345", "", 1.2345), ("1 234", "", 1234), ("9.81 m/s²", "m/s^2", 9.81),
+    ("30°", "deg", 30), ("0.5236 rad", "deg", 30.0), ("40 N·s/m", "N*s/m", 40), ("", "mm", None), ("abc", "mm", None),
+    ("12 kg", "mm", None), ("12 furlong", "mm", None), ("1e999", "", None), ("(", "", None), ("12; rm -rf", "", None),
+    ("=1+1", "", None), ("nan", "", None), ("12 m", "", None)])
+def test_answers_as_they_are_written(text, unit, value):
+    found = read_answer(text, unit)
+    if value is None:
+        assert found.value is None and found.reason
+    else:
+        assert found.value == pytest.approx(value, rel=1e-4)
+
+
+MANIFEST = {
+    "problems": [{"name": "crank", "mistakes": {"Hz": "this is in Hz", "weight": "the weight"}, "variants": [
+        {"variant": 7, "keys": [
+            {"quantity": "omega_d[1]", "unit": "rad/s", "points": 2.0, "value": 21.909, "band": 0.11, "mistakes": [
+                {"name": "Hz", "value": 21.909 / (2 * pi)}, {"name": "weight", "value": 22.6}]},
+            {"quantity": "zeta[1]", "unit": "", "points": 1.0, "value": 0.125, "band": 0.0006, "mistakes": []}]}]},
+        {"name": "drum", "mistakes": {}, "variants": [
+            {"variant": 1, "keys": [{"quantity": "omega[1]", "unit": "rad/s", "points": 1.0, "value": 5.0, "band": 0.02,
+                                     "mistakes": []}]}]}],
+    "students": [{"id": "s1", "name": "", "sheets": [{"problem": "crank", "variant": 7}]},
+                 {"id": "s2", "name": "", "sheets": [{"problem": "crank", "variant": 7}, {"problem": "drum",
+                                                                                          "variant": 1}]}]}
+
+
+def marks(**answers):
+    found = Marker(MANIFEST).marks("s1", "crank", {"omega_d[1]": answers.get("omega", ""), "zeta[1]":
+                                                   answers.get("zeta", "")})
+    return [(one.verdict, one.points, one.mistake, one.said) for one in found]
+
+
+def test_marks():
+    assert marks(omega="21.9 rad/s", zeta="0.125") == [("right", 2, "", ""), ("right", 1, "", "")]
+    assert marks(omega="3.49 Hz") == [("wrong", 0, "Hz", "this is in Hz"), ("missing", 0, "", "")]
+    assert marks(omega="22,6", zeta="12.5 kg") == [("wrong", 0, "weight", "the weight"), (
+        "unreadable", 0, "", "'kg' measures something else than a pure number")]
+    assert marks(omega="-21.9")[0][:2] == ("wrong", 0)
+
+
+def test_edges_of_the_band():
+    for value, verdict in ((21.909 + 0.11, "right"), (21.909 - 0.11, "right"), (21.909 + 0.11 * (1 + 1e-9), "wrong"),
+                           (21.909 - 0.11 * (1 + 1e-9), "wrong")):
+        assert marks(omega=repr(value))[0][0] == verdict
+
+
+def test_names_of_students_problems_and_quantities():
+    marker = Marker(MANIFEST)
+    assert marker.problem("s1", None) == "crank" and marker.quantity("crank", " zeta [1]") == "zeta[1]"
+    for call, said in ((lambda: marker.problem("s3", None), "no student 's3'"),
+                       (lambda: marker.problem("s2", None), "has several problems"),
+                       (lambda: marker.problem("s1", "drum"), "no problem 'drum'"),
+                       (lambda: marker.quantity("crank", "omega[1]"), "does not ask for 'omega[1]'")):
+        with pytest.raises(ValueError, match=said.replace("[", "\\[")):
+            call()
+
+
+@pytest.mark.parametrize("text, found", [
+    ("the answer is 21.9 rad/s", "the key 21.9"), ("21,91", "the key 21,91"), ("2.19e1", "the key 2.19e1"),
+    ("22 rad/s", None), ("k = 219 N/m", None), ("\U0001d7d0\U0001d7cf.\U0001d7d7\U0001d7cf", "the key 21.91"),
+    ("m21.9x", None), ("−21.9", "the key −21.9"), ("a secret text", "the salt, or a comment of the scene")])
+def test_leaks(text, found):
+    assert leak(text, [21.909], ["a secret text"]) == found
+
+
+def test_what_is_read_in_a_page():
+    page = ('<p title="21.9">a</p><svg><title>t1</title><path d="M 21.9 3"/><text>t2</text></svg><img alt="t3" src="x">'
+            "<!-- t4 --><style>p {margin: 21.9px}</style><meta name='a' content='t5'>")
+    found = text_of_page(page)
+    assert all(word in found for word in ("21.9", "a", "t1", "t2", "t3", "t4", "t5"))
+    assert "M 21.9" not in found and "margin" not in found

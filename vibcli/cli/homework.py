@@ -1,0 +1,152 @@
+"""`vibcli homework SET -o FOLDER --students roster.csv --salt-file F`: sheets for students, keys for who marks them."""
+
+import os
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from vibcli.base.errors import Diagnostic, PhysicsError, SpecError, Where
+from vibcli.cli.common import color_option, patience_option, problem_in, source_of
+
+if TYPE_CHECKING:
+    from vibcli.homework.course import Course, CourseProblem
+    from vibcli.homework.handout import Handout
+    from vibcli.homework.manifest import Assigned
+    from vibcli.homework.roster import Student
+
+LEAST_SALT = 8      # characters
+
+
+@click.command("homework")
+@click.argument("course", metavar="SET", type=click.Path())
+@click.option("-o", "--output", "folder", required=True, metavar="FOLDER", type=click.Path(path_type=Path),
+              help="The folder to write, new or empty.")
+@click.option("--students", metavar="FILE", help="The roster: a CSV file with a heading, id and perhaps name.")
+@click.option("--paper", type=click.IntRange(1, 100_000), metavar="N", help="N numbered sheets without names instead.")
+@click.option("--salt-file", metavar="FILE", help="A file with a secret text: who gets which variant hangs on it.")
+@click.option("--attempt", type=click.IntRange(1, 1000), default=1, metavar="N", help="Another gives other variants.")
+@click.option("--distinct", is_flag=True, help="Refuse where students would share a variant.")
+@click.option("--from-manifest", is_flag=True, help="SET is the manifest.json of sheets: write them again.")
+@click.option("--force", is_flag=True, help="Replace sheets that the folder holds.")
+@patience_option
+@color_option
+def command(course: str, folder: Path, students: str | None, paper: int | None, salt_file: str | None, attempt: int,
+            distinct: bool, from_manifest: bool, force: bool, patience: int) -> int:
+    """Hand out a problem, a folder of them or a set.yaml: a sheet for each student, each with values of its own, the
+    keys with worked solutions, and a manifest by which `vibcli grade` marks. See vibcli explain homework."""
+    from vibcli.homework.folder import refuse_folder
+
+    refuse_folder(folder, force)
+    if from_manifest:
+        if students or paper or distinct:
+            raise click.UsageError("--from-manifest knows its students: leave --students, --paper and --distinct out")
+        return _again(course, folder, force, patience)
+    if (students is None) == (paper is None):
+        raise click.UsageError("say for whom: --students roster.csv, or --paper 30 for numbered sheets")
+    salt = _salt(salt_file)
+    from vibcli.homework.roster import numbered, roster
+
+    who = numbered(paper) if students is None else roster(students)
+    found = _course(course)
+    handouts = {one.name: _handout(one, patience) for one in found.problems}
+    _require_variants(handouts, found, who, distinct)
+    assigned = _assigned(salt, found, handouts, who, attempt)
+    return _write(folder, force, found, list(handouts.values()), assigned, attempt, salt.decode("utf-8", "replace"))
+
+
+def _salt(path):
+    """The secret text; a usage error where there is none."""
+    if path is None:
+        raise click.UsageError("name a file with a secret text: --salt-file FILE; keep it, so that a student who is "
+                               "added later changes nobody's sheet")
+    try:
+        found = Path(path).read_bytes().strip()
+    except OSError as error:
+        raise click.UsageError(f"the salt cannot be read: {error.strerror}") from None
+    if len(found) < LEAST_SALT:
+        raise click.UsageError(f"the salt is shorter than {LEAST_SALT} characters: it could be guessed")
+    return found
+
+
+def _course(path) -> "Course":
+    from vibcli.homework.course import course_of
+
+    try:
+        return course_of(path)
+    except FileNotFoundError:
+        raise click.UsageError(f"there is no file or folder '{path}'") from None
+
+
+def _handout(one: "CourseProblem", patience: int) -> "Handout":
+    """The Handout of a problem, all its variants solved."""
+    from vibcli.api import given
+    from vibcli.homework.document import SceneDocument
+    from vibcli.homework.handout import Handout
+    from vibcli.homework.variants import solve_variants
+
+    source = source_of(one.path)
+    problem = problem_in(source, {}, patience)
+    if one.case is not None:
+        try:
+            problem = given.case(problem, one.case)
+        except ValueError as error:
+            raise SpecError([Diagnostic(Where(one.path, 1, 1, 0), str(error))]) from None
+    if problem.spec.get("variants") is None:
+        raise SpecError([Diagnostic(Where(one.path, 1, 1, 0), "this scene says nothing of variants",
+                                    "give values under variants: parameters")])
+    document = SceneDocument.of(source.node, source.file, one.case)
+    found = solve_variants(problem, document)
+    if not found.accepted:
+        raise PhysicsError("no variant is left", found.advice, Where(one.path, 1, 1, 0))
+    return Handout.of(one, found, document, "\n".join(source.lines))
+
+
+def _require_variants(handouts, course, students, distinct):
+    """Say where students share variants; refused where they must not."""
+    for part in course.parts:
+        for problem in part.problems:
+            count, most = len(handouts[problem.name].variants), len(students)
+            if most > count and part.pick == len(part.problems):
+                said = f"{problem.name}: {most} students, {count} variants: up to {-(-most // count)} share one"
+                if distinct:
+                    raise PhysicsError(said, "widen the ranges of its variants")
+                click.echo(said, err=True)
+
+
+def _assigned(salt: bytes, course: "Course", handouts: "dict[str, Handout]", students: "Sequence[Student]",
+              attempt: int) -> "Assigned":
+    """(student, (problem, number of the variant) in order) of each."""
+    from vibcli.homework.assignment import assigned, picked
+
+    chosen = [[one for number, part in enumerate(course.parts) for one in picked(salt, number, part, student, attempt)]
+              for student in students]
+    variants: dict[str, dict[str, int]] = {}
+    for problem in course.problems:
+        who = [student for student, theirs in zip(students, chosen, strict=True) if problem in theirs]
+        numbers = assigned(salt, problem.name, who, len(handouts[problem.name].variants), attempt)
+        variants[problem.name] = {student.id: number for student, number in zip(who, numbers, strict=True)}
+    return [(student, [(handouts[one.name], variants[one.name][student.id]) for one in theirs])
+            for student, theirs in zip(students, chosen, strict=True)]
+
+
+def _write(folder, force, course, handouts, assigned, attempt, salt):
+    from vibcli.homework.folder import files, write_folder
+
+    work = handouts[0].base.work
+    with work.task("the sheets") as task:
+        count = write_folder(folder, files(course, handouts, assigned, attempt, salt, task.step), force)
+    shared = sum(one.accepted for one in handouts)
+    click.echo(f"{len(assigned)} sheets of {len(handouts)} problem{'s' * (len(handouts) > 1)} with {shared} variants: "
+               f"{count} files in {os.fspath(folder)}")
+    return 0
+
+
+def _again(path, folder, force, patience):
+    """Write the sheets of a manifest again."""
+    from vibcli.homework.handed_out import handed_out
+    from vibcli.homework.manifest import read_manifest
+
+    course, handouts, assigned, attempt = handed_out(read_manifest(path), patience)
+    return _write(folder, force, course, handouts, assigned, attempt, "")

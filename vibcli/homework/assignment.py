@@ -1,0 +1,46 @@
+"""Who gets what: each student the first variant that is still free in a permutation of their own.
+
+The permutations are made of hashes of salt, problem, student and attempt, so that a student who is added at the end of
+a roster changes nobody's sheet, and no random stream is kept.
+"""
+
+from collections.abc import Iterator, Sequence
+from hashlib import blake2b
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from vibcli.homework.course import CoursePart, CourseProblem
+    from vibcli.homework.roster import Student
+
+
+def assigned(salt: bytes, problem: str, students: "Sequence[Student]", count: int, attempt: int = 1) -> list[int]:
+    """The number of the variant, from 0, of each student: none share while there are free ones."""
+    found, taken = [], set()
+    for student in students:
+        if len(taken) == count:
+            taken = set()
+        place = next(i for i in _permutation(salt, problem, student.id, attempt, count) if i not in taken)
+        taken.add(place)
+        found.append(place)
+    return found
+
+
+def picked(salt: bytes, number: int, part: "CoursePart", student: "Student", attempt: int = 1) -> "list[CourseProblem]":
+    """The problems of a part that a student gets, in its order."""
+    order = _permutation(salt, f"part {number}", student.id, attempt, len(part.problems))
+    chosen = sorted(next(order) for _ in range(part.pick))
+    return [part.problems[i] for i in chosen]
+
+
+def _permutation(salt, problem, student, attempt, count) -> Iterator[int]:
+    """The numbers below `count` in the order in which hashes name them."""
+    seen: set = set()
+    seed = b"\0".join(part.encode() if isinstance(part, str) else part
+                      for part in (salt, problem, student, str(attempt)))
+    number = 0
+    while len(seen) < count:
+        found = int.from_bytes(blake2b(seed + b"\0" + number.to_bytes(8, "big")).digest(), "big") % count
+        number += 1
+        if found not in seen:
+            seen.add(found)
+            yield found

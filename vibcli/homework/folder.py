@@ -1,0 +1,116 @@
+"""The folder of what is handed out: student/ and instructor/, written whole or not at all."""
+
+import csv
+import io
+import json
+import os
+import shutil
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base.errors import PhysicsError
+from vibcli.homework.leaks import leak, text_of_page
+from vibcli.homework.manifest import Assigned, manifest
+from vibcli.homework.sheets import key_sheet, overview, student_sheet
+from vibcli.notation.numbers import in_figures
+from vibcli.report.formats import html
+
+if TYPE_CHECKING:
+    from vibcli.homework.course import Course
+    from vibcli.homework.handout import Handout
+
+STUDENT, INSTRUCTOR = "student", "instructor"
+
+
+class Leak(PhysicsError):
+    """A student's file would tell a key."""
+
+
+def files(course: "Course", handouts: "Sequence[Handout]", assigned: Assigned, attempt: int, salt: str,
+          tell: Callable[[float], None]) -> Iterator[tuple[str, bytes]]:
+    """(path in the folder, bytes) of every file; Leak where a sheet would tell a key. tell(part): how far it is."""
+    gone: dict[str, dict[int, list[str]]] = {one.name: {} for one in handouts}
+    for number, (student, sheets) in enumerate(assigned, 1):
+        page = html.render(student_sheet(course, student, sheets), listed=False)
+        _require_no_leak(student.id, page, sheets, salt)
+        yield f"{STUDENT}/{student.id}.html", page.encode()
+        for handout, variant in sheets:
+            gone[handout.name].setdefault(variant, []).append(student.id)
+        tell(0.5 * number / len(assigned))
+    for number, handout in enumerate(handouts, 1):
+        for variant in sorted(gone[handout.name]):
+            yield f"{INSTRUCTOR}/keys/{handout.name}-{variant + 1}.html", html.render(
+                [key_sheet(handout, variant)]).encode()
+        tell(0.5 + 0.5 * number / len(handouts))
+    yield f"{INSTRUCTOR}/overview.html", html.render([overview(course, handouts, len(assigned), gone)]).encode()
+    yield f"{INSTRUCTOR}/keys.csv", _table(assigned)
+    yield f"{INSTRUCTOR}/manifest.json", _json(manifest(course, handouts, assigned, attempt))
+
+
+def _require_no_leak(student, page, sheets, salt):
+    keys = [key.value for handout, variant in sheets for key in handout.variants[variant].keys]
+    comments = [line.partition("#")[2].strip() for handout, _ in sheets for line in handout.text.splitlines()
+                if line.lstrip().startswith("#")]
+    found = leak(text_of_page(page), keys, [salt, *(one for one in comments if len(one) > 3)])
+    if found is not None:
+        raise Leak(f"the sheet of {student} would tell {found}", "nothing was written; take it out of the question or "
+                   "of the figure, or vary the parameters otherwise")
+
+
+def _table(assigned):
+    """keys.csv."""
+    text = io.StringIO()
+    rows = csv.writer(text, lineterminator="\n")
+    rows.writerow(["id", "problem", "variant", "quantity", "key", "unit", "figures", "band", "points"])
+    for student, sheets in assigned:
+        for handout, variant in sheets:
+            for key, points, one in zip(handout.keys, handout.points, handout.variants[variant].keys, strict=True):
+                rows.writerow([student.id, handout.name, variant + 1, key.text,
+                               in_figures(one.value, one.band.figures), key.unit, one.band.figures,
+                               f"{one.band.width:.3g}", f"{points:g}"])
+    return text.getvalue().encode()
+
+
+def _json(data: Any) -> bytes:
+    return (json.dumps(data, ensure_ascii=False, allow_nan=False, indent=1) + "\n").encode()
+
+
+def write_folder(path: Path, found: Iterator[tuple[str, bytes]], force: bool) -> int:
+    """Write files to a folder that is new or empty, or replaced where that is forced: beside it first, so that nothing
+    is left of what fails. Gives their number."""
+    refuse_folder(path, force)
+    beside = path.with_name(f".{path.name[:64]}.{os.urandom(8).hex()}")
+    count = 0
+    try:
+        for name, data in found:
+            target = beside / name
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_bytes(data)
+            count += 1
+        if path.exists():
+            shutil.rmtree(path) if force else path.rmdir()
+        os.replace(beside, path)
+    except OSError as error:
+        raise PhysicsError(f"{path} cannot be written: {error.strerror}", "name another folder") from None
+    finally:
+        shutil.rmtree(beside, ignore_errors=True)
+    return count
+
+
+def refuse_folder(path: Path, force: bool) -> None:
+    """A refusal, before anything is computed, of a folder that cannot be written."""
+    if path.is_symlink():
+        raise PhysicsError(f"{path} is a link, and nothing is written through links", "name the folder it leads to")
+    if path.exists() and not path.is_dir():
+        raise PhysicsError(f"{path} is no folder", "name a new folder, or an empty one")
+    if path.exists() and any(path.iterdir()) and not (force and _is_ours(path)):
+        raise PhysicsError(f"{path} is not empty", "it holds other files: name another folder" if force else
+                           "name a new folder, or an empty one")
+    if not os.access(path.parent if str(path.parent) else ".", os.W_OK | os.X_OK):
+        raise PhysicsError(f"the folder {path.parent} may not be written to", "name another one")
+
+
+def _is_ours(path):
+    """Does a folder hold what was written for homework alone? Nothing else is ever taken away."""
+    return {one.name for one in path.iterdir()} <= {STUDENT, INSTRUCTOR}

@@ -1,0 +1,85 @@
+"""The gates of a variant with its keys: each gives the reason for which it is rejected, None where it passes."""
+
+from collections.abc import Mapping, Sequence
+from operator import ge, gt, le, lt
+from typing import TYPE_CHECKING, NamedTuple
+
+from vibcli.homework.bands import FIGURES, WIDEST, Band, KeyBand
+from vibcli.notation.numbers import figure, in_figures
+from vibcli.quantities.expression import value_of
+
+if TYPE_CHECKING:
+    from vibcli.homework.keys import AnswerKey
+    from vibcli.reader.sections.variants import Requirement
+    from vibcli.results.problem import Problem
+
+HOLDS = {"<": lt, "<=": le, ">": gt, ">=": ge}
+LEAST, MOST = 1e-3, 1e5     # of a key in its unit
+BOUND = 0.1                 # of a band: the most that is not known of a key
+SAME = 1e-9                 # relative: a mistake that leads to the key itself
+
+
+class Wrong(NamedTuple):
+    """What a mistake gives for a key: its name and the value in the unit of the key, None where it has none."""
+
+    mistake: str
+    value: float | None
+
+
+def failed(problem: "Problem", require: "Sequence[Requirement]") -> "Requirement | None":
+    """The first comparison that a scene with numbers does not fulfil."""
+    return next((one for one in require
+                 if not HOLDS[one.sign](value_of(problem, one.left)[0], value_of(problem, one.right)[0])), None)
+
+
+def missed_by(problem: "Problem", one: "Requirement") -> float:
+    """By how much the sides of a comparison differ, relative to them."""
+    left, right = value_of(problem, one.left)[0], value_of(problem, one.right)[0]
+    return abs(left - right) / (abs(left) + abs(right))
+
+
+def unreadable(keys: "Sequence[AnswerKey]", bands: Sequence[KeyBand], found: Sequence[tuple[float, float]],
+               given: Mapping[str, float]) -> str | None:
+    """Why keys, (value, error bound) of each, can not be asked for: their size, or what is given or asked beside them;
+    given: {what it is: number} that the sheet tells, in whatever unit."""
+    for key, hangs_on, (value, error) in zip(keys, bands, found, strict=True):
+        if not LEAST <= abs(value) <= MOST:
+            return f"{key.text} is {figure(value)} {key.unit}".rstrip() + ": write it in another unit"
+        width = hangs_on.band(value, FIGURES[0]).width
+        if error > BOUND * width:
+            return f"{key.text} is known to {figure(error, digits=2)} {key.unit} only"
+        for name, number in given.items():
+            if abs(abs(number) - abs(value)) <= width:
+                return f"{key.text} is the given {name}"
+    for i, (key, (value, _)) in enumerate(zip(keys, found, strict=True)):
+        for other, (its, _) in zip(keys[:i], found, strict=False):
+            if other.unit == key.unit and abs(its - value) <= bands[i].band(value, FIGURES[0]).width:
+                return f"{key.text} is {other.text}"
+    return None
+
+
+def told_apart(key: "AnswerKey", hangs_on: KeyBand, value: float,
+               wrong: Sequence[Wrong]) -> tuple[Band, str | None]:
+    """(Band with the fewest figures in which no mistake leads into it, None), or the last one and why there is none."""
+    found = hangs_on.band(value, FIGURES[0])
+    if found.width > WIDEST * abs(value):
+        return found, f"the band of {key.text} is {figure(100 * found.width / abs(value), digits=2)} % of it"
+    for figures in FIGURES:
+        found = hangs_on.band(value, figures)
+        near = next((one for one in wrong if one.value is not None and _meet(hangs_on, value, found, one.value)), None)
+        if near is None:
+            return found, None
+        if key.rtol is not None:
+            break
+    return found, (f"'{near.mistake}' gives {in_figures(near.value, found.figures)} for the "
+                   f"{in_figures(value, found.figures)} {key.unit}".rstrip() + f" of {key.text}")
+
+
+def _meet(hangs_on, value, found, wrong):
+    """Does the band of a mistake, rounded likewise, meet that of the key?"""
+    return abs(wrong - value) <= found.width + hangs_on.band(wrong, found.figures).width
+
+
+def is_same(value: float, wrong: float) -> bool:
+    """Does a mistake lead to the key itself?"""
+    return abs(wrong - value) <= SAME * abs(value)

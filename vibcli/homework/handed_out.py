@@ -1,0 +1,59 @@
+"""What a manifest says was handed out, as it was: scenes, variants and keys of then, whatever the files are now."""
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base.work import Work
+from vibcli.homework.bands import Band
+from vibcli.homework.course import Course, CoursePart, CourseProblem
+from vibcli.homework.document import SceneDocument
+from vibcli.homework.gates import Wrong
+from vibcli.homework.handout import Handout
+from vibcli.homework.keys import key_of
+from vibcli.homework.roster import Student
+from vibcli.homework.variants import KeyValue, ProblemVariant
+from vibcli.language.document.document import Scalar, read
+from vibcli.language.given_values import giver, number_and_unit
+from vibcli.language.reader import Expression
+from vibcli.reader.read import read_spec
+from vibcli.results.problem import Problem
+from vibcli.symbolic.parser import parse
+
+if TYPE_CHECKING:
+    from vibcli.homework.manifest import Assigned
+
+
+def handed_out(manifest: Mapping[str, Any], patience: int = 1) -> "tuple[Course, list[Handout], Assigned, int]":
+    """(course, problems, who got what, attempt) of a manifest."""
+    handouts = [_handout(one, patience) for one in manifest["problems"]]
+    by_name = {one.name: one for one in handouts}
+    assigned = [(Student(one["id"], one["name"]), [(by_name[sheet["problem"]], sheet["variant"] - 1)
+                                                   for sheet in one["sheets"]]) for one in manifest["students"]]
+    course = Course(manifest["title"], manifest["course"], manifest["due"],
+                    tuple(CoursePart((one.course,), 1) for one in handouts))
+    return course, handouts, assigned, manifest["attempt"]
+
+
+def _handout(one, patience):
+    node, diagnostics = read(one["scene"].encode(), one["file"])
+    problem = Problem(read_spec(node, one["file"], diagnostics), work=Work(patience))
+    problem = problem if one["case"] is None else problem.case(one["case"])
+    keys = [key_of(problem.spec, asked) for asked in problem.spec.get("variants").ask]
+    course = CourseProblem(one["name"], one["file"], one["case"], one["points"])
+    variants = {variant["variant"] - 1: _variant(variant) for variant in one["variants"]}
+    document = SceneDocument.of(node, one["file"], one["case"])
+    return Handout(course, problem, keys, variants, one["mistakes"], document, one["scene"], one["accepted"],
+                   [tuple(ends) for ends in one["ranges"]])
+
+
+def _variant(found):
+    values = {name: _value(name, text) for name, text in found["values"].items()}
+    keys = tuple(KeyValue(key["value"], key["error"], Band(key["figures"], key["band"]),
+                          tuple(Wrong(wrong["name"], wrong["value"]) for wrong in key["mistakes"]))
+                 for key in found["keys"])
+    return ProblemVariant((), values, keys)
+
+
+def _value(name, text):
+    number, unit = number_and_unit(Expression(Scalar(text, None), parse(text)))
+    return giver(unit, name)(number)

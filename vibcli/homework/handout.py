@@ -1,0 +1,114 @@
+"""A problem as it is handed out: its accepted variants, its figure, and each variant read anew for who gets it."""
+
+from collections.abc import Iterator
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from vibcli.homework.told import told
+from vibcli.homework.variants import ROUTES, ProblemVariant, SolvedVariants
+from vibcli.notation.numbers import in_figures
+from vibcli.report.document import Report
+
+if TYPE_CHECKING:
+    from vibcli.homework.course import CourseProblem
+    from vibcli.homework.document import SceneDocument
+    from vibcli.homework.keys import AnswerKey
+    from vibcli.reader.variants import VariantRules
+    from vibcli.report.blocks import Section
+    from vibcli.results.problem import Problem
+
+
+class Handout:
+    """A problem of a course. base: the scene as the file has it; variants: {number from 0: ProblemVariant}, of those
+    that were handed out where it is known by a manifest; sentences: {mistake: what the student is told}; document,
+    text: those of its file; accepted: how many variants it has; ranges: (least, largest) of each key, as told."""
+
+    def __init__(self, course: "CourseProblem", base: "Problem", keys: "list[AnswerKey]",
+                 variants: dict[int, ProblemVariant], sentences: dict[str, str], document: "SceneDocument", text: str,
+                 accepted: int, ranges: list[tuple[str, str]]):
+        self.course, self.base, self.keys, self.variants, self.sentences = course, base, keys, variants, sentences
+        self.document, self.text, self.accepted, self.ranges = document, text, accepted, ranges
+        self._read: dict[int, Problem] = {}
+
+    @classmethod
+    def of(cls, course: "CourseProblem", found: SolvedVariants, document: "SceneDocument", text: str) -> "Handout":
+        """That of a problem that was solved."""
+        sentences = {one.name: one.sentence for one in found.mistakes}
+        ranges = [_range([one.keys[i] for one in found.accepted]) for i in range(len(found.keys))]
+        return cls(course, found.problem, found.keys, dict(enumerate(found.accepted)), sentences, document, text,
+                   len(found.accepted), ranges)
+
+    @property
+    def name(self) -> str:
+        return self.course.name
+
+    @property
+    def rules(self) -> "VariantRules":
+        return self.base.spec.get("variants")
+
+    @property
+    def title(self) -> str:
+        return self.base.spec.get("title") or self.name
+
+    @cached_property
+    def points(self) -> list[float]:
+        """Those of each key: as the problem says, or their shares of what the set gives."""
+        own = [key.points for key in self.keys]
+        return [float(one) if self.course.points is None else self.course.points * one / sum(own) for one in own]
+
+    @cached_property
+    def told(self) -> set[str]:
+        """The parameters that the question quotes or the figure letters."""
+        return told(self.base)
+
+    @cached_property
+    def figure(self) -> "list[Section]":
+        """The figure in letters, which is the same for all variants."""
+        report = Report(self.base, pictures=True)
+        report.add("schematic")
+        return [section._replace(title="Figure (not to scale)") for section in report.sections]
+
+    def problem(self, number: int) -> "Problem":
+        """The Problem of a variant, read anew from what is printed; RuntimeError, a fault of ours, where a key is not
+        the one that was found."""
+        if number not in self._read:
+            variant = self.variants[number]
+            fresh = self.document.anew(variant.values)
+            for key, one in zip(self.keys, variant.keys, strict=True):
+                value, error = key.value(fresh)
+                if abs(value - one.value) > ROUTES * abs(value) + error + one.error:
+                    raise RuntimeError(f"two ways to {key.text} differ, {value!r} and {one.value!r}")
+            self._read[number] = fresh
+        return self._read[number]
+
+    def solution(self, number: int) -> "Iterator[Section]":
+        """The worked solution of a variant, line by line; where a scene has none, what `solve` tells of it."""
+        problem = self.problem(number)
+        report = Report(problem)
+        for name in ("given", "chosen", "steps"):
+            report.add(name)
+        if report.refusal is not None:
+            report = Report(problem)
+            for name in SOLUTION:
+                report.add(name)
+        yield from report.sections
+
+    def data(self, number: int) -> dict[str, Any]:
+        """What a manifest keeps of a variant: its values, keys, bands and mistakes."""
+        variant = self.variants[number]
+        keys = [{"quantity": key.text, "unit": key.unit, "points": points, "value": one.value, "error": one.error,
+                 "figures": one.band.figures, "band": one.band.width,
+                 "mistakes": [{"name": wrong.mistake, "value": wrong.value} for wrong in one.wrong]}
+                for key, points, one in zip(self.keys, self.points, variant.keys, strict=True)]
+        return {"variant": number + 1, "values": {name: value.text for name, value in variant.values.items()},
+                "keys": keys}
+
+
+def _range(values):
+    """(least, largest) of keys, to the figures to which they are asked."""
+    low, high = (pick(values, key=lambda one: one.value) for pick in (min, max))
+    return tuple(in_figures(one.value, one.band.figures) for one in (low, high))
+
+
+SOLUTION = ("given", "chosen", "coordinates", "equilibrium", "energies", "equations", "matrices", "frequencies",
+            "damping", "modes", "kept_up")

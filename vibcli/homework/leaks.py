@@ -1,0 +1,73 @@
+"""What is read in a student's file, and whether any of it is a key: text, titles, alternative texts, metadata."""
+
+import re
+import unicodedata
+from collections.abc import Iterable, Iterator
+from html import parser
+
+NUMBER = re.compile(r"(?<![\w.,])[-−+]?\d+(?:[.,]\d+)?(?:\s*(?:e|×\s*10\^?)\s*[-−+]?\d+)?", re.IGNORECASE)
+READ = "alt", "title", "aria-label", "alttext", "content", "data-", "name", "id"
+FIGURES = 3
+
+
+class _Read(parser.HTMLParser):
+    """The text of a page, and of the attributes that are read; not coordinates of paths."""
+
+    def __init__(self):
+        super().__init__(convert_charrefs=True)
+        self.found, self._style = [], 0
+
+    def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
+        self._style += tag == "style"
+        self.found += [value for name, value in attributes if value and name.startswith(READ)]
+
+    def handle_startendtag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
+        self.found += [value for name, value in attributes if value and name.startswith(READ)]
+
+    def handle_endtag(self, tag: str) -> None:
+        self._style -= tag == "style"
+
+    def handle_data(self, data: str) -> None:
+        self.found += [data] if not self._style else []
+
+    def handle_comment(self, data: str) -> None:
+        self.found.append(data)
+
+
+def text_of_page(page: str) -> str:
+    """All that is read in an HTML page."""
+    reader = _Read()
+    reader.feed(page)
+    return "\n".join(reader.found)
+
+
+def leak(text: str, keys: Iterable[float], hidden: Iterable[str]) -> str | None:
+    """What a text tells that it must not: a key at three or more figures, or one of the hidden texts; None of
+    nothing."""
+    text = unicodedata.normalize("NFKC", text)
+    if any(word and word in text for word in hidden):
+        return "the salt, or a comment of the scene"
+    keys = list(keys)
+    for value, half, said in numbers_in(text):
+        if any(abs(abs(value) - abs(key)) <= half for key in keys):
+            return f"the key {said}"
+    return None
+
+
+def numbers_in(text: str) -> Iterator[tuple[float, float, str]]:
+    """(value, half a unit of its last figure, as it is written) of each number with three or more figures."""
+    for match in NUMBER.finditer(text):
+        found = _read(match.group())
+        if found is not None:
+            yield *found, match.group().strip()
+
+
+def _read(text):
+    """(value, half a unit of its last figure) of a number with three or more figures; None of another."""
+    plain = re.sub(r"\s", "", text.replace("−", "-").replace(",", ".").lower()).replace("×10^", "e").replace("×10", "e")
+    mantissa, _, exponent = plain.partition("e")
+    digits = mantissa.lstrip("+-").replace(".", "").lstrip("0")
+    if len(digits) < FIGURES:
+        return None
+    power = int(exponent or 0) - len(mantissa.partition(".")[2])
+    return float(plain), 0.5 * 10.0**power

@@ -1,0 +1,65 @@
+"""The manifest of what was handed out: enough to mark it, and to show any sheet of it again.
+
+    {version, title, course, due, attempt,
+     problems: [{name, title, file, case, points, scene, hash, gates_off, accepted, ranges, mistakes: {name: sentence},
+                 variants: [{variant, values: {parameter: text}, keys: [{quantity, unit, points, value, error, figures,
+                             band, mistakes: [{name, value}]}]}]}],
+     students: [{id, name, sheets: [{problem, variant}]}]}
+"""
+
+import json
+from collections.abc import Sequence
+from hashlib import blake2b
+from typing import TYPE_CHECKING, Any
+
+from vibcli import __version__
+from vibcli.base.errors import Diagnostic, SpecError, Where
+from vibcli.homework.roster import Student
+
+if TYPE_CHECKING:
+    from vibcli.homework.course import Course
+    from vibcli.homework.handout import Handout
+
+MAX_BYTES = 200 * 2**20
+FORM = "vibcli homework 1"
+Assigned = Sequence[tuple[Student, Sequence[tuple["Handout", int]]]]
+
+
+def manifest(course: "Course", handouts: "Sequence[Handout]", assigned: Assigned, attempt: int) -> dict[str, Any]:
+    """The manifest of sheets: (student, (problem, number of the variant) in order) of each."""
+    given: dict[str, set[int]] = {one.name: set() for one in handouts}
+    for _, sheets in assigned:
+        for handout, number in sheets:
+            given[handout.name].add(number)
+    problems = [{"name": one.name, "title": one.title, "file": one.course.path, "case": one.course.case,
+                 "points": one.course.points, "hash": blake2b(one.text.encode(), digest_size=16).hexdigest(),
+                 "gates_off": list(one.rules.without), "accepted": one.accepted, "ranges": one.ranges,
+                 "mistakes": one.sentences,
+                 "variants": [one.data(number) for number in sorted(given[one.name])], "scene": one.text}
+                for one in handouts]
+    students = [{"id": student.id, "name": student.name,
+                 "sheets": [{"problem": handout.name, "variant": number + 1} for handout, number in sheets]}
+                for student, sheets in assigned]
+    return {"form": FORM, "version": __version__, "title": course.title, "course": course.course, "due": course.due,
+            "attempt": attempt, "problems": problems, "students": students}
+
+
+def read_manifest(path: str) -> dict[str, Any]:
+    """A manifest that was written; SpecError where it is none."""
+    def refused(message, hint=None):
+        return SpecError([Diagnostic(Where(path, 1, 1, 0), message, hint)])
+
+    try:
+        with open(path, "rb") as stream:
+            data = stream.read(MAX_BYTES + 1)
+    except OSError as error:
+        raise refused(f"the manifest cannot be read: {error.strerror}") from None
+    if len(data) > MAX_BYTES:
+        raise refused(f"the manifest is longer than {MAX_BYTES} bytes")
+    try:
+        found = json.loads(data)
+    except ValueError as error:
+        raise refused(f"this is no manifest: {error}", "it is the manifest.json beside the keys") from None
+    if not isinstance(found, dict) or found.get("form") != FORM:
+        raise refused("this is no manifest of this version", "it is the manifest.json beside the keys")
+    return found

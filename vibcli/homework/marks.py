@@ -1,0 +1,102 @@
+"""Marks: answers of students against the keys of a manifest, each with the mistake that it shows."""
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from vibcli.base.spelling import nearest
+from vibcli.homework.given_answers import read_answer
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+RIGHT, WRONG, UNREADABLE, MISSING = "right", "wrong", "unreadable", "missing"
+
+
+class AnswerMark(NamedTuple):
+    """The mark of one answer: whose, for which problem and quantity; the answer as written; points of how many; the
+    verdict; the mistake that it shows, '' of none; what to say."""
+
+    student: str
+    problem: str
+    quantity: str
+    answer: str
+    points: float
+    of: float
+    verdict: str
+    mistake: str = ""
+    said: str = ""
+
+
+class Marker:
+    """Marks by a manifest."""
+
+    def __init__(self, manifest: Mapping[str, Any]):
+        self._problems = {one["name"]: one for one in manifest["problems"]}
+        self._keys = {(one["name"], variant["variant"]): variant["keys"] for one in manifest["problems"]
+                      for variant in one["variants"]}
+        self._sheets = {student["id"]: {one["problem"]: one["variant"] for one in student["sheets"]}
+                        for student in manifest["students"]}
+
+    def sheet(self, student: str) -> dict[str, int]:
+        """{problem: variant} of a student; ValueError where there is none."""
+        if student not in self._sheets:
+            raise ValueError(f"the manifest has no student '{student}'; {nearest(student, self._sheets)}")
+        return self._sheets[student]
+
+    def problem(self, student: str, name: str | None) -> str:
+        """The name of a problem of a student's sheet, the only one where none is named; ValueError likewise."""
+        sheet = self.sheet(student)
+        if name is None and len(sheet) > 1:
+            raise ValueError(f"the sheet of {student} has several problems: say which of {', '.join(sheet)}")
+        found = next(iter(sheet)) if name is None else name
+        if found not in sheet:
+            raise ValueError(f"the sheet of {student} has no problem '{found}'; {nearest(found, sheet)}")
+        return found
+
+    def quantity(self, problem: str, text: str) -> str:
+        """The text of a quantity that a problem asks, blanks apart; ValueError where it asks none such."""
+        asked = [key["quantity"] for key in self._keys[next(pair for pair in self._keys if pair[0] == problem)]]
+        plain = {"".join(one.split()): one for one in asked}
+        if "".join(text.split()) not in plain:
+            raise ValueError(f"'{problem}' does not ask for '{text.strip()}'; {nearest(text.strip(), asked)}")
+        return plain["".join(text.split())]
+
+    def marks(self, student: str, problem: str, answers: Mapping[str, str]) -> "Iterator[AnswerMark]":
+        """The AnswerMark of each quantity that a problem asks; answers: {quantity: text}."""
+        for key in self._keys[problem, self.sheet(student)[problem]]:
+            text = answers.get(key["quantity"], "").strip()
+            yield AnswerMark(student, problem, key["quantity"], text, *self._marked(problem, key, text))
+
+    def _marked(self, problem, key, text):
+        """(points, of, verdict, mistake, what to say) of an answer."""
+        most = key["points"]
+        if not text:
+            return 0.0, most, MISSING
+        given = read_answer(text, key["unit"])
+        if given.value is None:
+            return 0.0, most, UNREADABLE, "", given.reason
+        if is_within(given.value, key["value"], key["band"]):
+            return most, most, RIGHT
+        mistake = _mistake(given.value, key)
+        return 0.0, most, WRONG, mistake or "", self._problems[problem]["mistakes"].get(mistake, "")
+
+
+def is_within(value: float, key: float, band: float) -> bool:
+    """Does an answer lie in the band of a key? Its edges count, but for rounding."""
+    return abs(value - key) <= band * (1 + 1e-12) + 1e-15 * abs(key)
+
+
+def _mistake(value, key):
+    """The name of the mistake to which an answer comes nearest, None where it comes to none."""
+    near = []
+    for number, one in enumerate(key["mistakes"]):
+        width = key["band"] * abs(one["value"] / key["value"])
+        if is_within(value, one["value"], width):
+            near.append((abs(value - one["value"]), number, one["name"]))
+    return min(near)[2] if near else None
+
+
+def total(marks: Sequence[AnswerMark]) -> tuple[float, float]:
+    """(points, of how many)."""
+    return sum(one.points for one in marks), sum(one.of for one in marks)
+

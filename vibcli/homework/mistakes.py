@@ -1,0 +1,45 @@
+"""The mistakes that a problem knows: those of its file, and those of the catalogue that concern it."""
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from vibcli.base.diagnostics import quoted
+from vibcli.base.errors import Diagnostic, SpecError
+from vibcli.base.spelling import nearest
+from vibcli.mistakes import MISTAKES
+from vibcli.mistakes.known import KnownMistake, of_catalogue
+
+if TYPE_CHECKING:
+    from vibcli.homework.document import SceneDocument
+    from vibcli.homework.keys import AnswerKey
+    from vibcli.reader.variants import VariantRules
+    from vibcli.results.problem import Problem
+
+OF_FILE = "file"
+
+
+def mistakes_of(problem: "Problem", rules: "VariantRules", document: "SceneDocument",
+                keys: "Sequence[AnswerKey]") -> list[KnownMistake]:
+    """The KnownMistakes of a problem; document: that of the scene. SpecError where one of the file is no scene, or none
+    of the catalogue."""
+    for name, part in rules.mistakes.items():
+        if part is None and name.replace(" ", "_") not in MISTAKES:
+            raise SpecError([Diagnostic(rules.where, f"there is no known mistake {quoted(name)} to be switched off",
+                                        nearest(name, [one.replace("_", " ") for one in MISTAKES]))])
+    catalogue = of_catalogue(problem, document.root, [key.asked for key in keys], document.settings)
+    own = list(_of_file(problem, rules, document, keys))
+    return own + [one for one in catalogue if not {one.name, one.name.partition(" (")[0]} & set(rules.mistakes)]
+
+
+def _of_file(problem, rules, document, keys) -> Iterator[KnownMistake]:
+    for name, part in rules.mistakes.items():
+        if part is None:
+            continue
+        spec = document.changed(part, f" (in the mistake {quoted(name)})")
+        instead = {answer.asked.text: answer.expected for answer in spec.answers}
+        for text, expected in instead.items():
+            if text not in [key.text for key in keys]:
+                raise SpecError([Diagnostic(expected.where, f"{quoted(text)} is not asked (in the mistake "
+                                            f"{quoted(name)})", f"asked are {', '.join(key.text for key in keys)}")])
+        scene = problem.with_spec(spec) if set(part.entries) - {"answers"} else None
+        yield KnownMistake(name, OF_FILE, name, scene, instead)

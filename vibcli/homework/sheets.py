@@ -1,0 +1,95 @@
+"""Sheets as documents of reports: the student's, with the question and its values, and the key with its solution."""
+
+from collections.abc import Sequence
+from string import ascii_lowercase
+from typing import TYPE_CHECKING
+
+from vibcli.notation.as_printed import as_printed
+from vibcli.notation.numbers import figure, in_figures
+from vibcli.quantities.quantity import quantity_of
+from vibcli.report.blocks import (
+    Definition,
+    Definitions,
+    Document,
+    Name,
+    Section,
+    TableBlock,
+    maths,
+    paragraph,
+    section,
+)
+from vibcli.report.document import Report
+
+if TYPE_CHECKING:
+    from vibcli.homework.course import Course
+    from vibcli.homework.handout import Handout
+    from vibcli.homework.roster import Student
+    from vibcli.results.problem import Problem
+
+
+def student_sheet(course: "Course", student: "Student", problems: "Sequence[tuple[Handout, int]]") -> list[Document]:
+    """The Documents of a student's sheet: its head, and each problem with the figure, its values and what is asked;
+    problems: (problem, number of the variant), in order."""
+    who = f"{student.name} ({student.id})" if student.name else student.id
+    said = [f"Sheet of {who}", *[course.course] * bool(course.course), *[f"due {course.due}"] * bool(course.due)]
+    head = Document(course.title or "Homework", None, (" · ".join(said),), ())
+    return [head, *(_question(number, *one) for number, one in enumerate(problems, 1))]
+
+
+def _question(number, handout, variant):
+    problem = handout.problem(variant)
+    asked = Report(problem).document().question
+    return Document(f"{number}. {handout.title}", None, asked, (
+        *handout.figure, *_values(problem, handout.told), *_asked(handout, handout.variants[variant])))
+
+
+def _values(problem: "Problem", told: set[str]) -> tuple[Section, ...]:
+    """The values of the letters that the sheet shows."""
+    names = set(problem.spec.parameters)
+    items = [Definition((maths(Name(name)), " = " + as_printed(record["value"].text, names)), record.get("about", ""))
+             for name, record in problem.spec.parameters.items()
+             if name in told and "value" in record and name not in problem.spec.choices]
+    return section("Given", Definitions(tuple(items), "   ", not any(item.about for item in items)) if items else None)
+
+
+def _asked(handout, variant):
+    rows = []
+    for number, (key, points, one) in enumerate(zip(handout.keys, handout.points, variant.keys, strict=True)):
+        quantity = quantity_of(handout.base.spec, key.asked.tree)
+        about = quantity.about.partition(";")[0].partition(":")[0] if quantity else "this expression"
+        rows.append((f"({ascii_lowercase[number]})", about, key.text, as_printed(key.unit) or "–",
+                     str(one.band.figures), figure(points)))
+    return section("Asked", TableBlock(("", "what", "written as", "unit", "figures", "points"), tuple(rows)))
+
+
+def key_sheet(handout: "Handout", number: int) -> Document:
+    """The key of a variant with its worked solution: right answers, how far they may be off, what mistakes give."""
+    variant = handout.variants[number]
+    rows = [(key.text, in_figures(one.value, one.band.figures), as_printed(key.unit) or "–",
+             f"± {figure(one.band.width, digits=2)}", figure(points))
+            for key, points, one in zip(handout.keys, handout.points, variant.keys, strict=True)]
+    wrong = [(wrong.mistake, key.text, in_figures(wrong.value, one.band.figures), handout.sentences[wrong.mistake])
+             for key, one in zip(handout.keys, variant.keys, strict=True) for wrong in one.wrong]
+    problem = handout.problem(number)
+    mistakes = TableBlock(("mistake", "quantity", "gives", "what to say"), tuple(wrong)) if wrong else None
+    return Document(f"{handout.title} — variant {number + 1}", problem.spec.get("source"),
+                    Report(problem).document().question, (
+        *section("Key", TableBlock(("quantity", "answer", "unit", "band", "points"), tuple(rows))),
+        *handout.solution(number), *section("Mistakes", mistakes)))
+
+
+def overview(course: "Course", handouts: "Sequence[Handout]", students: int,
+             gone: "dict[str, dict[int, list[str]]]") -> Document:
+    """One page on all that was handed out: the problems, how many variants each has, who got which; gone: {problem:
+    {variant: students}}."""
+    rows = [(one.name, one.title, str(one.accepted), str(len(gone[one.name])),
+             str(max(map(len, gone[one.name].values()), default=0)), figure(sum(one.points)),
+             ", ".join(one.rules.without) or "–") for one in handouts]
+    head = "problem", "title", "variants", "handed out", "students to one", "points", "gates off"
+    table = TableBlock(head, tuple(rows))
+    keys = [(one.name, key.text, as_printed(key.unit) or "–", *ends)
+            for one in handouts for key, ends in zip(one.keys, one.ranges, strict=True)]
+    ranges = TableBlock(("problem", "quantity", "unit", "least", "largest"), tuple(keys))
+    return Document(course.title or "Homework", None, (), (
+        *section("Problems", paragraph(f"{students} sheets.", hang=0), table), *section("Keys", ranges)))
+

@@ -1,0 +1,113 @@
+"""Candidates with their solutions: those of which there is a scene with answers, of the kind that is required."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
+from vibcli.homework.candidates import candidates
+from vibcli.homework.gates import failed, missed_by
+from vibcli.homework.printed import with_printed
+from vibcli.homework.regime import Regime, regime
+from vibcli.language.given_values import GivenValue, giver, number_and_unit
+
+if TYPE_CHECKING:
+    from vibcli.homework.keys import AnswerKey
+    from vibcli.reader.variants import VariantRules
+    from vibcli.results.problem import Problem
+    from vibcli.results.variants import Place
+
+SOLVED = "solved"           # the gate before all others: is there such a scene, and has it such an answer?
+
+
+class Rejected(NamedTuple):
+    """A candidate that did not pass: its place and values, the first gate that it failed, why, and by how much a
+    comparison is missed, relative to its sides."""
+
+    place: "Place"
+    values: dict[str, GivenValue]
+    gate: str
+    reason: str
+    missed: float = 0.0
+
+
+class Candidate(NamedTuple):
+    """A candidate with a solution: what the sheet says, (value, error) of each key."""
+
+    problem: "Problem"
+    values: dict[str, GivenValue]
+    found: list[tuple[float, float]]
+
+
+class SolvedCandidates(NamedTuple):
+    """{place: Candidate} of those that are solved; the others; the scene of the file with its numbers, or that of the
+    first of them, None where there is none."""
+
+    candidates: "dict[Place, Candidate]"
+    rejected: list[Rejected]
+    base: "Problem | None"
+
+
+def solve_candidates(problem: "Problem", rules: "VariantRules", keys: "Sequence[AnswerKey]") -> SolvedCandidates:
+    """Those that fulfil what is required and are of the kind of the scene itself; SpecError where this does not fulfil
+    it."""
+    own = _own(problem, rules)
+    kind: Regime | None = None if own is None else own[1]
+    found: dict[Place, Candidate] = {}
+    rejected: list[Rejected] = []
+    variants = candidates(problem, rules, lambda one: with_printed(one, rules))
+    count = rules.candidates if rules.sample is None else min(rules.sample, rules.candidates)
+    with problem.work.task("the variants") as task:
+        for number, (place, scene) in enumerate(variants, 1):
+            task.step(number / count)
+            values = variants.values_at(place)
+            one = _candidate(problem, rules, keys, kind, scene, values)
+            if isinstance(one, Candidate):
+                kind = kind or regime(one.problem, counts_rests(problem))
+                found[place] = one
+            else:
+                rejected.append(Rejected(place, values, *one))
+    base = own[0] if own is not None else next((one.problem for one in found.values()), None)
+    return SolvedCandidates(found, rejected, base)
+
+
+def counts_rests(problem: "Problem") -> bool:
+    """Are its equilibria counted, as all of them are asked for?"""
+    find = problem.spec.get("find")
+    return find is not None and find.search is not None
+
+
+def _own(problem, rules):
+    """The scene with the values of its file, and its Regime; None where it has letters. SpecError where it does not
+    fulfil what its variants have to."""
+    if (problem.numeric.has_free_symbols and not problem.spec.choices) or any(
+            "value" not in problem.spec.parameters[name] for axis in rules.axes for name in axis):
+        return None
+    found = with_printed(problem, rules)
+    if "require" not in rules.without and (one := failed(found, rules.require)) is not None:
+        raise SpecError([Diagnostic(one.where, "the values of the file do not fulfil this", "give the scene itself "
+                                    "values that a variant may have")])
+    return found, regime(found, counts_rests(problem))
+
+
+def _candidate(problem, rules, keys, kind, scene, values):
+    """The Candidate; (gate, reason, by how much) of what it fails before its keys are looked at."""
+    if isinstance(scene, SpecError):
+        return SOLVED, scene.diagnostics[0].message, 0.0
+    if isinstance(scene, PhysicsError):
+        return SOLVED, scene.message, 0.0
+    try:
+        if "require" not in rules.without and (one := failed(scene, rules.require)) is not None:
+            return "require", f"not {one.text}", missed_by(scene, one)
+        if kind is not None and "regime" not in rules.without:
+            its = regime(scene, kind.rests is not None)
+            if its != kind:
+                return "regime", kind.told(its), 0.0
+        return Candidate(scene, {**values, **_printed(problem, scene)}, [key.value(scene) for key in keys])
+    except PhysicsError as error:
+        return SOLVED, error.message, 0.0
+
+
+def _printed(problem, found):
+    """{chosen parameter: its value as printed}, of a scene that was solved again with these."""
+    return {name: giver(unit, name)(number) for name in problem.spec.choices if name not in found.spec.choices
+            for number, unit in [number_and_unit(found.spec.parameters[name]["value"])]}

@@ -1,0 +1,73 @@
+"""Which parameters a sheet has to tell, as its keys depend on them, and which it tells: in its question or figure."""
+
+import re
+import unicodedata
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.homework.printed import with_given
+from vibcli.language.given_values import giver, number_and_unit
+from vibcli.reader.read import QUOTE
+from vibcli.symbolic.parser import plain_name
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from vibcli.homework.keys import AnswerKey
+    from vibcli.results.problem import Problem
+
+STEP, SEEN = Fraction(1, 64), 1e-9      # relative: by so much a parameter is changed; what is no rounding
+WORD = re.compile(r"[^\W\d_][^\W_]*")
+
+
+def untold(problem: "Problem", keys: "Sequence[AnswerKey]") -> list[str]:
+    """The parameters of a scene with numbers on which a key depends, and which neither its question nor its figure
+    tells; the acceleration of gravity is known."""
+    known = told(problem) | _of_gravity(problem)
+    return [name for name in problem.spec.independent_parameters if name not in known and _matters(problem, keys, name)]
+
+
+def told(problem: "Problem") -> set[str]:
+    """The parameters that the question quotes or the figure letters."""
+    quoted = {plain_name(found.group(1)) for found in QUOTE.finditer(problem.spec.get("question", ""))}
+    return quoted | lettered(problem)
+
+
+def lettered(problem: "Problem") -> set[str]:
+    """The parameters whose letters stand in the figure."""
+    from vibcli.drawing.drawing import draw
+    from vibcli.notation.plain import plain
+
+    words: set = set()
+    for primitive in draw(problem):
+        runs = getattr(primitive, "runs", ())
+        text = unicodedata.normalize("NFKC", "".join(run.text for run in runs))
+        words.update(WORD.findall(text), [text])
+    return {name for name in problem.spec.parameters if unicodedata.normalize("NFKC", plain.symbol(name)) in words}
+
+
+def _of_gravity(problem):
+    """The parameters that are the acceleration of gravity."""
+    field = problem.spec.get("gravity")
+    parts = field if isinstance(field, list) else [field] if field is not None else []
+    return {name for part in parts for name, *_ in part.parts.names}
+
+
+def _matters(problem, keys, name):
+    """Does a key change with a parameter? It does where there is no such scene beside it."""
+    record = problem.spec.parameters[name]
+    written = number_and_unit(record["value"]) if "value" in record else None
+    if written is None:
+        return True
+    number, unit = written
+    moved = giver(unit, name)(number * (1 + STEP) if number else STEP)
+    try:
+        return any(_differ(key.value(problem), key.value(with_given(problem, {name: moved}))) for key in keys)
+    except (SpecError, PhysicsError):
+        return True
+
+
+def _differ(one, other):
+    (value, error), (moved, its) = one, other
+    return abs(value - moved) > SEEN * max(abs(value), abs(moved)) + error + its

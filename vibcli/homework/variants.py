@@ -1,0 +1,216 @@
+"""All variants of a problem: every candidate solved once, passed through the gates, and held against a second way."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.homework.bands import Band, KeyBand
+from vibcli.homework.candidates import candidates
+from vibcli.homework.gates import Wrong, is_same, told_apart, unreadable
+from vibcli.homework.keys import AnswerKey, key_of
+from vibcli.homework.leaks import numbers_in
+from vibcli.homework.mistakes import mistakes_of
+from vibcli.homework.printed import with_given, with_printed
+from vibcli.homework.solved import SOLVED, Rejected, solve_candidates
+from vibcli.homework.told import untold
+from vibcli.language.given_values import GivenValue, number_and_unit
+from vibcli.mistakes.known import KnownMistake
+from vibcli.reader.read import QUOTE
+from vibcli.reader.sections.variants import GATES
+
+if TYPE_CHECKING:
+    from vibcli.homework.document import SceneDocument
+    from vibcli.reader.variants import VariantRules
+    from vibcli.results.problem import Problem
+    from vibcli.results.variants import Place
+
+REREAD = 20                 # variants that are held against the scene read anew
+ROUTES = 1e-9               # relative: by so much two ways to a key may differ
+
+
+class KeyValue(NamedTuple):
+    """The key of a variant: value and error bound in its unit, its Band, what mistakes give."""
+
+    value: float
+    error: float
+    band: Band
+    wrong: tuple[Wrong, ...]
+
+
+class ProblemVariant(NamedTuple):
+    """place in the grid; values: {parameter: what the sheet says}, printed ones among them; keys: one KeyValue each."""
+
+    place: "Place"
+    values: dict[str, GivenValue]
+    keys: tuple[KeyValue, ...]
+
+
+class SolvedVariants(NamedTuple):
+    """What is known of all candidates, in the order of the grid. same: (mistake, quantity) of mistakes that lead to the
+    key in every variant, which are left out; reread: how many were held against the scene read anew."""
+
+    problem: "Problem"
+    rules: "VariantRules"
+    keys: list[AnswerKey]
+    mistakes: list[KnownMistake]
+    accepted: list[ProblemVariant]
+    rejected: list[Rejected]
+    same: list[tuple[str, str]]
+    reread: int
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """{gate: how many candidates it rejected}, in the order of the gates."""
+        return {gate: sum(one.gate == gate for one in self.rejected) for gate in (SOLVED, *GATES)}
+
+    @property
+    def advice(self) -> str:
+        """Where no variant is left: the gate that took most, and which values come nearest."""
+        gate, count = max(self.counts.items(), key=lambda pair: pair[1])
+        those = [one for one in self.rejected if one.gate == gate]
+        found = f"'{gate}' took {count} of {len(self.rejected)}, for example: {those[0].reason}"
+        return found + (f"; {nearer}" if gate == "require" and (nearer := _nearer(self.rules, those)) else "")
+
+
+def _nearer(rules, those):
+    """Of which parameter smaller or larger values miss a comparison by less, in words; None where that is not seen."""
+    best, words = 0.0, None
+    for number, axis in enumerate(rules.axes):
+        low, high = ([one.missed for one in those if one.place[number] == end]
+                     for end in (0, len(next(iter(axis.values()))) - 1))
+        if low and high and abs(slope := sum(high) / len(high) - sum(low) / len(low)) > best:
+            best, words = abs(slope), f"{'smaller' if slope > 0 else 'larger'} values of {next(iter(axis))} come nearer"
+    return words
+
+
+def solve_variants(problem: "Problem", document: "SceneDocument") -> SolvedVariants:
+    """The SolvedVariants of a scene that has VariantRules; document: its own. SpecError where its mistakes are no
+    scenes, or its own values do not fulfil what it requires."""
+    rules = problem.spec.get("variants")
+    keys = [key_of(problem.spec, one) for one in rules.ask]
+    mistakes = mistakes_of(problem, rules, document, keys)
+    solved, rejected, base = solve_candidates(problem, rules, keys)
+    bands = _bands(base, keys, solved)
+    _look(problem, rules, keys, base, bands, solved, rejected)
+    wrong = _wrong(problem, rules, keys, mistakes, solved)
+    same = _same(keys, mistakes, solved, wrong)
+    accepted = _accept(keys, bands, solved, wrong, set(same), rejected, "apart" in rules.without)
+    rejected.sort(key=lambda one: one.place)
+    reread = 0 if "routes" in rules.without else _reread(document, keys, accepted)
+    return SolvedVariants(problem, rules, keys, mistakes, accepted, rejected, same, reread)
+
+
+def _bands(base, keys, solved) -> "dict[Place, list[KeyBand]]":
+    """{place: the KeyBand of each key}."""
+    if base is None or not solved:
+        return {}
+    from vibcli.homework.rounding import shares_of
+
+    shares = shares_of(base, keys, [one.values for one in solved.values()])
+    return {place: [KeyBand(key.rtol, None if share is None else (float(share[0, i]), float(share[1, i])))
+                    for key, share in zip(keys, shares, strict=True)] for i, place in enumerate(solved)}
+
+
+def _look(problem, rules, keys, base, bands, solved, rejected):
+    """Take out of what is solved what cannot be read, or is told nowhere."""
+    told = [] if base is None or "told" in rules.without else untold(base, keys)
+    given = _given(problem.spec)
+    for place, one in list(solved.items()):
+        gate, reason = _of_keys(rules, keys, bands[place], one, told, given)
+        if gate is not None:
+            rejected.append(Rejected(place, solved.pop(place).values, gate, reason))
+
+
+def _given(spec):
+    """{what it is: number} of the parameters of a file, and of the numbers in the words of its question."""
+    written = {name: number_and_unit(record["value"]) for name, record in spec.parameters.items() if "value" in record}
+    numbers = {name: float(found[0]) for name, found in written.items() if found is not None}
+    return numbers | {f"number {said} of the question": value
+                      for value, _, said in numbers_in(QUOTE.sub(" ", spec.get("question", "")))}
+
+
+def _of_keys(rules, keys, bands, one, told, given):
+    """(gate, reason) of what keys with values fail; (None, None) of nothing. told: parameters that are not told; given:
+    {what it is: number} of what all sheets tell."""
+    numbers = {**given, **{name: float(value.number) for name, value in one.values.items()}}
+    if "readable" not in rules.without and (reason := unreadable(keys, bands, one.found, numbers)) is not None:
+        return "readable", reason
+    return ("told", f"neither question nor figure tells {', '.join(told)}") if told else (None, None)
+
+
+def _wrong(problem, rules, keys, mistakes, solved) -> "dict[tuple[str, Place], list[float | None]]":
+    """{(mistake, place): what it gives for each key, None where it does not concern it or has no solution}."""
+    found: dict = {}
+    for mistake in mistakes:
+        for place, scene in _scenes(problem, rules, mistake, solved):
+            found[mistake.name, place] = [_value(mistake, scene, key, right)
+                                          for key, (right, _) in zip(keys, solved[place].found, strict=True)]
+    return found
+
+
+def _scenes(problem, rules, mistake, solved):
+    """(place, the scene that a mistake takes for the right one) of all candidates that are solved."""
+    if mistake.problem is None:
+        yield from ((place, one.problem) for place, one in solved.items())
+    elif problem.spec.choices:
+        for place, one in solved.items():
+            try:
+                yield place, with_printed(with_given(mistake.problem, one.values), rules)
+            except (SpecError, PhysicsError) as error:
+                yield place, error
+    else:
+        yield from candidates(mistake.problem, rules, lambda one: with_printed(one, rules), solved)
+
+
+def _value(mistake, scene, key, right):
+    if isinstance(scene, Exception):
+        return None
+    try:
+        return mistake.wrong(key.asked, key.unit, right, lambda expression: key.value(scene, expression)[0])
+    except (SpecError, PhysicsError):
+        return None
+
+
+def _same(keys, mistakes, solved, wrong):
+    """[(mistake, quantity)] of those that lead to the key in every variant."""
+    found = []
+    for mistake in mistakes:
+        for i, key in enumerate(keys):
+            pairs = [(one.found[i][0], wrong[mistake.name, place][i]) for place, one in solved.items()]
+            if pairs and all(value is not None and is_same(own, value) for own, value in pairs):
+                found.append((mistake.name, key.text))
+    return found
+
+
+def _accept(keys, bands, solved, wrong, same, rejected, all_pass):
+    """The Variants that pass the gate of mistakes."""
+    accepted, names = [], list(dict.fromkeys(name for name, _ in wrong))
+    for place, one in solved.items():
+        values, reason = [], None
+        for i, (key, (value, error)) in enumerate(zip(keys, one.found, strict=True)):
+            given = tuple(Wrong(name, wrong[name, place][i]) for name in names
+                          if (name, key.text) not in same and wrong[name, place][i] is not None)
+            found, why = told_apart(key, bands[place][i], value, given)
+            reason = reason or why
+            values.append(KeyValue(value, error, found, given))
+        if reason and not all_pass:
+            rejected.append(Rejected(place, one.values, "apart", reason))
+        else:
+            accepted.append(ProblemVariant(place, one.values, tuple(values)))
+    return accepted
+
+
+def _reread(document, keys, accepted: Sequence[ProblemVariant]) -> int:
+    """Hold some variants against the scene read anew from the values that are printed; RuntimeError, a fault of ours,
+    where one differs."""
+    step = max(1, len(accepted) // REREAD)
+    chosen = accepted[::step][:REREAD]
+    for variant in chosen:
+        fresh = document.anew(variant.values)
+        for key, one in zip(keys, variant.keys, strict=True):
+            value, error = key.value(fresh)
+            if abs(value - one.value) > ROUTES * abs(value) + error + one.error:
+                raise RuntimeError(f"two ways to {key.text} differ, {value!r} and {one.value!r}, at "
+                                   + ", ".join(one.text for one in variant.values.values()))
+    return len(chosen)
+

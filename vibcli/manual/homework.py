@@ -1,0 +1,61 @@
+"""Pages of the manual on homework. Data alone."""
+
+from vibcli.mistakes import FORMULA, MISTAKES, MODEL, READING
+from vibcli.reader.sections.variants import GATES
+
+
+def _of(kind):
+    return [(name.replace("_", " "), about) for name, (its, about) in MISTAKES.items() if its == kind]
+
+
+HOMEWORK = [
+    "`variants:` in a scene file says which values its parameters take in homework; what `solve` and `check` find does "
+    "not hang on it. The candidates are the grid of all values under `parameters` and `rows`, these being one axis; "
+    "each is solved, and kept as a variant where it passes all gates: `vibcli variants FILE` tells how many, "
+    "`--table` and `--rejected` list them, `--at-least N` exits with 1 where fewer are left.",
+    [("solved", "there is such a scene, and it has such an answer"), *GATES.items()],
+    "`without: [told]` switches gates off. A candidate is counted with the first gate that it fails, in this order.",
+    [
+        ("values", "as they are printed: steps are exact decimals; `series: R10` takes the preferred numbers of ISO 3 "
+         "between the ends. A parameter without a value may be varied too, so that a scene in letters has numbers."),
+        ("chosen parameters", "What is not asked is rounded as `printed` says, to three figures unless given, and the "
+         "scene is solved again from the printed values: keys are those of what the student reads."),
+        ("ask", "what is asked, in which unit, for how many points; what `answers` ask that is a number unless given"),
+        ("figures", "An answer is asked to three figures; where the band of a mistake would meet that of the key, to "
+         "four, then to five. A variant in which that does not help is rejected."),
+        ("mistakes", "those that `vibcli explain mistakes` lists, as far as they concern the scene, and parts of the "
+         "scene, merged over it as cases are, and solved anew: `weight forgotten: {gravity: 0}`; wrong values by other "
+         "quantities: `natural for damped: {answers: {\"omega_d[1]\": \"omega[1]\"}}`. One that leads to the key in "
+         "every variant is told and left out."),
+        ("sample", "so many candidates of a larger grid, the same ones on every machine"),
+    ],
+    "`vibcli homework SET -o FOLDER` hands out a problem file, a folder of them or a `set.yaml`, to the students of a "
+    "roster (`--students roster.csv`), by a secret text (`--salt-file F`): under `student/` a sheet for each student, "
+    "under `instructor/` the key of each variant with its worked solution, `keys.csv`, an overview and "
+    "`manifest.json`. `--paper N` numbers sheets instead.",
+    [
+        ("set.yaml", "`{title: Week 3, course: Dynamics, due: Friday, problems: [lever.yaml, {file: shafts.yaml, case: "
+         "stiff, points: 4}, {file: more, pick: 2}]}`: of a folder each student gets so many problems"),
+        ("roster", "a CSV file with a heading: `id`, and perhaps `name`"),
+        ("who gets what", "In the order of the roster each the first variant still free in a permutation of their own, "
+         "made of hashes of the salt, the problem, the id and `--attempt`: none share while variants last, and who is "
+         "added at the end changes nobody's sheet. `--distinct` refuses where students would share."),
+        ("leaks", "No student's file tells a key at three or more figures, the salt or a comment of the scene: else "
+         "nothing is written."),
+        ("again", "The same input gives the same bytes; `--from-manifest` writes the sheets of a manifest again, "
+         "whatever became of the files."),
+    ],
+    "`vibcli grade manifest.json` marks answers: `--student s1 --answer 'omega[1]=21.9 rad/s'` those of one, "
+    "`--csv answers.csv -o marks.csv` those of all (columns `id`, `problem`, one for each quantity). Without a unit "
+    "the one that was asked is meant; decimal commas are read; a mistake that is known is named. The exit code is 0 "
+    "whatever the marks are.",
+    "Cases do not inherit variants; a case may have its own (`--case`). All variants share one derivation where no "
+    "sign of the drawing hangs on their values; twenty are held against the scene read anew from the printed values.",
+]
+
+KNOWN_MISTAKES = [
+    "What leads to a wrong answer, as students make it. `vibcli check` names the mistake that leads to an answer which "
+    "differs; `vibcli variants` rejects a variant in which one would be marked right. Those of the model change the "
+    "scene and solve it anew. A scene may name more of its own: `vibcli explain homework`.",
+    "Of reading:", _of(READING), "Of formulas:", _of(FORMULA), "Of the model:", _of(MODEL),
+]

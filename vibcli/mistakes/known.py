@@ -1,0 +1,100 @@
+"""Mistakes of the catalogue as far as they concern a scene and what is asked of it."""
+
+from collections.abc import Callable, Iterator, Sequence
+from importlib import import_module
+from typing import TYPE_CHECKING, NamedTuple
+
+from vibcli.base.errors import PhysicsError, SpecError, Where
+from vibcli.language.document.nodes import Mapping, Scalar
+from vibcli.language.reader import Expression, Reader
+from vibcli.mistakes import FORMULA, MISTAKES, MODEL, READING
+from vibcli.mistakes.changed import changed
+from vibcli.mistakes.mistake import CommonMistake
+from vibcli.reader.answer_check import check_question
+from vibcli.reader.read import read_changed
+from vibcli.symbolic.parser import parse
+from vibcli.symbolic.syntax import QuantityRef
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+
+
+class KnownMistake(NamedTuple):
+    """A mistake: its name; its kind, as in the face, or of a file; what the student is told; the scene as it takes it,
+    None where it changes nothing of it; {what is asked: the wrong expression that it gives instead}; the number that
+    it makes of a right one, (value, head, unit) ↦ number or None, where it is one of reading."""
+
+    name: str
+    kind: str
+    sentence: str
+    problem: "Problem | None" = None
+    instead: "dict[str, Expression]" = {}
+    reading: "Callable[[float, str, str], float | None] | None" = None
+
+    def wrong(self, asked: Expression, unit: str, right: float,
+              value: Callable[[Expression], float]) -> float | None:
+        """What it gives for what is asked, None where it does not concern it; right: the right value in a unit; value:
+        that of any expression in the scene that it takes for the right one, in the same unit."""
+        if self.reading is not None:
+            return self.reading(right, asked.tree.head if isinstance(asked.tree, QuantityRef) else "", unit)
+        if self.problem is None and asked.text not in self.instead:
+            return None
+        return value(self.instead.get(asked.text, asked))
+
+
+def by_kind(kind: str) -> dict[str, CommonMistake]:
+    """{name: CommonMistake} of a kind."""
+    return {name: import_module(f"vibcli.mistakes.{name}").MISTAKE
+            for name, (its, _) in MISTAKES.items() if its == kind}
+
+
+def of_catalogue(problem: "Problem", root: "Mapping | None", asked: Sequence[Expression],
+                 settings: dict | None = None) -> Iterator[KnownMistake]:
+    """The mistakes that concern a scene; root: its document, None where it is not at hand: then those of the model are
+    left out; settings: {parameter: (tree, text)} that replace values of it."""
+    for name, one in by_kind(READING).items():
+        yield KnownMistake(_words(name), READING, one.sentence, reading=one.reading)
+    for name, one in by_kind(FORMULA).items():
+        if one.reading is not None:
+            yield KnownMistake(_words(name), FORMULA, one.sentence, reading=one.reading)
+        elif instead := _formulas(problem.spec, one, asked):
+            yield KnownMistake(_words(name), FORMULA, one.sentence, instead=instead)
+    if root is None:
+        return
+    for name, one in by_kind(MODEL).items():
+        for concerns, scene in _scenes(problem, root, one, settings):
+            yield KnownMistake(_words(name, concerns), MODEL, f"{concerns}: " * bool(concerns) + one.sentence, scene)
+
+
+def _words(name, concerns=""):
+    return name.replace("_", " ") + (f" ({concerns})" if concerns else "")
+
+
+def _formulas(spec, one, asked):
+    """{what is asked: the wrong expression} of those that a formula concerns."""
+    found = {}
+    for expression in asked:
+        tree = expression.tree
+        text = one.formula(tree) if isinstance(tree, QuantityRef) else None
+        if text is not None:
+            reader = Reader(members=spec.members)
+            scalar = Scalar(text, Where("mistake", 1, 1, len(text)))
+            wrong = check_question(spec, reader, Expression(scalar, reader.at_places(parse(text))))
+            if not reader.diagnostics:
+                found[expression.text] = wrong
+    return found
+
+
+def _scenes(problem, root, one, settings):
+    """(what a mistake of the model concerns, the scene as it takes it) of each way to make it."""
+    try:
+        ways = list(one.model(problem))
+    except (SpecError, PhysicsError):
+        return
+    for concerns, part in ways:
+        try:
+            found = problem.with_spec(read_changed(*changed(root, part), problem.spec.file, "", settings, True))
+            found.draw()
+        except (SpecError, PhysicsError):
+            continue
+        yield concerns, found

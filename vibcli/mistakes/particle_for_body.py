@@ -1,0 +1,13 @@
+"""A body that turns without a moment of inertia of its own."""
+
+from vibcli.mistakes.bodies import massive, pinned_at_centre, without_inertia
+from vibcli.mistakes.mistake import CommonMistake
+
+
+def _changed(problem):
+    for name, body in massive(problem):
+        if "roll" not in body.record and not pinned_at_centre(body):
+            yield name, without_inertia(name)
+
+
+MISTAKE = CommonMistake("its own moment of inertia is forgotten: it is no particle", model=_changed)
