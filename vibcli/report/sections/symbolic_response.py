@@ -180,8 +180,10 @@ def _about_powers(problem, table, start, steady):
 
 def _known_regime(problem, m, c, k):
     """The regime where no letter decides about it."""
-    from vibcli.analyses.closed_form.free_response import regime_at
+    from vibcli.analyses.closed_form.free_response import CRITICAL, critical, regime_at
 
+    if critical(m, c, k):
+        return CRITICAL
     if {part.name for part in reachable([m, c, k]) if part.op == "symbol"} & set(problem.symbolic.letters):
         return None
     return regime_at(*evaluate([m, c, k], Floats, problem.scene.sample))
@@ -189,9 +191,13 @@ def _known_regime(problem, m, c, k):
 
 def _regime(name, motion, prefix, matrices):
     """The words of a regime with its condition, its formula, and what ω stands for."""
+    from vibcli.analyses.closed_form.free_response import CRITICAL, critical
+
     m, c, k = matrices
     relation = CONDITIONS.get(motion.regime)
-    if relation:
+    if relation and motion.regime == CRITICAL and critical(m, c, k):
+        yield paragraph(motion.regime)
+    elif relation:
         yield paragraph(f"{motion.regime}, ", maths(c * c, relation, 4 * k * m), ":")
     elif not k.table.is_positive(k):
         yield paragraph("for ", maths(k, " > 0"), ":")
