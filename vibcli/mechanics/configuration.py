@@ -232,7 +232,7 @@ class Configuration:
     @cached_property
     def told_matrices(self):
         """M, C, G, K, each {(i, j): number}, without what rounding left in place of a zero."""
-        from vibcli.mechanics.told_matrices import told_matrices
+        from vibcli.mechanics.told_zeros import told_matrices
 
         return told_matrices(self)
 
