@@ -1,7 +1,8 @@
 """The matrices of small oscillations, and values at rest, as they are told: without what rounding left in place of a
 zero.
 
-A number is one where more digits of the exact data take it along: far below others of its kind in floats, it is looked at with DIGITS of them, and a zero falls by as many orders as there are.
+A number is one where more digits of the exact data take it along: far below others of its kind in floats, it is looked
+at with DIGITS of them, and a zero falls by as many orders as there are.
 """
 
 from typing import TYPE_CHECKING, Any

@@ -8,7 +8,10 @@ DISC = Path(__file__).parents[3] / "problems"
 COUPLED = """
 parameters: {{m: 2 kg, k: 3 kN/m, weak: {weak} N/m}}
 bodies: {{one: {{mass: m, slide: x}}, two: {{mass: m, slide: y}}}}
-springs: {{a: {{k: k, between: [ground, one]}}, b: {{k: k, between: [ground, two]}}, c: {{k: weak, between: [one, two]}}}}
+springs:
+  a: {{k: k, between: [ground, one]}}
+  b: {{k: k, between: [ground, two]}}
+  c: {{k: weak, between: [one, two]}}
 """
 
 

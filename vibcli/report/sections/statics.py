@@ -13,8 +13,11 @@ from vibcli.report.sections.equations_of_motion import numeric_sum, with_lengths
 from vibcli.report.sections.equilibrium import slack_ropes
 from vibcli.report.sections.numeric_equations import ROUNDING
 from vibcli.report.sections.too_long import brief
+from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
     from vibcli.report.document import Report
@@ -70,7 +73,7 @@ def _unit(problem, signal):
 
 def reactions(problem: "Problem", report: "Report") -> Iterator[Section]:
     """The reactions in equilibrium, in numbers where the scene has some, and those along a motion."""
-    from vibcli.mechanics.inputs_outputs.reactions import along_the_motion
+    from vibcli.mechanics.inputs_outputs.reactions_along_motion import along_the_motion
 
     if problem.scene.held:
         yield from _conditions(problem, report)
@@ -79,6 +82,7 @@ def reactions(problem: "Problem", report: "Report") -> Iterator[Section]:
         rows = [(reaction.signal, "not fixed by statics" if reaction.value is None else
                  f"{figure(reaction.value)} {_unit(problem, reaction.signal)}")
                 for reaction in problem.configuration.reactions if reaction.value != 0.0]
+        rows += [(signal, f"{figure(value)} N") for signal, value in _normals(problem)]
         if any(".drive" in signal for signal, _ in rows):
             title = title.replace("supports", "supports and drives")
         pushed = slack_ropes(problem) if problem.scene.held else []
@@ -103,12 +107,38 @@ def _in_letters(problem, report):
     """Blocks of the reactions as expressions."""
     known = {signal: node for signal, node in problem.symbolic.reactions.values.items()
              if node is None or not node.is_zero}
+    known |= dict(_normals_in_letters(problem))
     shown, lengths = abbreviated([node for node in known.values() if node is not None], report.roots)
     parts, lines = iter(shown), []
     for signal, node in known.items():
         fixed = ("   ", Words("not fixed by statics")) if node is None else (" = ", brief(next(parts)))
         lines.append(line(Words(signal), *fixed))
     return [blocks.equations(lines), *with_lengths(lengths)]
+
+
+def _guided(problem, known):
+    """(name, normal in equilibrium) of each body on a surface or guide that takes part along both axes."""
+    for name, body in problem.scene.resting.bodies.items():
+        if body.normal is not None and all(known.get(f"{name}.reaction.{axis}") for axis in "xy"):
+            yield name, body.normal
+
+
+def _normals(problem):
+    """(B.normal, its value)"""
+    from vibcli.mechanics.signals import force
+
+    known = {reaction.signal: reaction.value for reaction in problem.configuration.reactions}
+    return [(f"{name}.normal", force(problem.configuration, f"{name}.normal")) for name, _ in _guided(problem, known)]
+
+
+def _normals_in_letters(problem):
+    """(B.normal, its expression as drawn)"""
+    known, scene = problem.symbolic.reactions.values, problem.scene.resting
+    known = {signal: node for signal, node in known.items() if node is not None and not node.is_zero}
+    for name, normal in _guided(problem, known):
+        nx, ny = substitute(list(normal), scene.drawn_position)
+        x, y = copied([known[f"{name}.reaction.{axis}"] for axis in "xy"], scene.table)
+        yield f"{name}.normal", textbook(nx * x + ny * y)
 
 
 def _conditions(problem, report):
@@ -133,8 +163,6 @@ def _conditions(problem, report):
 
 def _in_numbers(problem, found, node):
     """[(coefficient, symbol)] of a condition, which is linear in the forces of constraints; the constant last."""
-    from vibcli.symbolic.derivatives import gradient, substitute
-
     table, floats = node.table, problem.numeric.floats
     slopes = gradient(node)
     used = [symbol for symbol in found.forces if symbol in slopes]
