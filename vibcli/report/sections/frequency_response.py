@@ -44,7 +44,7 @@ def _in_letters(problem, name, driver):
                                "give the parameters values with --set")
         return
     from vibcli.report.sections.symbolic_modes import turned
-    from vibcli.report.sections.symbolic_response import conditions, lag_line
+    from vibcli.report.sections.symbolic_response import conditions, lag_line, ratio_lines
 
     try:
         found = problem.symbolic_frequency_response(name, driver)
@@ -55,11 +55,11 @@ def _in_letters(problem, name, driver):
     if found.vanishes:
         lines = [line("H = 0")]
     elif found.undamped:
-        lines = [line("H = ", found.amplitude)]
+        lines = [line("H = ", found.amplitude), *ratio_lines(problem, found, "H")]
     elif found.ahead:
         lines = [line("H = ", *turned(found.amplitude))]
     else:
-        lines = [line("|H| = ", found.amplitude), lag_line(found, "theta")]
+        lines = [line("|H| = ", found.amplitude), *ratio_lines(problem, found, "|H|"), lag_line(found, "theta")]
     yield blocks.equations(lines)
     yield from conditions(found)
 
