@@ -46,7 +46,7 @@ def equivalents(problem: "Problem", _: "Report") -> Iterator[Section]:
     found = places(problem)
     if not found:
         yield from section("Equivalent springs and dampers", paragraph(
-            "None: nowhere do two springs, or two dampers, end at one place that moves.", hang=0))
+            "Nowhere do two springs, or two dampers, end at one place that moves.", hang=0))
     for place in found:
         yield from section(f"Equivalent springs and dampers at '{place}', other ends held", *_told(problem, place))
 
