@@ -1,4 +1,4 @@
-"""The forms of T, V and Φ that elements own add up to M, K and the symmetric part of C, of scenes that are driven too."""
+"""The forms of T, V and Φ that elements own add up to M, K and the symmetric part of C, in driven scenes too."""
 
 from pathlib import Path
 

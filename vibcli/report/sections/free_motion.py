@@ -65,7 +65,7 @@ def _small_period(problem):
 
 
 def _rest(problem, motion):
-    """Half cycles are counted from the start to the first instant at which all stands still, and from one to the next."""
+    """Half cycles end where all stands still for an instant, or for good."""
     for look in LOOKS:
         trajectory = motion.trajectory(look)
         if trajectory.end < look:

@@ -7,7 +7,7 @@ from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.notation.abbreviations import abbreviated
 from vibcli.notation.numbers import figure
 from vibcli.report import blocks
-from vibcli.report.blocks import Name, Section, TableBlock, Words, line, maths, paragraph, section
+from vibcli.report.blocks import Name, Section, TableBlock, Words, line, maths, note, paragraph, section
 from vibcli.report.keys import Key
 from vibcli.report.sections.equations_of_motion import numeric_sum, with_lengths, with_numbers
 from vibcli.report.sections.equilibrium import slack_ropes
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
 
+SIGNS = "tension positive; what supports exert on the body, in fixed axes"
 READABLE = 60           # letters of a condition, beyond which it is written in numbers where it has them
 WRITTEN_OUT = 16        # coordinates whose generalised forces are printed
 
@@ -44,9 +45,9 @@ def virtual_work(problem: "Problem", report: "Report") -> Iterator[Section]:
         vanishes = balanced and not (jumps or scene.constraints or node.is_zero or problem.system.sticking is not None)
         lines.append(line(f"Q_{name} = ", brief(node), " = 0" if vanishes else ""))
     driven = ", and of the inertia of driven motion" if scene.timed and scene.inertias else ""
-    where = "at rest in equilibrium" if balanced else "at rest"
-    yield from section(f"Virtual work of weights, springs and steady loads{driven}, {where}",
-                       blocks.equations(lines), *with_lengths(lengths), *with_numbers(problem, shown))
+    yield from section(f"Virtual work at rest{' in equilibrium' * balanced}", blocks.equations(lines),
+                       *with_lengths(lengths), *with_numbers(problem, shown),
+                       note(f"of weights, springs and steady loads{driven}"))
 
 
 def _balanced(problem):
@@ -77,18 +78,18 @@ def reactions(problem: "Problem", report: "Report") -> Iterator[Section]:
 
     if problem.scene.held:
         yield from _conditions(problem, report)
-    title = "Reactions in equilibrium (tension positive; what supports exert on the body, fixed axes)"
+    title, signs = "Reactions in equilibrium", SIGNS
     if not problem.numeric.has_free_symbols:
         rows = [(reaction.signal, "not fixed by statics" if reaction.value is None else
                  f"{figure(reaction.value)} {_unit(problem, reaction.signal)}")
                 for reaction in problem.configuration.reactions if reaction.value != 0.0]
         rows += [(signal, f"{figure(value)} N") for signal, value in _normals(problem)]
         if any(".drive" in signal for signal, _ in rows):
-            title = title.replace("supports", "supports and drives")
+            signs = signs.replace("supports", "supports and drives")
         pushed = slack_ropes(problem) if problem.scene.held else []
-        yield from section(title, TableBlock(("force", "value"), tuple(rows)), *pushed)
+        yield from section(title, TableBlock(("force", "value"), tuple(rows)), *pushed, note(signs))
     elif problem.scene.held or _balanced_as_drawn(problem):
-        yield from section(title, *_in_letters(problem, report))
+        yield from section(title, *_in_letters(problem, report), note(signs))
     if not problem.scene.held:
         yield from section("Reactions along a motion", blocks.equations(
             line(Words(signal), " = ", brief(node)) for signal, node in along_the_motion(problem.numeric).items()))

@@ -13,16 +13,16 @@ from vibcli.report.sections.symbolic_response import ratio_lines
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 BLOCK = """
-parameters: {{m: , k: , c: , F: , e: , Omega: {more}}}
+parameters: {{m: , k: , c: , F: , e: , Omega: }}
 bodies: {{block: {{mass: m, slide: x}}{bodies}}}
 springs: {{s: {{k: k, between: [{base}, block]}}}}
 dampers: {{d: {{c: c, between: [{base}, block]}}}}
 {forces}
 """
-LOAD = BLOCK.format(more="", bodies="", base="ground", forces="forces: {L: {at: block, force: F*sin(Omega*t)}}").replace(
+LOAD = BLOCK.format(bodies="", base="ground", forces="forces: {L: {at: block, force: F*sin(Omega*t)}}").replace(
     "e: , ", "")
-SHAKEN = BLOCK.format(more="", bodies=", base: {slide: e*sin(Omega*t)}", base="base", forces="").replace("F: , ", "")
-TURNING = BLOCK.format(more="", bodies="", base="ground",
+SHAKEN = BLOCK.format(bodies=", base: {slide: e*sin(Omega*t)}", base="base", forces="").replace("F: , ", "")
+TURNING = BLOCK.format(bodies="", base="ground",
                        forces="forces: {L: {at: block, force: F*e*Omega^2*sin(Omega*t)}}")
 FACTORS = {CONSTANT: lambda r, zeta: 1.0, SQUARE: lambda r, zeta: r * r,
            BASE: lambda r, zeta: math.sqrt(1 + (2 * zeta * r) ** 2)}
