@@ -18,7 +18,8 @@ class Body(NamedTuple):
 
     pieces: (mass, centre, J_C) of the welded parts where T is the sum of theirs, else None. rims: the centres as drawn
     of its round shapes, and rolling_radius their radius, None of none or several. normal: the unit vector from the
-    surface that it rolls or slides on to the body; reach: from the first of two contacts to the centre, along it.
+    surface that it rolls or slides on to the body, or to the left of the direction in which it slides; reach: from the
+    first of two contacts to the centre, along it.
     """
 
     name: str

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import PLACE, Many, NameOf, OneOf, Quantity, vector
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.normal_form import root_of_square, textbook
 
 if TYPE_CHECKING:
@@ -160,7 +161,8 @@ def _piece(record, scene, one, two):
         return scene.table.zero
     drawn = _root(scene, textbook(square - offset * offset))
     ex, ey = _direction(scene, textbook(drawn * x0 - offset * y0) / square, textbook(drawn * y0 + offset * x0) / square)
-    if scene.vanishes(wx * ey - wy * ex - offset):
+    across, = substitute([wx * ey - wy * ex - offset], dict.fromkeys(scene.supports, scene.table.zero))
+    if scene.vanishes(across):      # what supports give way by lengthens it along itself, to first order
         along = textbook(wx * ex + wy * ey)
         change = along - scene.at_drawn(along)[0]
     elif offset.is_zero:

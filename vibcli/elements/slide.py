@@ -42,7 +42,7 @@ def build(slide: "Record", body: "Body", scene: Any) -> "Body":
         ex, ey = scene.unit(*scene.pair(slide["along"]), slide["along"][0].where)
     u = scene.change(slide["by"])
     x, y = carrier.point(x0 + u * ex, y0 + u * ey)
-    return body._replace(frame=scene.new_frame((x0, y0), (x, y), carrier.angle))
+    return body._replace(normal=carrier.turned(-ey, ex), frame=scene.new_frame((x0, y0), (x, y), carrier.angle))
 
 
 def _on_surface(slide, body, scene):

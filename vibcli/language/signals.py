@@ -46,8 +46,9 @@ ABOUT = (
                 "`pin: Omega*t`; of `move` B.drive.x, .y, .moment, of a point that `moves` P.drive.x, .y. Times the "
                 "prescribed velocity it is the power of the drive"),
     ("B.normal, B.friction", "contact force on a rolling or sliding body: along the normal from the surface to the "
-                             "body, and along the tangent, which is the normal turned clockwise; of what rolls "
-                             "between two surfaces B.normal.deck, B.friction.deck at each"),
+                             "body, and along the tangent, which is the normal turned clockwise; of what slides "
+                             "along a direction this is the tangent; of what rolls between two surfaces "
+                             "B.normal.deck, B.friction.deck at each"),
 )
 
 

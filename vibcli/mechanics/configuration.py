@@ -229,6 +229,13 @@ class Configuration:
 
         return bounded_matrices(self)
 
+    @cached_property
+    def told_matrices(self):
+        """M, C, G, K, each {(i, j): number}, without what rounding left in place of a zero."""
+        from vibcli.mechanics.told_zeros import told_matrices
+
+        return told_matrices(self)
+
     def precise_rest(self, digits: int) -> "tuple[Any, dict[str, mpmath.mpf]]":
         """mpmath's arithmetic, and {symbol: number} of everything at rest, at t = 0, to so many digits."""
         from vibcli.mechanics.high_precision import rest_to

@@ -4,6 +4,7 @@ V has for each spring ½ k (∇s·q)², and with ½ V′ qᵀ∇²s q what its t
 add ½ f qᵀ∇²s q. Such geometric parts may be negative.
 """
 
+from itertools import compress
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
 
 WEIGHTS, WRITTEN = "the weights", "written out"
+DRIVEN = "loads and driven motion"      # forces that follow what moves, and the inertia of what is driven
 
 
 class Owned:
@@ -31,6 +33,7 @@ def owned_forms(configuration: "Configuration") -> Owned:
     scene, form = configuration.scene.vibrating, configuration.reference_form
     elastic, dampers = scene.at_still("springs"), scene.at_still("dampers")
     springs, bent = [term for term in elastic if not isinstance(term, PieceSpring)], _bent(scene, elastic)
+    springs, bent = _steady(configuration.system, springs, bent)
     pairs = ((scene.inertias, form.inertias), (springs, form.springs), (dampers, form.dampers), (bent, form.curved))
     if any(len(terms) != len(rows) for terms, rows in pairs):
         raise PhysicsError("energies are not told apart where bodies, springs or loads move with what is driven",
@@ -44,9 +47,10 @@ def owned_forms(configuration: "Configuration") -> Owned:
             _part(parts, term.owner)[0].append((number[row[0]], {i: number[node] for i, node in row[1].items()}))
     for name, (force, curvature, _) in zip(bent, form.curved, strict=True):
         _enter(found.potential, name, {pair: number[force] * number[node] for pair, node in curvature.items()})
+    rest = WRITTEN if any(configuration.spec.get(key) for key in ("energies", "matrices")) else DRIVEN
     for parts, matrices in ((found.kinetic, [form.M]), (found.potential, form.K), (found.dissipation, [form.C])):
         for matrix in matrices:
-            _enter(parts, WRITTEN, {pair: number[node] for pair, node in matrix.items()})
+            _enter(parts, rest, {pair: number[node] for pair, node in matrix.items()})
     if configuration.spec.get("damping") is not None:
         import mpmath
 
@@ -58,6 +62,19 @@ def owned_forms(configuration: "Configuration") -> Owned:
 def _bent(scene, springs):
     return [f"tension of {term.owner}" for term in springs] + [WEIGHTS] * len(scene.weights) + [
         f"load {term.owner}" for term in scene.loads_at_still()]
+
+
+def _steady(system, springs, bent):
+    """(springs, names of what is curved) whose rows are steady: what others add to K is told as DRIVEN, as is what
+    inertia and dampers that are driven add."""
+    scene, whole = system.scene.vibrating, system.time_dependent_linearisation
+    bent = bent + [DRIVEN] * (len(whole.curved) - len(bent))
+    if not scene.timed:
+        return springs, bent
+    still = [not any(node.mask & scene.time.mask for node in (weight, *row.values())) for weight, row in whole.springs]
+    known = [not any(node.mask & scene.time.mask for node in (*row.values(), *curvature.values()))
+             for _, curvature, row in whole.curved]
+    return list(compress(springs, still)), list(compress(bent, known))
 
 
 def _numbers(configuration, form):

@@ -74,7 +74,7 @@ def wrapped(text: str, columns: int = 100, indent: int = 2, gap: str = " ", firs
     lines, line = [], ""
     for word in text.split(gap):
         if line and width(line) + width(gap) + width(word) > columns:
-            lines.append(line)
+            lines.append(line.rstrip())
             line = " " * indent + word if gap == " " else word
         else:
             line = f"{line}{gap}{word}" if line else " " * first + word

@@ -7,7 +7,8 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.ordering import factor_rank, is_rooted, positive_first, term_rank
-from vibcli.notation.radicals import LARGEST, is_constant, place, split
+from vibcli.notation.radicals import is_constant, place, split
+from vibcli.notation.rational_numbers import added_as_decimal, common_denominator, decimal, shown_as_decimal
 from vibcli.symbolic.discontinuous_functions import PULSES
 from vibcli.symbolic.rationals import ONE
 
@@ -105,17 +106,21 @@ class Notation:
         terms = sorted(node.args, key=term_rank)
         parts = [(c * part.coefficient if part.op == "product" else c, part) for part, c in terms]
         rooted = sum(is_rooted(part) for part, _ in terms)
-        below = _common_denominator(node, [value for value, _ in parts])
+        below = common_denominator(node, [value for value, _ in parts])
         pieces = [(value < 0, self._term(abs(value) * below, part)) for value, part in parts]
         if node.coefficient:
             place = 0 if all(is_constant(part) for part, _ in node.args) else len(pieces)
-            pieces.insert(place, (node.coefficient < 0, self.number(abs(node.coefficient) * below)))
+            pieces.insert(place, (node.coefficient < 0, self._added_number(node, below)))
         if pieces[0][0]:
             pieces = positive_first(pieces, rooted)
         if below == 1:
             return pieces
         turned = pieces[0][0]
         return [(turned, self.over(self.added([(sign is not turned, text) for sign, text in pieces]), below))]
+
+    def _added_number(self, node, below):
+        value = abs(node.coefficient) * below
+        return self.numeral(f"{float(value):.12g}") if added_as_decimal(node, value) else self.number(value)
 
     def _alone(self, node):
         """(negative, text of the magnitude) of what is no sum."""
@@ -273,28 +278,6 @@ def closing(text: str, at: int):
         if depth == 0:
             return i if text[at] == "(" else None
     return None
-
-
-def shown_as_decimal(value: Fraction | int) -> bool:
-    """0.75 m reads better as a decimal, 3/4·m·L² as a fraction: denominators up to 48 are fractions."""
-    return value.denominator > LARGEST
-
-
-def decimal(value: Any) -> str:
-    """A rational as text: an integer, p/q, or a decimal where that is short enough, else 12 digits."""
-    if value.denominator == 1:
-        text = str(value.numerator)
-        return text if len(text) < 16 else f"{float(value):.12g}"
-    if not shown_as_decimal(value):
-        return f"{value.numerator}/{value.denominator}".replace("-", "−")
-    return f"{float(value):.12g}".replace("-", "−") if abs(value) >= 1e-4 else f"{float(value):.12g}"
-
-
-def _common_denominator(node, values):
-    """The denominator that all terms of a sum of parameters share; 1 where they do not."""
-    values = [*values, node.coefficient] if node.coefficient else values
-    below = {value.denominator for value in values}
-    return 1 if node.mask or len(below) > 1 or shown_as_decimal(values[0]) else below.pop()
 
 
 plain = Plain()

@@ -19,6 +19,7 @@ those of the first.
 """
 
 from collections.abc import Iterable
+from itertools import compress
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
@@ -172,8 +173,20 @@ def equations(lines: Iterable) -> Equations | None:
 
 def section(title: str, *blocks: Any) -> tuple[Section, ...]:
     """A section of the blocks that are there, or nothing: for `yield from`."""
-    blocks = tuple(block for block in blocks if block)
-    return (Section(title, blocks),) if blocks else ()
+    blocks = tuple(without_empty(block) if isinstance(block, TableBlock) else block for block in blocks if block)
+    told = any(not (isinstance(block, Paragraph) and block.aside) for block in blocks)
+    return (Section(title, blocks),) if told else ()
+
+
+def without_empty(table: TableBlock, *nothing: str) -> TableBlock:
+    """A table without columns that have nothing in any row: no text, or one of those that say so."""
+    said = [not table.rows or any(row[i] not in ("", *nothing) for row in table.rows) for i in range(len(table.head))]
+    return TableBlock(tuple(compress(table.head, said)), tuple(tuple(compress(row, said)) for row in table.rows))
+
+
+def note(*parts: Any) -> Paragraph:
+    """What a section says of its terms, below them."""
+    return paragraph("(", *parts, ")", hang=1, aside=True)
 
 
 def paragraph(*parts: Any, hang: int | None = 2, aside: bool = False):

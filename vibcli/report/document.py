@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 EVERYTHING = ("given", "chosen", "coordinates", "equilibrium", "virtual_work", "energies", "equations", "matrices",
-              "accelerations", "frequency_equation", "frequencies", "damping", "modes", "kept_up")
+              "accelerations", "frequency_equation", "frequencies", "damping", "modes", "free_motion", "kept_up")
 
 
 class Report:

@@ -257,7 +257,7 @@ def test_what_does_not_count_is_named():
 
 def test_nothing_to_tell_is_said():
     scene = problem(FREE + "springs: {s: {k: 3 N/m, between: [[1 m, 0 m], p]}}\nfind: [equivalents]\n")
-    assert "nowhere do two springs" in str(report(scene, ["equivalents"]).sections)
+    assert "Nowhere do two springs" in str(report(scene, ["equivalents"]).sections)
 
 
 def test_answers_bring_the_section_along():

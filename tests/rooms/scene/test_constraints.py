@@ -15,7 +15,8 @@ from support.scenes import problem, problem_of, value
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.bench.linkage import tongs
 from vibcli.mechanics.energies import kinetic, potential
-from vibcli.mechanics.inputs_outputs.reactions import along_the_motion, slack
+from vibcli.mechanics.inputs_outputs.reactions import slack
+from vibcli.mechanics.inputs_outputs.reactions_along_motion import along_the_motion
 from vibcli.results.random_states import states
 from vibcli.scene.closed_loops import nearby
 from vibcli.symbolic.derivatives import gradient

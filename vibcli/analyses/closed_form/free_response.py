@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import NotInLetters
 from vibcli.symbolic.common_denominator import shorter
-from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.normal_form import is_zero, textbook
 from vibcli.symbolic.radicals import root
 
 if TYPE_CHECKING:
@@ -58,6 +58,11 @@ def free_motions(m: "Node", c: "Node", k: "Node", start: "Sequence[Node]", rates
         square = sign * (shorter(textbook(k / m)) - delta * delta)
         found.append(FreeMotion(regime, decay, wave, beta, table.sqrt(square)))
     return found
+
+
+def critical(m: "Node", c: "Node", k: "Node") -> bool:
+    """Is c² = 4 k m whatever values the letters have?"""
+    return is_zero(c * c - 4 * k * m)
 
 
 def regime_at(m: float, c: "np.ndarray", k: "np.ndarray"):

@@ -15,6 +15,7 @@ from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.expression import Table
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import TooLong, expanded, textbook
+from vibcli.symbolic.radicals import root
 from vibcli.symbolic.rationals import ONE, ZERO
 from vibcli.symbolic.transfer_between_tables import copied
 
@@ -238,4 +239,5 @@ def _peak(scale, Omega, numerator, denominator, w):
         return None
     m, k = -slope, textbook(substitute([real], {w: w.table.zero})[0])
     square = shorter(2 * k * k / (2 * k * m - c * c)) if held[0] else _simple(k / m) - textbook(c * c / (2 * m * m))
-    return Peak(w.table.sqrt(square), textbook(c * c), textbook(2 * k * m))
+    Omega = root(square) if held[0] else w.table.sqrt(square)
+    return Peak(Omega, textbook(c * c), textbook(2 * k * m))

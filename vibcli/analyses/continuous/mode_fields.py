@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vibcli.analyses.continuous.shapes import Moved, antinodes, resting_and_turning, shape_along
+from vibcli.analyses.modal.normalisation import sign
 from vibcli.base.errors import PhysicsError
 from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.piece import Piece
@@ -168,22 +169,23 @@ class ModeFields:
     def scale(self, how: str, weights: Sequence[float], named: int) -> Any:
         """What the shape is multiplied by: `first` makes the first of the `named` coordinates that moves 1, where none
         does the largest displacement of the first member that moves, and where they rest too the end of a bar that
-        turns; `largest` the largest of all of these; mass 1.
+        turns; `largest` the largest of all of these; `mass` the sign that makes the former positive.
 
         weights: √M of each coordinate, by which those that move are told from those that rest.
         """
         shape, moves = self.mode.shape, MOVES * max(1.0, *map(abs, self._weighted(weights)))
-        if how == "mass":
-            return 1
         first = next((x for x, part in zip(shape[:named], self._weighted(weights), strict=False) if abs(part) > moves),
                      None)
         if how == "first" and first is not None:
             return 1 / first
+        if how == "mass" and first is not None:
+            return sign(first)
         tops = [*(self.largest(member)[1] for member in self.scene.members), *self._turning()]
         most = max(map(abs, tops))
         if how == "largest":
             return 1 / max([*shape[:named], *tops], key=abs)
-        return 1 / next(top for top in tops if abs(top) > MOVES * most)
+        pivot = next(top for top in tops if abs(top) > MOVES * most)
+        return sign(pivot) if how == "mass" else 1 / pivot
 
     def _turning(self):
         """How far ends of bars move across, where nothing else holds them."""

@@ -1,7 +1,7 @@
 """Normalisation of mode shapes, stated with every shape that is shown.
 
 first: the first coordinate is 1 (the next that moves where it rests); largest: the largest amplitude is 1;
-mass: φᵀMφ = 1, as the shapes come from the eigenvalue problem. With members: analyses/continuous/mode_fields.py.
+mass: φᵀMφ = 1, the first that moves being positive. With members: analyses/continuous/mode_fields.py.
 """
 
 from collections.abc import Sequence
@@ -31,13 +31,19 @@ def normalised(shape: "Sequence[complex] | np.ndarray", how: str = "first",
     values = list(shape)
     sizes = [abs(value) * weight for value, weight in zip(values, weights or [1.0] * len(values), strict=True)]
     size = max(sizes, default=0)
-    if not size or how == "mass":
+    if not size:
         return values
-    if how == "largest":
-        pivot = max(values, key=abs)
-    else:
-        pivot = next(value for value, part in zip(values, sizes, strict=True) if part > NEGLIGIBLE * size)
+    first = next(value for value, part in zip(values, sizes, strict=True) if part > NEGLIGIBLE * size)
+    if how == "mass":
+        return values if sign(first) > 0 else [-value for value in values]
+    pivot = max(values, key=abs) if how == "largest" else first
     return [cleaned(value / pivot) for value in values]
+
+
+def sign(value: Any) -> int:
+    """Of an amplitude, or of the imaginary part of one that is imaginary."""
+    number = complex(value)
+    return -1 if (number.real or number.imag) < 0 else 1
 
 
 def cleaned(value: Any) -> Any:

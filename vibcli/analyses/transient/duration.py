@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.modal.undamped import Mode
 
 DYING, PERIODS, MOST = log(1000), 10, 60
+GONE = 2.5          # of those times: what is left after twice as long is below rounding
 
 
 def duration(modes: "Sequence[Mode]", damped: "Sequence[DampedMode] | None", last: float,
@@ -18,7 +19,7 @@ def duration(modes: "Sequence[Mode]", damped: "Sequence[DampedMode] | None", las
     frequencies = [mode.omega for mode in modes if mode.omega]
     decays = []
     if damped is not None:
-        frequencies = [mode.omega_d for mode in damped if mode.omega_d]
+        frequencies = [_seen(mode) for mode in damped if mode.omega_d]
         decays = [-mode.eigenvalue.real for mode in damped if mode.eigenvalue.real < 0]
     growths = [mode.growth_rate for mode in (damped or modes) if mode.growth_rate]
     longest = max((tau / float(omega) for omega in (*frequencies, *speeds)), default=0.0)
@@ -30,6 +31,12 @@ def duration(modes: "Sequence[Mode]", damped: "Sequence[DampedMode] | None", las
     if longest:
         return last + max(PERIODS * longest, min(2 * _beat(frequencies), MOST * longest))
     return 2 * last or 1.0
+
+
+def _seen(mode):
+    """The damped frequency of a mode; of one that dies out long before it has swung once, of so long as it is seen."""
+    decay = -float(mode.eigenvalue.real)
+    return max(float(mode.omega_d), tau * decay / (GONE * DYING))
 
 
 def _beat(frequencies):

@@ -199,17 +199,21 @@ class SteadyMotion(LinearMotion):
         return [(s.imag, complex(read(output, s, Q, F))) for s, Q, F in self.waves]
 
     def polynomial(self, output: "LinearOutput") -> list[float]:
-        """[cₖ] of the part Σ cₖ tᵏ of the output, 0 of what is only the rounding of its terms. Not of periodic
-        forcing."""
+        """[cₖ] of the part Σ cₖ tᵏ of the output, from k = 1 on 0 of what its bound does not tell from rounding. Not of
+        periodic forcing."""
+        from vibcli.analyses.transient.steady_errors import of_powers_in
+
         nothing, found = (np.zeros(len(self.M)), np.zeros(self.forcing.channels)), []
         powers = [*self.powers, nothing, nothing]
+        bounds = of_powers_in(self, output) if len(self.powers) > 1 else [0.0]
         for k in range(max(1, len(self.powers))):
             (q, F), (v, _), (a, _) = powers[k:k + 3] if self.powers else [nothing] * 3
             parts = ((output.q, q), (output.v, (k + 1) * v), (output.a, (k + 2) * (k + 1) * a), (output.channels, F))
             terms = [x * values[i] for coefficients, values in parts for i, x in coefficients.items()]
             terms += [output.constant] if not k else []
             total = math.fsum(terms)
-            found.append(total if not k or abs(total) > ROUNDING * sum(map(abs, terms)) else 0.0)
+            rounding = max(ROUNDING * sum(map(abs, terms)), bounds[k]) if k else 0.0
+            found.append(total if not k or abs(total) > rounding else 0.0)
         return found
 
     def harmonic(self, output: "LinearOutput", n: int) -> complex:

@@ -81,19 +81,23 @@ def of_waves_in(motion: "SteadyMotion", output: "LinearOutput") -> dict[float, f
         rate = wave[0].imag
         found[rate] = found.get(rate, 0.0) + of_output(motion, output, wave, motion.off(wave))
     if motion.powers:
-        found[0.0] = _of_constant(motion, output)
+        found[0.0] = of_powers_in(motion, output)[0]
     return found
 
 
-def _of_constant(motion, output):
-    """|δ| of what stands still of an output, of q, q̇ and q̈ of Σ Qₖ tᵏ at t = 0."""
+def of_powers_in(motion: "SteadyMotion", output: "LinearOutput") -> list[float]:
+    """[|δcₖ|] of Σ cₖ tᵏ of an output, which has of q̇ and q̈ what follows the higher powers of Σ Qₖ tᵏ."""
     errors = of_powers(motion.matrices[:3], motion.data_errors, motion.powers)
-    total = 4 * DATA * abs(output.constant)
-    total += sum(abs(x * motion.powers[0][1][channel]) * 4 * DATA for channel, x in output.channels.items())
-    for (Q, _), error, factor, coefficients in zip(motion.powers, errors, (1, 1, 2), (output.q, output.v, output.a),
-                                                   strict=False):
-        total += sum(abs(x) * factor * (error[i] + 8 * DATA * abs(Q[i])) for i, x in coefficients.items())
-    return float(total)
+    found = []
+    for k, (_, F) in enumerate(motion.powers):
+        total = 4 * DATA * abs(output.constant) if not k else 0.0
+        total += sum(abs(x * F[channel]) * 4 * DATA for channel, x in output.channels.items())
+        for (Q, _), error, factor, coefficients in zip(
+                motion.powers[k:], errors[k:], (1, k + 1, (k + 1) * (k + 2)), (output.q, output.v, output.a),
+                strict=False):
+            total += sum(abs(x) * factor * (error[i] + 8 * DATA * abs(Q[i])) for i, x in coefficients.items())
+        found.append(float(total))
+    return found
 
 
 def of_harmonic(motion: "SteadyMotion", output: "LinearOutput", n: int) -> float:

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
 SAME = 1e-6
 APART = 1e-12       # relative distance of exponents that are not one
+DEAD = 40.0         # of an exponent: e^{−40} is below rounding
 MERGED = 1e-3       # of a radian or of a fall by e: what two exponents may come apart by, and be written as one
 LOST = 1e-7         # of what is left: what may be lost where parts of different origin are written as one
 NOTHING, ROUNDING = 1e-14, 1e-15
@@ -70,10 +71,11 @@ def formula(motion: "LinearMotion", output: Any, segment: int = 0, same: float =
     pieces = motion.pieces(0.0 if motion.forcing.period else math.inf)
     terms = pieces.on(output, segment)
     if until is not None:
-        fastest = max((abs(node) for nodes, _ in terms for node in nodes), default=0.0)
-        same = min(same, MERGED / (until * fastest)) if fastest else same
-    found = [_upper(node, power, factor * c) for nodes, factor in terms
-             for (node, power), c in fractions(nodes, same).items()]
+        every = [node for nodes, _ in terms for node in nodes]
+        fastest = max(map(abs, every), default=0.0)
+        same = min(same, MERGED / (_seen(every, until) * fastest)) if fastest and until else same
+    found = [part for nodes, factor in terms for (node, power), c in fractions(nodes, same).items()
+             for part in _straight(*_upper(node, power, factor * c), 0.0 if until is None else same)]
     real, lost = _merged(found, same, until or 0.0)
     if lost > LOST * max((abs(c) * (until or 1.0)**power for (_, power), c in real.items()), default=0.0):
         real, _ = _merged(found, APART, until or 0.0)
@@ -88,23 +90,44 @@ def _upper(node, power, c):
     return (node.conjugate(), power, c.conjugate()) if node.imag < 0 else (node, power, c)
 
 
+def _seen(nodes, until):
+    """Up to which instant a sum of exponentials is more than rounding."""
+    slowest = -max(node.real for node in nodes)
+    return min(until, DEAD / slowest) if slowest > 0 else until
+
+
+def _straight(node, power, c, same):
+    """The parts that one is, with a real exponent where nobody sees it turn: Re c e^{iεt} is Re c − ε t Im c."""
+    if not 0 < node.imag <= same * abs(node):
+        return [(node, power, c)]
+    real = complex(node.real)
+    return [(real, power, complex(c.real)), (real, power + 1, complex(-c.imag * node.imag))]
+
+
 def _merged(parts, same, until):
     """({(node, power): c} without what cancels, how much may be lost until an instant) of parts (node, power, c), those
-    whose exponents are one added up."""
+    whose exponents are one added up; the highest powers first, whose exponents are means of two."""
     found, summed, lost = {}, {}, 0.0
-    for node, power, c in parts:
+    for node, power, c in sorted(parts, key=lambda part: -part[1]):
         key = _known(found, node, power, same)
+        gap, above = node - key[0], (key[0], power + 1)
         found[key] = found.get(key, 0j) + c
         summed[key] = summed.get(key, 0.0) + abs(c)
-        lost += abs(c) * abs(key[0] - node) * until**(power + 1)
+        lost += abs(c) * abs(gap) * until**(power + 1)
+        if above in found and not (node.imag or key[0].imag):       # e^{γt} is 1 + γt but for (γt)²/2
+            found[above] += c * gap
+            lost += abs(c) * abs(gap) * until**(power + 1) * (abs(gap) * until / 2 - 1)
     kept = {(node, power): c for (node, power), c in found.items()
             if abs(c if node.imag else c.real) > ROUNDING * summed[node, power]}
     return kept, lost
 
 
 def _known(found, node, power, same):
-    """The key of an exponential that is there already, or that of a new one."""
-    return next((key for key in found if key[1] == power and _same(key[0], node, same)), (node, power))
+    """The key of an exponential that is there already, or that of a new one; a real one has an exponent that is there
+    with another power, so that both are one polynomial in front of it."""
+    near = [key for key in found if _same(key[0], node, same)]
+    other = near[0][0] if near and not (node.imag or near[0][0].imag) else node
+    return next((key for key in near if key[1] == power), (other, power))
 
 
 def _same(one, two, same):
@@ -113,7 +136,11 @@ def _same(one, two, same):
 
 def _multiplicity(blocks, node, same):
     """How often an exponent is an eigenvalue of one block: so many powers of τ are in its free motion."""
-    return max((sum(_same(node, own, same) for own in block.nodes) for block in blocks), default=0)
+    def often(block):
+        own = [*block.nodes, *(other.conjugate() for other in block.nodes if block.half)]
+        return sum(_same(node, other, same) for other in own)
+
+    return max(map(often, blocks), default=0)
 
 
 def _part(node, power, c, forced):

@@ -13,12 +13,11 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from vibcli.mechanics.lagrange import equation_of
 from vibcli.mechanics.linearisation import residual_terms
 from vibcli.mechanics.linearise import linearise
-from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.mechanics.static_preload import take_over
+from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.normal_form import is_zero, textbook
 
 if TYPE_CHECKING:
     import numpy as np
@@ -26,7 +25,6 @@ if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.numeric_system import NumericSystem
     from vibcli.scene.scene import Scene
-    from vibcli.symbolic.node import Node
 
 OPEN = 1e-9
 LENGTHENING = ("rope", "link", "gear", "belt", "equation")
@@ -44,8 +42,10 @@ class Released:
     """The scene with all its coordinates and its supports released, and the numbers of its coordinates in `q`."""
 
     def __init__(self, numeric: "NumericSystem"):
-        self.scene = numeric.scene.with_released_supports()
-        if self.scene.static_preloads and not numeric.has_free_symbols:
+        self.numeric, self.scene = numeric, numeric.scene.with_released_supports()
+        if self.scene.static_preloads and numeric.has_free_symbols:
+            self.scene = take_over(self.scene, numeric.system.preloads)
+        elif self.scene.static_preloads:
             tensions = {node: numeric.system.preloads[record.name] for node, record in self.scene.static_preloads}
             values = evaluate(list(tensions.values()), Floats, numeric.floats)
             self.scene = self.scene.with_preloads({node: self.scene.table.number(Fraction(value))
@@ -110,42 +110,6 @@ def solved(G: "np.ndarray", E: "np.ndarray") -> "tuple[np.ndarray, np.ndarray]":
     rank = int(np.sum(s > OPEN * s[0]))
     multipliers = vt[:rank].T @ ((u[:, :rank].T @ -E) / s[:rank])
     return multipliers / scale, vt[rank:] / scale
-
-
-def along_the_motion(numeric: "NumericSystem") -> "dict[str, Node]":
-    """{signal: expression} of the supports in coordinates, velocities and accelerations; multipliers of constraints
-    stay in it as symbols lambda_NAME."""
-    released = Released(numeric)
-    scene, table = released.scene, released.scene.table
-    still = {node: table.zero for symbol in released.held
-             for node in (symbol, table.variable(symbol.name + "'"), table.variable(symbol.name + "''"))}
-    symbols = [table.variable("lambda_" + constraint.name.replace(".", "_")) for constraint in scene.constraints]
-    found, equations = {}, {}
-    for i, symbol in enumerate(scene.q):
-        ties = [_steady_slope(released, gradient(constraint.node)[symbol]) * multiplier
-                for constraint, multiplier in zip(scene.constraints, symbols, strict=True)
-                if symbol in gradient(constraint.node)]
-        node = table.total([equation_of(scene, i), *ties])
-        equations[symbol] = textbook(substitute([node], still)[0])
-    free = [table.zero, *(equations[q] for q in released.real)]      # what a free coordinate does costs no reaction
-    for symbol in released.held:
-        if not any(is_zero(equations[symbol] - sign * node) for node in free for sign in (1, -1)):
-            found[symbol.name] = equations[symbol]
-    return found
-
-
-def _steady_slope(released, node):
-    """A slope that is 0 or ±1 in all positions as that number: a rope that keeps its direction."""
-    scene = released.scene
-    values = []
-    for attempt in range(3):
-        at = {q.name: 0.01 * (attempt + 1) * (-1) ** i * scene.unit_of(q.name) for i, q in enumerate(released.real)}
-        start = {q.name: scene.number(q) for q in released.real}
-        at = {name: start[name] + shift for name, shift in at.items()}
-        values += evaluate([node], Floats, {**scene.sample, **dict.fromkeys((q.name for q in released.held), 0.0), **at,
-                                            scene.time.name: 0.0})
-    whole = round(values[0]) if values[0] == values[0] else 2
-    return scene.table.number(whole) if abs(whole) <= 1 and all(abs(v - whole) <= 1e-12 for v in values) else node
 
 
 def slack(reactions: Sequence[Reaction]) -> list[Any]:

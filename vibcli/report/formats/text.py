@@ -1,6 +1,7 @@
 """A report as plain text: sections under their titles, formulas on one line as far as they fit."""
 
 from collections.abc import Sequence
+from itertools import zip_longest
 from typing import Any
 
 from vibcli.base.decoding import cleaned
@@ -11,6 +12,8 @@ from vibcli.report.formats.formula import formula
 
 COLUMNS = 100
 NARROW = 98     # of what explains the lines above
+SEPARATOR, NO_BREAK = ",  ", "\u2007"       # of statements in a line; what stands for a space within one
+LISTING, LEAST = ", ", 12       # what a cell is broken at, and to so many columns at least
 
 
 def render(documents: Sequence[Document], _: Any = None) -> str:
@@ -20,7 +23,7 @@ def render(documents: Sequence[Document], _: Any = None) -> str:
 
 def _document(document):
     lines = [document.title, "=" * width(document.title)]
-    lines += [f"Source: {document.source}"] if document.source else []
+    lines += wrapped(f"Source: {document.source}") if document.source else []
     lines += ["", *wrapped(running(document.question), indent=0)] if document.question else []
     return shown(lines + section_lines(document.sections))
 
@@ -49,20 +52,74 @@ def _equations(block):
 
 def _line(line):
     text = formula(line.label, plain) + ":  " * bool(line.label) + formula(line.parts, plain)
-    return [text] if line.hang is None else wrapped(text, COLUMNS, indent=line.hang, first=line.inset)
+    if line.hang is not None:
+        return wrapped(text, COLUMNS, indent=line.hang, first=line.inset)
+    return [text] if width(text) <= COLUMNS else _listed(text)
+
+
+def _listed(text):
+    """A line of several statements, broken between them where each fits, else wherever there is a gap."""
+    statements = text.split(SEPARATOR)
+    if max(map(width, statements)) + 4 > COLUMNS:
+        return wrapped(text, COLUMNS, indent=4)
+    held = f"{SEPARATOR.rstrip()} ".join(one.replace(" ", NO_BREAK) for one in statements)
+    lines = wrapped(held, COLUMNS, indent=4)
+    return [line.replace(NO_BREAK, " ") for line in lines]
 
 
 def _paragraph(block):
     text = running(block.parts)
-    return [text] if block.hang is None else wrapped(text, NARROW if block.aside else COLUMNS, indent=block.hang)
+    if block.hang is None and width(text) <= COLUMNS:
+        return [text]
+    return wrapped(text, NARROW if block.aside else COLUMNS, indent=2 if block.hang is None else block.hang)
 
 
 def _heading(block):
-    return ["", block.text]
+    return ["", *wrapped(block.text)]
 
 
 def _table(block):
-    return table([list(map(_cell, row)) for row in block.rows], list(map(_cell, block.head)))
+    """A table; where it is wider than a page, its lists in several lines and its columns one group below the other."""
+    head, rows = list(map(_cell, block.head)), [list(map(_cell, row)) for row in block.rows]
+    if _wide(head, rows):
+        rows = [line for row in rows for line in _folded(row, _narrow(head, rows))]
+    lines: list = []
+    for columns in _groups(head, rows):
+        lines += [""] * bool(lines)
+        lines += table([[row[i] for i in columns] for row in rows], [head[i] for i in columns])
+    return lines
+
+
+def _wide(head, rows):
+    return sum(_widths(head, rows)) + 2 * (len(head) - 1) > COLUMNS
+
+
+def _widths(head, rows):
+    return [max(width(row[i]) for row in (head, *rows)) for i in range(len(head))]
+
+
+def _narrow(head, rows):
+    """{column of lists: the width that it is folded to}, so that the table fits, if it can."""
+    widths = _widths(head, rows)
+    lists = [i for i in range(len(head)) if any(LISTING in row[i] for row in rows)]
+    left = COLUMNS - 2 * (len(head) - 1) - sum(size for i, size in enumerate(widths) if i not in lists)
+    return {i: max(LEAST, left // len(lists), width(head[i])) for i in lists}
+
+
+def _folded(row, sizes):
+    """The lines of a row whose lists are broken."""
+    cells = [wrapped(cell, sizes[i], indent=0) or [""] if i in sizes else [cell] for i, cell in enumerate(row)]
+    return [list(line) for line in zip_longest(*cells, fillvalue="")]
+
+
+def _groups(head, rows):
+    """The numbers of the columns of each table, the first in all of them."""
+    widths, found = _widths(head, rows), [[0]]
+    for i in range(1, len(head)):
+        if len(found[-1]) > 1 and sum(widths[j] + 2 for j in found[-1]) + widths[i] > COLUMNS:
+            found.append([0])
+        found[-1].append(i)
+    return found
 
 
 def _cell(cell):
@@ -71,7 +128,9 @@ def _cell(cell):
 
 def _definitions(block):
     texts = [running(item.term) + (block.gap + item.about if item.about else "") for item in block.items]
-    return wrapped(block.gap.join(texts), COLUMNS, gap=block.gap) if block.flowing else texts
+    if block.flowing:
+        return wrapped(block.gap.join(texts), COLUMNS, gap=block.gap)
+    return [line for text in texts for line in wrapped(text, COLUMNS, indent=4)]
 
 
 def _nothing(_):

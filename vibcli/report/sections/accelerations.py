@@ -9,10 +9,11 @@ from vibcli.base.units import FORCE, TIME, times
 from vibcli.notation.abbreviations import abbreviated
 from vibcli.notation.numbers import figure, with_unit
 from vibcli.report import blocks
-from vibcli.report.blocks import Name, Section, Words, line, paragraph, section
+from vibcli.report.blocks import Name, Section, Words, line, note, paragraph, section
 from vibcli.report.keys import Key
 from vibcli.report.sections.equations_of_motion import with_lengths
 from vibcli.report.sections.numeric_equations import ROUNDING
+from vibcli.report.sections.statics import SIGNS
 from vibcli.report.sections.too_long import brief
 from vibcli.symbolic.evaluation import Floats, evaluate
 
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 SOON = 1e-3             # seconds: as far as a motion is followed of which the start alone is asked
-FORCES = "Forces then (tension positive; what supports exert on the body, fixed axes)"
+FORCES = "Forces then"
 CONSTANT = "they stay so as long as all ropes pull and all contacts hold"
 
 
@@ -40,7 +41,8 @@ def accelerations(problem: "Problem", report: "Report") -> Iterator[Section]:
             line(Name(name + "''"), " = ", Words(_with_unit(problem, name + "''", value)))
             for name, value in values.items()))
         yield from section(FORCES, blocks.equations(
-            line(Words(signal), " = ", Words(_with_unit(problem, signal, value))) for signal, value in forces.items()))
+            line(Words(signal), " = ", Words(_with_unit(problem, signal, value))) for signal, value in forces.items()),
+            note(SIGNS))
         return
     names = {name + "''": node for name, node in found.values.items()}
     lines, lengths = _lines(problem, report, names, {name: Name(name) for name in names})
@@ -48,7 +50,7 @@ def accelerations(problem: "Problem", report: "Report") -> Iterator[Section]:
                        paragraph(CONSTANT) if found.constant else None)
     forces = {signal: node for signal, node in forces.items() if node is None or not node.is_zero}
     lines, lengths = _lines(problem, report, forces, {signal: Words(signal) for signal in forces})
-    yield from section(FORCES, blocks.equations(lines), *with_lengths(lengths))
+    yield from section(FORCES, blocks.equations(lines), *with_lengths(lengths), note(SIGNS))
 
 
 def falls(problem: "Problem") -> bool:

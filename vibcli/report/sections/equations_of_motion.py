@@ -131,7 +131,7 @@ def _full(problem, report):
 def _in_numbers(problem, found):
     from vibcli.report.sections.numeric_equations import numeric_drive, numeric_row
 
-    matrices = problem.configuration.linear_system.matrices()
+    matrices = problem.configuration.told_matrices
     for i, name in enumerate(problem.scene.coordinates):
         row, drive = numeric_row(problem, matrices, i), numeric_drive(problem, found, i)
         yield line(*numeric_sum(row), " = ", *numeric_sum(drive), label=Name(name))
@@ -188,7 +188,7 @@ def _matrices(problem):
     """{name: rows} of numbers or of expressions, None where it is absent."""
     symbolic, indices = problem.numeric.has_free_symbols, range(len(problem.scene.coordinates))
     zero, matrices = ("0", problem.symbolic.matrices if problem.symbolic.linearisable else [{}] * 4) if symbolic else (
-        0.0, problem.configuration.linear_system.matrices())
+        0.0, problem.configuration.told_matrices)
     return MATRICES.row(*([[matrix.get((i, j), zero) for j in indices] for i in indices] if matrix else None
                           for matrix in matrices))
 

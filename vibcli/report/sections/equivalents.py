@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
 from vibcli.language.reader import Record, Reference
+from vibcli.mechanics.told_zeros import told_values
 from vibcli.notation.numbers import figure
 from vibcli.quantities.equivalents import PARTS, SECTIONS, asked_places, elements_at, elements_in_letters
 from vibcli.report import blocks
@@ -45,7 +46,7 @@ def equivalents(problem: "Problem", _: "Report") -> Iterator[Section]:
     found = places(problem)
     if not found:
         yield from section("Equivalent springs and dampers", paragraph(
-            "None: nowhere do two springs, or two dampers, end at one place that moves.", hang=0))
+            "Nowhere do two springs, or two dampers, end at one place that moves.", hang=0))
     for place in found:
         yield from section(f"Equivalent springs and dampers at '{place}', other ends held", *_told(problem, place))
 
@@ -105,7 +106,9 @@ def _sizes(problem, elements):
 
 def _each(problem, elements):
     """(κ, angle, N/l) of each."""
-    values = evaluate([node for one in elements for node in one.nodes], Floats, problem.configuration.at_rest)
+    nodes = [node for one in elements for node in one.nodes]
+    size = sum(abs(one) for one in _sizes(problem, elements))
+    values = told_values(problem.configuration, nodes, [1.0 if i % 4 in (1, 2) else size for i in range(len(nodes))])
     for i in range(0, len(values), 4):
         kappa, x, y, around = values[i:i + 4]
         angle = atan2(y, x)

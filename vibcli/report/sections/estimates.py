@@ -20,7 +20,7 @@ def estimates(problem: "Problem", _: "Report") -> Iterator[Section]:
     try:
         found = problem.modal.result("estimates")
     except PhysicsError as error:
-        yield from section(title, paragraph(f"None: {error.message}."))
+        yield from section(title, paragraph(f"Not told: {error.message}."))
         return
     rows = (("Rayleigh (from above)", figure(found.rayleigh), off(found.rayleigh, found.omega)),
             ("exact", figure(found.omega), ""),

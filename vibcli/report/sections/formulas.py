@@ -48,13 +48,31 @@ def _pieces(one, signal, starts, until):
 
 
 def sum_of(parts: "Sequence[Part]", t: str) -> str:
-    """Σ of the Parts as text, `t` being the letter of the time."""
+    """Σ of the Parts as text, `t` being the letter of the time; (a + b t) e^{λt} of those that fall or grow alike."""
     text, digits = "", _digits(parts)
-    for part in parts:
-        negative = (part.amplitude < 0) != _turned(part)
+    for group in _alike(parts):
+        negative, product = _polynomial(group, t, digits) if len(group) > 1 else _product(group[0], t, digits)
         text += (" − " if text else "−") if negative else (" + " if text else "")
-        text += _product(part, t, digits)
+        text += product
     return text or "0"
+
+
+def _alike(parts):
+    """[parts that are one power of the time, or several times the same e^{λt}]"""
+    groups: list = []
+    for part in parts:
+        last = groups[-1][-1] if groups else None
+        if last and part.rate and not part.omega and (last.rate, last.omega) == (part.rate, 0.0):
+            groups[-1].append(part)
+        else:
+            groups.append([part])
+    return groups
+
+
+def _polynomial(group, t, digits):
+    """(False, (a + b t + …) e^{λt})"""
+    inside = sum_of([part._replace(rate=0.0) for part in group], t)
+    return False, f"({inside})·{_falling(group[0], t, digits)}"
 
 
 def _digits(parts):
@@ -66,23 +84,33 @@ def _digits(parts):
     return next((digits for digits in range(SHOWN, MOST_DIGITS) if apart(digits)), MOST_DIGITS)
 
 
-def _turned(part):
-    """Is it a cosine that lags by half a turn, −cos?"""
-    return abs(abs(part.phase) - math.pi) <= NO_ANGLE
-
-
 def _product(part, t, digits):
-    size = figure(abs(part.amplitude))
+    """(negative, text of the magnitude) of a part."""
+    size, wave = figure(abs(part.amplitude)), ""
+    negative = part.amplitude < 0
+    if part.omega:
+        turned, wave = _wave(part, t, digits)
+        negative = negative != turned
     factors = [size] if size != "1" or not (part.power or part.rate or part.omega) else []
     if part.power:
         factors.append(t if part.power == 1 else f"{t}^{part.power}")
     if part.rate:
-        factors.append(f"e^({_signed(part.rate, digits)}·{t})")
-    if part.omega:
-        lag = 0.0 if _turned(part) or abs(part.phase) <= NO_ANGLE else part.phase
-        phase = f" {'−' if lag > 0 else '+'} {figure(abs(lag))}" if lag else ""
-        factors.append(f"cos({figure(part.omega, digits=digits)}·{t}{phase})")
-    return "·".join(factors)
+        factors.append(_falling(part, t, digits))
+    return negative, "·".join(factors + [wave] * bool(wave))
+
+
+def _falling(part, t, digits):
+    return f"e^({_signed(part.rate, digits)}·{t})"
+
+
+def _wave(part, t, digits):
+    """(whether −, sin or cos) of cos(ωt − φ), which is a sine where φ is a right angle and a minus where it is two."""
+    angle = f"{figure(part.omega, digits=digits)}·{t}"
+    for lag, turned, function in ((0.0, False, "cos"), (math.pi, True, "cos"), (math.pi / 2, False, "sin"),
+                                  (-math.pi / 2, True, "sin"), (-math.pi, True, "cos")):
+        if abs(part.phase - lag) <= NO_ANGLE:
+            return turned, f"{function}({angle})"
+    return False, f"cos({angle} {'−' if part.phase > 0 else '+'} {figure(abs(part.phase))})"
 
 
 def _signed(value, digits):

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.notation.numbers import figure, supported
 from vibcli.report import blocks
-from vibcli.report.blocks import Section, TableBlock, line, paragraph, section
+from vibcli.report.blocks import Section, TableBlock, line, maths, note, paragraph, section
 from vibcli.report.keys import Key, data
 from vibcli.report.sections.requested_signals import curves_asked, symbol
 
@@ -22,11 +22,12 @@ LETTERS = 2     # most degrees of freedom whose amplitudes are written in letter
 def frequency_response(problem: "Problem", report: "Report") -> Iterator[Section]:
     """A section for each frequency response that is asked for."""
     for name, driver, unit in curves_asked(problem, report.wanted):
-        title = f"Frequency response H of {symbol(name)} to {driver} [{unit}], lag θ = −arg H"
+        title = f"Frequency response of {symbol(name)} to {driver}"
         blocks_of = list(_in_letters(problem, name, driver))
         if not problem.numeric.has_free_symbols:
             blocks_of += _in_numbers(problem, name, driver, unit)
-        yield from section(title, *blocks_of)
+        yield from section(title, *blocks_of, note(f"H in {unit}, lag " if unit != "1" else "H without unit, lag ",
+                                                   maths("θ = −arg H")))
     if report.pictures and not problem.numeric.has_free_symbols:
         from vibcli.report.sections.illustrations import plot
         from vibcli.report.sections.sampled_series import frequency_figure, sampled_curves
@@ -44,7 +45,7 @@ def _in_letters(problem, name, driver):
                                "give the parameters values with --set")
         return
     from vibcli.report.sections.symbolic_modes import turned
-    from vibcli.report.sections.symbolic_response import conditions, lag_line
+    from vibcli.report.sections.symbolic_response import conditions, lag_line, ratio_lines
 
     try:
         found = problem.symbolic_frequency_response(name, driver)
@@ -55,11 +56,11 @@ def _in_letters(problem, name, driver):
     if found.vanishes:
         lines = [line("H = 0")]
     elif found.undamped:
-        lines = [line("H = ", found.amplitude)]
+        lines = [line("H = ", found.amplitude), *ratio_lines(problem, found, "H")]
     elif found.ahead:
         lines = [line("H = ", *turned(found.amplitude))]
     else:
-        lines = [line("|H| = ", found.amplitude), lag_line(found, "theta")]
+        lines = [line("|H| = ", found.amplitude), *ratio_lines(problem, found, "|H|"), lag_line(found, "theta")]
     yield blocks.equations(lines)
     yield from conditions(found)
 

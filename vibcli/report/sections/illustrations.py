@@ -17,7 +17,7 @@ SHOWN, DIAGRAMS = 6, 3       # mode shapes; of them with forces and moments
 def schematic(problem: "Problem", _: "Report") -> Iterator[Section]:
     from vibcli.drawing.drawing import contents, draw
 
-    yield from section("The scene", drawing("scene", "The scene as drawn", draw(problem), contents(problem.spec)))
+    yield from section("Figure", drawing("scene", "The scene as drawn", draw(problem), contents(problem.spec)))
 
 
 def mode_pictures(problem: "Problem", report: "Report") -> Iterator[Section]:

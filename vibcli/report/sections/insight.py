@@ -34,8 +34,8 @@ def require_numbers(problem: "Problem", word: str) -> None:
 
 def without_end(title: str, word: str) -> tuple[Section, ...]:
     """That something is not told of members."""
-    return section(title, paragraph(f"None: {word} are told of finitely many modes, and a member with distributed "
-                                    "inertia has modes without end."))
+    return section(title, paragraph(f"Not told: a member with distributed inertia has modes without end, and {word} "
+                                    "are those of finitely many."))
 
 
 def numbered(indices: Mapping[int, Any] | Sequence[int]) -> str:

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from vibcli.notation.numbers import figure
+from vibcli.notation.numbers import figure, supported
 from vibcli.report.blocks import Section, TableBlock, paragraph, section
 
 if TYPE_CHECKING:
@@ -16,11 +16,14 @@ LEAST = 2.0**-52
 def integration(trajectory: "Trajectory") -> Iterator[Section]:
     """What happened on the way, and how well the energies balance."""
     balance = trajectory.balance
-    rows = [("T + V at the start", figure(float(balance.energy[0]))), ("at the end", figure(float(balance.energy[-1])))]
+    largest = max(abs(float(x)) for x in (*balance.energy, *balance.work, *balance.dissipated, *balance.driving))
+    off = float(balance.error) * largest
+    rows = [("T + V at the start", figure(float(balance.energy[0]))),
+            ("at the end", supported(float(balance.energy[-1]), off))]
     for words, values in (("work of the loads", balance.work), ("dissipated", balance.dissipated),
                           ("work of what drives the motion", balance.driving)):
         if values[-1]:
-            rows.append((words, figure(float(values[-1]))))
+            rows.append((words, supported(float(values[-1]), off)))
     yield from section("Energy", TableBlock(("", "[J]"), tuple(rows)), paragraph(_accuracy(trajectory)))
     events = [(figure(event.time), event.kind, event.name) for event in trajectory.events[:MOST_EVENTS]]
     more = len(trajectory.events) - len(events)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.modal.normalisation import words
 from vibcli.notation.numbers import figure
-from vibcli.report.blocks import Section, TableBlock, section
+from vibcli.report.blocks import Section, TableBlock, note, section
 from vibcli.report.keys import Key
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ def wave_numbers(problem: "Problem", modes: "Sequence[Mode]") -> list[str] | Non
 
 def along_members(problem: "Problem", modes: "Sequence[Mode]", how: str) -> Iterator[Section]:
     """Of each member a table: the largest displacement in each mode, where it rests and where it moves most."""
-    stated = "" if problem.scene.coordinates else f" ({words(how, problem.scene.members)})"
+    stated = None if problem.scene.coordinates else note(words(how, problem.scene.members))
     for name, member in problem.scene.members.items():
         rows = []
         for mode in modes:
@@ -46,7 +46,7 @@ def along_members(problem: "Problem", modes: "Sequence[Mode]", how: str) -> Iter
                                                 fields.antinode_places(name))))
         motion = "φ" if member.kind.torsional else member.kind.letter
         head = ("mode", f"largest {motion}", "at x [m]", "nodes at x [m]", "antinodes at x [m]")
-        yield from section(f"Modes along {name}{stated}", TableBlock(head, tuple(rows)))
+        yield from section(f"Modes along {name}", TableBlock(head, tuple(rows)), stated)
 
 
 def _row(place, largest, nodes, antinodes):

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 ZERO_MODES = {"free": "rigid-body mode", "held": "no linear restoring force", "falling": "unstable: V falls beyond the "
               "linear terms"}
 GROWING = {"divergence": "unstable: grows", "flutter": "flutter: grows"}
+NOTHING = 1e-12      # of an amplitude in a shape of which one is 1
 MANY, LONGEST = 8, 12       # modes in columns; else amplitudes of a shape, and shapes
 
 
@@ -68,10 +69,13 @@ def _float(value):
 
 def _real(value):
     value = complex(value).real
-    return figure(0.0 if abs(value) < 1e-12 else value)
+    return figure(0.0 if abs(value) < NOTHING else value)
 
 
 def polar(value: complex) -> str:
+    """5.2 ∠ −3.1°; 0 of what `_real` takes for rounding, too."""
+    if abs(complex(value)) < NOTHING:
+        return "0"
     size, angle = to_polar(complex(value))
     return f"{size:.4g} ∠ {degrees(angle):.4g}°" if abs(degrees(angle)) > 1e-9 else f"{size:.4g}"
 

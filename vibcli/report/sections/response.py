@@ -54,6 +54,10 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
         yield from integration(motion.trajectory())
         if problem.spec.expanded:
             yield from periods(problem, motion)
+        else:
+            from vibcli.report.sections.free_motion import swinging
+
+            yield from swinging(problem, motion)
     elif motion.KIND in ("small", "steady"):
         from vibcli.report.sections.formulas import formulas
         from vibcli.report.sections.vibrations import beats, free_vibration

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.analyses.modal.normalisation import WORDS, normalised, weights
 from vibcli.notation.numbers import figure
-from vibcli.report.blocks import TableBlock, paragraph, section
+from vibcli.report.blocks import TableBlock, note, paragraph, section
 from vibcli.report.keys import Key
 from vibcli.report.sections.insight import grid, off, require_numbers
 from vibcli.report.sections.mode_tables import shapes
@@ -35,9 +35,9 @@ def ritz(problem: "Problem", report: "Report"):
             yield from grid("Combinations of the shapes", columns, figure)
             return
         held = weights(problem.configuration.linear_system)
-        yield from section(f"Shapes of the estimates ({WORDS[report.normalise]})", *shapes(
+        yield from section("Shapes of the estimates", *shapes(
             problem.scene.coordinates, [mode.index for mode in found.modes],
-            [normalised(mode.shape, report.normalise, held) for mode in found.modes]))
+            [normalised(mode.shape, report.normalise, held) for mode in found.modes]), note(WORDS[report.normalise]))
 
 
 def _row(mode):

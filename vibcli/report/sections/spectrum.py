@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.analyses.modal.normalisation import words
 from vibcli.base.errors import Inertless
 from vibcli.mechanics.factored_system import MOST_DENSE
-from vibcli.report.blocks import Section, TableBlock, equations, line, paragraph, section
+from vibcli.report.blocks import Section, TableBlock, equations, line, note, paragraph, section, without_empty
 from vibcli.report.keys import Key, data
 from vibcli.report.sections.equilibrium import EQUILIBRIUM
 from vibcli.report.sections.mode_tables import damped_row, mode_row, polar, repeated, shapes, shapes_told
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 WITHOUT_DAMPERS = "without its dampers nothing would hold what has no inertia in this scene"
-DAMPED = "Damped modes (eigenvalue λ: ω = |λ|, ζ = −Re λ/|λ|, decay = −Re λ = ζω, log. decrement = 2πζ/√(1−ζ²))"
+OF_DAMPED = "with the eigenvalue λ: ω = |λ|, ζ = −Re λ/|λ|, decay −Re λ = ζω, logarithmic decrement 2πζ/√(1−ζ²)"
 
 
 def frequencies(problem: "Problem", report: "Report") -> Iterator[Section]:
@@ -39,7 +39,8 @@ def frequencies(problem: "Problem", report: "Report") -> Iterator[Section]:
         yield from _of_members(problem, found, head, rows, doubts)
         return
     damped = "of the undamped system" if (modal.damps if modal.many else modal.damped) else "undamped"
-    yield from section(f"Natural frequencies ({damped})", TableBlock(head, tuple(rows)), _form(problem),
+    yield from section(f"Natural frequencies ({damped})", without_empty(TableBlock(head, tuple(rows)), "–"),
+                       _form(problem),
                        _counted(modal.modes, found), *doubts)
 
 
@@ -129,8 +130,9 @@ def damping(problem: "Problem", report: "Report") -> Iterator[Section]:
     if not found and problem.configuration.rated_beside_dampers:
         yield from section("Damped modes", paragraph("not found where these ratios of modes stand beside dampers"))
         return
-    yield from section(DAMPED, TableBlock(head, tuple(map(damped_row, found))),
-                       paragraph(f"no other: {ended}") if ended else _proved(problem.modal.damped, found))
+    yield from section("Damped modes", without_empty(TableBlock(head, tuple(map(damped_row, found))), "–"),
+                       paragraph(f"no other: {ended}") if ended else _proved(problem.modal.damped, found),
+                       note(OF_DAMPED))
 
 
 def _damps(problem):
@@ -168,12 +170,11 @@ def modes(problem: "Problem", report: "Report") -> Iterator[Section]:
         if problem.scene.pieces:        # shapes stand below the frequency equation
             return
         if problem.closed_forms is not None:
-            yield from section("Mode shapes (the first coordinate that moves is 1)",
-                               *shape_blocks(problem, names, problem.closed_forms))
+            yield from section("Mode shapes", *shape_blocks(problem, names, problem.closed_forms), note(words("first")))
         return
     normalised, found = words(report.normalise, problem.spec.members), shown(problem, report.wanted)
     if found and names:
-        yield from _shapes(problem, report, found, f"Mode shapes ({normalised})")
+        yield from _shapes(problem, report, found, "Mode shapes", normalised)
     if found and problem.scene.pieces and not problem.modal.modes.finite:
         from vibcli.report.sections.member_modes import along_members
 
@@ -182,18 +183,18 @@ def modes(problem: "Problem", report: "Report") -> Iterator[Section]:
         damped = shown_damped(problem, report.wanted)
         one_each = {mode.index: mode for mode in reversed(damped)}       # two eigenvalues have one shape
         yield from _shapes(problem, report, [one_each[i] for i in sorted(one_each)],
-                           f"Shapes of the damped modes ({normalised})", only_complex=True)
+                           "Shapes of the damped modes", normalised, only_complex=True)
 
 
-def _shapes(problem, report, modes, title, only_complex=False):
+def _shapes(problem, report, modes, title, normalised, only_complex=False):
     names = problem.scene.coordinates
     found = [problem.modal.shape(mode, report.normalise) for mode in modes[:shapes_told(len(modes))]]
     out_of_phase = any(abs(complex(value).imag) > 1e-9 * abs(value) for shape in found for value in shape)
     numbers = [mode.index for mode in modes]
     if out_of_phase:
-        yield from section(f"{title}, amplitude ∠ phase", *shapes(names, numbers, found, polar))
+        yield from section(title, *shapes(names, numbers, found, polar), note(f"amplitude ∠ phase; {normalised}"))
     elif not only_complex:
-        yield from section(title, *shapes(names, numbers, found))
+        yield from section(title, *shapes(names, numbers, found), note(normalised))
 
 
 MODES = Key("modes", "a list: modes of the system without its dampers, by ascending omega, unstable ones first", each=(

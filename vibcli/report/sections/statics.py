@@ -7,19 +7,23 @@ from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.notation.abbreviations import abbreviated
 from vibcli.notation.numbers import figure
 from vibcli.report import blocks
-from vibcli.report.blocks import Name, Section, TableBlock, Words, line, maths, paragraph, section
+from vibcli.report.blocks import Name, Section, TableBlock, Words, line, maths, note, paragraph, section
 from vibcli.report.keys import Key
 from vibcli.report.sections.equations_of_motion import numeric_sum, with_lengths, with_numbers
 from vibcli.report.sections.equilibrium import slack_ropes
 from vibcli.report.sections.numeric_equations import ROUNDING
 from vibcli.report.sections.too_long import brief
+from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
 
+SIGNS = "tension positive; what supports exert on the body, in fixed axes"
 READABLE = 60           # letters of a condition, beyond which it is written in numbers where it has them
 WRITTEN_OUT = 16        # coordinates whose generalised forces are printed
 
@@ -41,9 +45,9 @@ def virtual_work(problem: "Problem", report: "Report") -> Iterator[Section]:
         vanishes = balanced and not (jumps or scene.constraints or node.is_zero or problem.system.sticking is not None)
         lines.append(line(f"Q_{name} = ", brief(node), " = 0" if vanishes else ""))
     driven = ", and of the inertia of driven motion" if scene.timed and scene.inertias else ""
-    where = "at rest in equilibrium" if balanced else "at rest"
-    yield from section(f"Virtual work of weights, springs and steady loads{driven}, {where}",
-                       blocks.equations(lines), *with_lengths(lengths), *with_numbers(problem, shown))
+    yield from section(f"Virtual work at rest{' in equilibrium' * balanced}", blocks.equations(lines),
+                       *with_lengths(lengths), *with_numbers(problem, shown),
+                       note(f"of weights, springs and steady loads{driven}"))
 
 
 def _balanced(problem):
@@ -70,21 +74,22 @@ def _unit(problem, signal):
 
 def reactions(problem: "Problem", report: "Report") -> Iterator[Section]:
     """The reactions in equilibrium, in numbers where the scene has some, and those along a motion."""
-    from vibcli.mechanics.inputs_outputs.reactions import along_the_motion
+    from vibcli.mechanics.inputs_outputs.reactions_along_motion import along_the_motion
 
     if problem.scene.held:
         yield from _conditions(problem, report)
-    title = "Reactions in equilibrium (tension positive; what supports exert on the body, fixed axes)"
+    title, signs = "Reactions in equilibrium", SIGNS
     if not problem.numeric.has_free_symbols:
         rows = [(reaction.signal, "not fixed by statics" if reaction.value is None else
                  f"{figure(reaction.value)} {_unit(problem, reaction.signal)}")
                 for reaction in problem.configuration.reactions if reaction.value != 0.0]
+        rows += [(signal, f"{figure(value)} N") for signal, value in _normals(problem)]
         if any(".drive" in signal for signal, _ in rows):
-            title = title.replace("supports", "supports and drives")
+            signs = signs.replace("supports", "supports and drives")
         pushed = slack_ropes(problem) if problem.scene.held else []
-        yield from section(title, TableBlock(("force", "value"), tuple(rows)), *pushed)
+        yield from section(title, TableBlock(("force", "value"), tuple(rows)), *pushed, note(signs))
     elif problem.scene.held or _balanced_as_drawn(problem):
-        yield from section(title, *_in_letters(problem, report))
+        yield from section(title, *_in_letters(problem, report), note(signs))
     if not problem.scene.held:
         yield from section("Reactions along a motion", blocks.equations(
             line(Words(signal), " = ", brief(node)) for signal, node in along_the_motion(problem.numeric).items()))
@@ -103,12 +108,38 @@ def _in_letters(problem, report):
     """Blocks of the reactions as expressions."""
     known = {signal: node for signal, node in problem.symbolic.reactions.values.items()
              if node is None or not node.is_zero}
+    known |= dict(_normals_in_letters(problem))
     shown, lengths = abbreviated([node for node in known.values() if node is not None], report.roots)
     parts, lines = iter(shown), []
     for signal, node in known.items():
         fixed = ("   ", Words("not fixed by statics")) if node is None else (" = ", brief(next(parts)))
         lines.append(line(Words(signal), *fixed))
     return [blocks.equations(lines), *with_lengths(lengths)]
+
+
+def _guided(problem, known):
+    """(name, normal in equilibrium) of each body on a surface or guide that takes part along both axes."""
+    for name, body in problem.scene.resting.bodies.items():
+        if body.normal is not None and all(known.get(f"{name}.reaction.{axis}") for axis in "xy"):
+            yield name, body.normal
+
+
+def _normals(problem):
+    """(B.normal, its value)"""
+    from vibcli.mechanics.signals import force
+
+    known = {reaction.signal: reaction.value for reaction in problem.configuration.reactions}
+    return [(f"{name}.normal", force(problem.configuration, f"{name}.normal")) for name, _ in _guided(problem, known)]
+
+
+def _normals_in_letters(problem):
+    """(B.normal, its expression as drawn)"""
+    known, scene = problem.symbolic.reactions.values, problem.scene.resting
+    known = {signal: node for signal, node in known.items() if node is not None and not node.is_zero}
+    for name, normal in _guided(problem, known):
+        nx, ny = substitute(list(normal), scene.drawn_position)
+        x, y = copied([known[f"{name}.reaction.{axis}"] for axis in "xy"], scene.table)
+        yield f"{name}.normal", textbook(nx * x + ny * y)
 
 
 def _conditions(problem, report):
@@ -133,8 +164,6 @@ def _conditions(problem, report):
 
 def _in_numbers(problem, found, node):
     """[(coefficient, symbol)] of a condition, which is linear in the forces of constraints; the constant last."""
-    from vibcli.symbolic.derivatives import gradient, substitute
-
     table, floats = node.table, problem.numeric.floats
     slopes = gradient(node)
     used = [symbol for symbol in found.forces if symbol in slopes]

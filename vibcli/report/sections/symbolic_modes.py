@@ -142,6 +142,10 @@ def damping_blocks(forms: "ClosedForms") -> Iterator[Equations | Paragraph]:
                         maths("δ = ζ·ω"), hang=None)
         return
     mode, = damped
+    if mode.zeta.op == "number" and mode.zeta.coefficient == 1:
+        yield equations([line("ζ = 1", Words(":  critically damped"), hang=None),
+                         line(Words("decay "), "δ = ω = ", mode.omega, hang=None)])
+        return
     yield equations([
         line("ζ = ", mode.zeta, hang=None),
         line("ω_d = ω·√(1 − ζ²) = ", mode.omega_d, Words("  for "), "ζ < 1", hang=None),

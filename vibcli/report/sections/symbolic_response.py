@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.report.blocks import (
+    Factor,
     Line,
     Name,
     Paragraph,
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 LETTERS = {"X": ("X", "Z", "R"), "theta": ("theta", "psi", "epsilon"), "omega": ("omega", "omega_0"),
+           "r": ("r", "eta", "nu"), "zeta": ("zeta", "xi"),
            "omega_d": ("omega_d", "omega_1"), "beta": ("beta", "nu"), "A": ("A", "P"), "B": ("B", "Q")}
 AHEAD = {"sin": ("", "cos"), "cos": ("−", "sin")}       # a quarter period ahead
 CONDITIONS = {"under-damped": " < ", "critically damped": " = ", "over-damped": " > "}
@@ -80,10 +82,29 @@ def steady_section(problem: "Problem", name: str, steady: Any, number: str) -> I
     mean = () if steady.mean is None or steady.mean.is_zero else (steady.mean, " + " if not sign else " ")
     lines = [line(Name(name), " = ", *mean, sign, Name(X), f"·{wave}(", steady.argument, *lag, ")"),
              line(Name(X), " = ", formula.amplitude)]
+    lines += ratio_lines(problem, formula, Name(X))
     if lag:
         lines.append(lag_line(formula, theta))
     told = () if problem.choice is not None else conditions(formula)     # what is chosen holds at this Ω alone
     yield from section(f"Steady state of {symbol(name)}", equations(lines), *told)
+
+
+def ratio_lines(problem: "Problem", formula: "Formula", size: Any) -> "Iterator[Line]":
+    """The amplitude of one degree by r = Ω/ω and ζ, and what these are."""
+    from vibcli.analyses.closed_form.dimensionless import CONSTANT, SQUARE, dimensionless
+    from vibcli.notation.plain import plain
+
+    found = dimensionless(formula)
+    if found is None:
+        return
+    omega = letter(problem, "omega")
+    r, ratio, zeta = (plain.symbol(name) for name in (letter(problem, "r"), omega, letter(problem, "zeta")))
+    above = {CONSTANT: "1", SQUARE: f"{r}²"}.get(found.above, f"√(1 + (2·{zeta}·{r})²)")
+    below = f"(1 − {r}²)" if found.zeta is None else f"√((1 − {r}²)² + (2·{zeta}·{r})²)"
+    one = found.gain.op == "number" and found.gain.coefficient == 1
+    yield line(size, " = ", *(() if one else (Factor(found.gain), "·")), f"{above}/{below}")
+    beside = () if found.zeta is None else (f",  {zeta} = ", found.zeta)
+    yield line(Words("with "), f"{r} = ", Factor(formula.Omega), f"/{ratio},  {ratio} = ", found.omega, *beside)
 
 
 def lag_line(formula: "Formula", theta: str) -> "Line":
@@ -102,8 +123,13 @@ def conditions(formula: "Formula") -> Iterator[Paragraph]:
     if formula.peak is not None and not _shared(formula.Omega, formula.peak[0]):
         place, less, more = formula.peak
         yield paragraph("peak at ", maths(formula.Omega, " = ", place), " for ", maths(less, " < ", more))
-    if formula.undamped and not formula.short and not formula.vanishes and not formula.denominator[0].is_zero:
+    if formula.undamped and not formula.short and not formula.vanishes and not _fixed_sign(formula.denominator[0]):
         yield paragraph("resonances where ", maths(formula.denominator[0], " = 0"), hang=4)
+
+
+def _fixed_sign(node):
+    """Is it positive, or negative, or zero, whatever the letters are?"""
+    return node.is_zero or node.table.is_positive(node) or node.table.is_positive(-node)
 
 
 def _shared(Omega, place):
@@ -180,8 +206,10 @@ def _about_powers(problem, table, start, steady):
 
 def _known_regime(problem, m, c, k):
     """The regime where no letter decides about it."""
-    from vibcli.analyses.closed_form.free_response import regime_at
+    from vibcli.analyses.closed_form.free_response import CRITICAL, critical, regime_at
 
+    if critical(m, c, k):
+        return CRITICAL
     if {part.name for part in reachable([m, c, k]) if part.op == "symbol"} & set(problem.symbolic.letters):
         return None
     return regime_at(*evaluate([m, c, k], Floats, problem.scene.sample))
@@ -189,9 +217,13 @@ def _known_regime(problem, m, c, k):
 
 def _regime(name, motion, prefix, matrices):
     """The words of a regime with its condition, its formula, and what ω stands for."""
+    from vibcli.analyses.closed_form.free_response import CRITICAL, critical
+
     m, c, k = matrices
     relation = CONDITIONS.get(motion.regime)
-    if relation:
+    if relation and motion.regime == CRITICAL and critical(m, c, k):
+        yield paragraph(motion.regime)
+    elif relation:
         yield paragraph(f"{motion.regime}, ", maths(c * c, relation, 4 * k * m), ":")
     elif not k.table.is_positive(k):
         yield paragraph("for ", maths(k, " > 0"), ":")

@@ -15,7 +15,7 @@ from vibcli.analyses.transient import free_vibration
 from vibcli.analyses.transient.free_vibration import energy_shares
 from vibcli.analyses.transient.high_precision import precise_value
 from vibcli.analyses.transient.linear_response import linear_motion
-from vibcli.analyses.transient.textbook_form import formula, regime
+from vibcli.analyses.transient.textbook_form import Part, formula, regime
 from vibcli.base.errors import PhysicsError
 from vibcli.report.sections.formulas import sum_of
 from vibcli.symbolic.syntax import NameRef
@@ -273,7 +273,7 @@ def test_the_formula_is_the_motion(c, k, name, pieces):
 
 
 @pytest.mark.parametrize("until", [1.0, 100.0, 1e4, 1e6])
-@pytest.mark.parametrize("off", [0.0, 1e-9, 1e-8, 1e-7, 1e-5])
+@pytest.mark.parametrize("off", [0.0, 1e-9, 1e-8, 1e-7, 1e-5, -1e-15, -1e-9, -1e-7, -1e-5])
 def test_the_formula_is_the_motion_as_long_as_it_is_looked_at(until, off):
     """Next to a resonance, and next to critical damping: exponents are one only where nobody sees them part."""
     beside = (Segment(0.0, (Wave(0, 1.0, 0, 20j * (1 + off)),)),)
@@ -288,7 +288,28 @@ def test_printed_frequencies_are_told_apart_and_nothing_that_cancels_is_printed(
     motion = one(1.0, 0.0, 400.0, (Segment(0.0, (Wave(0, 1.0, 0, 20.0000002j),)),))
     late, early = (sum_of(formula(motion, q(0), until=until), "t") for until in (1e6, 1.0))
     assert late == "125000·cos(20·t) − 125000·cos(20.0000002·t)"
-    assert early == "0.025·t·cos(20·t − 1.5708)"
+    assert early == "0.025·t·sin(20·t)"
+
+
+@pytest.mark.parametrize("off", [0.0, 1e-15, -1e-15, 1e-13, -1e-13])
+def test_critical_damping_is_one_exponential_however_it_is_rounded(off):
+    """Of one degree, and of a mode among others."""
+    c, until = 40.0 * (1 + off), 2.0
+    one_mass = one(1.0, c, 400.0, FREE, 0.1, 0.3)
+    beside = linear_motion(np.diag([1.0, 2.0]), np.diag([c, 0.0]), np.diag([400.0, 50.0]), Forcing(2, FREE),
+                           [0.1, 1.0], [0.3, 0.0])
+    for motion in (one_mass, beside):
+        parts = formula(motion, q(0), until=until)
+        assert sum_of(parts, "t") == "(0.1 + 2.3·t)·e^(−20·t)"
+        assert not any(part.forced for part in parts)
+
+
+def test_waves_are_sines_where_their_phase_is_a_right_angle():
+    phases = {0.0: "2·cos(3·t)", math.pi / 2: "2·sin(3·t)", -math.pi / 2: "−2·sin(3·t)", math.pi: "−2·cos(3·t)",
+              -math.pi: "−2·cos(3·t)", 1.0: "2·cos(3·t − 1)", -1.5708: "2·cos(3·t + 1.5708)"}
+    for phase, text in phases.items():
+        assert sum_of([Part(2.0, 0, 0.0, 3.0, phase, False)], "t") == text
+    assert sum_of([Part(-2.0, 0, -1.0, 3.0, -math.pi / 2, False)], "t") == "2·e^(−1·t)·sin(3·t)"
 
 
 @pytest.mark.parametrize("coupling", [1e-9, 1e-7, 1e-5, 1e-2, 1.0])
