@@ -5,6 +5,7 @@ constant, at random states. A scene with symbols is checked at several sets of r
 """
 
 import math
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, NamedTuple
 
 from vibcli.base.errors import PhysicsError
@@ -48,9 +49,14 @@ def check(problem: "Problem") -> list[Verdict]:
     verdicts = []
     for case in (None, *problem.spec.cases):
         part = problem if case is None else problem.case(case)
-        instances = Instances(part)
-        verdicts += [_verdict(instances, answer, case) for answer in part.spec.answers]
+        verdicts += verdicts_of(part, part.spec.answers, case)
     return verdicts
+
+
+def verdicts_of(problem: "Problem", answers: "Iterable[Answer]", case: str | None = None) -> list[Verdict]:
+    """The Verdicts of some answers of a scene, or of a case of it."""
+    instances = Instances(problem)
+    return [_verdict(instances, answer, case) for answer in answers]
 
 
 def _verdict(instances, answer, case):

@@ -44,6 +44,10 @@ REPORTS = [
     "`--pictures` adds the figure of the scene, the shapes of its modes and the diagrams of its members, within "
     f"{listed(_WITHIN)}, as files beside {listed(_BESIDE)}. `vibcli solve problem.yaml -o report.html --pictures` "
     "writes the whole.",
+    "`vibcli solve FILE --format scene` prints the file itself with what it found as its `answers`, in letters or to "
+    "six digits (`--digits` otherwise), ready to be checked: comments, order and the answers that are there stay, "
+    "those of a case stand in it. Each is compared as `vibcli check` does it; what does not agree, or has no spelling "
+    "as an answer, is left out and named on stderr. `-o FILE.yaml` writes it to a file, `--force` in the place of one.",
 ]
 
 DATA = [
