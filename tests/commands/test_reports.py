@@ -3,6 +3,7 @@
 import re
 import subprocess
 import xml.etree.ElementTree as ET
+from io import BytesIO
 from itertools import pairwise
 from pathlib import Path
 from shutil import which
@@ -24,18 +25,20 @@ from vibcli.report.document import EVERYTHING, Report
 from vibcli.report.formats import asciidoc, html, markdown
 from vibcli.report.formats import latex as render_latex
 from vibcli.report.formats import text as render_text
+from vibcli.report.formats import typst as render_typst
 from vibcli.report.formats.formula import formula, pieces, rows, without_words
 from vibcli.symbolic.expression import Table
 
 PROBLEMS = Path(__file__).parents[2] / "problems"
 SAMPLE = sorted(PROBLEMS.rglob("*.yaml"))[::9]
-FORMATS = ("markdown", "latex", "asciidoc", "html")
+FORMATS = ("markdown", "latex", "asciidoc", "html", "typst")
 
 
 def render(documents, kind, place=None):
     if kind == "html":
         return html.render(documents)
-    return {"latex": render_latex, "markdown": markdown, "asciidoc": asciidoc}[kind].render(documents, place)
+    return {"latex": render_latex, "markdown": markdown, "asciidoc": asciidoc,
+            "typst": render_typst}[kind].render(documents, place)
 
 
 def document(found, sections=EVERYTHING, **options):
@@ -159,7 +162,16 @@ def assert_asciidoc(text):
         assert not re.search(r"[*_`#^~+{<>&|\\@]|::|;;|://|\S\[(?!\")|\[\[|\(\(|--|\.\.\.|\(C\)", bare)
 
 
-CHECKS = {"html": assert_page, "latex": assert_latex, "markdown": assert_markdown, "asciidoc": assert_asciidoc}
+def assert_typst(text):
+    """Dollars, brackets and braces close, and nothing is called but what the head defines and Typst has."""
+    bare = re.sub(r'"(?:\\.|[^"\\])*"|\\.', "", text[text.index("\n= "):])
+    assert bare.count("$") % 2 == 0
+    assert all(bare.count(opened) == bare.count(closed) for opened, closed in ("()", "[]", "{}"))
+    assert set(re.findall(r"#(\w*)", bare)) <= {"table", "picture", "box", "h", "pagebreak"}
+
+
+CHECKS = {"html": assert_page, "latex": assert_latex, "markdown": assert_markdown, "asciidoc": assert_asciidoc,
+          "typst": assert_typst}
 
 
 def test_the_sample_is_wide():
@@ -219,6 +231,60 @@ def test_hostile_words_in_asciidoc(hostile):
     text = asciidoc.render([hostile], None)
     assert_asciidoc(text)
     assert "&#60;script&#62;" in text and "http:&#47;" not in text and "http&#58;//" in text
+
+
+def test_hostile_words_in_typst(hostile, tmp_path):
+    text = render_typst.render([hostile], None)
+    assert_typst(text)
+    assert r"\<script\>" in text and r"\#" in text and r"\$x\$" in text and r"http:\//e.vil" in text
+    shown = words_of(compiled(text, tmp_path))
+    assert hostile.title.replace("\u0308", "")[:40] in shown and "[l](javascript:x)" in shown
+
+
+@pytest.mark.parametrize("text, expected", [
+    ("a_b *c* #let $x$", r"a\_b \*c\* \#let \$x\$"), ("[x] <y> @z `q` ~", r"\[x\] \<y\> \@z \`q\` \~"),
+    ("a -- b -1 -?", r"a \-- b \-1 \-?"), ("a-b", "a-b"), ("...", r"\..."), ("// /* http://x", r"\// \/\* http:\//x"),
+    ("\\u{41}", r"\\u{41}")])
+def test_words_in_typst(text, expected):
+    assert render_typst.escaped(text) == expected
+
+
+@pytest.mark.parametrize("text, expected", [
+    ("- a", r"\- a"), ("+ a", r"\+ a"), ("= a", r"\= a"), ("/ a: b", r"\/ a: b"), ("1. a", r"1\. a"), ("12 a", "12 a")])
+def test_no_line_of_typst_begins_with_markup(text, expected):
+    assert render_typst.beginning(text) == expected
+
+
+def compiled(text, folder):
+    """The PDF that Typst makes of a report, without a warning."""
+    typst = pytest.importorskip("typst")
+    path = folder / "compiled.typ"
+    path.write_text(text, encoding="utf-8")
+    pdf, warnings = typst.compile_with_warnings(str(path))
+    assert [warning.message for warning in warnings if "font" not in warning.message] == []
+    return pdf
+
+
+def words_of(pdf):
+    pypdf = pytest.importorskip("pypdf")
+    return " ".join(page.extract_text() for page in pypdf.PdfReader(BytesIO(pdf)).pages)
+
+
+@pytest.mark.parametrize("path", SAMPLE[::4], ids=lambda path: path.stem)
+@pytest.mark.parametrize("options", [(), ("--steps",)], ids=["solution", "steps"])
+def test_typst_compiles(path, options, tmp_path, capsys):
+    if run(["solve", str(path), "--format", "typst", *options]) not in (0, 4):
+        pytest.fail("no report")
+    out = capsys.readouterr().out
+    assert compiled(out, tmp_path).startswith(b"%PDF")
+
+
+def test_typst_compiles_with_pictures(scene, tmp_path):
+    assert run(["solve", scene, "--pictures", "-o", "r.typ"]) == 0
+    text = Path("r.typ").read_text()
+    shown = re.findall(r'#picture\("(.*?)"', text)
+    assert len(shown) == 3 and all(b"<svg" in Path(name).read_bytes() for name in shown)
+    assert "mode 1" in words_of(compiled(text, Path()))
 
 
 @pytest.mark.parametrize("text, expected", [
