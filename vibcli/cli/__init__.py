@@ -23,6 +23,7 @@ COMMANDS = {
     "response": "The motion in time, free or forced: numbers, plots, data files.",
     "frf": "Frequency responses: resonances, bandwidths, plots, data files.",
     "sweep": "Quantities over one or two parameters: tables, curves, contours.",
+    "view": "Report, figures and moving modes in the browser, as the file is edited.",
     "check": "Compare the answers in scene files with the results.",
     "explain": "The manual of the scene language, word by word.",
     "schema": "The JSON Schema of scene files, for editors.",

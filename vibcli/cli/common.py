@@ -12,6 +12,7 @@ import click
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
 
 if TYPE_CHECKING:
+    from vibcli.api.source import SceneSource
     from vibcli.results.problem import Problem
 
 MOST = 600      # steps of a million products, for --digits
@@ -95,14 +96,21 @@ def _set_color(context, parameter, value):
 def load(file: Any, settings: Sequence[str] = (), patience: int = 1) -> "Problem":
     """The Problem of a file, with its reading timed; SpecError or a usage error where it cannot be read. patience:
     the factor of what its long work may take."""
-    from vibcli.api.source import file_source, problem_of
-    from vibcli.base.work import Work
-    from vibcli.cli.progress import teller
+    from vibcli.api.source import file_source
 
     try:
         source = file_source(file)
     except FileNotFoundError:
         raise click.UsageError(f"there is no file '{file}'{_near(file)}") from None
+    return problem_in(source, settings, patience)
+
+
+def problem_in(source: "SceneSource", settings: Sequence[str] = (), patience: int = 1) -> "Problem":
+    """The Problem of a scene as it was read."""
+    from vibcli.api.source import problem_of
+    from vibcli.base.work import Work
+    from vibcli.cli.progress import teller
+
     _sources.pop(source.file, None)
     _sources[source.file] = source.lines
     if source.node is None:
