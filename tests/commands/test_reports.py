@@ -18,6 +18,7 @@ from vibcli.notation.latex import latex
 from vibcli.notation.latex_text import escaped
 from vibcli.notation.mathml import mathml
 from vibcli.notation.plain import plain
+from vibcli.notation.typst import typst
 from vibcli.reader.sections.find import INSIGHT, ON_REQUEST
 from vibcli.report.blocks import Document, Name, Picture, Section, Words, maths
 from vibcli.report.blocks import TableBlock as Cells
@@ -78,6 +79,8 @@ def assert_page(text):
         assert not [name for name in element.attrib if name.lower().startswith("on")]
         assert all(element.get(name, "#").startswith("#") for name in REFERENCES)
         assert not re.search(r"url\((?!#)|@import|javascript:", " ".join(element.attrib.values()), re.IGNORECASE)
+    for style in root.iter("style"):
+        assert not re.search(r'url\((?!#|"data:font)|@import|expression', style.text, re.IGNORECASE)
     for math in root.iter("math"):
         tail, math.tail = math.tail, None
         assert_mathml(math)
@@ -368,13 +371,20 @@ def test_markup_of_expressions(nodes, name):
      "<msub><mi>Q</mi><mrow><msub><mi>φ</mi><mn>1</mn></msub></mrow></msub>" + BY + "<mi>δ</mi>"
      "<msub><mi>φ</mi><mn>1</mn></msub>"),
     ("3·e^(−0.5·t)·cos(2·t + 1)", r"3 \, e^{- 0.5 \, t} \, \cos ( 2 \, t + 1 )",
-     f"<mn>3</mn>{BY}<msup><mi>e</mi><mrow><mo>−</mo><mn>0.5</mn>{BY}<mi>t</mi></mrow></msup>{BY}<mi>cos</mi><mo>(</mo>"
-     f"<mn>2</mn>{BY}<mi>t</mi><mo>+</mo><mn>1</mn><mo>)</mo>"),
+     f"<mn>3</mn>{BY}<msup><mi>e</mi><mrow><mo>−</mo><mn>0.5</mn>{BY}<mi>t</mi></mrow></msup>{BY}<mi>cos</mi><mrow>"
+     f'<mo stretchy="false">(</mo><mn>2</mn>{BY}<mi>t</mi><mo>+</mo><mn>1</mn><mo stretchy="false">)</mo></mrow>'),
     ("t^2", "t^{2}", "<msup><mi>t</mi><mn>2</mn></msup>"), ("t^", "t^{}", "<msup><mi>t</mi><mrow></mrow></msup>"),
     ("√2", r"\sqrt{2}", "<msqrt><mn>2</mn></msqrt>"), ("√(a", r"\sqrt{(} a", "<msqrt><mo>(</mo></msqrt><mi>a</mi>")])
 def test_texts_in_notation(text, expected, markup):
     assert latex.notation(text) == expected
     assert mathml.notation(text) == markup
+
+
+def test_brackets_around_what_stands_on_one_line_stay_small_with_their_power():
+    small = '<mo stretchy="false">(</mo><mi>a</mi><mo stretchy="false">)</mo>'
+    assert mathml.notation("(a)²") == f"<msup><mrow><mrow>{small}</mrow></mrow><mn>2</mn></msup>"
+    assert latex.notation("(a)²") == "( a )^{2}" and typst.notation("(a)²") == "(a)^(2)"
+    assert mathml.notation("½(") == "<mo>½</mo><mo>(</mo>"        # of an expression that follows: they grow
 
 
 def test_long_sums_are_broken_before_their_terms():

@@ -71,6 +71,7 @@ def test_the_page_can_be_read_without_its_script(served):
 
 def test_nothing_of_the_page_is_loaded_from_elsewhere():
     text = page(State(3, "t", ("<p>one</p>",), ("<script>x</script>",), "w"), "n")
+    text = re.sub(r'url\("data:font/woff;base64,[\w+/=]+"\)', "", text)
     assert not re.search(r"https?:|//\w|\bsrc=|\bhref=|@import|url\(", text)
     assert "&lt;script&gt;x" in text and text.count("<script") == 1
 

@@ -43,6 +43,9 @@ class Typst(Stacked):
     def brackets(self, text: str) -> str:
         return f"({text})"
 
+    def flat(self, text: str) -> str:
+        return self.brackets(text)
+
     def magnitude(self, text: str) -> str:
         return f"lr(|{text}|)"
 

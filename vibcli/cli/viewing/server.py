@@ -16,6 +16,7 @@ import click
 
 from vibcli.cli.viewing.page import page
 from vibcli.cli.viewing.shown import Shown
+from vibcli.report.formats.html_page import POLICY
 
 HOST = "127.0.0.1"
 LONGEST = 20.0      # seconds that an answer waits for news
@@ -65,8 +66,8 @@ class Handler(http_server.BaseHTTPRequestHandler):
     def _answer(self, status, kind, text):
         data = text.encode("utf-8", "replace")
         self.send_response(status)
-        policy = (f"default-src 'none'; style-src 'unsafe-inline'; script-src 'nonce-{self.server.nonce}'; "
-                  "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'")
+        policy = (f"{POLICY}; script-src 'nonce-{self.server.nonce}'; connect-src 'self'; base-uri 'none'; "
+                  "form-action 'none'; frame-ancestors 'none'")
         for name, value in (("Content-Type", f"{kind}; charset=utf-8"), ("Content-Length", str(len(data))),
                             ("Cache-Control", "no-store"), ("Content-Security-Policy", policy),
                             ("X-Content-Type-Options", "nosniff"), ("Referrer-Policy", "no-referrer"),
