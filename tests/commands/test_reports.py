@@ -3,6 +3,7 @@
 import re
 import subprocess
 import xml.etree.ElementTree as ET
+from io import BytesIO
 from itertools import pairwise
 from pathlib import Path
 from shutil import which
@@ -17,6 +18,7 @@ from vibcli.notation.latex import latex
 from vibcli.notation.latex_text import escaped
 from vibcli.notation.mathml import mathml
 from vibcli.notation.plain import plain
+from vibcli.notation.typst import typst
 from vibcli.reader.sections.find import INSIGHT, ON_REQUEST
 from vibcli.report.blocks import Document, Name, Picture, Section, Words, maths
 from vibcli.report.blocks import TableBlock as Cells
@@ -24,18 +26,20 @@ from vibcli.report.document import EVERYTHING, Report
 from vibcli.report.formats import asciidoc, html, markdown
 from vibcli.report.formats import latex as render_latex
 from vibcli.report.formats import text as render_text
+from vibcli.report.formats import typst as render_typst
 from vibcli.report.formats.formula import formula, pieces, rows, without_words
 from vibcli.symbolic.expression import Table
 
 PROBLEMS = Path(__file__).parents[2] / "problems"
 SAMPLE = sorted(PROBLEMS.glob("*/*.yaml"))[::9]
-FORMATS = ("markdown", "latex", "asciidoc", "html")
+FORMATS = ("markdown", "latex", "asciidoc", "html", "typst")
 
 
 def render(documents, kind, place=None):
     if kind == "html":
         return html.render(documents)
-    return {"latex": render_latex, "markdown": markdown, "asciidoc": asciidoc}[kind].render(documents, place)
+    return {"latex": render_latex, "markdown": markdown, "asciidoc": asciidoc,
+            "typst": render_typst}[kind].render(documents, place)
 
 
 def document(found, sections=EVERYTHING, **options):
@@ -75,6 +79,8 @@ def assert_page(text):
         assert not [name for name in element.attrib if name.lower().startswith("on")]
         assert all(element.get(name, "#").startswith("#") for name in REFERENCES)
         assert not re.search(r"url\((?!#)|@import|javascript:", " ".join(element.attrib.values()), re.IGNORECASE)
+    for style in root.iter("style"):
+        assert not re.search(r'url\((?!#|"data:font)|@import|expression', style.text, re.IGNORECASE)
     for math in root.iter("math"):
         tail, math.tail = math.tail, None
         assert_mathml(math)
@@ -159,7 +165,16 @@ def assert_asciidoc(text):
         assert not re.search(r"[*_`#^~+{<>&|\\@]|::|;;|://|\S\[(?!\")|\[\[|\(\(|--|\.\.\.|\(C\)", bare)
 
 
-CHECKS = {"html": assert_page, "latex": assert_latex, "markdown": assert_markdown, "asciidoc": assert_asciidoc}
+def assert_typst(text):
+    """Dollars, brackets and braces close, and nothing is called but what the head defines and Typst has."""
+    bare = re.sub(r'"(?:\\.|[^"\\])*"|\\.', "", text[text.index("\n= "):])
+    assert bare.count("$") % 2 == 0
+    assert all(bare.count(opened) == bare.count(closed) for opened, closed in ("()", "[]", "{}"))
+    assert set(re.findall(r"#(\w*)", bare)) <= {"table", "picture", "box", "h", "pagebreak"}
+
+
+CHECKS = {"html": assert_page, "latex": assert_latex, "markdown": assert_markdown, "asciidoc": assert_asciidoc,
+          "typst": assert_typst}
 
 
 def test_the_sample_is_wide():
@@ -219,6 +234,60 @@ def test_hostile_words_in_asciidoc(hostile):
     text = asciidoc.render([hostile], None)
     assert_asciidoc(text)
     assert "&#60;script&#62;" in text and "http:&#47;" not in text and "http&#58;//" in text
+
+
+def test_hostile_words_in_typst(hostile, tmp_path):
+    text = render_typst.render([hostile], None)
+    assert_typst(text)
+    assert r"\<script\>" in text and r"\#" in text and r"\$x\$" in text and r"http:\//e.vil" in text
+    shown = words_of(compiled(text, tmp_path))
+    assert hostile.title.replace("\u0308", "")[:40] in shown and "[l](javascript:x)" in shown
+
+
+@pytest.mark.parametrize("text, expected", [
+    ("a_b *c* #let $x$", r"a\_b \*c\* \#let \$x\$"), ("[x] <y> @z `q` ~", r"\[x\] \<y\> \@z \`q\` \~"),
+    ("a -- b -1 -?", r"a \-- b \-1 \-?"), ("a-b", "a-b"), ("...", r"\..."), ("// /* http://x", r"\// \/\* http:\//x"),
+    ("\\u{41}", r"\\u{41}")])
+def test_words_in_typst(text, expected):
+    assert render_typst.escaped(text) == expected
+
+
+@pytest.mark.parametrize("text, expected", [
+    ("- a", r"\- a"), ("+ a", r"\+ a"), ("= a", r"\= a"), ("/ a: b", r"\/ a: b"), ("1. a", r"1\. a"), ("12 a", "12 a")])
+def test_no_line_of_typst_begins_with_markup(text, expected):
+    assert render_typst.beginning(text) == expected
+
+
+def compiled(text, folder):
+    """The PDF that Typst makes of a report, without a warning."""
+    typst = pytest.importorskip("typst")
+    path = folder / "compiled.typ"
+    path.write_text(text, encoding="utf-8")
+    pdf, warnings = typst.compile_with_warnings(str(path))
+    assert [warning.message for warning in warnings if "font" not in warning.message] == []
+    return pdf
+
+
+def words_of(pdf):
+    pypdf = pytest.importorskip("pypdf")
+    return " ".join(page.extract_text() for page in pypdf.PdfReader(BytesIO(pdf)).pages)
+
+
+@pytest.mark.parametrize("path", SAMPLE[::4], ids=lambda path: path.stem)
+@pytest.mark.parametrize("options", [(), ("--steps",)], ids=["solution", "steps"])
+def test_typst_compiles(path, options, tmp_path, capsys):
+    if run(["solve", str(path), "--format", "typst", *options]) not in (0, 4):
+        pytest.fail("no report")
+    out = capsys.readouterr().out
+    assert compiled(out, tmp_path).startswith(b"%PDF")
+
+
+def test_typst_compiles_with_pictures(scene, tmp_path):
+    assert run(["solve", scene, "--pictures", "-o", "r.typ"]) == 0
+    text = Path("r.typ").read_text()
+    shown = re.findall(r'#picture\("(.*?)"', text)
+    assert len(shown) == 3 and all(b"<svg" in Path(name).read_bytes() for name in shown)
+    assert "mode 1" in words_of(compiled(text, Path()))
 
 
 @pytest.mark.parametrize("text, expected", [
@@ -302,13 +371,20 @@ def test_markup_of_expressions(nodes, name):
      "<msub><mi>Q</mi><mrow><msub><mi>φ</mi><mn>1</mn></msub></mrow></msub>" + BY + "<mi>δ</mi>"
      "<msub><mi>φ</mi><mn>1</mn></msub>"),
     ("3·e^(−0.5·t)·cos(2·t + 1)", r"3 \, e^{- 0.5 \, t} \, \cos ( 2 \, t + 1 )",
-     f"<mn>3</mn>{BY}<msup><mi>e</mi><mrow><mo>−</mo><mn>0.5</mn>{BY}<mi>t</mi></mrow></msup>{BY}<mi>cos</mi><mo>(</mo>"
-     f"<mn>2</mn>{BY}<mi>t</mi><mo>+</mo><mn>1</mn><mo>)</mo>"),
+     f"<mn>3</mn>{BY}<msup><mi>e</mi><mrow><mo>−</mo><mn>0.5</mn>{BY}<mi>t</mi></mrow></msup>{BY}<mi>cos</mi><mrow>"
+     f'<mo stretchy="false">(</mo><mn>2</mn>{BY}<mi>t</mi><mo>+</mo><mn>1</mn><mo stretchy="false">)</mo></mrow>'),
     ("t^2", "t^{2}", "<msup><mi>t</mi><mn>2</mn></msup>"), ("t^", "t^{}", "<msup><mi>t</mi><mrow></mrow></msup>"),
     ("√2", r"\sqrt{2}", "<msqrt><mn>2</mn></msqrt>"), ("√(a", r"\sqrt{(} a", "<msqrt><mo>(</mo></msqrt><mi>a</mi>")])
 def test_texts_in_notation(text, expected, markup):
     assert latex.notation(text) == expected
     assert mathml.notation(text) == markup
+
+
+def test_brackets_around_what_stands_on_one_line_stay_small_with_their_power():
+    small = '<mo stretchy="false">(</mo><mi>a</mi><mo stretchy="false">)</mo>'
+    assert mathml.notation("(a)²") == f"<msup><mrow><mrow>{small}</mrow></mrow><mn>2</mn></msup>"
+    assert latex.notation("(a)²") == "( a )^{2}" and typst.notation("(a)²") == "(a)^(2)"
+    assert mathml.notation("½(") == "<mo>½</mo><mo>(</mo>"        # of an expression that follows: they grow
 
 
 def test_long_sums_are_broken_before_their_terms():

@@ -17,11 +17,12 @@ from support.formulas import (
     symbol,
     value,
 )
-from support.typeset import latex, mathml
+from support.typeset import latex, mathml, typst
 
 from vibcli.notation.latex import latex as write_latex
 from vibcli.notation.mathml import mathml as write_mathml
 from vibcli.notation.plain import plain as write_plain
+from vibcli.notation.typst import typst as write_typst
 from vibcli.report.blocks import Either, Line, Maths, Name, Picture, SumOfTerms, Words
 from vibcli.report.formats.formula import formula
 from vibcli.report.formats.markdown import latex as write_protected
@@ -29,7 +30,7 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 
 NOTATIONS = {"text": (write_plain, plain), "LaTeX": (write_latex, latex), "Markdown": (write_protected, latex),
-             "MathML": (write_mathml, mathml)}
+             "MathML": (write_mathml, mathml), "Typst": (write_typst, typst)}
 
 
 def of_documents(documents):

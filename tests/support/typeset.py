@@ -1,4 +1,4 @@
-"""Typeset formulas read back: LaTeX, that of Markdown too, and MathML to the tokens of formulas.py."""
+"""Typeset formulas read back: LaTeX, that of Markdown too, MathML and Typst to the tokens of formulas.py."""
 
 import re
 import unicodedata
@@ -144,3 +144,93 @@ def _name(part):
         bare = _name(part[0])
         return bare.rstrip("'") + inner + "'" * (len(bare) - len(bare.rstrip("'")))
     raise Unreadable(part.tag)
+
+
+# Typst
+
+_TYPST = re.compile(r'"(?:\\.|[^"\\])*"|[a-z]+(?:\.[a-z]+)+|[a-z]{2,}|\d+(?:\.\d+)?|\\.|\s+|.', re.DOTALL)
+_TYPST_SPACES = {"thin", "thick", "quad"}
+_TYPST_SIGNS = {"⋅": "*", ".": "*", "±": "+", "∓": "-", "\\/": "/"} | {sign: sign for sign in "-+=<>≤≥,|"}
+_TYPST_DOTTED = {"dot": "'", "dot.double": "''"}
+_TYPST_FUNCTIONS = {"arcsin", "arccos", "arctan", *FUNCTIONS}
+
+
+def typst(text):
+    """The tokens of Typst between dollar signs."""
+    return _typst([part for part in _TYPST.findall(text) if not part.isspace()], "")
+
+
+def _typst(parts, ends):
+    """Tokens up to one of the marks that end what they stand in."""
+    found = []
+    while parts and parts[0] not in ends:
+        part = parts.pop(0)
+        if part in _TYPST_SPACES:
+            continue
+        if part in _TYPST_SIGNS:
+            found.append(_TYPST_SIGNS[part])
+        elif part[0].isdigit():
+            found.append(("number", part))
+        elif part == "(":
+            found.append(("bracket", _until(parts)))
+        elif part == "^":
+            found.append(("power", _opened(parts)))
+        elif part == "frac":
+            found.append(("fraction", *_two(parts)))
+        elif part == "sqrt":
+            found.append(("root", _opened(parts)))
+        elif part in ("inline", "lr"):
+            found += _opened(parts)
+        elif part in _TYPST_FUNCTIONS or part == "op":
+            found.append(("function", part if part != "op" else _plain_word(parts)))
+        else:
+            found.append(("symbol", _typst_letter(part, parts)))
+    return bracketed(found)
+
+
+def _opened(parts):
+    """The tokens in the brackets that open here."""
+    if parts.pop(0) != "(":
+        raise Unreadable("a bracket is missing")
+    return _until(parts)
+
+
+def _until(parts):
+    found = _typst(parts, ")")
+    parts.pop(0)
+    return found
+
+
+def _two(parts):
+    parts.pop(0)
+    above = _typst(parts, ",")
+    parts.pop(0)
+    return above, _until(parts)
+
+
+def _plain_word(parts):
+    """The letters in brackets, indices in a row."""
+    if parts.pop(0) != "(":
+        raise Unreadable("a bracket is missing")
+    found = ""
+    while parts[0] != ")":
+        part = parts.pop(0)
+        found += "" if part == "," else part if part[0].isdigit() else _typst_letter(part, parts)
+    parts.pop(0)
+    return found
+
+
+def _typst_letter(part, parts):
+    primes = _TYPST_DOTTED.get(part, "")
+    if primes:
+        found = _plain_word(parts)
+    elif part[0] == '"':
+        found = part[1:-1].replace("_", "")
+    elif part.isalpha() or part in "∂ℓΣ∑":
+        found = part.replace("∑", "Σ")
+    else:
+        raise Unreadable(part)
+    while parts[:1] == ["_"]:
+        parts.pop(0)
+        found += _plain_word(parts)
+    return found + primes

@@ -43,6 +43,11 @@ class SymbolicExpression:
         return f"$\\displaystyle {self.latex}$"
 
 
+def node_of(expression: SymbolicExpression) -> Node:
+    """The expression as the engine has it."""
+    return expression._node
+
+
 class MotionEquation:
     """The equation of motion of a coordinate: `text` and `latex` in full, `linear_text` and `linear_latex` of small
     oscillations about the equilibrium; None where there is none."""

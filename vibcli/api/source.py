@@ -4,11 +4,11 @@ import os
 from time import perf_counter
 from typing import TYPE_CHECKING, NamedTuple
 
-from vibcli.base.decoding import MAX_BYTES, too_long
+from vibcli.base.decoding import MAX_BYTES, lines, too_long
 from vibcli.base.errors import Diagnostic, SpecError
 from vibcli.base.work import Work
 from vibcli.language.document.document import read, read_file
-from vibcli.language.document.nodes import Mapping
+from vibcli.language.document.nodes import Mapping, Scalar, Sequence
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
@@ -33,6 +33,20 @@ def file_source(path: "str | os.PathLike[str]") -> SceneSource:
     start = perf_counter()
     node, diagnostics, lines = read_file(path)
     return SceneSource(os.fsdecode(path), node, diagnostics, lines, perf_counter() - start)
+
+
+def bytes_source(data: bytes, file: str) -> SceneSource:
+    """The bytes of a scene file as it is read."""
+    return SceneSource(file, *read(data, file), lines(data))
+
+
+def content(node: Mapping | Sequence | Scalar, without: tuple[str, ...] = ()) -> tuple:
+    """What stands in a node, some keys left out, whatever its layout and the remarks beside it."""
+    if isinstance(node, Scalar):
+        return node.text, node.quoted
+    if isinstance(node, Mapping):
+        return tuple((key, content(value)) for key, (_, value) in node.entries.items() if key not in without)
+    return tuple(map(content, node.items))
 
 
 def shown_lines(file: str) -> list[str]:

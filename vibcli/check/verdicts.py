@@ -4,6 +4,7 @@ Numbers are compared within their tolerance (comparison.py); equations of motion
 constant, at random states. A scene with symbols is checked at several sets of random values of its symbols.
 """
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, NamedTuple
 
 from vibcli.base.errors import PhysicsError
@@ -50,10 +51,16 @@ def check(problem: "Problem", root: "Mapping | None" = None) -> list[Verdict]:
     verdicts = []
     for case in (None, *problem.spec.cases):
         part = problem if case is None else problem.case(case)
-        instances = Instances(part)
         document = root and document_of_case(root, case)
-        verdicts += [_verdict(instances, answer, case, document) for answer in part.spec.answers]
+        verdicts += verdicts_of(part, part.spec.answers, case, document)
     return verdicts
+
+
+def verdicts_of(problem: "Problem", answers: "Iterable[Answer]", case: str | None = None,
+                root: "Mapping | None" = None) -> list[Verdict]:
+    """The Verdicts of some answers of a scene, or of a case of it; root: its document, that of the case."""
+    instances = Instances(problem)
+    return [_verdict(instances, answer, case, root) for answer in answers]
 
 
 def _verdict(instances, answer, case, root):

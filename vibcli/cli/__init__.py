@@ -26,6 +26,7 @@ COMMANDS = {
     "variants": "Homework of a problem: all variants solved, and the gates that they pass.",
     "homework": "Sheets of a problem or a set, one for each student, with keys and worked solutions.",
     "grade": "Mark answers by the manifest of the sheets that were handed out.",
+    "view": "Report, figures and moving modes in the browser, as the file is edited.",
     "check": "Compare the answers in scene files with the results.",
     "explain": "The manual of the scene language, word by word.",
     "schema": "The JSON Schema of scene files, for editors.",

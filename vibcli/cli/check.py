@@ -14,7 +14,6 @@ from vibcli.cli.common import (
     color_option,
     patience_option,
     problem_in,
-    settings_in,
     show_diagnostics,
     show_fault,
     show_refusal,
@@ -125,7 +124,7 @@ def _check_file(file, settings, patience):
     """(exit code, verdicts) of one file; what is wrong with it goes to stderr."""
     try:
         source = source_of(file)
-        problem = problem_in(source, settings_in(source, settings), patience)
+        problem = problem_in(source, settings, patience)
         if not any(spec.answers for spec in (problem.spec, *problem.spec.cases.values())):
             _settle(problem)
             return 0, []

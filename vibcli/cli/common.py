@@ -96,32 +96,26 @@ def _set_color(context, parameter, value):
 def load(file: Any, settings: Sequence[str] = (), patience: int = 1) -> "Problem":
     """The Problem of a file, with its reading timed; SpecError or a usage error where it cannot be read. patience:
     the factor of what its long work may take."""
-    source = source_of(file)
-    return problem_in(source, settings_in(source, settings), patience)
+    return problem_in(source_of(file), settings, patience)
 
 
 def source_of(file: Any) -> "SceneSource":
-    """A file as it is read; SpecError or a usage error where it cannot be."""
+    """A file as it is read; a usage error where there is none."""
     from vibcli.api.source import file_source
 
     try:
-        source = file_source(file)
+        return file_source(file)
     except FileNotFoundError:
         raise click.UsageError(f"there is no file '{file}'{_near(file)}") from None
-    _sources.pop(source.file, None)
-    _sources[source.file] = source.lines
-    if source.node is None:
-        raise SpecError(source.diagnostics)
-    return source
 
 
-def problem_in(source: "SceneSource", settings: dict, patience: int = 1) -> "Problem":
-    """The Problem of a file that was read, whose long work tells how far it is."""
+def problem_in(source: "SceneSource", settings: Sequence[str] = (), patience: int = 1) -> "Problem":
+    """The Problem of a scene as it was read, whose long work tells how far it is."""
     from vibcli.api.source import problem_of
     from vibcli.base.work import Work
     from vibcli.cli.progress import teller
 
-    return problem_of(source, settings, Work(patience, teller()))
+    return problem_of(source, settings_in(source, settings), Work(patience, teller()))
 
 
 def _near(file):
@@ -136,7 +130,11 @@ def _near(file):
 
 
 def settings_in(source: "SceneSource", settings: Sequence[str]) -> dict:
-    """{name: (tree, scalar)} of the --set options."""
+    """{name: (tree, scalar)} of the --set options; SpecError where the scene could not be read."""
+    _sources.pop(source.file, None)
+    _sources[source.file] = source.lines
+    if source.node is None:
+        raise SpecError(source.diagnostics)
     if not settings:
         return {}
     from vibcli.api.given import parameters_of, setting

@@ -87,7 +87,7 @@ def _handout(one: "CourseProblem", patience: int) -> "Handout":
     from vibcli.homework.variants import solve_variants
 
     source = source_of(one.path)
-    problem = problem_in(source, {}, patience)
+    problem = problem_in(source, (), patience)
     if one.case is not None:
         try:
             problem = given.case(problem, one.case)

@@ -15,6 +15,7 @@ from vibcli.report.formats import FORMATS, WITHIN
 if TYPE_CHECKING:
     from vibcli.report.blocks import Document
 
+SCENE, OF_SCENES = "scene", (".yaml", ".yml")
 SUFFIXES = {name: suffixes for name, (suffixes, _, _) in FORMATS.items()} | {"json": (".json",)}
 ILLUSTRATED = {name: where for name, (_, where, _) in FORMATS.items() if where}
 
@@ -28,11 +29,11 @@ class Output(NamedTuple):
     force: bool = False
 
 
-def report_options(function: Callable) -> Callable:
-    """Options of the commands that print a report."""
+def report_options(function: Callable, formats: Sequence[str] = tuple(FORMATS), more: str = "") -> Callable:
+    """Options of the commands that print a report; `more` is said of further formats."""
     options = [
-        click.option("--format", "kind", type=click.Choice(list(FORMATS)),
-                     help="How to write the report; by the suffix of -o unless named, else text."),
+        click.option("--format", "kind", type=click.Choice(list(formats)),
+                     help=f"How to write the report; by the suffix of -o unless named, else text.{more}"),
         click.option("-o", "--output", metavar="FILE", type=FILE,
                      help=f"Write the report to a file: {listed([s for s, *_ in SUFFIXES.values()], 'or')}."),
         click.option("--force", is_flag=True, help="Replace files that exist."),
@@ -45,7 +46,7 @@ def output_of(file: str, as_json: bool, kind: Any, output: Any, force: bool, pic
     """The Output that the options ask for, before anything is computed; a usage error where that cannot be."""
     if as_json and kind:
         raise click.UsageError("--json does not go with --format")
-    suffixes = SUFFIXES.get("json" if as_json else kind, sum(SUFFIXES.values(), ()))
+    suffixes = (SUFFIXES | {SCENE: OF_SCENES}).get("json" if as_json else kind, sum(SUFFIXES.values(), ()))
     kind = "json" if as_json else kind or _by_suffix(output)
     if pictures and kind == "json":
         raise click.UsageError("--pictures does not go with JSON")

@@ -1,18 +1,20 @@
 """`vibcli solve FILE`: the whole solution."""
 
 from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import click
 
 from vibcli.cli.common import accuracy_option, chosen, integrated, load, number_options, scene_options
 from vibcli.cli.output import print_scenes
-from vibcli.cli.reports import output_of, report_options
+from vibcli.cli.reports import SCENE, output_of, report_options
+from vibcli.report.formats import FORMATS
 
 
 @click.command("solve")
 @scene_options
-@report_options
+@partial(report_options, formats=(*FORMATS, SCENE), more=" scene: the file itself with the results as its answers.")
 @number_options
 @accuracy_option
 @click.option("--insight", is_flag=True, help="Also whose energy each mode has, what its frequency depends on, and "
@@ -32,9 +34,22 @@ def command(file: str, settings: Sequence[str], case: str | None, as_json: bool,
     if steps:
         _require_told(insight, normalise, as_json, digits)
         sections, data = (lambda problem: STEPS), ()
+    if output.kind == SCENE:
+        _require_of_file(settings, steps, normalise, timings)
+        from vibcli.cli.answered import print_answered
+
+        return print_answered(file, problems, sections, output, digits)
     if accuracy and not any("response" in sections(problem) for _, problem in problems):
         raise click.UsageError("--accuracy is for motions in time, and none is asked for: find: [response]")
     return print_scenes(problems, sections, output, timings, digits, normalise, data, question=True)
+
+
+def _require_of_file(settings, steps, normalise, timings):
+    """UsageError of what is asked beside the file with its answers, in which it would not stand."""
+    for asked, option in ((settings, "--set"), (steps, "--steps"), (normalise != "first", "--normalise"),
+                          (timings, "--timings")):
+        if asked:
+            raise click.UsageError(f"--format {SCENE} and {option} exclude each other: answers are those of the file")
 
 
 def _require_told(insight, normalise, as_json, digits):

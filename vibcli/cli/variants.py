@@ -29,8 +29,7 @@ def command(file: str, settings: Sequence[str], case: Any, as_json: bool, patien
 
     output = output_of(file, as_json, **report)
     source = source_of(file)
-    given = settings_in(source, settings)
-    problem = problem_in(source, given, patience)
+    given, problem = settings_in(source, settings), problem_in(source, settings, patience)
     name, problem = (None, problem) if case is None else chosen(problem, case)[0]
     if problem.spec.get("variants") is None:
         where = Where(file, 1, 1, 0)

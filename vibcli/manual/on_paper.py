@@ -44,6 +44,14 @@ REPORTS = [
     "`--pictures` adds the figure of the scene, the shapes of its modes and the diagrams of its members, within "
     f"{listed(_WITHIN)}, as files beside {listed(_BESIDE)}. `vibcli solve problem.yaml -o report.html --pictures` "
     "writes the whole.",
+    "`vibcli view FILE` shows the report with its pictures, and modes that move, in the browser and follows the file "
+    "as it is edited: of what has changed only the scene or the case concerned is solved anew, and what is wrong "
+    "stands on top with its line. The page is served to this machine alone, under the address that is printed; "
+    "`--no-open` opens no browser, `--port N` says where.",
+    "`vibcli solve FILE --format scene` prints the file itself with what it found as its `answers`, in letters or to "
+    "six digits (`--digits` otherwise), ready to be checked: comments, order and the answers that are there stay, "
+    "those of a case stand in it. Each is compared as `vibcli check` does it; what does not agree, or has no spelling "
+    "as an answer, is left out and named on stderr. `-o FILE.yaml` writes it to a file, `--force` in the place of one.",
 ]
 
 DATA = [

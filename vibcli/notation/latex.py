@@ -51,6 +51,9 @@ class Latex(Stacked):
     def brackets(self, text: str) -> str:
         return rf"\left({text}\right)"
 
+    def flat(self, text: str) -> str:
+        return f"( {text} )"
+
     def magnitude(self, text: str) -> str:
         return rf"\left|{text}\right|"
 

@@ -50,6 +50,9 @@ class MathML(Stacked):
     def brackets(self, text: str) -> str:
         return f"<mrow><mo>(</mo>{text}<mo>)</mo></mrow>"
 
+    def flat(self, text: str) -> str:
+        return f'<mrow><mo stretchy="false">(</mo>{text}<mo stretchy="false">)</mo></mrow>'
+
     def magnitude(self, text: str) -> str:
         return f"<mrow>{_operator('|', 'prefix')}{text}{_operator('|', 'postfix')}</mrow>"
 

@@ -47,6 +47,8 @@ def _one(text, at, write):
     if kind == "root":
         found, at = _argument(text, at, write)
         return write.sqrt(found), at
+    if token["operator"] == "(" and (end := closing(text, at - 1)) is not None:
+        return write.flat(read(text[at:end], write)), end + 1
     return (write.gap(len(token["gap"])) if kind == "gap" else write.operator(token["operator"])), at
 
 

@@ -41,3 +41,21 @@ class Language(Plain):
 
 
 language = Language()
+
+_RAISED = re.compile("[⁰¹²³⁴-⁹⁻ᐟ]+")
+_DIGITS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᐟ", "0123456789-/")
+
+
+def unit_in_scene(text: str) -> str:
+    """A unit as a value in a scene has it: kg·m² → kg*m^2, 1/s → s^-1, kg/(m·s) → kg/m/s; nothing for a pure number."""
+    above, _, below = _RAISED.sub(_power, text).replace("·", "*").partition("/") if "ᐟ" not in text else (
+        _RAISED.sub(_power, text).replace("·", "*"), "", "")
+    parts = below.strip("()").split("*") if below else []
+    if above == "1":
+        above = re.sub(r"(\^(.*))?$", lambda found: f"^-{found[2] or 1}", parts.pop(0), count=1) if parts else ""
+    return "/".join([above, *parts])
+
+
+def _power(found):
+    power = found.group().translate(_DIGITS)
+    return f"^({power})" if "/" in power else f"^{power}"

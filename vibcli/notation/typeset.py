@@ -2,7 +2,7 @@
 
     numeral(text)   lettered(letter, below, primes)   functional(name)   applied(head, text, bare)
     times(texts)   fraction(above, below)   sqrt(text)   power(base, exponent)   brackets(text)   magnitude(text)
-    operator(symbol)   gap(columns)   words(text)   beside(*texts)
+    flat(text), in brackets that need not grow   operator(symbol)   gap(columns)   words(text)   beside(*texts)
 """
 
 from collections.abc import Callable, Sequence

@@ -10,5 +10,6 @@ FORMATS = {
     "markdown": ((".md", ".markdown"), ".svg", "Markdown with formulas between dollar signs"),
     "latex": ((".tex",), ".pdf", "a LaTeX document of its own"),
     "asciidoc": ((".adoc", ".asciidoc"), ".svg", "AsciiDoc with formulas as `stem`, in LaTeX"),
+    "typst": ((".typ",), ".svg", "a Typst document of its own"),
     "html": ((".html", ".htm"), WITHIN, "a page complete in itself, its formulas in MathML"),
 }

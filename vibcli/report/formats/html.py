@@ -29,13 +29,13 @@ _DEFINED = re.compile(r'\bid="|href="#|url\(#')
 def render(documents: Sequence[Document], _: Callable | None = None, listed: bool = True) -> str:
     """The page with all documents, the first at its top, the others below it as cases; `listed`: with their list."""
     contents = _contents(documents) if listed and len(documents) > 1 else ""
-    articles = [_article(number, document) for number, document in enumerate(documents)]
+    articles = [article(number, document) for number, document in enumerate(documents)]
     return page(documents[0].title, contents + "\n".join(articles))
 
 
 def fragment(document: Document):
     """One document as a piece of a page."""
-    return _article(0, document)
+    return article(0, document)
 
 
 def _contents(documents):
@@ -43,7 +43,8 @@ def _contents(documents):
     return f'<nav aria-label="Contents"><ul>{items}</ul></nav>\n'
 
 
-def _article(number, document):
+def article(number: int, document: Document) -> str:
+    """One document as the part of a page that has this number."""
     level = 2 if number else 1
     parts = [f'<article id="scene{number}">\n<h{level}>{words(document.title)}</h{level}>']
     parts += [f'<p class="source">Source: {words(document.source)}</p>'] if document.source else []

@@ -1,11 +1,15 @@
-"""The frame of a report as one HTML page: its head, its style, and how words are escaped. Nothing is loaded, no
-script runs: the policy of the page forbids both."""
+"""The frame of a report as one HTML page: its head, its style, and how words are escaped. Nothing is loaded but what
+the page holds, no script runs: the policy of the page forbids both."""
 
 from html import escape
 
 from vibcli.base.decoding import cleaned
+from vibcli.report.formats.bracket_font import FONT
 
-STYLE = """
+STYLE = f"""
+@font-face {{ font-family: "vibcli brackets"; src: url("data:font/woff;base64,{FONT}") format("woff"); }}
+math {{ font-family: "vibcli brackets", math; }}
+""" + """
 :root { color-scheme: light dark; --rule: color-mix(in srgb, currentColor 25%, transparent); }
 body { max-width: 60rem; margin: 2rem auto; padding: 0 1rem; font: 1rem/1.5 "Latin Modern Roman", Georgia, serif;
   overflow-wrap: anywhere; }
@@ -25,18 +29,21 @@ ul.items { list-style: none; margin: 0.5em 0; padding-left: 1.5em; }
 ul.flowing li { display: inline-block; margin-right: 1.8em; }
 .about { margin-left: 1.2em; }
 p { margin: 0.5em 0 0.5em 1.5em; }
+p, li, figure { overflow-x: auto; overflow-y: hidden; padding-bottom: 0.15em; }
 .question, .source { margin-left: 0; }
 .refusal { border-left: 4px solid #b00020; padding-left: 0.8em; }
-figure { margin: 1em 0; } figure svg { max-width: 100%; height: auto; } figcaption { font-size: 0.9rem; }
+figure { margin: 1em 0; } figure svg { max-width: max(100%, 34rem); height: auto; } figcaption { font-size: 0.9rem; }
+:focus-visible { outline: 2px solid; outline-offset: 2px; }
 @media print {
+  :root { color-scheme: light; }
   body { max-width: none; margin: 0; font-size: 10.5pt; color: #000; background: #fff; }
   nav { display: none; }
   h1, h2, h3, h4 { break-after: avoid; } .equation, tr, figure { break-inside: avoid; }
-  .equation, .wide { overflow: visible; } th, td { white-space: normal; padding: 0.15em 0.5em; }
+  .equation, .wide, p, li, figure { overflow: visible; } figure svg { max-width: 100%; } th, td { white-space: normal; padding: 0.15em 0.5em; }
   article + article { break-before: page; border: 0; margin: 0; }
 }
 """
-POLICY = "default-src 'none'; style-src 'unsafe-inline'"
+POLICY = "default-src 'none'; style-src 'unsafe-inline'; font-src data:"
 
 
 def words(text: str) -> str:

@@ -1,0 +1,58 @@
+"""A font of brackets, bars, roots, sums and integrals that grow, for pages: where no font for mathematics is installed,
+browsers stretch none, and set fractions by rules of text. 4 kB, embedded, so that a page loads nothing.
+
+From STIX Two Math 2.13, Copyright 2001-2021 The STIX Fonts Project Authors (https://github.com/stipub/stixfonts), under
+the SIL Open Font License 1.1 (https://openfontlicense.org), as the font itself says too: the glyphs of "()|√ ∫∑" with
+their variants and the MATH table, as `fontTools.subset` leaves them (`--text="()|√ ∫∑" --layout-features= --no-hinting
+--name-IDs=0,1,2,3,4,6,13,14 --flavor=woff`).
+"""
+
+FONT = (
+    "d09GRgABAAAAAA9gAAwAAAAAFUQAAQABAAAAAAAAAAAAAAAAAAAAAAAAAABNQVRIAAANwAAAAZ8AAAKIYYCWBk9TLzIAAAGMAAAAVQAAAGBqWJNZY2"
+    "1hcAAAAowAAABHAAAAXGZQAdJnYXNwAAANuAAAAAgAAAAIAAAAEGdseWYAAAM4AAAJZgAADW5/dzwcaGVhZAAAARwAAAA2AAAANic4aqdoaGVhAAAB"
+    "VAAAACAAAAAkCNwD2GhtdHgAAAHkAAAApgAAALpvSxGtbG9jYQAAAtQAAABkAAAAZFCyVBltYXhwAAABdAAAABcAAAAgADMAOG5hbWUAAAygAAABAw"
+    "AAAf4rtUGkcG9zdAAADaQAAAATAAAAIP+1ADMAAQAAAAIeuFZUfrlfDzz1AA4D6AAAAADb/8ZZAAAAAOcwQNkACvmYBNsKQgAAAAYAAgAAAAAAAHic"
+    "Y2BkYGD69V+I4RfLHgau/3dZbjMARVCADgClmga7eJxjYGRgYDBkMGcA0QxQEgkAAArxAGwAeJxjYGE6yjiBgZWBgfEL4xcGBoZfEBqIjRmlGRiYmN"
+    "iYWVlYmZhZgHKMQOzAAAXBIZ4RDAcYFJS0mX79F2L4xeXMlglVw8B4k2kikFJgYAIAKA8PoQAAAHicJcoxDgFRFIXhc++8hIxC6CjezBvNNJohGomQ"
+    "aCaioJhIRCRCYQkKmxCNHUhYwlR2oddp7ICDnPzFST5dwMcTkBK2skGTWdkjkSM6ckFXbujLHUN5IdUCxmox1TYyHWGuKyx1hzW9pQ/oA/qQPqR39I"
+    "4+onf0EX1E3/DO6JkZyl4dVVOBNSd2YDkyk3uTb3rlLyLRt9T+wZcHWr/FMkD8AbrlIFoAAHicY2BgYGJgYGAGYhEgyQimWRg8gDQfAwdQjo1BgUGT"
+    "oUZJUElKSfv/f6C4AoMGgv//4f/b/9vu8dxjvfsbrBsJAAAQ/RB+AAAAAAAAAAAMACcAQwBiAIIApQDMAPQBHwFKAXUBoAHOAf8CMAJPAnAClAK7Au"
+    "QDEAM8A2gDlAPDA/UEJwRUBIMEngS6BNYE8gULBRwFKAVtBbwFygX+BjYGUQZdBncGkQaeBrd4nHWXe1BTVx7H7+/ckFjUQN4JhoSQEjCS6EISgiwp"
+    "Lw0PEUFgefhgF6xQCaVAsXRxfLa+Wl2r1m3t+OzU0drO4NTdscUXu1N3xu6uQwudxWq7SnfGqe12ho5SML/s7+b6nGb/YH6TnPv9nN+5uZ9zDxxwLa"
+    "GnuSNsgOM5TmdVpB/JzPyKP8AB5wj9GvzsG246x6lcngydVKpRa3Uym82xqyc2UF8fiO3ZBfJjt5+JKx56662h4rhnblPKRCmvmAK1VJbs8bhdtuQM"
+    "rRa8FGurq2uLEKNcGp6F5fxyLiY8mzAd06iVOpmTpRWurVR2rljRqaxcWwjy7aMfuA0NONrfj6MNBs/Jb4W0B+fBi/yXYlr5KG2zMU/p5hpVTyDQo6"
+    "rZXAryd0E1mGPowsPXruHhLkPOIKgpnxX8O7wmKeMUD/NhQHi5LKtiR722MuByBSq19TsqQH4W8u+U6OvH8YsTx/GL8SX6kruQR5ScYBUckVziVCIl"
+    "3IaACS+D5aTV9vh1NZ1eb2eNzt9Tmwbyw2C5czFH34zf4LEL5/E9/HeLPvfCHbAIayq4dx3ORPnu05SP06gpVuBetrbYsOTl7OyXlxiK1y5zg/wjmA"
+    "eakUJdN57Bl4eHsAfPdOsKR0AD84hXdO9Z+GfUnzjNI1408eKYyCvyNm5aMMPfWpSUVNTqn7FgU6MX5JegBdxji7SNGMJB7Ovrwz6qoUbtojFwQwtR"
+    "Syd/gP9InSI1jj0OjWalWc3byuKLO0qTk0s7iuPLtjVngXwEXodKmF6jDeAonsKdAxdxB9XRgLYWptHIDqJWTHbDPel7kakVvsDOcnNpd7ndXt5dai"
+    "7fGfCB/HvogxchqUGzGi/hGxgYHMQA1UurNQ2QRCN9RK2e5JhKZoxMrc7t2FtpWdRblZpa1bvIUrm3IxfkIRiCPeBrVq/Hk9iBC27ewBKqJ9erm8FH"
+    "I0NErZ/YwmbK9nC6MJV/gsrXpy5atW5eYsWG2tmzazdUJM5bt2pRKsi/gnegE3KBq1Nvx11YgTPHxtBOdddr6jrgaKQT3iH28olYljNlGmd4xOaJzY"
+    "fZy52L2zf5kwo6arITErJrOgqS/JvaFztB/h2cgZ3wG1A3qF7Cz/EIrsWWK1ewheoR/PwlVQOoaXQnnKEZmn7+I6uesinyDE1zqru2Ftnmdy/JsVhy"
+    "lnTPtxVt7aqeA/IJGIYT8DzYVqrW4TnciitwIQm1kOpWPLdOtRJsNHoChoUdgcwuEc2mHUHYEpRuF0vOMDEo8a+rVHY1NXUpK9f5Qb7t25MeQwMY+/"
+    "vB2GBwfzBKaTOZvUw0G9TsUVqrVcKyJ9U+ircFtWH5tWuwXFAbvxc8MpPb7aLb9wlhhE1ktAtyV7W6XK1V9+XGc3dL9EvGIfX4CUgdr9eX3MGzAieB"
+    "7N4g2i1wwq0IoPBSlLAhgt749Z0LufoWMEPd+QtQCwnN+pyLd/BrgUZ27xXtJhp7nEZtKWFvBL3xE/xO0Bv8sHloGF4Fv6A3foefCP1ZyO9jot8PiH"
+    "HM7Yp+QDwWUXDch5cFwQHACWV9fVBGFQTB8TLuC3PJ8I9Fw0EdzR7HxjH4OJLi/xIcwZ9qtQEwwkLouDgAL1A1BrQ1OEYjnQI3kRz/THQ8AveziJJj"
+    "GW7HqyQ5ZEIb7B4chN1UM0lyvEojZWK/HFwXLY/AvR5Rc5yFrThAmgv7D5y+cRM+olpJmuMAjcwK9zuxBX4UPScu/wSXhx9F0RevF0Rfv/ih6NiEr+"
+    "P5EIn+GhnxIQyPjcGXVJ/frq4LcXieRptEeizjRdMf0Hmi82E64/+v6ujHF/A43ibVwQHLYD3su3IF9lFdBg5SHW/T6AvoF+awkusa0fUIc2hI9i3F"
+    "D2V/0W8r3iLKTjtTNe1SIyQ75MFq2A+nSLFTVFdDHsmOIzRajXZhDl9oCr+Ul3N6jkviLW4At0VndTKrRUOvIY0ljd6K/NLsoAk24iZ2e2ryVE99Pv"
+    "4ZXHgUjj9T6FDPxwE9TMBX+onKyngJ9qjQFeVuLCByDD4n0fH7uDiOs9wnq6xO/iHZxzIkurJ7fghhDH9R7ohOyX+2GOfDQfSyrMwSV7IGn4tje1iD"
+    "Gc9Wr3Qro4JBdfBDqXX+qkKiK/Eun82/zU2jRaRrrGCl25ORrkpn+4904Rf2W82xB9WfSvi3CyYPs8IUYxsyLry33ZW4pO5HKRBSkM4feLMJExw43K"
+    "x6Tw1TJFJ3wc9SnqXEB4KlD3L9UzJ/kZPY3mwKXnbg0XDOK5mSWXCX8f+g3L0tD3Kno/N+mTNT7roD94VzuZLovIKffpZspNzkD0KuOjTJ75Gt4qKF"
+    "nOJhl+X53uDWtbEDamaRyFaN/0GqnRXfNXGaLuLLOU5yla3nouiDRWFVWCRX8Uw+bGPZwb/Q1+IV/B62TTg3WujcyO/Jz6dPwgnQxHawL7l0usg9x2"
+    "ZNlPMyOW9NtLldnvQ0rYZOhZo52nTh9/JJxC+sibTz5cWojCkmneopdVpOebrbadWpVdOjp063OBOMMdPMs7LKPUkZqbpkdlAqnV2+os3Vdvb1hR6z"
+    "NUmn0hjlMmlR7/7ynC29jXPts2y21EThTHlvFX82ai/nediJRBbNftkJvRCUGfTnYw/aoSv4FoXCnjPn6RmG6fbA/jafN8Wo08mj5TGuYu+sFG2sNT"
+    "WrdEWuI+tXBpU+qkoqW/ru8E/Bl/D3wW/xli851WGK01pjpLLWv4EOav66mZ5R6c2Tv509xznTYEihhkCw8IDkhnD/gG4wHHhFcmPSRF+IY2y/dCln"
+    "fXQP6Uyh1tB1LqWPf6xND/PGKMz2uBgZvCI3ObIXzk7LTjXoLAqphcksFbtHsf9qbEIsmmHkLrTiu/XW+WkzbfFxOofwXAjPwwHZyvA8iljG5BKCZn"
+    "ie/J14pVJB7U3VmpOdrrlmZwG9Ksx6s+opuWLGzHjV1CgmW4mv4n+xDj/9+o3qmdMy81Iz4hPMnum8NM7/yhB46SSgh16aT3gm+iXj4ec3fJwVFuRj"
+    "cMj4uzVz2+012yXjpkZEHD6EVbBmQ/DWJaHL9FCIOyreKeE/lKPt7SC5+SQtSebk3Yp0BR2Pod/YsL3G3j53jcm04NKt4AZYg1WHcBhRYAm3vk/MqD"
+    "JMfLgBxlLuR3olI2IGN8L7h8AOguWQGwpRJjx/FM0PfWIDT9LSwy9woQU5KzA29oaXY2oEBvZD8D5uFBbzPz7Ku5YAAHicfZBNagJBEIW/jpLgxgNk"
+    "EWYlMeCYzELErCQgCgkRdSHuNCTjBHXCjBK9Vc6RE+Q4edMz/iAoTVOvql69113AFSNymHwB+NFNseFaWYovKPKb4Rwt/jKc587cZPiSkmlnuEjNLH"
+    "gi5IsNEQE+U5Y4eNzrPFCxyBNyGKj3rtgX6jAUamlyIX4s3NV8yKcYb1ahyUpxqlpk+7dWeSmnmAZVHV9+CWPFBFdTIXNVY9UCsZLqNlvzsXMqH/gP"
+    "+Fbd4YWxVerJ3dfkTHmkV7t6t6f+RLFGXdXH3fQepSpbjcqRymk35wTzvN7xFmL9PLI/Tn7n6gZiunZvvvqv2vLzP+WpTnkAeJxjYGYAg/+bGIwZsA"
+    "AALJIB6AAAAQAB//8AD3icTZLNLwNBGMafnZnubj+WouqrpS3a6hdOdRMhQiLCQeIkkTg4EhcHBx8HCReJpEeVIBEX4egv6NnBuQkRF38AQTyzbcpO"
+    "nnmf9513ftmZXRgAfKgaQUyj6MlbNkqAIagqIE64+ki/wXjOuM74RW1Tr5Tu3WFMU4f0uVoUZ/RPgAww7jG/r/dyXcaYzzOfqknMUrt/0a2X/tbdfS"
+    "t1f/uv/t8vUTd1r9kTwM8dYxE2cohQAQj9xiLCqkGfRIqzHglWdBZHhm4NYWYmXQZzuDaUETRmuMNkp4RCFH1c17dma44sQz/kyBhH2a3VHDAGB1Je"
+    "waMuYHpOYZkHsK0teO1V+LyL8PsmEPCPwglE0eQ4aHa+EWx6d4kSec6f6oNzTr7JN/VCdhafgFvTbEV2C9mtZLeRHSK7neww2R1kd5LdRXY32T1kRx"
+    "rskQZ7uMEuNNj6PFFloddTQIhn7lOXiFnjiHsnkfDP1Rn9qKBibdIPiiOOYzIGRJKb91nT952UD0h5s1hw+zP621v6D0qLZbGsntk/pP8Gk1/3F8Jq"
+    "SzQA"
+)

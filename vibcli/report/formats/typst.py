@@ -1,0 +1,128 @@
+"""A report as a Typst document, complete in itself but for its pictures."""
+
+import re
+from collections.abc import Callable, Sequence
+
+from vibcli.base.decoding import on_one_line
+from vibcli.notation.typst import quoted, typst
+from vibcli.report.blocks import (
+    Definitions,
+    Document,
+    Equations,
+    Heading,
+    Maths,
+    Paragraph,
+    Picture,
+    Refusal,
+    TableBlock,
+)
+from vibcli.report.formats.formula import formula, rows, without_words
+from vibcli.report.formats.latex import is_signed
+
+COLUMNS = 95        # of plain text, in a row of a formula
+_SPECIAL = re.compile(r"[\\#$*_`<>@~\[\]]|-(?=[-?\d])|\.(?=\.\.)|/(?=[/*])")
+_STARTING = re.compile(r"[-+=/]|\d+\.")
+HEAD = """\
+#let fitted(it) = layout(size => {
+  let wide = measure(it).width
+  if wide > size.width { scale(size.width / wide * 100%, origin: left, reflow: true, it) } else { it }
+})
+#let picture(file, words) = figure(layout(size => {
+  let drawn = measure(image(file))
+  image(file, width: calc.min(0.8 * size.width, drawn.width / drawn.height * 9cm))
+}), caption: words, numbering: none)
+#set page(paper: "a4", margin: 22mm, numbering: "1")
+#set text(size: 10.5pt)
+#set smartquote(enabled: false)
+#set table(stroke: none, inset: (x: 0.6em, y: 0.35em), align: left)
+#set math.equation(numbering: none)
+#show math.equation.where(block: true): set align(left)
+#show math.equation.where(block: true): set block(breakable: true)
+#show math.equation.where(block: true): it => pad(left: 1.5em, fitted(it))
+#show table: fitted
+#show heading: set block(above: 1.3em, below: 0.7em)
+"""
+
+
+def escaped(text: str) -> str:
+    """Words that Typst shows as they are."""
+    return _SPECIAL.sub(r"\\\g<0>", on_one_line(text))
+
+
+def beginning(text: str) -> str:
+    """What begins a line, so that it begins no list, heading or term."""
+    text = text.strip()
+    start = _STARTING.match(text)
+    return text if start is None else f"{text[:start.end() - 1]}\\{text[start.end() - 1:]}"
+
+
+def render(documents: Sequence[Document], place: Callable | None) -> str:
+    """The Typst of all documents; `place(picture)` is the name of the file that a picture is written to."""
+    title = f"#set document(title: {quoted(documents[0].title)})\n"
+    return title + HEAD + "\n#pagebreak()\n".join("\n".join(_document(one, place)) for one in documents)
+
+
+def _document(document, place):
+    yield f"= {escaped(document.title)}\n"
+    if document.source:
+        yield f"Source: {escaped(document.source)}\n"
+    if document.question:
+        yield beginning(_running(document.question)) + "\n"
+    for section in document.sections:
+        yield f"== {escaped(section.title)}\n"
+        yield from (_picture(block, place) if isinstance(block, Picture) else _RENDER[type(block)](block)
+                    for block in section.blocks)
+    if document.refusal:
+        yield _refusal(document.refusal)
+
+
+def _running(parts):
+    return "".join(f"${formula(part.parts, typst)}$" if isinstance(part, Maths) else escaped(part)
+                   for part in without_words(parts))
+
+
+def _equations(block):
+    """One alignment: labels, then formulas, broken where they are long."""
+    lines = []
+    for line in block.lines:
+        first, *others = rows(line.parts, typst, COLUMNS)
+        label = f"{formula(line.label, typst)}: quad " if line.label else ""
+        lines += [f"{label}& {first}", *(f"& quad {other}" for other in others)]
+    return "$ " + " \\\n  ".join(lines) + " $\n"
+
+
+def _paragraph(block):
+    return beginning(_running(block.parts)) + "\n"
+
+
+def _heading(block):
+    return f"=== {escaped(block.text.rstrip(':'))}\n"
+
+
+def _table(block):
+    head, *body = (", ".join(map(_cell, row)) for row in (block.head, *block.rows))
+    lines = "".join(f"  {row},\n" for row in body)
+    return f"#table(columns: {len(block.head)},\n  table.header({head}),\n  table.hline(stroke: 0.5pt),\n{lines})\n"
+
+
+def _cell(cell):
+    return f"[${typst.numeral(cell)}$]" if is_signed(cell) else f"[{beginning(_running((cell,)))}]"
+
+
+def _definitions(block):
+    items = [_running(item.term) + (f" #h(1em) {escaped(item.about)}" if item.about else "") for item in block.items]
+    return (" #h(1.5em)\n".join(f"#box[{item}]" for item in items) if block.flowing else
+            " \\\n".join(map(beginning, items))) + "\n"
+
+
+def _refusal(refusal):
+    hint = f" ({escaped(refusal.hint)})" if refusal.hint else ""
+    return f"*Not found:* {escaped(refusal.message)}{hint}\n"
+
+
+def _picture(block, place):
+    return f"#picture({quoted(place(block))}, [{escaped(block.caption)}])\n"
+
+
+_RENDER = {Equations: _equations, Paragraph: _paragraph, Heading: _heading, TableBlock: _table,
+           Definitions: _definitions, Refusal: _refusal}
