@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Factor, Name, SumOfTerms, Words
-from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import textbook
@@ -27,9 +26,10 @@ class EnergyPart(NamedTuple):
 
 
 class Bodies:
-    """What the bodies of a scene add to T, apart from some of these names; `others`: does something else, too?"""
+    """What the bodies of a scene add to T, AboutRest or InMotion, apart from some of these names; `others`: does
+    something else, too?"""
 
-    def __init__(self, about: AboutRest, sheet: WorkedSolution, others: bool, apart: Collection[str] = ()):
+    def __init__(self, about: Any, sheet: WorkedSolution, others: bool, apart: Collection[str] = ()):
         self.about, self.sheet, self.scene, self._apart = about, sheet, about.scene, apart
         self._several = others or sum(1 for body in self.scene.bodies.values() if self._counts(body)) > 1
 
@@ -91,10 +91,10 @@ class Bodies:
         v, turn = (about.letter(self.sheet.letter(letter, body.name)) for letter in ("v", "omega"))
         told = [part for axis, node in speeds for part in (Words(",  "), Name(f"{axis}_C'"), " = ", node)][1:]
         if speeds and not _is_plain(speeds, omega):
-            told += [Words(",  "), v ** 2, " = ", self.scene.table.total([node ** 2 for _, node in speeds])]
+            told += [Words(",  "), v ** 2, " = ", about.square([node for _, node in speeds])]
         told += [Words(",  " * bool(told)), turn, " = ", omega] if turns else []
         if told and not _is_plain(speeds, omega):
-            lines.append(self.sheet.write(Words(f"speeds of {body.name} to the first order:  "), *told, uses=lines))
+            lines.append(self.sheet.write(Words(f"speeds of {body.name}{about.order_of_speeds}:  "), *told, uses=lines))
         parts = [(term.weight, about.small(term.s)) for term in terms]
         formula = [body.mass * v ** 2 / 2] * bool(speeds and body.mass) + [body.inertia * turn ** 2 / 2] * bool(turns)
         shown = [] if body.pieces or _is_plain(speeds, omega) else formula

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from math import tau
 from typing import TYPE_CHECKING, Any
 
+from vibcli.mechanics.given_damping_in_letters import proportional
 from vibcli.notation.plain import lowered
 from vibcli.report.blocks import Either, Name, Words
 from vibcli.report.steps.small import AboutRest
@@ -40,9 +41,10 @@ class SeveralDegrees:
         parts: list[Any] = []
         skew = letter == "G"
         for (i, j), node in sorted(entries.items()):
-            if j < i:
+            twins = letter == "G" or self.about.same(node, entries.get((j, i), self.about.table.zero))
+            if j < i and twins:
                 continue
-            twin = "" if i == j else f" = {'−' * skew}{letter}{lowered(j + 1)}{lowered(i + 1)}"
+            twin = "" if i == j or not twins else f" = {'−' * skew}{letter}{lowered(j + 1)}{lowered(i + 1)}"
             parts += [Words(",  ")] * bool(parts) + [f"{letter}{lowered(i + 1)}{lowered(j + 1)}{twin} = ", node]
         return self.sheet.write(Words(f"{words}:  "), *parts, settles=letter, uses=self.found.lines)
 
@@ -94,8 +96,11 @@ class SeveralDegrees:
         damped = self.problem.modal.damped
         if damped is None:
             return
-        line = self.sheet.write("det(λ²·M + λ·C + K) = 0" if not self.found.G else "det(λ²·M + λ·(C + G) + K) = 0",
-                                Words(" has the roots"), settles="det(lambda^2*M + lambda*C + K)", uses=uses)
+        head = ["det(λ²·M + λ·C + K) = 0" if not self.found.G else "det(λ²·M + λ·(C + G) + K) = 0",
+                Words(" has the roots")]
+        if not proportional(self.problem.spec):
+            head = [Words("`damping:` adds what damps each mode by itself:  "), "λ = −ζ·ω ± ω·√(1 − ζ²)·i"]
+        line = self.sheet.write(*head, settles="det(lambda^2*M + lambda*C + K)", uses=uses)
         for mode in damped:
             value, parts = complex(mode.eigenvalue), []
             if value.imag:
