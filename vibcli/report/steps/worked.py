@@ -4,6 +4,7 @@ from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
+from vibcli.report.steps.chosen import tell_chosen, with_letters
 from vibcli.report.steps.coordinates import tell_conditions, tell_constraints, tell_coordinates, tell_loops
 from vibcli.report.steps.full_equations import FullEquations
 from vibcli.report.steps.held import HINT, UNTOLD, SmallEquations, Untold
@@ -26,6 +27,13 @@ def worked(problem: "Problem") -> list[WorkedLine]:
     """The steps of a scene: to its equations of motion where these are asked, or small oscillations are not told apart
     element by element; then to its small oscillations."""
     _require_told(problem)
+    sheet = _told(with_letters(problem))
+    if problem.choice is not None:
+        tell_chosen(problem, sheet)
+    return sheet.steps
+
+
+def _told(problem):
     if asks_in_full(problem):
         return _in_full(problem)
     try:
@@ -49,7 +57,7 @@ def _small(problem):
     about = about_rest(problem, sheet)
     tell_loops(about, sheet, conditions)
     _solved(about, sheet, Derivation(about, sheet).equations())
-    return sheet.steps
+    return sheet
 
 
 def _in_full(problem):
@@ -63,7 +71,7 @@ def _in_full(problem):
     try:
         about = about_rest(problem, sheet)
         if problem.system.sticking is not None:
-            return sheet.steps
+            return sheet
         if loose is problem.scene:
             found = linearised(about, sheet, problem.symbolic.equations.full, lines)
         else:
@@ -73,7 +81,7 @@ def _in_full(problem):
         _solved(about, sheet, found)
     except PhysicsError:
         del sheet.steps[before:]
-    return sheet.steps
+    return sheet
 
 
 def _solved(about: AboutRest, sheet: WorkedSolution, found: SmallEquations):
