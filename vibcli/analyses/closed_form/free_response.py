@@ -16,7 +16,6 @@ from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.radicals import root
 
 if TYPE_CHECKING:
-    import numpy as np
 
     from vibcli.symbolic.node import Node
 
@@ -60,7 +59,7 @@ def free_motions(m: "Node", c: "Node", k: "Node", start: "Sequence[Node]", rates
     return found
 
 
-def regime_at(m: float, c: "np.ndarray", k: "np.ndarray"):
+def regime_at(m: float, c: float, k: float) -> str:
     """The regime for numbers m, c, k."""
     if not m:
         return RELAXATION

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from vibcli.base.errors import PhysicsError
 from vibcli.report.steps.chosen import tell_chosen, with_letters
 from vibcli.report.steps.coordinates import tell_conditions, tell_constraints, tell_coordinates, tell_loops
+from vibcli.report.steps.degree import Degree
 from vibcli.report.steps.full_equations import FullEquations
 from vibcli.report.steps.held import HINT, UNTOLD, SmallEquations, Untold
 from vibcli.report.steps.linearised import linearised
@@ -85,8 +86,10 @@ def _in_full(problem):
 
 
 def _solved(about: AboutRest, sheet: WorkedSolution, found: SmallEquations):
-    kind = OneDegree if len(about.scene.q) == 1 else SeveralDegrees
-    kind(about.problem, about, sheet, found).write()
+    if len(about.scene.q) == 1:
+        OneDegree(Degree(about, sheet, found)).write()
+    else:
+        SeveralDegrees(about, sheet, found).write()
 
 
 def asks_in_full(problem: "Problem") -> bool:
