@@ -1,7 +1,7 @@
 """The parameters that a scene chose: as a section of a report, and as data."""
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.numbers import figure, quantity
 from vibcli.reader.sections.choose import BALANCE, LIMIT
@@ -42,7 +42,7 @@ def _lines(problem, several):
             yield line(Words("for "), *counts, hang=6, inset=4 if several else 2)
 
 
-def condition_parts(condition):
+def condition_parts(condition: Any) -> list[Any]:
     """Parts of a Condition under which a solution in letters counts."""
     if condition.words is not None:
         return [Words(f"values at which it gives {condition.words}")]

@@ -1,7 +1,7 @@
 """How constraints tie coordinates, the virtual work of what acts, and the reactions."""
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.notation.abbreviations import abbreviated
@@ -19,6 +19,7 @@ from vibcli.symbolic.nested_form import letters
 if TYPE_CHECKING:
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 READABLE = 60           # letters of a condition, beyond which it is written in numbers where it has them
 WRITTEN_OUT = 16        # coordinates whose generalised forces are printed
@@ -117,7 +118,7 @@ def _conditions(problem, report):
     found = problem.symbolic.reactions
     nodes, count = [*found.conditions.values(), *found.supports.values()], len(found.conditions)
     if not problem.numeric.has_free_symbols and max(map(letters, nodes), default=0) > READABLE:
-        shown, lengths = [numeric_sum(_in_numbers(problem, found, node)) for node in nodes], []
+        shown, lengths = [numeric_sum(condition_in_numbers(problem, found, node)) for node in nodes], []
     else:
         shown, lengths = abbreviated(nodes, report.roots)
         shown = [[brief(node, "")] for node in shown]
@@ -131,7 +132,7 @@ def _conditions(problem, report):
                        paragraph("with ", *told, hang=4, aside=True) if told else None)
 
 
-def _in_numbers(problem, found, node):
+def condition_in_numbers(problem: "Problem", found: Any, node: "Node") -> list:
     """[(coefficient, symbol)] of a condition, which is linear in the forces of constraints; the constant last."""
     from vibcli.symbolic.derivatives import gradient, substitute
 

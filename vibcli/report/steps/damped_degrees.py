@@ -12,8 +12,6 @@ from vibcli.report.steps.step import WorkedSolution, told
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
-APART = 1e-9        # relative, of the entries of C M⁻¹ K and its transpose
-
 
 def tell_damped(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, uses: list[int]) -> None:
     """Whether modes stay apart, and the eigenvalues where there are numbers."""

@@ -56,8 +56,9 @@ class SeveralDegrees:
         """Each frequency, and the ratio of its amplitudes."""
         modal = self.problem.modal
         found = [(mode, [float(x.real) for x in modal.shape(mode)]) for mode in modal.modes]
+        self._by_ratio = self._has_ratio(found)
         lines = [self._frequency(mode, shape, uses) for mode, shape in found]
-        if not self._coupled or any(mode.omega is None or shape[0] != 1 for mode, shape in found):
+        if not self._by_ratio:
             return
         ratio = self.two.ratio(uses)
         of = [self._amplitude_ratio(k, shape, [ratio, line]) for k, ((_, shape), line) in enumerate(
@@ -65,15 +66,16 @@ class SeveralDegrees:
         if not self.found.C or stay_apart(self.about, self.found):
             self.two.normal_coordinates([shape for _, shape in found], of)
 
-    @property
-    def _coupled(self):
-        """Do two coordinates have a ratio of amplitudes that is told by a formula?"""
-        return self.two is not None and self.two.row is not None and len(self.problem.modal.modes) == 2
+    def _has_ratio(self, found):
+        """Do two coordinates have a ratio of amplitudes that a row gives in both modes?"""
+        if self.two is None or len(found) != 2 or any(mode.omega is None or shape[0] != 1 for mode, shape in found):
+            return False
+        return self.two.fits([shape for _, shape in found], [float(mode.omega) for mode, _ in found])
 
     def _amplitude_ratio(self, k, shape, uses):
         x, y = map(Name, self.about.scene.coordinates)
         return self.sheet.write(Words(f"in mode {k}  "), y, "/", x, *number(shape[1]), value=shape[1], uses=uses,
-                                node=self.two.shape, settles=f"mode[{k}][{self.about.scene.coordinates[1]}]")
+                                node=self.two.shape_at(k), settles=f"mode[{k}][{self.about.scene.coordinates[1]}]")
 
     def _frequency(self, mode, shape, uses):
         """The line of a mode: with two degrees by the formula of the roots, else with the ratios."""
@@ -86,11 +88,12 @@ class SeveralDegrees:
         omega = float(mode.omega)
         times = [Words(",  "), "f = " + told(omega / tau), Words(" Hz,  "), "T = " + told(tau / omega), Words(
             " s")] if omega else [Words(":  it moves freely")]
-        if not (self._coupled and shape[0] == 1):
+        if not self._by_ratio:
             times += [Words(",  "), *ratio]
         node = self.two.frequency(mode.index, omega) if self.two is not None else None
-        return self.sheet.write(f"ω{lowered(mode.index)} = {told(omega)}", Words(" rad/s"), *times, node=node,
-                                settles=f"omega[{mode.index}]", value=omega, unit="rad/s", uses=uses)
+        letter = self.sheet.letter(f"omega{mode.index}")
+        return self.sheet.write(Name(letter), *number(omega, "rad/s"), *times, uses=uses, node=node,
+                                settles=f"omega[{mode.index}]", value=omega, unit="rad/s")
 
     def _steady_state(self):
         """The amplitude of each coordinate under one harmonic, from (K − Ω²M + iΩC) X = F."""

@@ -3,7 +3,6 @@ coordinates: det(K − ω²M) = a₂ ω⁴ − a₁ ω² + a₀ = 0 written out,
 
 from typing import TYPE_CHECKING, Any
 
-from vibcli.notation.plain import lowered
 from vibcli.report.blocks import Either, Factor, Name, Words
 from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.small import AboutRest
@@ -12,12 +11,13 @@ from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.radicals import root
+from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 MARK = "𝔇"              # stands under the root while the rest is written
-CLOSE = 1e-9            # relative: of a frequency by its formula and the engine's
+CLOSE = 1e-8            # relative: of a frequency by its formula and the engine's
 NOTHING = 1e-9          # of a ratio of amplitudes: it is zero but for rounding
 
 
@@ -29,7 +29,23 @@ class TwoDegrees:
         self.names = about.scene.coordinates
         self.letters = [about.letter(sheet.letter(f"a{power}")) for power in (2, 1, 0)]
         self.omega = about.letter(sheet.letter("omega"))
-        self.row = next((i for i in range(2) if not self._stiffened(i, 1).is_zero), None)
+        self.row = self._first([i for i in range(2) if not self._stiffened(i, 1).is_zero])
+
+    def _first(self, rows):
+        """The first of these rows, before those that rigid motions fulfil whatever their shape."""
+        return next((i for i in rows if (i, 0) in self.found.K or (i, 1) in self.found.K), next(iter(rows), None))
+
+    def fits(self, shapes: list[list[float]], omegas: list[float]) -> bool:
+        """Is there a row that gives the ratio of all shapes? It is the one that is told."""
+        for i in range(2):
+            below, above = self._stiffened(i, 1), self._stiffened(i, 0)
+            found = [[self.about.value(substitute([node], {self.omega: self.table.number(fraction_of(omega))})[0])
+                      for node in (above, below)] for omega in omegas]
+            if all(y and abs(x + u[1] * y) <= CLOSE * (abs(x) + abs(u[1] * y) + NOTHING * abs(y))
+                   for (x, y), u in zip(found, shapes, strict=True)):
+                self.row = i
+                return True
+        return False
 
     def entry(self, letter: str, i: int, j: int) -> "Node":
         return getattr(self.found, letter).get((i, j), self.table.zero)
@@ -47,6 +63,8 @@ class TwoDegrees:
         self.coefficients = [self.about.tidy(node) for node in coefficients]
         lines = [head, *(self._coefficient(letter, node, uses) for letter, node in zip(
             self.letters, self.coefficients, strict=True))]
+        if self.coefficients[0].is_zero:
+            return [*lines, self.sheet.write(omega ** 2, " = ", a0 / a1, settles="omega^2", node=a0 / a1, uses=lines)]
         mark = self.table.sqrt(self.table.parameter(MARK, positive=False))
         roots = Either((a1 + mark) / (2 * a2), mark, self.table.sqrt(a1 * a1 - 4 * a0 * a2))
         return [*lines, self.sheet.write(omega ** 2, " = ", roots, settles="omega^2", uses=lines)]
@@ -61,7 +79,7 @@ class TwoDegrees:
         a2, a1, a0 = self.letters
         sign = -1 if index == 1 else 1
         found = [self.about.value(node) for node in self.coefficients]
-        if None in found:
+        if None in found or not found[0]:
             return None
         square = (found[1] + sign * (found[1]**2 - 4 * found[2] * found[0])**0.5) / (2 * found[0])
         alike = isinstance(square, float) and abs(square - omega**2) <= CLOSE * abs(found[1] / found[0])
@@ -71,7 +89,7 @@ class TwoDegrees:
         """Write down the roots where their square root is none, and the ratios of amplitudes."""
         found = self._squares()
         lines = [self._root_in_letters(k, node, uses) for k, node in enumerate(found, 1)]
-        if self.row is None:
+        if self.row is None or self._stiffened(self.row, 0).is_zero:
             return
         ratio = self.ratio([*uses, *lines])
         for k, node in enumerate(found, 1):
@@ -84,8 +102,8 @@ class TwoDegrees:
                     ratio, lines[k - 1]], settles=f"mode[{k}][{self.names[1]}]")
 
     def _root_in_letters(self, k, node, uses):
-        omega = root(node, self.about.samples)
-        return self.sheet.write(f"ω{lowered(k)}² = ", node, Words(",  "), f"ω{lowered(k)} = ", omega, node=omega,
+        omega, letter = root(node, self.about.samples), self.about.letter(self.sheet.letter(f"omega{k}"))
+        return self.sheet.write(letter ** 2, " = ", node, Words(",  "), letter, " = ", omega, node=omega,
                                 settles=f"omega[{k}]", uses=uses)
 
     def _squares(self):
@@ -110,6 +128,10 @@ class TwoDegrees:
         return self.sheet.write(Words(f"from row {self.row + 1} the ratio of amplitudes  "), y, "/", x, " = ",
                                 self.shape, settles=f"{self.names[1]}/{self.names[0]}", node=self.shape, uses=uses)
 
+    def shape_at(self, k: int) -> "Node":
+        """The ratio with the letter of the frequency of a mode."""
+        return substitute([self.shape], {self.omega: self.about.letter(self.sheet.letter(f"omega{k}"))})[0]
+
     def _stiffened(self, i, j):
         return self.entry("K", i, j) - self.omega ** 2 * self.entry("M", i, j)
 
@@ -126,7 +148,8 @@ class TwoDegrees:
 
     def _modal_mass(self, k, u, unit, uses):
         """Σ Mᵢⱼ uᵢ uⱼ."""
-        pairs = [(i, j) for i in range(2) for j in range(i, 2) if (i, j) in self.found.M]
+        pairs = [(i, j) for i in range(2) for j in range(i, 2)
+                 if (i, j) in self.found.M and min(abs(u[i]), abs(u[j])) > NOTHING]
         entries = [self.entry("M", i, j) * (1 if i == j else 2) for i, j in pairs]
         value = sum((self.about.value(node) or 0.0) * u[i] * u[j] for node, (i, j) in zip(entries, pairs, strict=True))
         terms = [part for node, (i, j) in zip(entries, pairs, strict=True)

@@ -10,8 +10,10 @@ from vibcli.report.steps.degree import Degree
 from vibcli.report.steps.full_equations import FullEquations
 from vibcli.report.steps.held import HINT, UNTOLD, SmallEquations, Untold
 from vibcli.report.steps.linearised import linearised
+from vibcli.report.steps.members import MemberSteps
 from vibcli.report.steps.one_degree import OneDegree
 from vibcli.report.steps.place_of_rest import about_rest
+from vibcli.report.steps.reactions import tell_accelerations, tell_forces, tell_statics
 from vibcli.report.steps.several_degrees import SeveralDegrees
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.small_oscillations import Derivation
@@ -28,14 +30,28 @@ def worked(problem: "Problem") -> list[WorkedLine]:
     """The steps of a scene: to its equations of motion where these are asked, or small oscillations are not told apart
     element by element; then to its small oscillations."""
     _require_told(problem)
-    sheet = _told(with_letters(problem))
+    sheet = _sheet_of(problem)
     if problem.choice is not None:
         tell_chosen(problem, sheet)
     return sheet.steps
 
 
+def _sheet_of(problem):
+    if problem.scene.held:
+        sheet = _sheet(problem)
+        tell_statics(problem, sheet)
+        return sheet
+    if problem.scene.pieces:
+        sheet = _sheet(problem)
+        MemberSteps(problem, sheet).write()
+        return sheet
+    sheet = _told(with_letters(problem))
+    tell_forces(problem, sheet)
+    return sheet
+
+
 def _told(problem):
-    if asks_in_full(problem):
+    if asks_in_full(problem) or not problem.scene.q:
         return _in_full(problem)
     try:
         return _small(problem)
@@ -68,11 +84,12 @@ def _in_full(problem):
     tell_constraints(problem.scene, sheet)
     conditions = tell_conditions(problem, sheet)
     lines = FullEquations(problem, sheet).write(conditions)
+    tell_accelerations(problem, sheet, lines)
     before = len(sheet.steps)
     try:
-        about = about_rest(problem, sheet)
-        if problem.system.sticking is not None:
+        if problem.system.sticking is not None or not problem.scene.q:
             return sheet
+        about = about_rest(problem, sheet)
         if loose is problem.scene:
             found = linearised(about, sheet, problem.symbolic.equations.full, lines)
         else:
@@ -107,11 +124,9 @@ def asks_in_full(problem: "Problem") -> bool:
 def _require_told(problem):
     """PhysicsError of scenes whose steps are not told."""
     scene = problem.scene
-    if scene.pieces or scene.members:
-        raise PhysicsError("the steps of members with distributed inertia or stiffness are not told one by one", HINT)
-    if not scene.q:
+    if not (scene.q or scene.pieces or scene.held or problem.system.scene_with_multipliers.q):
         raise PhysicsError("nothing moves freely in this scene: there are no steps to an equation of motion", HINT)
-    if len(scene.q) > MOST:
+    if len(scene.q) > MOST and not scene.pieces:
         raise PhysicsError(f"steps are told of up to {MOST} coordinates, and this scene has {len(scene.q)}", HINT)
 
 
