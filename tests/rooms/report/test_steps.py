@@ -346,3 +346,34 @@ def test_new_letters_never_meet_those_of_the_scene():
     text = ROD.replace("m: 3 kg", "N_s: 3 kg").replace("mass: m", "mass: N_s").replace("L", "omega")
     told = [formula(line.parts, plain) for line in worked(problem(text))]
     assert any("N_s′ = −N_s·g/2" in line for line in told) and any("ω′ = √" in line for line in told)
+
+
+@pytest.mark.parametrize("taken", ["T", "V", "Phi", "f", "J_O", "delta", "zeta", "omega_d", "Delta_s"])
+def test_no_letter_of_the_steps_is_one_of_the_scene(taken):
+    """A mass of that name stays what it is; the letter of the lines has a prime."""
+    lines = worked(problem(ROD.replace("m: 3 kg", f"{taken}: 3 kg").replace("mass: m", f"mass: {taken}")))
+    assert all(line.settles != taken for line in lines)
+    letter = plain.symbol(taken)
+    assert not any(formula(line.parts, plain).startswith(f"{letter} = ") for line in lines)
+    assert any("′" in formula(line.parts, plain) for line in lines)
+
+
+def test_names_of_matrices_are_none_of_the_scene():
+    told = [formula(line.parts, plain) for line in worked(problem("""
+parameters: {M: , K: }
+bodies: {a: {mass: M, slide: x}, b: {mass: M, slide: y}}
+springs: {l: {k: K, between: [ground, a]}, m: {k: K, between: [a, b]}}
+"""))]
+    assert any("det(K′ − ω²·M′)" in line for line in told) and any("M′₁₁ = M" in line for line in told)
+
+
+def test_places_are_counted_from_rest_where_it_is_not_as_drawn():
+    """A mass hung on a spring drawn without tension: y from where it comes to rest, stretch and place counted so."""
+    told = [formula(line.parts, plain) for line in worked(problem("""
+parameters: {m: 2 kg, k: 400 N/m, l: 1 m, g: 10 m/s^2}
+gravity: g
+bodies: {b: {mass: m, at: [0, -l], slide: {along: [0, -1], by: y}}}
+springs: {s: {k: k, between: [[0, 0], b]}}
+"""))]
+    assert any("the forces balance at  y = m·g/k = 0.05" in line for line in told), told
+    assert any("Δ_s = y" in line and "…" not in line for line in told), told

@@ -6,11 +6,15 @@ from typing import TYPE_CHECKING
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution
+from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.scene.scene import Scene
+
+
+SHORT = 8           # letters of what a constraint leaves of a coordinate, up to which several stand in a line
 
 
 def tell_coordinates(problem: "Problem", scene: "Scene", sheet: WorkedSolution) -> None:
@@ -25,19 +29,25 @@ def tell_coordinates(problem: "Problem", scene: "Scene", sheet: WorkedSolution) 
 
 
 def tell_constraints(scene: "Scene", sheet: WorkedSolution) -> None:
-    """What constraints that close no loop leave of the other coordinates."""
-    for name, node in scene.dependent.items():
-        if scene.loops is None or name not in scene.loops.names:
-            sheet.write(Name(name), " = ", textbook(node), Words("   (by the constraints)"), settles=name, node=node)
+    """What constraints that close no loop leave of the other coordinates; short ones in a line."""
+    loops = scene.loops.names if scene.loops is not None else ()
+    known = {name: textbook(node) for name, node in scene.dependent.items() if name not in loops}
+    short = {name: node for name, node in known.items() if letters(node) <= SHORT}
+    for group in ([short] if short else []) + [{name: node} for name, node in known.items() if name not in short]:
+        told = [part for name, node in group.items() for part in (Words(",  "), Name(name), " = ", node)][1:]
+        sheet.write(*told, Words("   (by the constraints)"), settles=", ".join(group),
+                    node=next(iter(group.values())) if len(group) == 1 else None)
 
 
 def tell_conditions(problem: "Problem", sheet: WorkedSolution) -> list[int]:
-    """The conditions of closed loops; the numbers of their lines."""
+    """The conditions of closed loops, those of a constraint in a line; the numbers of their lines."""
     if problem.scene.loops is None:
         return []
-    loose = problem.system.scene_with_multipliers
-    return [sheet.write(Words(f"'{constraint.whole}' holds:  "), textbook(constraint.node), " = 0",
-                        settles=f"condition {constraint.name}") for constraint in loose.constraints]
+    found: dict = {}
+    for constraint in problem.system.scene_with_multipliers.constraints:
+        found.setdefault(constraint.whole, []).append(textbook(constraint.node))
+    return [sheet.write(Words(f"'{whole}' holds:  "), *[part for node in nodes for part in (
+        Words(",  "), node, " = 0")][1:], settles=f"condition {whole}") for whole, nodes in found.items()]
 
 
 def tell_loops(about: AboutRest, sheet: WorkedSolution, conditions: Iterable[int]) -> None:

@@ -146,6 +146,7 @@ class FullEnergies:
             return parts[0].line if parts else None
         names = [part for name in dict.fromkeys(part.letter for part in parts) for part in (" + ", Name(name))][1:]
         shown, = self.short(node)
+        letter = self.sheet.letter(letter)
         whole = self.motion.agree([part.node for part in parts], [node])
         return self.sheet.write(Name(letter), " = ", *names, " = ", shown, *([] if whole else [" + const"]),
                                 settles=letter, node=node, uses=[part.line for part in parts])

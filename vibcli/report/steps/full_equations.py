@@ -9,7 +9,7 @@ from vibcli.report.steps.bodies import Bodies
 from vibcli.report.steps.full_energies import FullEnergies
 from vibcli.report.steps.held import HINT, UNTOLD, Untold
 from vibcli.report.steps.in_motion import InMotion
-from vibcli.report.steps.step import WorkedSolution
+from vibcli.report.steps.step import WorkedSolution, momentum, slope_by
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.normal_form import textbook
 
@@ -72,14 +72,12 @@ class FullEquations:
 
     def _derivatives(self, name, p, terms, uses):
         """∂T/∂q̇, its rate, ∂T/∂q, ∂V/∂q and ∂Φ/∂q̇."""
-        q, v = Name(name), Name(name + "'")
         p, change, bent, spring, damper = self.energies.short(p, *terms)
         if not terms[0].is_zero or not terms[1].is_zero:
-            self.sheet.write("∂T/∂", v, " = ", p, Words(",  "), "d/dt ∂T/∂", v, " = ", change, Words(",  "), "∂T/∂", q,
-                             " = ", bent, uses=uses)
+            self.sheet.write(*momentum(self.sheet, name, p, change, bent), uses=uses)
         told: list[Any] = []
-        for node, head in ((spring, ("∂V/∂", q)), (damper, ("∂Φ/∂", v))):
+        for node, letter, by in ((spring, "V", name), (damper, "Phi", name + "'")):
             if not (hasattr(node, "is_zero") and node.is_zero):
-                told += [*[Words(",  ")] * bool(told), *head, " = ", node]
+                told += [*[Words(",  ")] * bool(told), *slope_by(self.sheet, letter, by), " = ", node]
         if told:
             self.sheet.write(*told, uses=uses)

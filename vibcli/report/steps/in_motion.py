@@ -39,6 +39,10 @@ class InMotion:
         return Unexpanded(s, {q: slopes[q] for q in self.scene.q if q in slopes},
                      s if self.scene.time in slopes else self.table.zero)
 
+    def shifted(self, node: "Node") -> "Node":
+        """A function of the coordinates, as they are."""
+        return textbook(node)
+
     def rate(self, s: Unexpanded) -> "Node":
         """ṡ."""
         return textbook(self.scene.rate(s.s))

@@ -1,7 +1,6 @@
 """The steps of one member, or two end to end, that vibrate: differential equation, standing waves, what holds at each
 station, constants, frequency equation, its first roots and their frequencies (Rao 2007, chapters 8, 9 and 11)."""
 
-from math import tau
 from typing import TYPE_CHECKING
 
 from vibcli.analyses.closed_form.member_frequencies import frequency_equations
@@ -14,7 +13,7 @@ from vibcli.report.blocks import Factor, Name, WithNumbers, Words
 from vibcli.report.sections.members import SIMPLE, carried, differential, station_conditions
 from vibcli.report.steps.ends import Ends
 from vibcli.report.steps.held import HINT
-from vibcli.report.steps.step import WorkedSolution, number, told
+from vibcli.report.steps.step import WorkedSolution, number, of_time, told
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
@@ -67,8 +66,8 @@ class MemberSteps:
         for mode in self.problem.modal.modes.first(FIRST):
             if mode.omega:
                 omega = float(mode.omega)
-                self.sheet.write(f"ω{lowered(mode.index)}", *number(omega, "rad/s"), *_times(omega), value=omega,
-                                 settles=f"omega[{mode.index}]", unit="rad/s", uses=[line])
+                self.sheet.write(f"ω{lowered(mode.index)}", *number(omega, "rad/s"), *of_time(self.sheet, omega),
+                                 settles=f"omega[{mode.index}]", value=omega, unit="rad/s", uses=[line])
 
     def _carried(self, i):
         one = carried(i, self.form.pieces, self.matrices, self.scene)
@@ -188,10 +187,5 @@ class MemberSteps:
         put_in = {name: figure(value) for name, value in self.problem.numeric.floats.items()} | {x.name: figure(root)}
         line = self.sheet.write(f"(βL){k} = {told(root)}", Words("   (a root, by a search)"), value=root,
                                 settles=f"βL[{mode.index}]", uses=[equation])
-        self.sheet.write(f"ω{k} = ", WithNumbers(node, put_in), *number(omega, "rad/s"), *_times(omega),
+        self.sheet.write(f"ω{k} = ", WithNumbers(node, put_in), *number(omega, "rad/s"), *of_time(self.sheet, omega),
                          settles=f"omega[{mode.index}]", node=node, value=omega, unit="rad/s", uses=[line, frequency])
-
-
-def _times(omega):
-    """Parts of f and T."""
-    return [Words(",  "), "f = " + told(omega / tau), Words(" Hz,  "), "T = " + told(tau / omega), Words(" s")]

@@ -9,7 +9,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.degree import Degree
 from vibcli.report.steps.forced import tell_forced
-from vibcli.report.steps.step import number, told
+from vibcli.report.steps.step import number
 from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.normal_form import is_zero
 
@@ -51,17 +51,17 @@ class OneDegree:
         line = self.degree.settled([self.omega ** 2, " = ", square, Words(",  "), self.omega], omega, "rad/s",
                              "omega[1]", self.found.lines, letters=False)
         if (value := self.about.value(omega)) is not None:
-            turn = 2 * self.about.table.pi
-            self.sheet.write("f = ", self.omega / turn, " = " + told(value / tau), Words(" Hz,  "), "T = ",
-                             turn / self.omega, " = " + told(tau / value), Words(" s"), uses=[line],
-                             settles="frequency[1]")
+            turn, f, T = 2 * self.about.table.pi, self.sheet.letter("f"), self.sheet.letter("T")
+            period = [Words(",  "), Name(T), " = ", turn / self.omega, *number(tau / value, "s")]
+            self.sheet.write(Name(f), " = ", self.omega / turn, *number(value / tau, "Hz"), *period, uses=[line],
+                             settles="frequency[1]", node=self.omega / turn, value=value / tau, unit="Hz")
         return line
 
     def _damping(self, of_omega):
         """δ = c/(2m), ζ = δ/ω, ω_d; the number of the last line."""
         delta = single(self.C / (2 * self.M))
         of_delta = self.degree.settled([Words("half the factor of the speed over that of the acceleration:  "),
-                                  self.delta], delta, "1/s", "delta", self.found.lines)
+                                  self.delta], delta, "1/s", self.delta.name, self.found.lines)
         zeta = self.C / (2 * self.degree.root(self.K) * self.degree.root(self.M))
         value = self.about.value(zeta)
         if is_zero(self.C * self.C - 4 * self.M * self.K) or (value is not None and abs(value - 1) <= ROUNDING):

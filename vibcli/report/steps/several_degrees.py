@@ -2,7 +2,6 @@
 determinant of K − ω²M written out of two, ratios of amplitudes, damped eigenvalues, amplitudes under one harmonic."""
 
 from collections.abc import Mapping
-from math import tau
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters, PhysicsError
@@ -11,7 +10,7 @@ from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.damped_degrees import stay_apart, tell_damped
 from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.small import AboutRest
-from vibcli.report.steps.step import WorkedSolution, number, told
+from vibcli.report.steps.step import WorkedSolution, number, of_time, told
 from vibcli.report.steps.two_degrees import TwoDegrees
 
 if TYPE_CHECKING:
@@ -86,8 +85,7 @@ class SeveralDegrees:
                 mode.growth_rate), Words(" 1/s,  "), *ratio, settles=f"growth_rate[{mode.index}]",
                 value=float(mode.growth_rate), unit="1/s", uses=uses)
         omega = float(mode.omega)
-        times = [Words(",  "), "f = " + told(omega / tau), Words(" Hz,  "), "T = " + told(tau / omega), Words(
-            " s")] if omega else [Words(":  it moves freely")]
+        times = of_time(self.sheet, omega) if omega else [Words(":  it moves freely")]
         if not self._by_ratio:
             times += [Words(",  "), *ratio]
         node = self.two.frequency(mode.index, omega) if self.two is not None else None

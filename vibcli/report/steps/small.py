@@ -64,6 +64,11 @@ class AboutRest:
         second = slopes_of(row, self._index)
         return Small(self.rest(s), self._entries(row), self._entries(second), self._drive(s))
 
+    def shifted(self, node: "Node") -> "Node":
+        """A function of the coordinates with these counted from rest."""
+        moved = {q: self.place[q] + q for q in self.scene.q if not self.place[q].is_zero and q in gradient(node)}
+        return textbook(substitute([node], moved)[0] if moved else node)
+
     def _drive(self, s):
         """s(q₀, t) − s(q₀, 0)."""
         if self.scene.time not in gradient(s):

@@ -9,7 +9,7 @@ from vibcli.report.steps.bodies import Bodies, EnergyPart
 from vibcli.report.steps.connections import Acting, Connections
 from vibcli.report.steps.held import HINT, UNTOLD, SmallEquations, Untold, drive_of, held, left, row
 from vibcli.report.steps.small import AboutRest
-from vibcli.report.steps.step import WorkedSolution, number
+from vibcli.report.steps.step import WorkedSolution, momentum, number, slope_by
 from vibcli.report.steps.turning import TurningFrames
 from vibcli.report.steps.written_out import WrittenOut
 from vibcli.symbolic.derivatives import gradient, substitute
@@ -95,8 +95,8 @@ class Derivation:
             if not self.about.cancel([one.tension * one.s.slopes[i] for one in loaded if i in one.s.slopes]):
                 raise Untold(UNTOLD, HINT)
             if terms:
-                line = self.sheet.write(Words("at rest  "), "∂V/∂", Name(name), " = ", SumOfTerms(tuple(terms)), " = 0",
-                                        uses=[one.line for one in loaded])
+                line = self.sheet.write(Words("at rest  "), *slope_by(self.sheet, "V", name), " = ", SumOfTerms(
+                    tuple(terms)), " = 0", uses=[one.line for one in loaded])
         for one in loaded:
             if one.k is not None:
                 self._tension(one, line)
@@ -129,6 +129,7 @@ class Derivation:
         names = list(dict.fromkeys(part.letter for part in parts))
         several = [part for name in names for part in (" + ", Name(name))][1:] if len(names) > 1 else []
         why = [Words("   (the terms of the first order vanish at rest)")] if rest else []
+        letter = self.sheet.letter(letter)
         return self.sheet.write(Name(letter), " = ", *several, " = " * bool(several), node, *why, settles=letter,
                                 node=node, uses=[*uses, rest])
 
@@ -146,7 +147,7 @@ class Derivation:
 
     def _derivatives(self, i, name, M, C, K, uses, driven):
         """∂T/∂q̇, its rate, ∂V/∂q and ∂Φ/∂q̇ of one degree of freedom; `driven`: T, V and Φ of one that is."""
-        scene, q, v = self.scene, Name(name), Name(name + "'")
+        scene = self.scene
         if driven is None:
             p, change, spring, damper = (row(scene, matrix, i, symbols) for matrix, symbols in (
                 (M, scene.v), (M, scene.a), (K, scene.q), (C, scene.v)))
@@ -156,7 +157,6 @@ class Derivation:
                 driven, (scene.v[i], scene.q[i], scene.v[i]), strict=True))
             change = textbook(scene.rate(p))
         if M:
-            self.sheet.write("∂T/∂", v, " = ", p, Words(",  "), "d/dt ∂T/∂", v, " = ", change, Words(",  "), "∂T/∂", q,
-                             " = 0", uses=uses)
-        damped = [Words(",  "), "∂Φ/∂", v, " = ", damper] if C else []
-        self.sheet.write("∂V/∂", q, " = ", spring, *damped, uses=uses)
+            self.sheet.write(*momentum(self.sheet, name, p, change, "0"), uses=uses)
+        damped = [Words(",  "), *slope_by(self.sheet, "Phi", name + "'"), " = ", damper] if C else []
+        self.sheet.write(*slope_by(self.sheet, "V", name), " = ", spring, *damped, uses=uses)
