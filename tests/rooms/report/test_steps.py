@@ -206,7 +206,8 @@ def test_every_equality_holds(path):
     scene = found.scene
     assert not checked.wrong
     assert checked.count or scene.laws or found.spec.get("energies") or scene.timed or scene.matrices
-    assert not any(re.search(r"\de-1[3-9]", formula(line.parts, plain)) for line in checked.lines)
+    told = [formula(line.parts, plain) for line in checked.lines]
+    assert not any(re.search(r"\de-1[3-9]", line) for line in told if "by a search" not in line)
 
 
 @pytest.mark.parametrize(("more", "words"), [

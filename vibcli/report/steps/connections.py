@@ -29,7 +29,7 @@ SECOND = "   (second order: its force at rest counts)"
 class Acting(NamedTuple):
     """Something that stores energy by a function s of the coordinates: its tension at rest as it is known, as a letter
     (or itself where it needs none), its stiffness or None, s about rest, the number of its line; linear: is its tension
-    its stiffness times its deflection?"""
+    its stiffness times its deflection? kept: what stands for its tension in the sums, None of the tension itself."""
 
     name: str
     tension: Any
@@ -38,6 +38,7 @@ class Acting(NamedTuple):
     s: Small
     line: int | None
     linear: bool = False
+    kept: Any = None
 
 
 class Connections:
@@ -91,8 +92,9 @@ class Connections:
         letter = about.letter(delta)
         line = sheet.write(Name(V), " = ", shown * letter + k * letter ** 2 / 2, " = ", node, settles=V, node=node,
                            uses=[told])
-        return EnergyPart(V, node, line), Acting(term.owner, tension, shown, k, small, line,
-                                             hasattr(term, "weight"))
+        kept = shown if loaded and about.know(shown, about.value(tension)) else tension
+        return EnergyPart(V, node, line), Acting(term.owner, tension, shown, k, small, line, hasattr(term, "weight"),
+                                                 kept)
 
     def _told(self, term, small, moves, letter, loaded):
         """The line of a stretch, counted from rest."""
@@ -173,7 +175,7 @@ class Connections:
                 for pair, node in self.about.sum_of_squares([(one.k, one.s)]).items():
                     found.setdefault(pair, []).append(node)
             for pair, b in one.s.second.items():
-                found.setdefault(pair, []).append(one.tension * b)
+                found.setdefault(pair, []).append((one.kept or one.tension) * b)
         entries = {pair: self.about.tidy(table.total(nodes)) for pair, nodes in found.items()}
         return {pair: node for pair, node in entries.items() if not node.is_zero}
 

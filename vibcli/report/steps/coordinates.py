@@ -4,6 +4,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from vibcli.report.blocks import Name, Words
+from vibcli.report.steps.in_motion import short_form
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution
 from vibcli.symbolic.nested_form import letters
@@ -31,7 +32,7 @@ def tell_coordinates(problem: "Problem", scene: "Scene", sheet: WorkedSolution) 
 def tell_constraints(scene: "Scene", sheet: WorkedSolution) -> None:
     """What constraints that close no loop leave of the other coordinates; short ones in a line."""
     loops = scene.loops.names if scene.loops is not None else ()
-    known = {name: textbook(node) for name, node in scene.dependent.items() if name not in loops}
+    known = {name: short_form(node) for name, node in scene.dependent.items() if name not in loops}
     short = {name: node for name, node in known.items() if letters(node) <= SHORT}
     for group in ([short] if short else []) + [{name: node} for name, node in known.items() if name not in short]:
         told = [part for name, node in group.items() for part in (Words(",  "), Name(name), " = ", node)][1:]

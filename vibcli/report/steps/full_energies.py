@@ -7,10 +7,11 @@ from vibcli.notation.abbreviations import abbreviated
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Name, Words
 from vibcli.report.sections.too_long import brief
-from vibcli.report.steps.bodies import EnergyPart
-from vibcli.report.steps.in_motion import InMotion
+from vibcli.report.steps.bodies import LONG, EnergyPart
+from vibcli.report.steps.in_motion import InMotion, short_form
 from vibcli.report.steps.step import WorkedSolution
 from vibcli.symbolic.derivatives import substitute
+from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
@@ -36,7 +37,7 @@ class FullEnergies:
         shown, lengths = abbreviated(list(nodes), self._roots)
         for symbol, length in lengths:
             self.sheet.write(symbol, " = ", brief(length), settles=symbol.name, node=length)
-        return [brief(node) for node in shown]
+        return [brief(short_form(node) if letters(node) > LONG else node) for node in shown]
 
     def given(self, key: str) -> "Iterator[EnergyPart]":
         """What the file writes out of T, V or Φ, as energies or matrices."""

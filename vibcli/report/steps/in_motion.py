@@ -4,8 +4,10 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.report.steps.small import agree_in_motion, samples_of, tidy, value_of
+from vibcli.symbolic.common_denominator import shorter
 from vibcli.symbolic.derivatives import gradient
-from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.normal_form import TooLong, textbook
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
@@ -13,6 +15,15 @@ if TYPE_CHECKING:
 
 
 UNKNOWN = 0.7       # of a tension that closed loops leave to the balance at rest
+
+
+def short_form(node: "Node") -> "Node":
+    """The shorter one of two forms, as one fraction or not."""
+    found = textbook(node)
+    try:
+        return min((found, shorter(found)), key=letters)
+    except TooLong:
+        return found
 
 
 class Unexpanded(NamedTuple):
@@ -45,16 +56,16 @@ class InMotion:
 
     def rate(self, s: Unexpanded) -> "Node":
         """ṡ."""
-        return textbook(self.scene.rate(s.s))
+        return short_form(self.scene.rate(s.s))
 
     def square(self, speeds: "Sequence[Node]") -> "Node":
         """Σ vᵢ²."""
-        return textbook(self.table.total([v ** 2 for v in speeds]))
+        return short_form(self.table.total([v ** 2 for v in speeds]))
 
     def half_squares(self, parts: "Sequence[tuple[Node, Unexpanded]]", rates: bool) -> "Node":
         """½ Σ w ṡ², or of s itself."""
         of = self.rate if rates else lambda s: s.s
-        return textbook(self.table.total([weight * of(s) ** 2 / 2 for weight, s in parts]))
+        return short_form(self.table.total([weight * of(s) ** 2 / 2 for weight, s in parts]))
 
     def tidy(self, node: "Node") -> "Node":
         """The simplest form of an expression without coordinates."""

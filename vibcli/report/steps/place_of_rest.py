@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters
+from vibcli.notation.numbers import figure
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number
@@ -30,10 +31,11 @@ def about_rest(problem: "Problem", sheet: WorkedSolution) -> AboutRest:
     about = AboutRest(problem, {**scene.drawn_position, **{q: named[q.name] for q in scene.q}}, {})
     for q in scene.q:
         if not about.same(named[q.name], scene.drawn[q]):
-            value = about.value(named[q.name])
+            value, unit = about.value(named[q.name]), "m" if problem.system.dimension(q.name) else "rad"
             sheet.write(Words("the forces balance at  "), Name(q.name), " = ", named[q.name],
-                        *(() if value is None else number(value)), Words(f";  {RECKONED[0]}"), Name(q.name),
-                        Words(RECKONED[1]), settles=f"equilibrium({q.name})", node=named[q.name], value=value)
+                        *(() if value is None else number(value, unit)), Words(f";  {RECKONED[0]}"), Name(q.name),
+                        Words(RECKONED[1]), settles=f"equilibrium[{q.name}]", node=named[q.name],
+                        value=value, unit=unit)
     return about
 
 
@@ -46,10 +48,13 @@ def _about_numbers(problem, sheet):
                                       problem.numeric.floats), strict=True))
     moved = [name for name in moving if abs(values[name] - drawn[name]) > UNMOVED * (1 + abs(drawn[name]))]
     letter = {name: sheet.letter(f"{name}0") for name in moved}
+    left = problem.configuration.equilibrium.residual
+    how = f"what is left of the forces is {figure(left, digits=2)} of their terms" if left else "the forces balance exactly"
     for name in moved:
-        sheet.write(Words("at rest "), Name(name), " = ", Name(letter[name]), *number(values[name]),
-                    Words(f"  by a search for where all forces balance; {RECKONED[0]}"), Name(name),
-                    Words(RECKONED[1]), settles=letter[name], value=values[name])
+        unit = "m" if problem.system.dimension(name) else "rad"
+        sheet.write(Words("at rest "), Name(name), " = ", Name(letter[name]), *number(values[name], unit),
+                    Words(f"  by a search ({how}); {RECKONED[0]}"), Name(name), Words(RECKONED[1]),
+                    settles=letter[name], value=values[name], unit=unit)
     symbols = {moving[name]: scene.table.parameter(letter[name], positive=False) for name in moved}
     return AboutRest(problem, {**scene.drawn_position, **symbols}, {letter[name]: values[name] for name in moved},
                      sheet)

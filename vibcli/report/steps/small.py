@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from vibcli.language.parameter_samples import sample_values
 from vibcli.mechanics.linearise import row_of, slopes_of
 from vibcli.report.blocks import Name, Words
-from vibcli.report.sections.too_long import brief
 from vibcli.report.steps.step import WorkedSolution, told
 from vibcli.symbolic.common_denominator import shorter
 from vibcli.symbolic.derivatives import gradient, substitute
@@ -26,7 +25,7 @@ if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
-READABLE = 30           # letters of a coefficient at a place that a search found
+READABLE, SHOWN = 8, 40        # letters of a coefficient at a place that a search found; of one that is written out
 ALIKE = 1e-9            # relative: of an expression and its simpler form at values of the letters
 LEFT = 1e-7             # relative: of forces at rest, whose place may be known in numbers
 SAMPLES, STATES = (60, 61, 62), 3
@@ -91,11 +90,18 @@ class AboutRest:
             return node
         if node not in self._named:
             name, value = self._sheet.letter(f"b{len(self._named) + 1}"), self.value(node)
-            self._sheet.write(Words("for short  "), Name(name), " = ", brief(node), " = " + told(value), settles=name,
-                              node=node, value=value)
-            self._known[name] = self.samples[0][name] = value
+            shown = [" = ", node] if letters(node) <= SHOWN else []
+            self._sheet.write(Words("at that place the coefficient  "), Name(name), *shown, " = " + told(value),
+                              settles=name, node=node, value=value)
             self._named[node] = self.table.parameter(name, positive=False)
+            self.know(self._named[node], value)
         return self._named[node]
+
+    def know(self, letter: "Node", value: float | None) -> bool:
+        """Give a letter a number where the place of rest is known in numbers alone; is that so?"""
+        if self._known and value is not None:
+            self._known[letter.name] = self.samples[0][letter.name] = value
+        return bool(self._known)
 
     def tidy(self, node: "Node") -> "Node":
         """The simplest form of an expression without coordinates; itself where the simpler one is not the same."""
