@@ -5,6 +5,7 @@ import json
 import math
 import random
 import re
+from functools import cache
 from itertools import pairwise
 from pathlib import Path
 
@@ -89,11 +90,17 @@ def test_what_lines_do_not_tell_is_no_option_beside_them(tmp_path, capsys, optio
     assert "exclude each other" in capsys.readouterr().err
 
 
+@cache
+def kept_lines(path):
+    """The lines of a problem, for all tests of a process."""
+    return worked(kept_problem_of(path))
+
+
 class Checked:
     """The lines of a scene at values of its letters: how many equalities hold, and those that do not."""
 
-    def __init__(self, scene):
-        self.problem, self.lines, self.count, self.wrong = scene, worked(scene), 0, []
+    def __init__(self, scene, lines=None):
+        self.problem, self.lines, self.count, self.wrong = scene, lines or worked(scene), 0, []
         numeric, self.values = scene.numeric, {}
         draw = random.Random(7)
         parameters = numeric.floats if not numeric.has_free_symbols else scene.scene.parameters.values(
@@ -200,7 +207,7 @@ def test_every_equality_holds(path):
     if found.spec.choices:
         pytest.skip("its parameters are chosen")
     try:
-        checked = Checked(found)
+        checked = Checked(found, kept_lines(path))
     except PhysicsError as refusal:
         pytest.skip(refusal.message)
     scene = found.scene
@@ -318,7 +325,7 @@ def test_which_small_oscillations_are_not_told_apart():
 
 def _in_full(path):
     try:
-        return any(line.settles.startswith("motion[") for line in worked(kept_problem_of(path)))
+        return any(line.settles.startswith("motion[") for line in kept_lines(path))
     except PhysicsError:
         return False
 

@@ -49,7 +49,9 @@ def _about_numbers(problem, sheet):
     moved = [name for name in moving if abs(values[name] - drawn[name]) > UNMOVED * (1 + abs(drawn[name]))]
     letter = {name: sheet.letter(f"{name}0") for name in moved}
     left = problem.configuration.equilibrium.residual
-    how = f"what is left of the forces is {figure(left, digits=2)} of their terms" if left else "the forces balance exactly"
+    how = "the forces balance exactly"
+    if left:
+        how = f"what is left of the forces is {figure(left, digits=2)} of their terms"
     for name in moved:
         unit = "m" if problem.system.dimension(name) else "rad"
         sheet.write(Words("at rest "), Name(name), " = ", Name(letter[name]), *number(values[name], unit),
