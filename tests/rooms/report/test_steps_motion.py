@@ -52,6 +52,27 @@ def test_harmonics_of_a_wave_are_those_of_the_motion(tmp_path, wave, orders):
         assert value == pytest.approx(by_hand, rel=1e-12)
 
 
+@pytest.mark.parametrize("load", ["F*sin(w*t)", "F*cos(w*t)", "F*sin(w*t) + 2*F*cos(w*t)"])
+@pytest.mark.parametrize("damped", [True, False])
+@pytest.mark.parametrize("start", ["", "initial: {x: 3 mm, x': 0.2 m/s}"])
+def test_the_motion_from_the_start_under_a_harmonic(tmp_path, load, damped, start):
+    """X, θ, A, B of the lines make the motion that the engine finds."""
+    text = oscillator(load, "8 N*s/m" if damped else None, more=start + "\nanswers: {max(x): 1 m}")
+    path = tmp_path / "scene.yaml"
+    path.write_text(text)
+    found, lines = vibcli.load(path), lines_of(text)
+    line = told([lines["motion from the start"]])[0].replace("−", "-")
+    A, B = (float(x) for x in re.findall(r"= (-?[\d.e-]+) m(?:,|$)", line)[-2:])
+    X = lines["amplitude(x)"].value
+    theta = float(told([lines["tan theta"]])[0].replace("−", "-").rpartition("θ = ")[2].split()[0]) if (
+        "tan theta" in lines) else 0.0
+    wave = math.cos if "cos" in load and "sin" not in load else math.sin
+    delta, rate = (2.0, math.sqrt(396)) if damped else (0.0, 20.0)
+    for t in (0.05, 0.21, 0.6):
+        motion = X * wave(15 * t - theta) + math.exp(-delta * t) * (A * math.cos(rate * t) + B * math.sin(rate * t))
+        assert found[f"x({t} s)"].value == pytest.approx(motion, rel=2e-4, abs=2e-8)
+
+
 def test_two_harmonics_each_with_its_amplitude(tmp_path):
     lines = lines_of(oscillator("F*sin(w*t) + 2*F*cos(3*w*t) + F*sin(3*w*t)"))
     found = {line.value for name, line in lines.items() if name.startswith("amplitude")}

@@ -4,12 +4,15 @@ harmonics, one or several or those of a periodic wave, and the sum of the pieces
 A load A sin Ωt + B cos Ωt keeps up X sin(Ωt + ε − θ), as (K − M Ω² + i C Ω) X e^{−iθ} = F with F = √(A² + B²).
 """
 
+from cmath import phase
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.degree import Degree
+from vibcli.report.steps.from_the_start import KeptUp, tell_start
 from vibcli.report.steps.pieces import pieces_of, tell_pieces
+from vibcli.report.steps.step import number
 from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.normal_form import textbook
@@ -75,27 +78,49 @@ def _one_harmonic(degree):
                        settles="steady state")
     lines = [line, *([_complex_equation(degree, X, steady, line)] if lags else [])]
     degree.settled([X], formula.amplitude, degree.unit, f"amplitude({degree.name})", lines)
+    lag = _lag(degree, steady) if lags else None
     if lags and formula.tangent is not None:
-        degree.settled([table.call("tan", theta)], formula.tangent, "", "tan theta", lines)
+        more = [] if lag is None else [Words(",  "), theta, *number(lag, "rad")]
+        lines.append(degree.settled([table.call("tan", theta)], formula.tangent, "", "tan theta", lines, more=more))
+    if not formula.ahead:
+        tell_start(degree, KeptUp(steady, X, theta if lags else None, lag), lines)
+
+
+def _lag(degree, steady):
+    """θ in numbers, None in letters; between −π and π, which its tangent leaves open."""
+    Omega = steady.formula.Omega
+    nodes = (*_load(degree, steady), degree.K - degree.M * Omega ** 2, degree.C * Omega)
+    parts = [degree.about.value(node) for node in nodes]
+    if None in parts:
+        return None
+    real, ahead, resists, damps = parts
+    return -phase(complex(real, ahead) / complex(resists, damps))
 
 
 def _complex_equation(degree, X, steady, line):
     """(K − M Ω² + i C Ω) X e^{−iθ} = A + i B of a load A sin + B cos; B − i A where cosines are counted from."""
-    from vibcli.analyses.closed_form.steady_state import waves
-
-    zero, Omega = degree.about.table.zero, steady.formula.Omega
-    found = {kind: node for (_, kind), node in waves(degree.problem.scene, degree.found.drive[0]).items()}
-    A, B = (textbook(found.get(kind, zero)) for kind in ("sin", "cos"))
-    real, ahead = (A, B) if steady.wave == "sin" else (B, -A)
+    Omega = steady.formula.Omega
+    real, ahead = _load(degree, steady)
     load = [real] if not real.is_zero or ahead.is_zero else []
     if not ahead.is_zero:
         negative = ahead.op != "sum" and ahead.coefficient < 0
         sign = (" − " if load else "−") if negative else " + " if load else ""
         load += [sign + "i·", Factor(-ahead if negative else ahead)]
     theta = degree.sheet.letter("theta")
-    return degree.sheet.write(Words("with complex amplitudes  "), "(", degree.K - degree.M * Omega ** 2, " + i·",
-                              Factor(degree.C * Omega), ")·", X, "·exp(−i·", Name(theta), ") = ", *load,
+    damps = [] if degree.C.is_zero else [" + i·", Factor(degree.C * Omega)]
+    resists = ["(", degree.K - degree.M * Omega ** 2, *damps, ")·"]
+    return degree.sheet.write(Words("with complex amplitudes  "), *resists, X, "·exp(−i·", Name(theta), ") = ", *load,
                               settles="complex equation", uses=[line, *degree.found.lines])
+
+
+def _load(degree, steady):
+    """(A, B) of a load A sin + B cos, (B, −A) where cosines are counted from."""
+    from vibcli.analyses.closed_form.steady_state import waves
+
+    zero = degree.about.table.zero
+    found = {kind: node for (_, kind), node in waves(degree.problem.scene, degree.found.drive[0]).items()}
+    A, B = (textbook(found.get(kind, zero)) for kind in ("sin", "cos"))
+    return (A, B) if steady.wave == "sin" else (B, -A)
 
 
 def _size(degree, parts):

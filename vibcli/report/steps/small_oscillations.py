@@ -123,10 +123,10 @@ class Derivation:
 
     def _sum(self, letter: str, parts: "Sequence[EnergyPart]", node: "Node", rest: int | None = None) -> int | None:
         """T, V or Φ of all; nothing where one part is all of it."""
-        if not parts or (len(parts) == 1 and rest is None):
+        names = list(dict.fromkeys(part.letter for part in parts))
+        if not parts or (len(names) == 1 and rest is None):
             return parts[0].line if parts else None
         uses = [part.line for part in parts]
-        names = list(dict.fromkeys(part.letter for part in parts))
         several = [part for name in names for part in (" + ", Name(name))][1:] if len(names) > 1 else []
         why = [Words("   (the terms of the first order vanish at rest)")] if rest else []
         letter = self.sheet.letter(letter)
