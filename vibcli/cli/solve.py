@@ -20,7 +20,7 @@ from vibcli.report.formats import FORMATS
 @click.option("--insight", is_flag=True, help="Also whose energy each mode has, what its frequency depends on, and "
               "estimates of the lowest one.")
 @click.option("--steps", is_flag=True, help="Line by line instead: coordinates, energies of each body, spring and "
-              "damper, rest, Lagrange's equations, frequencies.")
+              "damper, rest, Lagrange's equations, frequencies, motion, forces.")
 def command(file: str, settings: Sequence[str], case: str | None, as_json: bool, patience: int, timings: bool,
             digits: int | None, normalise: str, accuracy: float | None, insight: bool, steps: bool,
             **report: Any) -> int:

@@ -141,7 +141,7 @@ SWEEP = [
 ]
 
 STEPS = [
-    "`vibcli solve FILE --steps` tells the small oscillations line by line: letters first, then the numbers put in.",
+    "`vibcli solve FILE --steps` tells the solution line by line: letters first, then the numbers put in.",
     [
         ("bodies", "the mass centre as it is, speeds to the first order about rest; T of a fixed axis ½ J_O ω², else "
          "½ m v² + ½ J_C ω², body by body, then the sum"),
@@ -149,19 +149,35 @@ STEPS = [
          "curvature, else to the first; V = N Δ + ½ k Δ² with the tension N at rest, which the balance of forces "
          "gives; of a steady load −F s"),
         ("dampers", "the speed across each, to the first order; Φ = ½ c u̇²"),
-        ("rest", "∂V/∂q = 0 of each coordinate. Where it is found in numbers alone, its place has a letter and the "
-         "value that a search found."),
+        ("rest", "∂V/∂q = 0 of each coordinate, and where the forces balance if not as drawn. What is found in numbers "
+         "alone has a letter, the value that a search found, and what that leaves of the forces; long coefficients "
+         "there have letters, too."),
         ("turning frames", "T by powers of the speeds in them; −T without speeds acts like a potential"),
         ("constraints", "what they leave of the other coordinates, of closed loops to the second order from rest"),
         ("equations", "Lagrange's derivatives and the equation of one coordinate; of several the equations, M, C, K"),
+        ("equations as they are", "where `motion: full`, `find: [equations]`, or an answer T, V or motion[q] asks for "
+         "them, and where small oscillations are not told element by element: places, speeds, T, V, Φ, virtual "
+         "work and Lagrange's derivatives unexpanded, of closed loops with multipliers; then the equations to the "
+         "first order from rest"),
         ("frequencies", "ω² and ω with numbers put in, δ, ζ, ω_d; of two coordinates det(K − ω²M) = 0 with its "
-         "coefficients and roots; amplitude ratios; roots with damping"),
-        ("motion", "of one coordinate the constants from `initial`, and the steady state under one harmonic"),
+         "coefficients and roots, ratios of amplitudes, modal masses and normal coordinates; whether damping is "
+         "proportional; roots with damping"),
+        ("motion", "of one coordinate the constants from `initial`, and what loads bring about: X and θ under one "
+         "harmonic or several, from the complex equation; the first harmonics of a square or sawtooth wave; steps, "
+         "ramps and impulses piece by piece from rest; what follows a growing load. Of two coordinates the "
+         "amplitudes under one harmonic."),
+        ("members", "differential equation, standing waves and their general solution, what holds at each station, "
+         "what the ends leave, the frequency equation, its first roots and their frequencies; where it has no closed "
+         "form the equations, and frequencies by a search"),
+        ("forces", "what is asked of constraints and supports, or all where nothing can move: the balance along each "
+         "coordinate that takes part, accelerations from rest, then the values"),
+        ("chosen parameters", "the condition solved last; which solution was taken"),
     ],
-    "New letters never meet those of the scene. What the lines add up to is held against M, C and K of the engine "
-    "before any line is told. `--json` gives each line as data: what it settles, from which lines, its expression and "
-    "value. Not told are members, dry friction at rest, matrices written out, "
-    "and more than 8 coordinates.",
+    "New letters never meet those of the scene. What the lines add up to is held against M, C and K of the engine, "
+    "equations against those of the engine at states of motion, roots and forces against what they fulfil, before any "
+    "line is told. `--json` gives each line as data: what it settles, from which lines, its expression and value. Not "
+    "told are more than 12 coordinates, motions in time of members and of equations that are not linear, and the "
+    "motion from a start under loads.",
 ]
 
 FREQUENCY_RESPONSE = [

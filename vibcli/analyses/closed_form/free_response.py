@@ -16,7 +16,6 @@ from vibcli.symbolic.normal_form import is_zero, textbook
 from vibcli.symbolic.radicals import root
 
 if TYPE_CHECKING:
-    import numpy as np
 
     from vibcli.symbolic.node import Node
 
@@ -65,7 +64,7 @@ def critical(m: "Node", c: "Node", k: "Node") -> bool:
     return is_zero(c * c - 4 * k * m)
 
 
-def regime_at(m: float, c: "np.ndarray", k: "np.ndarray"):
+def regime_at(m: float, c: float, k: float) -> str:
     """The regime for numbers m, c, k."""
     if not m:
         return RELAXATION

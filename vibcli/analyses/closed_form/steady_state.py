@@ -18,6 +18,8 @@ from vibcli.symbolic.rationals import ONE
 
 if TYPE_CHECKING:
     from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 WAVES = ("sin", "cos")
 
@@ -38,14 +40,14 @@ def steady_state(symbolic: "SymbolicSystem", signal: Any) -> Steady:
     scene, n = symbolic.scene, len(symbolic.scene.q)
     rows, direct = outputs(symbolic, signal)
     drive = {**symbolic.excitation, n: direct}
-    waves = {i: _waves(scene, node) for i, node in drive.items()}
-    arguments = {argument for found in waves.values() for argument, _ in found}
+    acting = {i: waves(scene, node) for i, node in drive.items()}
+    arguments = {argument for found in acting.values() for argument, _ in found}
     if len(arguments) != 1:
         raise NotInLetters("steady states in letters are those of one harmonic" if arguments else
                            "nothing that oscillates drives this scene", "give the parameters values with --set")
     argument, = arguments
-    Omega, wave = gradient(argument)[scene.time], _reference(scene, waves)
-    loads = {i: _in_phase(found, argument, wave, Omega) for i, found in waves.items() if found}
+    Omega, wave = gradient(argument)[scene.time], _reference(scene, acting)
+    loads = {i: _in_phase(found, argument, wave, Omega) for i, found in acting.items() if found}
     b, d = [{}, {}, {}], [{}, {}, {}]
     for i, parts in loads.items():
         for power, part in enumerate(parts):
@@ -72,7 +74,7 @@ def _mean(symbolic, rows, drive):
     return shorter(textbook(found.scale * found.numerator[0] / found.denominator[0]))
 
 
-def _waves(scene, node):
+def waves(scene: "Scene", node: "Node") -> "dict[tuple[Node, str], Node]":
     """{(argument Ωt + φ, sin or cos): coefficient} of a function of the time."""
     try:
         terms = expanded(node)
@@ -94,10 +96,10 @@ def _waves(scene, node):
     return found
 
 
-def _reference(scene, waves):
+def _reference(scene, acting):
     """sin or cos: the one that drives, or in which the file says what drives; sin where it says both."""
     said = [*scene.driven.values(), *(term.weight for term in scene.forces)]
-    for kinds in ({wave for found in waves.values() for _, wave in found},
+    for kinds in ({wave for found in acting.values() for _, wave in found},
                   {part.name for part in reachable(said) if part.op == "call" and part.name in WAVES
                    and part.mask & scene.time.mask}):
         if len(kinds) == 1:

@@ -1,7 +1,7 @@
 """The parameters that a scene chose: as a section of a report, and as data."""
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.numbers import figure, quantity
 from vibcli.reader.sections.choose import BALANCE, LIMIT
@@ -38,11 +38,11 @@ def _lines(problem, several):
             fold = (Words(FOLD),) * solution.fold
             yield line(*mark, *_equation(problem, name, solution), *fold, hang=6 if several else 2, inset=inset)
         if solution.counts:
-            counts = [part for condition in solution.counts for part in (", ", *_condition(condition))][1:]
+            counts = [part for condition in solution.counts for part in (", ", *condition_parts(condition))][1:]
             yield line(Words("for "), *counts, hang=6, inset=4 if several else 2)
 
 
-def _condition(condition):
+def condition_parts(condition: Any) -> list[Any]:
     """Parts of a Condition under which a solution in letters counts."""
     if condition.words is not None:
         return [Words(f"values at which it gives {condition.words}")]

@@ -38,18 +38,25 @@ def member_equations(problem: "Problem") -> Iterator[Section]:
         own |= {scene.q.index(node): (member, part) for station in member.stations
                 for part, node in enumerate(member.motions(station)) if _is_own(node, member, scene)}
         if pieces:
-            conditions = list(_conditions(member, form.pieces, (M, C, K), scene))
+            conditions = list(station_conditions(member, form.pieces, (M, C, K), scene))
             if any(part.endswith(RIGHT) for one in conditions for part in one.parts if type(part) is str):
                 remark = REMARK + SIDES
-            blocks += [Heading(f"{name}:"), equations([*_differential(pieces, member.kind.letter), *conditions])]
+            blocks += [Heading(f"{name}:"), equations([*differential(pieces, _letter(member)), *conditions])]
     others = [i for i in range(len(scene.q)) if i not in own]
     if others:
-        blocks += [Heading("what they carry:"), equations(_carried(i, form.pieces, (M, C, K), scene) for i in others)]
+        blocks += [Heading("what they carry:"), equations(carried(i, form.pieces, (M, C, K), scene) for i in others)]
     yield from section("Equations of free vibration", *blocks, paragraph(remark, hang=4),
                        paragraph(DAMPED) if problem.spec.get("damping") is not None else None)
 
 
-def _differential(pieces, u):
+def _letter(member):
+    """u, or φ of a shaft."""
+    from vibcli.notation.plain import GREEK
+
+    return GREEK.get(member.kind.letter, member.kind.letter)
+
+
+def differential(pieces: "Sequence[Any]", u: str) -> Iterator[Line]:
     """EI ∂⁴u/∂x⁴ − N ∂²u/∂x² + k u + c ∂u/∂t + μ ∂²u/∂t² = 0 of each uniform stretch."""
     stretches: list = []
     for placed in pieces:
@@ -75,9 +82,9 @@ def _tension(placed):
     return (textbook(piece.tension - piece.gradient * placed.start), ""), (piece.gradient, "x·")
 
 
-def _conditions(member, pieces, matrices, scene):
+def station_conditions(member: Any, pieces: "Sequence[Any]", matrices: Any, scene: Any) -> Iterator[Line]:
     """What holds at each station: motions that are held, forces where they are free."""
-    u, starts = member.kind.letter, {piece.start: piece for piece in pieces if piece.owner == member.name}
+    u, starts = _letter(member), {piece.start: piece for piece in pieces if piece.owner == member.name}
     left = None
     for station in member.stations:
         right, parts = starts.get(station.place), []
@@ -189,7 +196,7 @@ def member_energies(problem: "Problem", kind: str) -> list:
     form = problem.symbolic.linearisation if problem.symbolic.linearisable else problem.system.linearisation
 
     def integrand(placed):
-        piece, u = placed.piece, problem.scene.members[placed.owner].kind.letter
+        piece, u = placed.piece, _letter(problem.scene.members[placed.owner])
         return {"T": [(piece.inertia, f"(∂{u}/∂t)²")], "Phi": [(piece.drag, f"(∂{u}/∂t)²")],
                 "V": [(piece.bending, f"(∂²{u}/∂x²)²"), *((along, f"{x}(∂{u}/∂x)²") for along, x in _tension(placed)),
                       (piece.foundation, f"{u}²")]}[kind]
@@ -228,7 +235,7 @@ def _is_own(node, member, scene):
 
 def _balance(i, part, sides, matrices, scene, member, pieces):
     """Internal force = what acts on the station, other members held there too; the jump of it at an inner one."""
-    u, (left, right) = member.kind.letter, sides
+    u, (left, right) = _letter(member), sides
     acting = [(node, RATES[kind][part].format(u=u) if j == i else Name(scene.q[j].name + "'" * (2 - kind)))
               for kind, matrix in enumerate(matrices) for (row, j), node in matrix.items() if row == i]
     acting += [(-node, told) for node, told in _pulls(i, pieces, scene) if told[1].text != f" of {member.name}"]
@@ -256,7 +263,7 @@ def _forces(placed, end, u):
     return [[(bending, f"∂³{u}/∂x³"), (-tension, f"∂{u}/∂x")], [(bending, f"∂²{u}/∂x²")]]
 
 
-def _carried(i, pieces, matrices, scene):
+def carried(i: int, pieces: "Sequence[Any]", matrices: Any, scene: Any) -> Line:
     """Equation of what members are tied to: M q̈ + C q̇ + K q = forces of the members."""
     acting = [(node, Name(scene.q[j].name + "'" * (2 - kind))) for kind, matrix in enumerate(matrices)
               for (row, j), node in matrix.items() if row == i]
@@ -269,7 +276,7 @@ def _pulls(i, pieces, scene):
     for placed in pieces:
         signs = SIGNS[2 if placed.piece.bending.is_zero else 4]
         for end, place in enumerate((placed.start, textbook(placed.start + placed.piece.length))):
-            forces = _forces(placed, end, scene.members[placed.owner].kind.letter)
+            forces = _forces(placed, end, _letter(scene.members[placed.owner]))
             for terms, sign, row in zip(forces, signs, placed.rows[end * len(signs):], strict=False):
                 if i in row:
                     for node, text in terms:

@@ -1,7 +1,7 @@
 """How constraints tie coordinates, the virtual work of what acts, and the reactions."""
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.notation.abbreviations import abbreviated
@@ -22,6 +22,7 @@ from vibcli.symbolic.transfer_between_tables import copied
 if TYPE_CHECKING:
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 SIGNS = "tension positive; what supports exert on the body, in fixed axes"
 READABLE = 60           # letters of a condition, beyond which it is written in numbers where it has them
@@ -148,7 +149,7 @@ def _conditions(problem, report):
     found = problem.symbolic.reactions
     nodes, count = [*found.conditions.values(), *found.supports.values()], len(found.conditions)
     if not problem.numeric.has_free_symbols and max(map(letters, nodes), default=0) > READABLE:
-        shown, lengths = [numeric_sum(_in_numbers(problem, found, node)) for node in nodes], []
+        shown, lengths = [numeric_sum(condition_in_numbers(problem, found, node)) for node in nodes], []
     else:
         shown, lengths = abbreviated(nodes, report.roots)
         shown = [[brief(node, "")] for node in shown]
@@ -162,7 +163,7 @@ def _conditions(problem, report):
                        paragraph("with ", *told, hang=4, aside=True) if told else None)
 
 
-def _in_numbers(problem, found, node):
+def condition_in_numbers(problem: "Problem", found: Any, node: "Node") -> list:
     """[(coefficient, symbol)] of a condition, which is linear in the forces of constraints; the constant last."""
     table, floats = node.table, problem.numeric.floats
     slopes = gradient(node)

@@ -17,7 +17,7 @@ def steps(problem: "Problem", _: "Report") -> Iterator[Section]:
 
     found = worked(problem)
     digits = len(str(len(found)))
-    yield from section("Steps to the small oscillations", blocks.equations(
+    yield from section("Steps", blocks.equations(
         line(Words(f"{one.number:\u00a0>{digits}}\u00a0\u00a0"), *one.parts, hang=digits + 2) for one in found))
 
 

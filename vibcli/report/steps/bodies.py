@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Factor, Name, SumOfTerms, Words
-from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number
+from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import textbook
 
@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from vibcli.elements.rigid_body import Body
     from vibcli.symbolic.node import Node
 
+SHORT = 2       # factors of T, up to which it is told as shortly as that it is like another
 LONG = 40       # letters of a place, beyond which it is told by powers alone
 
 
@@ -27,10 +28,13 @@ class EnergyPart(NamedTuple):
 
 
 class Bodies:
-    """What the bodies of a scene add to T, apart from some of these names; `others`: does something else, too?"""
+    """What the bodies of a scene add to T, AboutRest or InMotion, apart from some of these names; `others`: does
+    something else, too?"""
 
-    def __init__(self, about: AboutRest, sheet: WorkedSolution, others: bool, apart: Collection[str] = ()):
+    def __init__(self, about: Any, sheet: WorkedSolution, others: bool, apart: Collection[str] = ()):
         self.about, self.sheet, self.scene, self._apart = about, sheet, about.scene, apart
+        self._told: dict = {}
+        self._lines: dict = {}
         self._several = others or sum(1 for body in self.scene.bodies.values() if self._counts(body)) > 1
 
     def _counts(self, body):
@@ -45,12 +49,26 @@ class Bodies:
         for body in self.scene.bodies.values():
             terms = [term for term in self.scene.inertias if term.owner == body.name]
             if body.name not in self._apart and any(self.about.small(term.s).slopes for term in terms):
-                yield self._of_body(body, terms)
+                yield self._like_another(body, terms) or self._of_body(body, terms)
         for name in dict.fromkeys(term.owner for term in self.scene.inertias if term.owner not in self.scene.bodies):
             yield self._of_terms(name, [term for term in self.scene.inertias if term.owner == name])
 
     def _letter(self, name):
-        return self.sheet.letter("T", name) if self._several or name not in self.scene.bodies else "T"
+        return self.sheet.letter("T", name if self._several or name not in self.scene.bodies else "")
+
+    def _like_another(self, body, terms):
+        """T of a body that moves like one before it; None of others."""
+        if body.frame is None or body.pieces:
+            return None
+        node = self.about.half_squares([(term.weight, self.about.small(term.s)) for term in terms], rates=True)
+        of = (body.mass, body.inertia, body.frame.angle.mask != 0, node)
+        first = self._told.setdefault(of, body.name)
+        if first == body.name or (node.op == "product" and len(node.args) <= SHORT):
+            return None
+        letter = self._letter(body.name)
+        line = self.sheet.write(Words(f"{body.name}, like {first}:  "), Name(letter), " = ", Name(self._letter(first)),
+                                settles=letter, node=node, uses=[self._lines[first]])
+        return EnergyPart(letter, node, line)
 
     def _of_body(self, body, terms):
         if body.frame is None:
@@ -69,40 +87,53 @@ class Bodies:
                 if node is not None and not node.is_zero:
                     parts.append(node)
                     written.append(textbook(node))
-        J = about.tidy(table.total(parts))
+        J, omega = about.tidy(table.total(parts)), about.small(body.frame.angle)
+        rate, turns = about.rate(omega), Words(f"{body.name} turns about the fixed O:  ")
+        if len(parts) == 1:
+            turn = about.letter(self.sheet.letter("omega", body.name))
+            shown = [] if rate.op == "symbol" else [turn, " = ", rate, Words(",  ")]
+            return self._energy(body.name, [(J, omega)], None, [J * turn ** 2 / 2] if shown else [],
+                                before=[turns, *shown])
         letter = self.sheet.letter("J_O", body.name if self._several else "")
         sum_of_parts = [part for node in written for part in (" + ", node)][1:]
         how = ["J_C + ", Factor(body.mass), "·OC² = "] if len(parts) == 2 and not body.pieces else []
         told = [*sum_of_parts, " = "] if len(written) > 1 else []
-        line = self.sheet.write(Words(f"{body.name} turns about the fixed O:  "), Name(letter), " = ", *how, *told, J,
+        line = self.sheet.write(turns, Name(letter), " = ", *how, *told, J,
                                 *self._number(J), settles=letter, node=J, value=about.value(J), unit="kg·m²")
-        omega = about.small(body.frame.angle)
-        rate = about.rate(omega)
         return self._energy(body.name, [(J, omega)], line, [self.about.letter(letter) * rate ** 2 / 2])
 
     def _in_the_plane(self, body, terms):
         about = self.about
         x, y = body.frame.point(*body.centre)
-        lines = [self._placed(body, x, y)]
-        moves = [(axis, about.small(node)) for axis, node in (("x", x), ("y", y)) if node.mask]
-        speeds = [(axis, about.rate(small)) for axis, small in moves if small.slopes or small.drive.mask]
+        moves = [(axis, node) for axis, node in (("x", x), ("y", y)) if node.mask]
+        speeds = [(axis, about.rate(small)) for axis, small in ((axis, about.small(node)) for axis, node in moves)
+                  if small.slopes or small.drive.mask]
         turns = body.frame.angle.mask and body.inertia is not None and not body.inertia.is_zero
         omega = about.rate(about.small(body.frame.angle)) if turns else None
         v, turn = (about.letter(self.sheet.letter(letter, body.name)) for letter in ("v", "omega"))
+        parts = [(term.weight, about.small(term.s)) for term in terms]
+        if not turns and len(speeds) == 1 and speeds[0][1].op != "symbol" and self._goes_straight(moves):
+            return self._energy(body.name, parts, None, [body.mass * v ** 2 / 2], before=[v, " = ", speeds[0][1], Words(
+                ",  ")])
+        lines = [None if self._goes_straight(moves) else self._placed(body, x, y)]
         told = [part for axis, node in speeds for part in (Words(",  "), Name(f"{axis}_C'"), " = ", node)][1:]
         if speeds and not _is_plain(speeds, omega):
-            told += [Words(",  "), v ** 2, " = ", self.scene.table.total([node ** 2 for _, node in speeds])]
+            told += [Words(",  "), v ** 2, " = ", about.square([node for _, node in speeds])]
         told += [Words(",  " * bool(told)), turn, " = ", omega] if turns else []
         if told and not _is_plain(speeds, omega):
-            lines.append(self.sheet.write(Words(f"speeds of {body.name} to the first order:  "), *told, uses=lines))
-        parts = [(term.weight, about.small(term.s)) for term in terms]
+            lines.append(self.sheet.write(Words(f"speeds of {body.name}{about.order_of_speeds}:  "), *told, uses=lines))
         formula = [body.mass * v ** 2 / 2] * bool(speeds and body.mass) + [body.inertia * turn ** 2 / 2] * bool(turns)
         shown = [] if body.pieces or _is_plain(speeds, omega) else formula
         return self._energy(body.name, parts, lines[-1], shown, lines=lines)
 
+    def _goes_straight(self, moves):
+        """Is the place of the mass centre linear in the coordinates, so that its speeds are read off the figure?"""
+        q = self.scene.q
+        return all(not any(textbook(slope).mask for x, slope in gradient(node).items() if x in q) for _, node in moves)
+
     def _placed(self, body, x, y):
         """The line that tells where the mass centre is; None where it is the coordinates themselves."""
-        x, y = textbook(x), textbook(y)
+        x, y = self.about.shifted(x), self.about.shifted(y)
         if all(node.op == "symbol" or not node.mask for node in (x, y)) or letters(x) + letters(y) > LONG:
             return None
         return self.sheet.write(Words(f"mass centre of {body.name}:  "), "C = (", x, ", ", y, ")")
@@ -115,14 +146,16 @@ class Bodies:
         rate = about.rate(small)
         return self._energy(name, parts, None, [] if others else [weight * rate ** 2 / 2])
 
-    def _energy(self, name, parts, line, formula, lines=()):
+    def _energy(self, name, parts, line, formula, lines=(), before=()):
         """A line T = formula = the same with what it stands for."""
         about = self.about
         node = about.half_squares(parts, rates=True)
         letter = self._letter(name)
         head = () if not formula or [plain(one) for one in formula] == [plain(node)] else (
             SumOfTerms(tuple(formula)), " = ")
-        written = self.sheet.write(Name(letter), " = ", *head, node, settles=letter, node=node, uses=[line, *lines])
+        written = self.sheet.write(*before, Name(letter), " = ", *head, node, settles=letter, node=node,
+                                   uses=[line, *lines])
+        self._lines[name] = written
         return EnergyPart(letter, node, written)
 
     def _number(self, node):

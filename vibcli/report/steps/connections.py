@@ -9,8 +9,9 @@ force meets the curvature of s; else the first order suffices, the square of Δ 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from vibcli.base.enumeration import listed
 from vibcli.notation.plain import plain
-from vibcli.report.blocks import Name, Words
+from vibcli.report.blocks import Name, SumOfTerms, Words
 from vibcli.report.steps.bodies import LONG, EnergyPart
 from vibcli.report.steps.small import AboutRest, Small
 from vibcli.report.steps.step import WorkedSolution, number
@@ -28,7 +29,7 @@ SECOND = "   (second order: its force at rest counts)"
 class Acting(NamedTuple):
     """Something that stores energy by a function s of the coordinates: its tension at rest as it is known, as a letter
     (or itself where it needs none), its stiffness or None, s about rest, the number of its line; linear: is its tension
-    its stiffness times its deflection?"""
+    its stiffness times its deflection? kept: what stands for its tension in the sums, None of the tension itself."""
 
     name: str
     tension: Any
@@ -37,6 +38,7 @@ class Acting(NamedTuple):
     s: Small
     line: int | None
     linear: bool = False
+    kept: Any = None
 
 
 class Connections:
@@ -52,6 +54,11 @@ class Connections:
     def _letter(self, letter, owner):
         """That of an element, its name with it where there are several."""
         return self.sheet.letter(letter, owner if self._several else "")
+
+    def _of(self, term):
+        """The name of an element in letters, numbered where several terms are its own."""
+        own = [one for one in (*self.scene.springs, *self.scene.dampers) if one.owner == term.owner]
+        return term.owner if len(own) < 2 else f"{term.owner}{own.index(term) + 1}"
 
     def stored(self) -> "Iterator[tuple[EnergyPart, Acting]]":
         """(V, what acts) of each spring and each weight."""
@@ -76,8 +83,8 @@ class Connections:
         about, sheet = self.about, self.sheet
         small, tension = about.small(term.s), about.rest(term.force(self.scene))
         loaded = not tension.is_zero
-        delta, V = self._letter("Delta", term.owner), self._letter("V", term.owner)
-        shown = self.scene.table.parameter(self._letter("N", term.owner), positive=False) if loaded else tension
+        delta, V, N = (self._letter(letter, self._of(term)) for letter in ("Delta", "V", "N"))
+        shown = self.scene.table.parameter(N, positive=False) if loaded else tension
         moves = about.moves(small) + (about.bent(small) if loaded else self.scene.table.zero)
         told = self._told(term, small, moves, delta, loaded)
         square = about.half_squares([(k, small)], rates=False)
@@ -85,12 +92,13 @@ class Connections:
         letter = about.letter(delta)
         line = sheet.write(Name(V), " = ", shown * letter + k * letter ** 2 / 2, " = ", node, settles=V, node=node,
                            uses=[told])
-        return EnergyPart(V, node, line), Acting(term.owner, tension, shown, k, small, line,
-                                             hasattr(term, "weight"))
+        kept = shown if loaded and about.know(shown, about.value(tension)) else tension
+        return EnergyPart(V, node, line), Acting(term.owner, tension, shown, k, small, line, hasattr(term, "weight"),
+                                                 kept)
 
     def _told(self, term, small, moves, letter, loaded):
         """The line of a stretch, counted from rest."""
-        s = textbook(term.s - small.at_rest)
+        s = textbook(self.about.shifted(term.s) - small.at_rest)
         exact = not small.second and plain(s) == plain(textbook(moves))
         parts = [] if exact or letters(s) > LONG else [s, " = "]
         more = () if exact else (" + …", Words(SECOND if loaded else FIRST))
@@ -102,20 +110,24 @@ class Connections:
         return any(textbook(slope).mask & self.scene.time.mask for x, slope in gradient(s).items() if x in self.scene.q)
 
     def _weights(self):
-        """The weight of each body, its height to the second order."""
-        for name in dict.fromkeys(term.owner for term in self.scene.weights):
-            acting = [Acting(name, term.weight, term.weight, None, self.about.small(term.s), None)
-                      for term in self.scene.weights if term.owner == name and not self._turns(term.s)]
-            about, V = self.about, self._letter("V", name)
-            node = self.scene.table.total([one.tension * (about.first(one.s, self.scene.q) + about.bent(one.s))
-                                           for one in acting])
-            if node.is_zero:
-                continue
-            line = self.sheet.write(Words(f"weight of {name}, counted from rest:  "), Name(V), " = ", node, *(
-                (" + …", Words(SECOND)) if any(one.s.second for one in acting) else ()),
-                settles=V, node=node)
-            for i, one in enumerate(acting):
-                yield EnergyPart(V, node if not i else None, line), one._replace(line=line)
+        """The weight of each body, its height to the second order; of several all in a line."""
+        acting = [Acting(term.owner, term.weight, term.weight, None, self.about.small(term.s), None)
+                  for term in self.scene.weights if not self._turns(term.s)]
+        about, total = self.about, self.scene.table.total
+        terms = {one.name: total([other.tension * (about.first(other.s, self.scene.q) + about.bent(other.s))
+                                  for other in acting if other.name == one.name]) for one in acting}
+        terms = {name: node for name, node in terms.items() if not node.is_zero}
+        acting = [one for one in acting if one.name in terms]
+        if not acting:
+            return
+        V = self._letter("V", next(iter(terms)) if len(terms) == 1 else "g")
+        words = "weight of" if len(terms) == 1 else "weights of"
+        node = total(list(terms.values()))
+        line = self.sheet.write(Words(f"{words} {listed(terms)}, counted from rest:  "), Name(V), " = ", SumOfTerms(
+            tuple(terms.values())), *((" + …", Words(SECOND)) if any(one.s.second for one in acting) else ()),
+            settles=V, node=node)
+        for i, one in enumerate(acting):
+            yield EnergyPart(V, node if not i else None, line), one._replace(line=line)
 
     def _dampers(self):
         """[(what damps, its coefficient at rest)]."""
@@ -128,12 +140,12 @@ class Connections:
     def dissipated(self) -> "Iterator[EnergyPart]":
         """Φ of each damper."""
         found = self._dampers()
-        several = len({term.owner for term, _ in found}) > 1
+        several = len(found) > 1
         for term, c in found:
             small = self.about.small(term.s)
             rate = self.about.rate(small)
-            letter = self.sheet.letter("Phi", term.owner) if several else "Phi"
-            u = self.sheet.letter("u", term.owner)
+            letter = self.sheet.letter("Phi", self._of(term) if several else "")
+            u = self.sheet.letter("u", self._of(term))
             first = "   (first order)" if small.second else ""
             told = self.sheet.write(Words(f"speed across {term.owner}:  "), Name(u + "'"), " = ", rate, Words(first),
                                     settles=u, node=rate)
@@ -163,7 +175,7 @@ class Connections:
                 for pair, node in self.about.sum_of_squares([(one.k, one.s)]).items():
                     found.setdefault(pair, []).append(node)
             for pair, b in one.s.second.items():
-                found.setdefault(pair, []).append(one.tension * b)
+                found.setdefault(pair, []).append((one.kept or one.tension) * b)
         entries = {pair: self.about.tidy(table.total(nodes)) for pair, nodes in found.items()}
         return {pair: node for pair, node in entries.items() if not node.is_zero}
 

@@ -1,22 +1,20 @@
-"""The steps from the equation of one degree of freedom to its frequency, its damping, its free motion from a given
-start, and its steady state under one harmonic."""
+"""The steps from the equation of one degree of freedom to its frequency, its damping, and its free motion from a given
+start."""
 
 from math import tau
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from vibcli.base.errors import NotInLetters, PhysicsError
-from vibcli.notation.numbers import figure
-from vibcli.report.blocks import Factor, Name, WithNumbers, Words
-from vibcli.report.steps.small import AboutRest
-from vibcli.report.steps.small_oscillations import SmallEquations
-from vibcli.report.steps.step import WorkedSolution, number, told
+from vibcli.analyses.closed_form.free_response import CRITICAL, OVER, UNDAMPED, UNDER, regime_at
+from vibcli.base.errors import PhysicsError
+from vibcli.report.blocks import Factor, Name, Words
+from vibcli.report.steps.degree import Degree
+from vibcli.report.steps.forced import tell_forced
+from vibcli.report.steps.step import number
 from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.normal_form import is_zero
-from vibcli.symbolic.radicals import root
 
 if TYPE_CHECKING:
-    from vibcli.results.problem import Problem
-
+    pass
 
 ROUNDING = 2.0**-50         # of ζ that is 1
 
@@ -24,12 +22,10 @@ ROUNDING = 2.0**-50         # of ζ that is 1
 class OneDegree:
     """The steps of m q̈ + c q̇ + k q = Q."""
 
-    def __init__(self, problem: "Problem", about: AboutRest, sheet: WorkedSolution, found: SmallEquations):
-        self.problem, self.about, self.sheet, self.found = problem, about, sheet, found
-        zero = about.table.zero
-        self.M, self.C, self.K = (part.get((0, 0), zero) for part in (found.M, found.C, found.K))
-        self.omega, self.delta, self.zeta, self.omega_d = (
-            about.letter(sheet.letter(name)) for name in ("omega", "delta", "zeta", "omega_d"))
+    def __init__(self, degree: Degree):
+        self.degree, self.problem, self.about = degree, degree.problem, degree.about
+        self.sheet, self.found, self.M, self.C, self.K = degree.sheet, degree.found, degree.M, degree.C, degree.K
+        self.omega, self.delta, self.zeta, self.omega_d = degree.omega, degree.delta, degree.zeta, degree.omega_d
 
     def write(self) -> None:
         """Write down all of them."""
@@ -48,37 +44,33 @@ class OneDegree:
         of_omega = self._frequency(square)
         of_delta = None if self.C.is_zero else self._damping(of_omega)
         self._free_motion([of_omega, of_delta])
-        self._steady_state()
-
-    def _root(self, node):
-        """√ of an expression, in its simplest form."""
-        return root(node, self.about.samples)
+        tell_forced(self.degree)
 
     def _frequency(self, square):
-        omega = self._root(square)
-        line = self._settled([self.omega ** 2, " = ", square, Words(",  "), self.omega], omega, "rad/s",
+        omega = self.degree.root(square)
+        line = self.degree.settled([self.omega ** 2, " = ", square, Words(",  "), self.omega], omega, "rad/s",
                              "omega[1]", self.found.lines, letters=False)
         if (value := self.about.value(omega)) is not None:
-            turn = 2 * self.about.table.pi
-            self.sheet.write("f = ", self.omega / turn, " = " + told(value / tau), Words(" Hz,  "), "T = ",
-                             turn / self.omega, " = " + told(tau / value), Words(" s"), uses=[line],
-                             settles="frequency[1]")
+            turn, f, T = 2 * self.about.table.pi, self.sheet.letter("f"), self.sheet.letter("T")
+            period = [Words(",  "), Name(T), " = ", turn / self.omega, *number(tau / value, "s")]
+            self.sheet.write(Name(f), " = ", self.omega / turn, *number(value / tau, "Hz"), *period, uses=[line],
+                             settles="frequency[1]", node=self.omega / turn, value=value / tau, unit="Hz")
         return line
 
     def _damping(self, of_omega):
         """δ = c/(2m), ζ = δ/ω, ω_d; the number of the last line."""
         delta = single(self.C / (2 * self.M))
-        of_delta = self._settled([Words("half the factor of the speed over that of the acceleration:  "),
-                                  self.delta], delta, "1/s", "delta", self.found.lines)
-        zeta = self.C / (2 * self._root(self.K) * self._root(self.M))
+        of_delta = self.degree.settled([Words("half the factor of the speed over that of the acceleration:  "),
+                                  self.delta], delta, "1/s", self.delta.name, self.found.lines)
+        zeta = self.C / (2 * self.degree.root(self.K) * self.degree.root(self.M))
         value = self.about.value(zeta)
         if is_zero(self.C * self.C - 4 * self.M * self.K) or (value is not None and abs(value - 1) <= ROUNDING):
             value = 1.0
         kind = () if value is None else (Words(
             ": under-damped" if value < 1 else ": critically damped" if value == 1 else ": over-damped"),)
-        line = self.sheet.write(self.zeta, " = ", self.delta / self.omega, " = ", zeta,
-                                *(() if value is None else number(value)), *kind, uses=[of_delta, of_omega],
-                                settles="zeta[1]", node=zeta, value=value)
+        shown = () if value is None or zeta is self.about.table.one else number(value)
+        line = self.sheet.write(self.zeta, " = ", self.delta / self.omega, " = ", zeta, *shown, *kind,
+                                uses=[of_delta, of_omega], settles="zeta[1]", node=zeta, value=value)
         if value is None or value < 1:
             return self._damped_frequency(delta, [of_omega, of_delta, line])
         return line
@@ -88,19 +80,10 @@ class OneDegree:
 
         omega_d = damped_frequency(self.M, self.C, self.K, self.about.samples)
         parts = [self.omega_d, " = ", self.about.table.sqrt(self.omega ** 2 - self.delta ** 2)]
-        return self._settled(parts, omega_d, "rad/s", "omega_d[1]", uses)
-
-    def _settled(self, head, node, unit, settles, uses, letters=True):
-        """A line `head = expression = with numbers = value`."""
-        value, numbers = self.about.value(node), self.about.numbers()
-        parts: list[Any] = [*head, *([" = ", node] if letters or value is None else [])]
-        if value is not None:
-            put_in = {name: figure(x) for name, x in numbers.items()}
-            parts += [" = ", WithNumbers(node, put_in), *number(value, unit)]
-        return self.sheet.write(*parts, settles=settles, node=node, value=value, unit=unit, uses=uses)
+        return self.degree.settled(parts, omega_d, "rad/s", "omega_d[1]", uses)
 
     def _free_motion(self, uses):
-        """The constants of the free motion from the start that the file gives, under-damped or not damped."""
+        """The constants of the free motion from the start that the file gives."""
         from vibcli.mechanics.initial_state import start_in_letters
 
         try:
@@ -109,44 +92,77 @@ class OneDegree:
             return
         if start is None or self.found.drive or self.problem.spec.in_full:
             return
-        x0, v0 = start
-        delta = single(self.C / (2 * self.M))
-        rest = self.about.value(self.K / self.M - delta * delta)
-        if rest is None or rest <= 0:
-            return
-        (name,), table = self.problem.scene.coordinates, self.about.table
-        A, B, start, speed = (self.about.letter(letter) for letter in (
-            self.sheet.letter("A"), self.sheet.letter("B"), self.sheet.letter(f"{name}_0"),
-            self.sheet.letter(f"v_{name}0")))
-        rate, t = self.omega if self.C.is_zero else self.omega_d, self.problem.scene.time
+        regime = self._regime()
+        told = {UNDAMPED: self._oscillates, UNDER: self._oscillates, CRITICAL: self._critical, OVER: self._overdamped}
+        if regime in told:
+            told[regime](start, uses)
+
+    def _regime(self):
+        """How it is damped, None where letters decide."""
+        if self.C.is_zero:
+            return UNDAMPED
+        if is_zero(self.C * self.C - 4 * self.M * self.K):
+            return CRITICAL
+        values = [self.about.value(node) for node in (self.M, self.C, self.K)]
+        return None if None in values else regime_at(*values)
+
+    def _letters(self, start):
+        """A, B, the start and its speed: letters for these where they are more than a letter or a number."""
+        name = self.degree.name
+        at_start = f"{name}_0" if name[-1].isdigit() else f"{name}0"
+        known = [node if node.op in ("symbol", "number") else None for node in start]
+        return [node or self.about.letter(self.sheet.letter(letter)) for letter, node in zip(
+            ("A", "B", at_start, "v0"), (None, None, *known), strict=True)]
+
+    def _oscillates(self, start, uses):
+        table, t = self.about.table, self.problem.scene.time
+        A, B, x0, v0 = self._letters(start)
+        rate = self.omega if self.C.is_zero else self.omega_d
         wave = A * table.call("cos", rate * t) + B * table.call("sin", rate * t)
         decay = () if self.C.is_zero else (table.call("exp", -(self.delta * t)), "·")
-        line = self.sheet.write(Name(name), " = ", *decay, Factor(wave) if decay else wave, settles=name, uses=uses)
-        of_A, of_B = self.about.value(x0), self.about.value(v0 + delta * x0) / rest**0.5
-        unit = "m" if self.problem.system.dimension(name) else "rad"
-        ahead = speed if self.C.is_zero else speed + self.delta * start
-        self.sheet.write(Words("from the start "), start, " = ", x0, Words(",  speed "), speed, " = ", v0,
-                         Words(":  "), A, " = ", start, *number(of_A, unit), Words(",  "), B, " = ",
-                         ahead / rate, *number(of_B, unit), uses=[line], settles="free motion")
+        ahead = v0 if self.C.is_zero else v0 + self.delta * x0
+        delta = single(self.C / (2 * self.M))
+        exact = self.about.table.sqrt(self.K / self.M - delta ** 2)
+        self._constants([*decay, Factor(wave) if decay else wave], start, (x0, ahead / rate),
+                        (start[0], (start[1] + delta * start[0]) / exact), uses)
 
-    def _steady_state(self):
-        """X and θ under one harmonic, from the complex equation (k − mΩ² + icΩ) X = Q."""
-        if not self.found.drive or self.problem.spec.in_full:
-            return
-        name, = self.problem.scene.coordinates
-        try:
-            steady = self.problem.symbolic_steady_state(name)
-        except (NotInLetters, PhysicsError):
-            return
-        formula, table = steady.formula, self.about.table
-        X, theta = (self.about.letter(self.sheet.letter(letter)) for letter in ("X", "theta"))
-        lags = not (formula.undamped or formula.ahead)
-        wave = steady.wave if not formula.ahead else {"sin": "cos", "cos": "sin"}[steady.wave]
-        node = X * table.call(wave, steady.argument - theta if lags else steady.argument)
-        node = -node if formula.ahead and steady.wave == "cos" else node
-        line = self.sheet.write(Words("steady state:  "), Name(name), " = ", node, uses=self.found.lines,
-                                settles="steady state")
-        unit = "m" if self.problem.system.dimension(name) else "rad"
-        self._settled([X], formula.amplitude, unit, f"amplitude({name})", [line])
-        if lags and formula.tangent is not None:
-            self._settled([table.call("tan", theta)], formula.tangent, "", "tan theta", [line])
+    def _critical(self, start, uses):
+        A, B, x0, v0 = self._letters(start)
+        t = self.problem.scene.time
+        delta = single(self.C / (2 * self.M))
+        self._constants([Factor(A + B * t), "·", self.about.table.call("exp", -(self.delta * t))], start,
+                        (x0, v0 + self.delta * x0), (start[0], start[1] + delta * start[0]), uses, of_speed=True)
+
+    def _overdamped(self, start, uses):
+        table, t = self.about.table, self.problem.scene.time
+        A, B, x0, v0 = self._letters(start)
+        roots = [self.about.letter(self.sheet.letter(name)) for name in ("s1", "s2")]
+        delta, size = single(self.C / (2 * self.M)), table.sqrt(self.delta ** 2 - self.omega ** 2)
+        spread = table.sqrt(delta ** 2 - self.K / self.M)
+        exact = [-delta + spread, -delta - spread]
+        told = []
+        for letter, form, node in zip(roots, (-self.delta + size, -self.delta - size), exact, strict=True):
+            told += [Words(",  " * bool(told)), letter, " = ", form, *number(self.about.value(node), "1/s")]
+        line = self.sheet.write(*told, settles="s1, s2", uses=uses)
+        x, v = start
+        first = (v - exact[1] * x) / (exact[0] - exact[1])
+        wave = A * table.call("exp", roots[0] * t) + B * table.call("exp", roots[1] * t)
+        self._constants([wave], start, ((v0 - roots[1] * x0) / (roots[0] - roots[1]), x0 - A), (first, x - first),
+                        [*uses, line])
+
+    def _constants(self, motion, start, forms, exact, uses, of_speed=False):
+        """The form of the motion, and its constants from the start."""
+        A, B, x0, v0 = self._letters(start)
+        name, unit = self.degree.name, self.degree.unit
+        line = self.sheet.write(Name(name), " = ", *motion, settles=name, uses=uses)
+        constants: list = []
+        for letter, form, value, per in ((A, forms[0], exact[0], ""), (B, forms[1], exact[1], "/s" * of_speed)):
+            known = self.about.value(value)
+            shown = [] if form.op == "number" and known is not None else [" = ", form]
+            constants += [Words(",  " * bool(constants)), letter, *shown, *(
+                () if known is None else number(known, unit + per))]
+        of_start: list = []
+        for which, letter, node in ((name, x0, start[0]), (name + "'", v0, start[1])):
+            of_start += [Words(",  " * bool(of_start)), Name(which), " = ", *([letter, " = "] if letter is not node
+                                                                            else []), node]
+        self.sheet.write(Words("at t = 0  "), *of_start, Words(":  "), *constants, uses=[line], settles="free motion")

@@ -1,104 +1,120 @@
 """The steps from the equations of several degrees of freedom to their frequencies and modes: M, C, G, K, the
-determinant of K − ω²M written out of two, ratios of amplitudes, damped eigenvalues."""
+determinant of K − ω²M written out of two, ratios of amplitudes, damped eigenvalues, amplitudes under one harmonic."""
 
 from collections.abc import Mapping
-from math import tau
 from typing import TYPE_CHECKING, Any
 
+from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.notation.plain import lowered
-from vibcli.report.blocks import Either, Name, Words
+from vibcli.report.blocks import Name, Words
+from vibcli.report.steps.damped_degrees import stay_apart, tell_damped
+from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.small import AboutRest
-from vibcli.report.steps.small_oscillations import SmallEquations
-from vibcli.report.steps.step import WorkedSolution, told
+from vibcli.report.steps.step import WorkedSolution, number, of_time, told
+from vibcli.report.steps.two_degrees import TwoDegrees
 
 if TYPE_CHECKING:
-    from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
-MARK = "𝔇"              # stands under the root while the rest is written
 MATRICES = ("mass matrix", "M"), ("damping matrix", "C"), ("gyroscopic matrix", "G"), ("stiffness matrix", "K")
 
 
 class SeveralDegrees:
     """The steps of M q̈ + (C + G) q̇ + K q = Q."""
 
-    def __init__(self, problem: "Problem", about: AboutRest, sheet: WorkedSolution, found: SmallEquations):
-        self.problem, self.about, self.sheet, self.found = problem, about, sheet, found
-        self.n, self.numbers = len(problem.scene.q), not problem.numeric.has_free_symbols
+    def __init__(self, about: AboutRest, sheet: WorkedSolution, found: SmallEquations):
+        self.about, self.sheet, self.found, self.problem = about, sheet, found, about.problem
+        two = len(about.scene.q) == 2 and not found.G and not about.problem.symbolic.configuration.falls
+        self.two = TwoDegrees(about, sheet, found) if two else None
 
     def write(self) -> None:
         """Write down all of them."""
         lines = [self._matrix(words, letter, getattr(self.found, letter)) for words, letter in MATRICES
                  if getattr(self.found, letter)]
-        if self.n == 2 and not self.found.G:
-            lines.append(self._determinant(lines))
-        if self.numbers:
+        if self.two is not None:
+            lines += self.two.determinant(lines)
+        if not self.problem.numeric.has_free_symbols:
             self._modes(lines)
-            self._damped(lines)
+        elif self.two is not None:
+            self.two.in_letters(lines)
+        tell_damped(self.about, self.sheet, self.found, lines)
+        self._steady_state()
 
     def _matrix(self, words, letter, entries: "Mapping[tuple[int, int], Node]"):
         parts: list[Any] = []
-        skew = letter == "G"
+        skew, name = letter == "G", self.sheet.letter(letter)
         for (i, j), node in sorted(entries.items()):
-            if j < i:
+            twins = skew or self.about.same(node, entries.get((j, i), self.about.table.zero))
+            if j < i and twins:
                 continue
-            twin = "" if i == j else f" = {'−' * skew}{letter}{lowered(j + 1)}{lowered(i + 1)}"
-            parts += [Words(",  ")] * bool(parts) + [f"{letter}{lowered(i + 1)}{lowered(j + 1)}{twin} = ", node]
+            twin = "" if i == j or not twins else f" = {'−' * skew}{name}{lowered(j + 1)}{lowered(i + 1)}"
+            parts += [Words(",  ")] * bool(parts) + [f"{name}{lowered(i + 1)}{lowered(j + 1)}{twin} = ", node]
         return self.sheet.write(Words(f"{words}:  "), *parts, settles=letter, uses=self.found.lines)
 
-    def _determinant(self, uses):
-        """det(K − ω²M) = a₂ ω⁴ − a₁ ω² + a₀ = 0."""
-        table, (M, K) = self.about.table, (self.found.M, self.found.K)
-
-        def entry(part, i, j):
-            return part.get((i, j), table.zero)
-
-        coefficients = [
-            entry(M, 0, 0) * entry(M, 1, 1) - entry(M, 0, 1) * entry(M, 1, 0),
-            entry(M, 0, 0) * entry(K, 1, 1) + entry(M, 1, 1) * entry(K, 0, 0)
-            - entry(M, 0, 1) * entry(K, 1, 0) - entry(M, 1, 0) * entry(K, 0, 1),
-            entry(K, 0, 0) * entry(K, 1, 1) - entry(K, 0, 1) * entry(K, 1, 0)]
-        names = [self.sheet.letter(f"a{power}") for power in (2, 1, 0)]
-        a2, a1, a0 = map(self.about.letter, names)
-        omega = self.about.letter(self.sheet.letter("omega"))
-        mark = table.sqrt(table.parameter(MARK, positive=False))
-        parts: list[Any] = []
-        for name, node in zip(names, map(self.about.tidy, coefficients), strict=True):
-            value = self.about.value(node)
-            parts += [Words(",  "), Name(name), " = ", node, *(() if value is None or node.op == "number" else (
-                " = " + told(value),))]
-        roots = Either((a1 + mark) / (2 * a2), mark, table.sqrt(a1 * a1 - 4 * a0 * a2))
-        polynomial = a2 * omega ** 4 - a1 * omega ** 2 + a0
-        return self.sheet.write("det(K − ", omega ** 2, "·M) = ", polynomial, " = 0", *parts, Words(",  "), omega ** 2,
-                                " = ", roots, settles="det(K - omega^2*M)", uses=uses)
-
     def _modes(self, uses):
-        """Each frequency with the ratio of its amplitudes."""
-        names, modal = self.problem.scene.coordinates, self.problem.modal
-        for mode in modal.modes:
-            shape = modal.shape(mode)
-            ratio = [*[part for name in names for part in (" : ", Name(name))][1:],
-                     " = " + " : ".join(told(float(x.real)) for x in shape)]
-            if mode.omega is None:
-                self.sheet.write(Words(f"mode {mode.index} grows as exp(s·t) with "), "s = " + told(mode.growth_rate),
-                                 Words(" 1/s,  "), *ratio, settles=f"growth_rate[{mode.index}]",
-                                 value=float(mode.growth_rate), unit="1/s", uses=uses)
-                continue
-            times = [Words(",  "), "f = " + told(mode.omega / tau), Words(" Hz,  "), "T = " + told(tau / mode.omega),
-                     Words(" s,  ")] if mode.omega else [Words(":  it moves freely,  ")]
-            self.sheet.write(f"ω{lowered(mode.index)} = {told(mode.omega)}", Words(" rad/s"), *times, *ratio,
-                             settles=f"omega[{mode.index}]", value=float(mode.omega), unit="rad/s", uses=uses)
-
-    def _damped(self, uses):
-        """The eigenvalues of det(λ² M + λ (C + G) + K) = 0."""
-        damped = self.problem.modal.damped
-        if damped is None:
+        """Each frequency, and the ratio of its amplitudes."""
+        modal = self.problem.modal
+        found = [(mode, [float(x.real) for x in modal.shape(mode)]) for mode in modal.modes]
+        self._by_ratio = self._has_ratio(found)
+        lines = [self._frequency(mode, shape, uses) for mode, shape in found]
+        if not self._by_ratio:
             return
-        line = self.sheet.write("det(λ²·M + λ·C + K) = 0" if not self.found.G else "det(λ²·M + λ·(C + G) + K) = 0",
-                                Words(" has the roots"), settles="det(lambda^2*M + lambda*C + K)", uses=uses)
-        for mode in damped:
-            value, parts = complex(mode.eigenvalue), []
-            if value.imag:
-                parts = [f" ± {told(abs(value.imag))}·i", Words(" 1/s,  "), f"ζ = {told(float(mode.zeta))}"]
-            self.sheet.write(f"λ = {told(value.real)}", *(parts or [Words(" 1/s")]), uses=[line],
-                             settles=f"eigenvalue[{mode.index}]")
+        ratio = self.two.ratio(uses)
+        of = [self._amplitude_ratio(k, shape, [ratio, line]) for k, ((_, shape), line) in enumerate(
+            zip(found, lines, strict=True), 1)]
+        if not self.found.C or stay_apart(self.about, self.found):
+            self.two.normal_coordinates([shape for _, shape in found], of)
+
+    def _has_ratio(self, found):
+        """Do two coordinates have a ratio of amplitudes that a row gives in both modes?"""
+        if self.two is None or len(found) != 2 or any(mode.omega is None or shape[0] != 1 for mode, shape in found):
+            return False
+        return self.two.fits([shape for _, shape in found], [float(mode.omega) for mode, _ in found])
+
+    def _amplitude_ratio(self, k, shape, uses):
+        x, y = map(Name, self.about.scene.coordinates)
+        return self.sheet.write(Words(f"in mode {k}  "), y, "/", x, *number(shape[1]), value=shape[1], uses=uses,
+                                node=self.two.shape_at(k), settles=f"mode[{k}][{self.about.scene.coordinates[1]}]")
+
+    def _frequency(self, mode, shape, uses):
+        """The line of a mode: with two degrees by the formula of the roots, else with the ratios."""
+        names = self.about.scene.coordinates
+        ratio = [*[part for name in names for part in (" : ", Name(name))][1:], " = " + " : ".join(map(told, shape))]
+        if mode.omega is None:
+            return self.sheet.write(Words(f"mode {mode.index} grows as exp(s·t) with "), "s = " + told(
+                mode.growth_rate), Words(" 1/s,  "), *ratio, settles=f"growth_rate[{mode.index}]",
+                value=float(mode.growth_rate), unit="1/s", uses=uses)
+        omega = float(mode.omega)
+        times = of_time(self.sheet, omega) if omega else [Words(":  it moves freely")]
+        if not self._by_ratio:
+            times += [Words(",  "), *ratio]
+        node = self.two.frequency(mode.index, omega) if self.two is not None else None
+        letter = self.sheet.letter(f"omega{mode.index}")
+        return self.sheet.write(Name(letter), *number(omega, "rad/s"), *times, uses=uses, node=node,
+                                settles=f"omega[{mode.index}]", value=omega, unit="rad/s")
+
+    def _steady_state(self):
+        """The amplitude of each coordinate under one harmonic, from (K − Ω²M + iΩC) X = F."""
+        if not self.found.drive or self.problem.spec.in_full:
+            return
+        try:
+            found = [(name, self.problem.symbolic_steady_state(name)) for name in self.about.scene.coordinates]
+        except (NotInLetters, PhysicsError):
+            return
+        numbers = self.about.value
+        first = self.sheet.write(Words("steady state: each coordinate as  "), "X·", f"{found[0][1].wave}(",
+                                 found[0][1].argument, " − θ)", Words(" with  "), *self._dynamic_stiffness(),
+                                 settles="steady state", uses=self.found.lines)
+        for k, (name, steady) in enumerate(found, 1):
+            amplitude, letter = steady.formula.amplitude, self.sheet.letter(f"X{k}")
+            unit = "m" if self.problem.system.dimension(name) else "rad"
+            value = numbers(amplitude)
+            shown = () if value is None else number(value, unit)
+            self.sheet.write(Words("of "), Name(name), Words(":  "), Name(letter), " = ", amplitude, *shown,
+                             settles=f"amplitude({name})", node=amplitude, value=value, unit=unit, uses=[first])
+
+    def _dynamic_stiffness(self):
+        """Parts of (K − Ω²·M + i·Ω·C)·X = F."""
+        M, C, K = (self.sheet.letter(letter) for letter in "MCK")
+        rates = [" + i·Ω·", Name(C)] if self.found.C or self.found.G else []
+        return ["(", Name(K), " − Ω²·", Name(M), *rates, ")·X = F"]

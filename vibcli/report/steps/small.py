@@ -5,12 +5,14 @@ against what it came from:
 """
 
 from collections.abc import Mapping, Sequence
+from math import isnan
 from random import Random
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from vibcli.base.errors import NotInLetters
 from vibcli.language.parameter_samples import sample_values
 from vibcli.mechanics.linearise import row_of, slopes_of
+from vibcli.report.blocks import Name, Words
+from vibcli.report.steps.step import WorkedSolution, told
 from vibcli.symbolic.common_denominator import shorter
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -20,11 +22,14 @@ from vibcli.symbolic.rationals import HALF, ONE
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
+    from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
+READABLE, SHOWN = 8, 40        # letters of a coefficient at a place that a search found; of one that is written out
 ALIKE = 1e-9            # relative: of an expression and its simpler form at values of the letters
 LEFT = 1e-7             # relative: of forces at rest, whose place may be known in numbers
 SAMPLES, STATES = (60, 61, 62), 3
+SIZES = (1, 0.1, 0.01)      # of a state of motion, in SI units
 
 
 class Small(NamedTuple):
@@ -42,21 +47,26 @@ class AboutRest:
     letters of places that are known in numbers alone; samples: values of the parameters at which expressions are held
     against each other."""
 
-    def __init__(self, problem: "Problem", place: "Mapping[Node, Node]", values: Mapping[str, float]):
+    order_of_speeds = " to the first order"
+
+    def __init__(self, problem: "Problem", place: "Mapping[Node, Node]", values: Mapping[str, float],
+                 sheet: WorkedSolution | None = None):
         self.problem, self.scene, self.table = problem, problem.scene, problem.scene.table
         self.place = {**place, **dict.fromkeys((*self.scene.v, *self.scene.a), self.table.zero)}
-        self._known = dict(values)
-        self._numbers = None if problem.numeric.has_free_symbols else {**problem.numeric.floats, **self._known}
+        self._known, self._sheet, self._named = dict(values), sheet, {}
         self._index = {q: i for i, q in enumerate(self.scene.q)}
-        self.samples = [self._numbers] if self._numbers is not None else [
-            self.scene.parameters.values(Floats, sample_values(self.scene.parameters.free, attempt))
-            for attempt in SAMPLES]
+        self.samples = samples_of(problem, self._known)
 
     def small(self, s: "Node") -> Small:
         """A function of the coordinates about rest."""
         row = row_of(s, self._index)
         second = slopes_of(row, self._index)
         return Small(self.rest(s), self._entries(row), self._entries(second), self._drive(s))
+
+    def shifted(self, node: "Node") -> "Node":
+        """A function of the coordinates with these counted from rest."""
+        moved = {q: self.place[q] + q for q in self.scene.q if not self.place[q].is_zero and q in gradient(node)}
+        return textbook(substitute([node], moved)[0] if moved else node)
 
     def _drive(self, s):
         """s(q₀, t) − s(q₀, 0)."""
@@ -70,25 +80,36 @@ class AboutRest:
         return {key: node for key, node in entries.items() if not node.is_zero}
 
     def rest(self, node: "Node") -> "Node":
-        """An expression at rest, in its simplest form."""
-        return self.tidy(substitute([node], self.place)[0])
+        """An expression at rest, in its simplest form; a letter for a long one of a place that a search found."""
+        found = self.tidy(substitute([node], self.place)[0])
+        return self._letter_for(found) if self._known and letters(found) > READABLE else found
+
+    def _letter_for(self, node):
+        """A letter for a number, told with what it stands for."""
+        if self._sheet is None or node.op == "symbol":
+            return node
+        if node not in self._named:
+            name, value = self._sheet.letter(f"b{len(self._named) + 1}"), self.value(node)
+            shown = [" = ", node] if letters(node) <= SHOWN else []
+            self._sheet.write(Words("at that place the coefficient  "), Name(name), *shown, " = " + told(value),
+                              settles=name, node=node, value=value)
+            self._named[node] = self.table.parameter(name, positive=False)
+            self.know(self._named[node], value)
+        return self._named[node]
+
+    def know(self, letter: "Node", value: float | None) -> bool:
+        """Give a letter a number where the place of rest is known in numbers alone; is that so?"""
+        if self._known and value is not None:
+            self._known[letter.name] = self.samples[0][letter.name] = value
+        return bool(self._known)
 
     def tidy(self, node: "Node") -> "Node":
         """The simplest form of an expression without coordinates; itself where the simpler one is not the same."""
-        found = textbook(node)
-        if is_zero(found):
-            return self.table.zero
-        shortened = shorter(found)
-        best = shortened if letters(shortened) < letters(found) else found
-        return best if self.same(best, node) else node
+        return tidy(node, self.samples)
 
     def same(self, one: "Node", other: "Node") -> bool:
         """Are two expressions of the parameters equal at values of these?"""
-        for values in self.samples:
-            a, b = evaluate([one, other], Floats, values)
-            if not abs(a - b) <= ALIKE * max(abs(a), abs(b)):
-                return False
-        return True
+        return same(one, other, self.samples)
 
     def cancel(self, nodes: "Sequence[Node]") -> bool:
         """Is the sum of expressions of the parameters zero but for rounding?"""
@@ -100,14 +121,7 @@ class AboutRest:
 
     def agree_in_motion(self, one: "Sequence[Node]", other: "Sequence[Node]") -> bool:
         """Have two lists of terms, functions of the motion and the time, the same sum at states of motion?"""
-        scene, draw = self.scene, Random("states")
-        for values in self.samples * STATES:
-            state = {node.name: draw.uniform(-1, 1) for node in (*scene.q, *scene.v, *scene.a)}
-            found = [evaluate(list(terms), Floats, {**values, **state, scene.time.name: t})
-                     for t in [draw.uniform(0, 3)] for terms in (one, other)]
-            if not abs(sum(found[0]) - sum(found[1])) <= LEFT * sum(abs(x) for terms in found for x in terms):
-                return False
-        return True
+        return agree_in_motion(self.scene, self.samples, one, other)
 
     def letter(self, name: str) -> "Node":
         """The symbol of a new letter."""
@@ -115,11 +129,16 @@ class AboutRest:
 
     def numbers(self) -> dict[str, float]:
         """{letter: number} of the parameters, empty where they have none."""
-        return dict(self._numbers or {})
+        return {} if self.problem.numeric.has_free_symbols else {**self.problem.numeric.floats, **self._known}
 
     def value(self, node: "Node") -> float | None:
         """The number of an expression of parameters; None where they have none."""
-        return None if self._numbers is None else evaluate([node], Floats, self._numbers)[0]
+        return value_of(self.problem, node, self._known)
+
+    def square(self, speeds: "Sequence[Node]") -> "Node":
+        """Σ vᵢ² of speeds to the first order, multiplied out where nothing is driven."""
+        total = self.table.total([v ** 2 for v in speeds])
+        return total if total.mask & self.scene.time.mask else textbook(total)
 
     def first(self, small: Small, symbols: "Sequence[Node]") -> "Node":
         """Σ aᵢ xᵢ."""
@@ -160,23 +179,52 @@ class AboutRest:
         return {pair: node for pair, node in entries.items() if not node.is_zero}
 
 
-def about_rest(problem: "Problem") -> "tuple[AboutRest, dict[str, str]]":
-    """(the problem about its rest, {coordinate: the letter of its place at rest}, where that is known in numbers
-    alone)."""
-    scene, symbolic = problem.scene, problem.symbolic
-    if symbolic.balanced_as_drawn:
-        return AboutRest(problem, scene.drawn_position, {}), {}
-    try:
-        named = symbolic.equilibrium_position
-    except NotInLetters:
-        if problem.numeric.has_free_symbols:
-            raise
-        values = problem.configuration.equilibrium.values
-        taken = {*problem.spec.parameters, *problem.spec.coordinates}
-        moving = {q.name: q for q in scene.q} | {name: node for name, node in scene.dependent.items()
-                                                 if scene.loops is not None and name in scene.loops.names}
-        letter = {name: next(x for x in (f"{name}0", f"{name}_0", f"{name}_rest") if x not in taken) for name in moving}
-        symbols = {node: scene.table.parameter(letter[name], positive=False) for name, node in moving.items()}
-        return AboutRest(problem, {**scene.drawn_position, **symbols},
-                         {letter[name]: values[name] for name in moving}), letter
-    return AboutRest(problem, {**scene.drawn_position, **{q: named[q.name] for q in scene.q}}, {}), {}
+def samples_of(problem: "Problem", known: Mapping[str, float]) -> list[dict[str, float]]:
+    """Values of the parameters, those of the file or some of letters, at which expressions are held against each
+    other; `known`: those of further letters."""
+    if not problem.numeric.has_free_symbols:
+        return [{**problem.numeric.floats, **known}]
+    parameters = problem.scene.parameters
+    return [{**parameters.values(Floats, sample_values(parameters.free, attempt)), **known} for attempt in SAMPLES]
+
+
+def value_of(problem: "Problem", node: "Node", known: Mapping[str, float]) -> float | None:
+    """The number of an expression of parameters and known letters; None where they have none."""
+    if problem.numeric.has_free_symbols:
+        return None
+    return evaluate([node], Floats, {**problem.numeric.floats, **known})[0]
+
+
+def tidy(node: "Node", samples: "Sequence[Mapping[str, float]]") -> "Node":
+    """The simplest form of an expression without coordinates; itself where the simpler one is not the same."""
+    found = textbook(node)
+    if is_zero(found):
+        return node.table.zero
+    shortened = shorter(found)
+    best = shortened if letters(shortened) < letters(found) else found
+    return best if same(best, node, samples) else node
+
+
+def same(one: "Node", other: "Node", samples: "Sequence[Mapping[str, float]]") -> bool:
+    """Are two expressions of the parameters equal at values of these?"""
+    for values in samples:
+        a, b = evaluate([one, other], Floats, values)
+        if not abs(a - b) <= ALIKE * max(abs(a), abs(b)):
+            return False
+    return True
+
+
+def agree_in_motion(scene: "Scene", samples: "Sequence[Mapping[str, float]]", one: "Sequence[Node]",
+                    other: "Sequence[Node]", more: "Sequence[Node]" = ()) -> bool:
+    """Have two lists of terms, functions of the motion, the time and `more`, the same sum at states of motion?"""
+    draw, symbols = Random("states"), (*scene.q, *scene.v, *scene.a, *more)
+    for values in [values for values in samples for _ in range(STATES)]:
+        for size in SIZES:          # some laws end
+            state = {node.name: draw.uniform(-size, size) for node in symbols}
+            found = [evaluate(list(terms), Floats, {**values, **state, scene.time.name: t})
+                     for t in [draw.uniform(0, 3)] for terms in (one, other)]
+            if not isnan(sum(map(sum, found))):
+                break
+        if not abs(sum(found[0]) - sum(found[1])) <= LEFT * sum(abs(x) for terms in found for x in terms):
+            return False
+    return True

@@ -1,10 +1,11 @@
 """Steps, and the sheet on which they are written down one after the other."""
 
 from collections.abc import Sequence
+from math import tau
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.notation.numbers import figure
-from vibcli.report.blocks import Words
+from vibcli.report.blocks import Name, Words
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
@@ -53,9 +54,27 @@ class WorkedSolution:
         return number
 
 
+def momentum(sheet: WorkedSolution, name: str, p: Any, change: Any, slope: Any) -> tuple:
+    """Parts of ∂T/∂q̇ = p,  d/dt ∂T/∂q̇ = its rate,  ∂T/∂q = slope."""
+    of_speed = slope_by(sheet, "T", name + "'")
+    return (*of_speed, " = ", p, Words(",  "), "d/dt ", *of_speed, " = ", change, Words(",  "),
+            *slope_by(sheet, "T", name), " = ", slope)
+
+
+def slope_by(sheet: WorkedSolution, letter: str, name: str) -> tuple:
+    """Parts of ∂V/∂q of the letter of an energy."""
+    return ("∂", Name(sheet.letter(letter)), "/∂", Name(name))
+
+
 def number(value: float, unit: str = "") -> tuple:
     """Parts of ` = value unit`."""
     return (" = " + told(value), *([Words(f" {unit}")] if unit else []))
+
+
+def of_time(sheet: WorkedSolution, omega: float) -> list:
+    """Parts of `,  f = …,  T = …` of an angular frequency."""
+    return [Words(",  "), Name(sheet.letter("f")), *number(omega / tau, "Hz"), Words(",  "), Name(sheet.letter("T")),
+            *number(tau / omega, "s")]
 
 
 def told(value: float) -> str:

@@ -54,7 +54,7 @@ class WrittenOut:
 
     def _told(self, key, node):
         letter = self.sheet.letter(key, "given")
-        given = textbook(self._given[key] - self.about.rest(self._given[key]))
+        given = textbook(self.about.shifted(self._given[key]) - self.about.rest(self._given[key]))
         exact = given is textbook(node)
         whole = [] if exact or letters(given) > LONG else [given, " = "]
         more = [] if exact else [" + …", Words(SECOND.partition(":")[0] + ")")]

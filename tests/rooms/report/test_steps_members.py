@@ -1,0 +1,111 @@
+"""The worked solution of members and of forces: roots and balances by plain arithmetic, and against the engine."""
+
+import math
+from pathlib import Path
+
+import pytest
+from support.scenes import kept_problem_of, problem
+
+from vibcli.base.errors import PhysicsError
+from vibcli.inverse import settled
+from vibcli.notation.plain import plain
+from vibcli.report.formats.formula import formula
+from vibcli.report.steps.ends import Ends
+from vibcli.report.steps.worked import worked
+
+MEMBERS = sorted(Path("problems/8_continuous").glob("*.yaml"))
+UNTOLD = {"motor_on_cantilever_with_pendulum"}
+
+
+def told(lines):
+    return [formula(line.parts, plain).replace("\u00a0", " ") for line in lines]
+
+
+@pytest.mark.parametrize("path", MEMBERS, ids=lambda path: path.stem)
+def test_every_member_has_its_lines(path):
+    """Frequencies are those of the engine; each root gives its frequency by its own line."""
+    scene = settled(kept_problem_of(path))
+    if path.stem in UNTOLD:
+        with pytest.raises(PhysicsError, match="no closed form"):
+            worked(scene)
+        return
+    lines = worked(scene)
+    if not scene.scene.pieces:
+        return
+    found = {line.settles: line.value for line in lines if line.settles.startswith("omega[")}
+    letters = scene.numeric.has_free_symbols
+    modes = [] if letters else [mode for mode in scene.modal.modes.first(6) if mode.omega is not None]
+    known = {f"omega[{mode.index}]": float(mode.omega) for mode in modes}
+    assert all(known[name] == value for name, value in found.items()) and (found or letters)
+    assert all(use < line.number for line in lines for use in line.uses)
+
+
+def test_a_cantilever_by_hand():
+    """cos βL cosh βL = −1 (Rao 2007, table 11.1): 1.875104, 4.694091, 7.854757."""
+    scene = problem("""
+parameters: {L: 0.6 m, EI: 56 N*m^2, mu: 0.27 kg/m}
+beams: {arm: {length: L, EI: EI, mass_per_length: mu, left: clamped}}
+""")
+    lines = worked(scene)
+    roots = [line.value for line in lines if line.settles.startswith("βL[")]
+    assert roots == pytest.approx([1.875104, 4.694091, 7.854757], abs=1e-6)
+    omegas = [line.value for line in lines if line.settles.startswith("omega[")]
+    assert omegas == pytest.approx([x**2 * math.sqrt(56 / 0.27) / 0.36 for x in roots], rel=1e-12)
+    text = told(lines)
+    assert "X⁗ = β⁴·X,  β⁴ = μ·ω²/EI" in text[4]
+    assert text[6].endswith("X = C₁·(cosh βx − cos βx) + C₂·(sinh βx − sin βx)")
+    assert any(line == "so the frequency equation:  cos βL·cosh βL = −1" or
+               line == "so the frequency equation:  cosh βL·cos βL = −1" for line in text)
+
+
+def test_a_bar_with_a_mass_by_hand():
+    """βL tan βL = μL/M: the condition at the right end, written down and solved here."""
+    lines = worked(problem("""
+parameters: {L: 2 m, EA: 1 MN, mu: 3 kg/m, M: 4 kg}
+bars: {rod: {length: L, EA: EA, mass_per_length: mu, left: clamped, attached: [{at: L, mass: M}]}}
+"""))
+    for line in lines:
+        if line.settles.startswith("βL["):
+            assert line.value * math.tan(line.value) == pytest.approx(6 / 4, rel=1e-9)
+    assert any("the left end leaves  X = C₂·sin βx" in one for one in told(lines))
+
+
+def test_a_wrong_condition_is_seen(monkeypatch):
+    """A moment left out at the right end."""
+    right = Ends._moment
+    monkeypatch.setattr(Ends, "_moment", lambda self, f, Z: 2 * self._shear(f, Z))
+    with pytest.raises(PhysicsError, match="not told apart"):
+        worked(problem("""
+parameters: {L: 0.6 m, EI: 56 N*m^2, mu: 0.27 kg/m, M: 1 kg}
+beams: {arm: {length: L, EI: EI, mass_per_length: mu, left: clamped, attached: [{at: L, mass: M}]}}
+"""))
+    assert right is not Ends._moment
+
+
+def test_forces_of_a_frame_are_those_of_the_answers():
+    scene = kept_problem_of(Path("problems/1_statics_and_energy/jib_crane_with_winch.yaml"))
+    found = {line.settles: line for line in worked(scene)}
+    assert found["tie.force"].value == pytest.approx(18547.7, abs=0.05)
+    assert found["rope.force.1"].value == pytest.approx(17658, rel=1e-12)
+    # moments about the foot of the jib of what the lines say
+    assert -4.74342 * found["tie.force"].value - 1.71758 * 17658 + 6 * 17658 + 12360.6 == pytest.approx(0, abs=1)
+
+
+def test_forces_of_an_atwood_machine_by_hand():
+    """m₁ẍ + S − m₁g = 0 with ẍ of the line before."""
+    lines = worked(problem("""
+parameters: {m1: 5 kg, m2: 3 kg, J: 0.08 kg*m^2, r: 0.2 m, h: 1 m, g: 10 m/s^2}
+gravity: g
+bodies:
+  drum: {inertia: J, at: [0, 0], pin: phi}
+  first: {mass: m1, at: [-r, -h], slide: {along: [0, -1], by: x}}
+  second: {mass: m2, at: [r, -h], slide: {along: [0, 1], by: y}}
+constraints:
+  rope: {rope: [first, {over: drum, radius: r}, second]}
+find: [accelerations]
+answers: {rope.force.1(0 s): 40 N, rope.force.2(0 s): 36 N}
+"""))
+    found = {line.settles: line.value for line in lines}
+    assert found["x''(0 s)"] == pytest.approx((5 - 3) * 10 / (8 + 0.08 / 0.2**2))
+    assert found["rope.force.1"] == pytest.approx(5 * (10 - 2)) and found["rope.force.2"] == pytest.approx(3 * 12)
+    assert any("m₁·ẍ + S_rope_1 − m₁·g = 0" in line for line in told(lines))

@@ -1,0 +1,208 @@
+"""The worked solution beyond the frequencies: steady states, pieces of loads, free motions, chosen parameters, normal
+coordinates, held against the motion that the engine finds and against plain arithmetic."""
+
+import cmath
+import math
+import re
+from pathlib import Path
+
+import pytest
+from support.scenes import kept_problem_of, problem
+
+import vibcli
+from vibcli.inverse import settled
+from vibcli.notation.plain import plain
+from vibcli.report.formats.formula import formula
+from vibcli.report.steps.worked import worked
+from vibcli.symbolic.evaluation import Floats, evaluate
+
+VALUES = {"F": "5 N", "S": "3 N*s", "w": "15 rad/s", "t1": "0.1 s"}
+
+
+def oscillator(load=None, c="8 N*s/m", values=VALUES, more=""):
+    """A mass of 2 kg on a spring of 800 N/m under a load."""
+    used = {name: value for name, value in values.items() if re.search(rf"\b{name}\b", load or "")}
+    used = {"m": "2 kg", "k": "800 N/m", **({"c": c} if c else {}), **used}
+    return "\n".join([
+        "parameters: {" + ", ".join(f"{name}: {value}" for name, value in used.items()) + "}",
+        "bodies: {b: {mass: m, slide: x}}", "springs: {s: {k: k, between: [ground, b]}}",
+        *(["dampers: {d: {c: c, between: [ground, b]}}"] if c else []),
+        *([f"forces: {{f: {{at: b, force: {load}}}}}"] if load else []), more, ""])
+
+
+def told(lines):
+    return [formula(line.parts, plain).replace("\u00a0", " ") for line in lines]
+
+
+def lines_of(text):
+    return {line.settles: line for line in worked(problem(text))}
+
+
+@pytest.mark.parametrize(("wave", "orders"), [("square", (1, 3, 5)), ("sawtooth", (1, 2, 3))])
+def test_harmonics_of_a_wave_are_those_of_the_motion(tmp_path, wave, orders):
+    text = oscillator(f"F*{wave}(w*t)")
+    path = tmp_path / "scene.yaml"
+    path.write_text(text)
+    found, lines = vibcli.load(path), lines_of(text)
+    for n in orders:
+        value = lines[f"harmonic[{n}](x)"].value
+        assert value == pytest.approx(found[f"harmonic[{n}](x)"].value, rel=1e-9)
+        factor = 4 / math.pi if wave == "square" else 2 / math.pi
+        by_hand = 5 * factor / n / abs(800 - 2 * (15 * n)**2 + 8j * 15 * n)
+        assert value == pytest.approx(by_hand, rel=1e-12)
+
+
+@pytest.mark.parametrize("load", ["F*sin(w*t)", "F*cos(w*t)", "F*sin(w*t) + 2*F*cos(w*t)"])
+@pytest.mark.parametrize("damped", [True, False])
+@pytest.mark.parametrize("start", ["", "initial: {x: 3 mm, x': 0.2 m/s}"])
+def test_the_motion_from_the_start_under_a_harmonic(tmp_path, load, damped, start):
+    """X, θ, A, B of the lines make the motion that the engine finds."""
+    text = oscillator(load, "8 N*s/m" if damped else None, more=start + "\nanswers: {max(x): 1 m}")
+    path = tmp_path / "scene.yaml"
+    path.write_text(text)
+    found, lines = vibcli.load(path), lines_of(text)
+    line = told([lines["motion from the start"]])[0].replace("−", "-")
+    A, B = (float(x) for x in re.findall(r"= (-?[\d.e-]+) m(?:,|$)", line)[-2:])
+    X = lines["amplitude(x)"].value
+    theta = float(told([lines["tan theta"]])[0].replace("−", "-").rpartition("θ = ")[2].split()[0]) if (
+        "tan theta" in lines) else 0.0
+    wave = math.cos if "cos" in load and "sin" not in load else math.sin
+    delta, rate = (2.0, math.sqrt(396)) if damped else (0.0, 20.0)
+    for t in (0.05, 0.21, 0.6):
+        motion = X * wave(15 * t - theta) + math.exp(-delta * t) * (A * math.cos(rate * t) + B * math.sin(rate * t))
+        assert found[f"x({t} s)"].value == pytest.approx(motion, rel=2e-4, abs=2e-8)
+
+
+def test_two_harmonics_each_with_its_amplitude(tmp_path):
+    lines = lines_of(oscillator("F*sin(w*t) + 2*F*cos(3*w*t) + F*sin(3*w*t)"))
+    found = {line.value for name, line in lines.items() if name.startswith("amplitude")}
+    for Omega, F in ((15, 5), (45, 5 * math.sqrt(5))):
+        by_hand = F / abs(800 - 2 * Omega**2 + 8j * Omega)
+        assert any(math.isclose(value, by_hand, rel_tol=1e-12) for value in found), (found, by_hand)
+
+
+@pytest.mark.parametrize("load", ["F*sin(w*t)", "F*cos(w*t)", "F*sin(w*t) + 2*F*cos(w*t)", "-F*cos(w*t)"])
+def test_the_complex_equation_gives_amplitude_and_lag(load):
+    """X e^{−iθ} of the line, solved by hand, is what the next lines say."""
+    lines = lines_of(oscillator(load))
+    text, = told([lines["complex equation"]])
+    right = text.partition(") = ")[2]
+    factor = complex(eval(right.replace("·", "*").replace("−", "-").replace("i", "1j"), {"F": 5.0}))
+    phasor = factor / (800 - 2 * 225 + 8j * 15)
+    assert abs(phasor) == pytest.approx(lines["amplitude(x)"].value, rel=1e-12)
+    assert math.tan(-cmath.phase(phasor)) == pytest.approx(lines["tan theta"].value, rel=1e-9)
+
+
+@pytest.mark.parametrize("load", [
+    "F*step(t)", "F*(step(t) - step(t - t1))", "S*impulse(t - t1)", "-S*impulse(t - t1) + F*step(t)",
+    "F*ramp(t)/t1 - F*ramp(t - t1)/t1", "F*(1 - t/t1)*(step(t) - step(t - t1))"])
+@pytest.mark.parametrize("damped", [True, False])
+def test_pieces_add_up_to_the_motion(tmp_path, load, damped):
+    text = oscillator(load, "8 N*s/m" if damped else None)
+    path = tmp_path / "scene.yaml"
+    path.write_text(text)
+    found, scene = vibcli.load(path), problem(text)
+    lines = worked(scene)
+    known = dict(scene.numeric.floats)
+    of = {line.settles: line for line in lines}
+    known |= {"omega": of["omega[1]"].value}
+    if damped:
+        known |= {"delta": of["delta"].value, "omega_d": of["omega_d[1]"].value}
+    for t in (0.05, 0.13, 0.4):
+        assert _sum_of_pieces(of, known, t) == pytest.approx(found[f"x({t} s)"].value, rel=1e-9, abs=1e-15)
+
+
+def _sum_of_pieces(lines, known, t):
+    """Σ factor·kind(t − t₁), read off the line."""
+    total, sign, factor = 0.0, 1.0, 1.0
+    parts = list(lines["forced motion"].parts)
+    for i, part in enumerate(parts):
+        if isinstance(part, str) and part.strip() in ("+", "−"):
+            sign = -1.0 if "−" in part else 1.0
+        if type(part).__name__ == "Factor":
+            factor, = evaluate([part.node], Floats, known)
+        if part == "(":
+            tau, = evaluate([parts[i + 1]], Floats, {**known, "t": t})
+            unit = lines[parts[i - 1].text].parts[3]
+            total += sign * factor * evaluate([unit], Floats, {**known, "tau": tau})[0] * (tau > 0)
+            sign = factor = 1.0
+    return total
+
+
+@pytest.mark.parametrize(("c", "words"), [("8 N*s/m", "A·cos(ω_d·t)"), ("80 N*s/m", "(B·t + A)·exp(−δ·t)"),
+                                          ("100 N*s/m", "A·exp(s₁·t) + B·exp(s₂·t)"), (None, "A·cos(ω·t)")])
+def test_free_motions_of_all_regimes(tmp_path, c, words):
+    text = oscillator(c=c, more="initial: {x: 3 mm, x': 0.2 m/s}")
+    path = tmp_path / "scene.yaml"
+    path.write_text(text)
+    found, lines = vibcli.load(path), worked(problem(text))
+    of = {line.settles: line for line in lines}
+    assert any(words in line for line in told(lines))
+    A, B = (float(x) for x in re.findall(r"= (-?[\d.]+) (?:m|m/s)(?:,|$)", told([of["free motion"]])[0].replace(
+        "−", "-"))[-2:])
+    delta, square = (float(c.split()[0]) / 4 if c else 0.0), 400.0
+    for t in (0.03, 0.2):
+        rate = abs(square - delta**2)**0.5
+        if delta**2 < square:
+            motion = math.exp(-delta * t) * (A * math.cos(rate * t) + B * math.sin(rate * t))
+        elif rate:
+            motion = A * math.exp((rate - delta) * t) + B * math.exp((-rate - delta) * t)
+        else:
+            motion = (A + B * t) * math.exp(-delta * t)
+        assert found[f"x({t} s)"].value == pytest.approx(motion, rel=2e-5, abs=1e-9)
+
+
+def test_a_load_that_grows_is_followed():
+    of = lines_of(oscillator("F*t", values={"F": "5 N/s"}))
+    assert "x = F·t/k − c·F/k²" in told([of["following(x)"]])[0]
+
+
+def test_a_condition_is_solved_after_the_letters():
+    text = """
+parameters: {m: , k: , w: }
+bodies: {b: {mass: m, slide: x}}
+springs: {s: {k: k, between: [ground, b]}}
+choose: {k: "omega[1] = w"}
+"""
+    lines = worked(settled(problem(text)))
+    assert "ω² = k/m" in told(lines)[-2] and told(lines)[-1] == "so that omega[1] = w:  k = m·w²"
+    lines = worked(settled(problem(text.replace("{m: , k: , w: }", "{m: 2 kg, k: , w: 3 rad/s}"))))
+    assert lines[-1].value == pytest.approx(18.0) and "= 18 N/m" in told(lines)[-1]
+
+
+def test_two_degrees_by_hand():
+    """Two equal pendulums that a spring joins (Thomson & Dahleh 1998, section 5.1): g/L and g/L + 2ka²/(mL²)."""
+    lines = worked(kept_problem_of(Path("problems/6_two_degrees/coupled_pendulums_beats.yaml")))
+    text = told(lines)
+    assert any("ω₁² = g/L," in line for line in text)
+    assert any("ω₂² = (m·L·g + 2·a²·k)/(m·L²)," in line for line in text)
+    assert any(line.endswith("in mode 1  φ₂/φ₁ = 1") for line in text) and text[-1].endswith("φ₂/φ₁ = −1")
+
+
+def test_modal_masses_and_ratios_are_the_modes():
+    scene = kept_problem_of(Path("vibcli/examples/tuned_absorber.yaml"))
+    scene = settled(scene)
+    of = {line.settles: line for line in worked(scene)}
+    m1, m2, k1, k2 = (scene.numeric.floats[name] for name in ("m1", "m2", "k1", "k2"))
+    for mode in (1, 2):
+        omega, ratio = of[f"omega[{mode}]"].value, of[f"mode[{mode}][x2]"].value
+        assert (k1 + k2 - m1 * omega**2) / k2 == pytest.approx(ratio, rel=1e-9)
+        assert (k2 - m2 * omega**2) * ratio == pytest.approx(k2, rel=1e-9)
+        assert of[f"modal_mass[{mode}]"].value == pytest.approx(m1 + m2 * ratio**2, rel=1e-12)
+
+
+def test_damping_in_proportion_is_seen():
+    of = lines_of("""
+parameters: {m: 1 kg, k: 10 N/m, c: 1 N*s/m}
+bodies: {a: {mass: m, slide: x}, b: {mass: m, slide: y}}
+springs: {l: {k: k, between: [ground, a]}, m: {k: k, between: [a, b]}}
+dampers: {l: {c: c, between: [ground, a]}, m: {c: c, between: [a, b]}}
+""")
+    assert "it is proportional" in told([of["proportional"]])[0]
+    of = lines_of("""
+parameters: {m: 1 kg, k: 10 N/m, c: 1 N*s/m}
+bodies: {a: {mass: m, slide: x}, b: {mass: m, slide: y}}
+springs: {l: {k: k, between: [ground, a]}, m: {k: k, between: [a, b]}}
+dampers: {l: {c: c, between: [ground, a]}}
+""")
+    assert "it is not proportional" in told([of["proportional"]])[0]

@@ -1,0 +1,45 @@
+"""The last lines of a scene that chooses parameters: each condition solved, and which root was taken."""
+
+from typing import TYPE_CHECKING, Any
+
+from vibcli.notation.numbers import figure, quantity
+from vibcli.report.blocks import Name, Words
+from vibcli.report.sections.design_parameters import WORDS, condition_parts
+from vibcli.report.steps.step import WorkedSolution
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+
+
+def with_letters(problem: "Problem") -> "Problem":
+    """The same with letters for what was chosen in letters, but for equilibrium: its conditions are solved last."""
+    spec = problem.spec
+    if problem.choice is None or not problem.symbolic.letters:
+        return problem
+    kept = [name for name, record in spec.choices.items() if not record["so"].is_balance]
+    if not kept:
+        return problem
+    parameters = {name: record.with_values({key: value for key, value in record.items() if key != "value"})
+                  if name in kept else record for name, record in spec.parameters.items()}
+    return problem.with_spec(spec.with_parameters(parameters))
+
+
+def tell_chosen(problem: "Problem", sheet: WorkedSolution) -> None:
+    """Each chosen parameter by its condition, the first of the solutions that hold being taken."""
+    first, *others = problem.choice.solutions
+    for name, condition in problem.choice.conditions.items():
+        form, value = first.forms[name], first.values[name]
+        parts: list[Any] = [Name(name), *([" = ", form] if form is not None and form.op != "number" else [])]
+        unit = ""
+        if value is not None:
+            number, unit = quantity(float(value), problem.spec.dimensions.of(name))
+            parts += [" = ", number, Words(unit)]
+        counts = [part for one in first.counts for part in (Words(",  "), *condition_parts(one))][1:]
+        parts += [Words("   for "), *counts] if counts else []
+        left = "" if form is not None else f"   (by a search; what is left is {figure(first.residual, digits=2)})"
+        more = [figure(float(one.values[name])) for one in others if one.values[name] is not None]
+        left += f"   (the first of the solutions; others: {', '.join(more)})" if more else ""
+        uses = [line.number for line in sheet.steps if line.settles and line.settles in condition]
+        told = f"so that {WORDS.get(condition, condition)}:  "
+        sheet.write(Words(told), *parts, Words(left), settles=name, node=form, uses=uses or [len(sheet.steps)],
+                    value=None if value is None else float(value), unit=unit.strip())

@@ -1,0 +1,62 @@
+"""The first lines: what the coordinates are, where they rest, what constraints leave of the others."""
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from vibcli.report.blocks import Name, Words
+from vibcli.report.steps.in_motion import short_form
+from vibcli.report.steps.small import AboutRest
+from vibcli.report.steps.step import WorkedSolution
+from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.normal_form import textbook
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+    from vibcli.scene.scene import Scene
+
+
+SHORT = 8           # letters of what a constraint leaves of a coordinate, up to which several stand in a line
+
+
+def tell_coordinates(problem: "Problem", scene: "Scene", sheet: WorkedSolution) -> None:
+    """What each coordinate of a scene of the problem is, and its value as drawn."""
+    from vibcli.report.sections.parameters import words_of
+
+    for name in scene.coordinates:
+        at = scene.drawn[scene.symbol(name)]
+        told = [word for word in (words_of(problem, name), "zero as drawn" * at.is_zero) if word]
+        drawn = [] if at.is_zero else [Words(",  as drawn " if told else "as drawn "), Name(name), " = ", at]
+        sheet.write(Name(name), Words(":  " + ",  ".join(told)), *drawn, settles=name)
+
+
+def tell_constraints(scene: "Scene", sheet: WorkedSolution) -> None:
+    """What constraints that close no loop leave of the other coordinates; short ones in a line."""
+    loops = scene.loops.names if scene.loops is not None else ()
+    known = {name: short_form(node) for name, node in scene.dependent.items() if name not in loops}
+    short = {name: node for name, node in known.items() if letters(node) <= SHORT}
+    for group in ([short] if short else []) + [{name: node} for name, node in known.items() if name not in short]:
+        told = [part for name, node in group.items() for part in (Words(",  "), Name(name), " = ", node)][1:]
+        sheet.write(*told, Words("   (by the constraints)"), settles=", ".join(group),
+                    node=next(iter(group.values())) if len(group) == 1 else None)
+
+
+def tell_conditions(problem: "Problem", sheet: WorkedSolution) -> list[int]:
+    """The conditions of closed loops, those of a constraint in a line; the numbers of their lines."""
+    if problem.scene.loops is None:
+        return []
+    found: dict = {}
+    for constraint in problem.system.scene_with_multipliers.constraints:
+        found.setdefault(constraint.whole, []).append(textbook(constraint.node))
+    return [sheet.write(Words(f"'{whole}' holds:  "), *[part for node in nodes for part in (
+        Words(",  "), node, " = 0")][1:], settles=f"condition {whole}") for whole, nodes in found.items()]
+
+
+def tell_loops(about: AboutRest, sheet: WorkedSolution, conditions: Iterable[int]) -> None:
+    """What closed loops leave of their coordinates, to the second order from rest, and their rates."""
+    scene = about.scene
+    for name in scene.loops.names if scene.loops is not None else ():
+        small = about.small(scene.dependent[name])
+        rate, moves = about.first(small, scene.v), about.first(small, scene.q)
+        sheet.write(Words("so from rest  "), Name(name), " = ", moves + about.bent(small), " + …",
+                    Words("   (second order),  "), Name(name + "'"), " = ", rate, settles=name, uses=list(conditions),
+                    node=moves)

@@ -1,0 +1,202 @@
+"""The steps from M q̈ + C q̇ + K q = Q(t) to what one degree of freedom does under its load: the steady state under
+harmonics, one or several or those of a periodic wave, and the sum of the pieces of what begins and ends.
+
+A load A sin Ωt + B cos Ωt keeps up X sin(Ωt + ε − θ), as (K − M Ω² + i C Ω) X e^{−iθ} = F with F = √(A² + B²).
+"""
+
+from cmath import phase
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base.errors import NotInLetters, PhysicsError
+from vibcli.report.blocks import Factor, Name, Words
+from vibcli.report.steps.degree import Degree
+from vibcli.report.steps.from_the_start import KeptUp, tell_start
+from vibcli.report.steps.pieces import pieces_of, tell_pieces
+from vibcli.report.steps.step import number
+from vibcli.symbolic.common_denominator import single
+from vibcli.symbolic.derivatives import gradient
+from vibcli.symbolic.normal_form import textbook
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from vibcli.symbolic.node import Node
+
+SERIES = {"square": ("4/π·(", 2, 4), "sawtooth": ("−2/π·(", 1, -2)}      # of 2π: its factor, step of n, π·factor
+TOLD = 3                # harmonics of a periodic wave that have numbers
+
+
+def tell_forced(degree: Degree) -> None:
+    """What a load keeps up, or its pieces bring about; nothing where that is not told."""
+    from vibcli.analyses.closed_form.powers_of_time import are_powers
+    from vibcli.analyses.closed_form.steady_state import waves
+
+    load = degree.found.drive.get(0)
+    if load is None or degree.problem.spec.in_full:
+        return
+    if are_powers(degree.problem.symbolic):
+        _growing(degree)
+        return
+    try:
+        found: dict = {}
+        for (argument, kind), node in waves(degree.problem.scene, load).items():
+            found.setdefault(argument, {})[kind] = node
+    except NotInLetters:
+        _other(degree, load)
+        return
+    if len(found) == 1:
+        _one_harmonic(degree)
+    elif found:
+        for number, (argument, parts) in enumerate(found.items(), 1):
+            _of_several(degree, number, argument, parts)
+
+
+def _growing(degree):
+    """What follows a load that is a power of the time."""
+    try:
+        node = degree.problem.symbolic_following(degree.name)
+    except PhysicsError:
+        return
+    degree.sheet.write(Words("of the form of the load, tried in the equation, is  "), Name(degree.name), " = ", node,
+                       settles=f"following({degree.name})", node=node, uses=degree.found.lines)
+
+
+def _one_harmonic(degree):
+    """X and θ, from the complex equation."""
+    try:
+        steady = degree.problem.symbolic_steady_state(degree.name)
+    except (NotInLetters, PhysicsError):
+        return
+    formula, table, sheet = steady.formula, degree.about.table, degree.sheet
+    X, theta = (degree.about.letter(sheet.letter(letter)) for letter in ("X", "theta"))
+    lags = not (formula.undamped or formula.ahead)
+    wave = steady.wave if not formula.ahead else {"sin": "cos", "cos": "sin"}[steady.wave]
+    node = X * table.call(wave, steady.argument - theta if lags else steady.argument)
+    node = -node if formula.ahead and steady.wave == "cos" else node
+    mean = [] if steady.mean is None or steady.mean.is_zero else [steady.mean, " + "]
+    line = sheet.write(Words("steady state:  "), Name(degree.name), " = ", *mean, node, uses=degree.found.lines,
+                       settles="steady state")
+    lines = [line, *([_complex_equation(degree, X, steady, line)] if lags else [])]
+    degree.settled([X], formula.amplitude, degree.unit, f"amplitude({degree.name})", lines)
+    lag = _lag(degree, steady) if lags else None
+    if lags and formula.tangent is not None:
+        more = [] if lag is None else [Words(",  "), theta, *number(lag, "rad")]
+        lines.append(degree.settled([table.call("tan", theta)], formula.tangent, "", "tan theta", lines, more=more))
+    if not formula.ahead:
+        tell_start(degree, KeptUp(steady, X, theta if lags else None, lag), lines)
+
+
+def _lag(degree, steady):
+    """θ in numbers, None in letters; between −π and π, which its tangent leaves open."""
+    Omega = steady.formula.Omega
+    nodes = (*_load(degree, steady), degree.K - degree.M * Omega ** 2, degree.C * Omega)
+    parts = [degree.about.value(node) for node in nodes]
+    if None in parts:
+        return None
+    real, ahead, resists, damps = parts
+    return -phase(complex(real, ahead) / complex(resists, damps))
+
+
+def _complex_equation(degree, X, steady, line):
+    """(K − M Ω² + i C Ω) X e^{−iθ} = A + i B of a load A sin + B cos; B − i A where cosines are counted from."""
+    Omega = steady.formula.Omega
+    real, ahead = _load(degree, steady)
+    load = [real] if not real.is_zero or ahead.is_zero else []
+    if not ahead.is_zero:
+        negative = ahead.op != "sum" and ahead.coefficient < 0
+        sign = (" − " if load else "−") if negative else " + " if load else ""
+        load += [sign + "i·", Factor(-ahead if negative else ahead)]
+    theta = degree.sheet.letter("theta")
+    damps = [] if degree.C.is_zero else [" + i·", Factor(degree.C * Omega)]
+    resists = ["(", degree.K - degree.M * Omega ** 2, *damps, ")·"]
+    return degree.sheet.write(Words("with complex amplitudes  "), *resists, X, "·exp(−i·", Name(theta), ") = ", *load,
+                              settles="complex equation", uses=[line, *degree.found.lines])
+
+
+def _load(degree, steady):
+    """(A, B) of a load A sin + B cos, (B, −A) where cosines are counted from."""
+    from vibcli.analyses.closed_form.steady_state import waves
+
+    zero = degree.about.table.zero
+    found = {kind: node for (_, kind), node in waves(degree.problem.scene, degree.found.drive[0]).items()}
+    A, B = (textbook(found.get(kind, zero)) for kind in ("sin", "cos"))
+    return (A, B) if steady.wave == "sin" else (B, -A)
+
+
+def _size(degree, parts):
+    if len(parts) == 1:
+        return parts[0]
+    return degree.root(single(textbook(degree.about.table.total([part ** 2 for part in parts]))))
+
+
+def _resistance(degree, Omega: "Node") -> "Node":
+    """√((K − M Ω²)² + C² Ω²); K − M Ω² where nothing damps."""
+    resists = degree.K - degree.M * Omega ** 2
+    if degree.C.is_zero:
+        return resists
+    return degree.about.table.sqrt(resists ** 2 + degree.C ** 2 * Omega ** 2)
+
+
+def _of_several(degree, number: int, argument: "Node", parts: "Mapping[str, Node]"):
+    """The amplitude and lag under one of several harmonics."""
+    sheet, table = degree.sheet, degree.about.table
+    Omega = gradient(argument)[degree.problem.scene.time]
+    X, theta = (degree.about.letter(sheet.letter(f"{letter}{number}")) for letter in ("X", "theta"))
+    force = _size(degree, list(parts.values()))
+    wave = " and ".join(parts)
+    line = degree.settled([Words(f"to {wave} of "), argument, Words(" belongs  "), X], force / _resistance(
+        degree, Omega), degree.unit, f"amplitude {number}", degree.found.lines)
+    if not degree.C.is_zero:
+        degree.settled([Words("which lags by  "), table.call("tan", theta)],
+                       degree.C * Omega / (degree.K - degree.M * Omega ** 2), "", f"tan theta{number}", [line])
+
+
+def _other(degree, load):
+    """What is no sum of harmonics: a periodic wave by its series, what begins and ends by its pieces."""
+    wave = _periodic(degree, load)
+    if wave is not None:
+        _series(degree, *wave)
+        return
+    found = pieces_of(degree.problem.scene, load)
+    if found is not None:
+        tell_pieces(degree, found)
+
+
+def _periodic(degree, load):
+    """(name of the wave, its argument, its factor) of F·square(Ωt) or F·sawtooth(Ωt) alone; else None."""
+    atoms = [base for base, e in (load.args if load.op == "product" else ()) if base.op == "call" and e == 1
+             and base.name in SERIES]
+    if load.op == "call" and load.name in SERIES:
+        return load.name, load.args[0], load.table.one
+    if len(atoms) != 1:
+        return None
+    factor = textbook(load / atoms[0])
+    return None if factor.mask else (atoms[0].name, atoms[0].args[0], factor)
+
+
+def _series(degree, wave, argument, F):
+    """F·square(Ωt) = F·4/π·(sin Ωt + sin 3Ωt/3 + …), and Xₙ of each."""
+    sheet, table = degree.sheet, degree.about.table
+    Omega = gradient(argument)[degree.problem.scene.time]
+    head, step, factor = SERIES[wave]
+    first = [table.call("sin", argument), *(table.call("sin", (1 + k * step) * argument) / (1 + k * step)
+                                             for k in (1, 2))]
+    series = sheet.write(f"{wave}(", argument, ") = " + head, first[0], " + ", first[1], " + ", first[2], " + …)",
+                         settles=f"series of {wave}")
+    n, X = degree.about.letter(sheet.letter("n")), sheet.letter("X", "n")
+    force = F * factor / (table.pi * n)
+    orders = ", ".join(str(1 + k * step) for k in range(TOLD))
+    general = sheet.write(Words("to its n-th harmonic belongs  "), Name(X), " = ", _size_of(force) / _resistance(
+        degree, n * Omega), Words(f",   n = {orders}, …"), settles=X, uses=[series, *degree.found.lines])
+    for k in range(TOLD):
+        order = table.number(1 + k * step)
+        node = _size_of(F * factor / (table.pi * order)) / _resistance(degree, order * Omega)
+        letter: Any = degree.about.letter(sheet.letter(f"X{1 + k * step}"))
+        if degree.about.value(node) is not None:
+            degree.settled([letter], node, degree.unit, f"harmonic[{1 + k * step}]({degree.name})", [general],
+                           letters=False)
+
+
+def _size_of(node: "Node") -> "Node":
+    """A coefficient without its sign."""
+    return -node if node.op != "sum" and node.coefficient < 0 else node

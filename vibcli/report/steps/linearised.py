@@ -1,0 +1,54 @@
+"""The steps from the full equations of motion to those of small oscillations: each to the first order in the deviations
+from rest."""
+
+from typing import TYPE_CHECKING
+
+from vibcli.report.blocks import Name, Words
+from vibcli.report.steps.held import SmallEquations, drive_of, held, left
+from vibcli.report.steps.small import AboutRest
+from vibcli.report.steps.step import WorkedSolution
+from vibcli.symbolic.derivatives import gradient
+from vibcli.symbolic.normal_form import is_zero, textbook
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from vibcli.symbolic.node import Node
+
+
+def linearised(about: AboutRest, sheet: WorkedSolution, full: "Sequence[Node]", lines: "Sequence[int]"
+               ) -> SmallEquations:
+    """Write down the equations to the first order; `full`: left sides of the equations of motion. Untold where their
+    slopes are not the engine's."""
+    scene = about.scene
+    M, X, K = (_slopes(about, full, symbols) for symbols in (scene.a, scene.v, scene.q))
+    C, G = (_half(about, X, sign) for sign in (1, -1))
+    matrices = held(about, sheet, M, C, K, G)
+    drive = drive_of(about.problem)
+    rows = [left(scene, matrices, i) for i in range(len(scene.q))]
+    kept = [textbook(node - one + drive.get(i, scene.table.zero)) for i, (node, one) in enumerate(zip(
+        full, rows, strict=True))]
+    if all(map(is_zero, kept)):
+        return SmallEquations(*matrices, drive, list(lines))
+    told = []
+    for i, name in enumerate(scene.coordinates):
+        head = [Name(name), Words(":  ")] if len(rows) > 1 else []
+        told.append(sheet.write(Words("from rest, to the first order:  "), *head, rows[i], " = ",
+                                drive.get(i, scene.table.zero), settles=f"equation[{name}]", node=rows[i], uses=lines))
+    return SmallEquations(*matrices, drive, told)
+
+
+def _slopes(about, full, symbols):
+    """{(i, j): ∂Eᵢ/∂xⱼ} at rest."""
+    zero = about.table.zero
+    found = {(i, j): about.rest(gradient(node).get(x, zero)) for i, node in enumerate(full)
+             for j, x in enumerate(symbols)}
+    return {pair: node for pair, node in found.items() if not node.is_zero}
+
+
+def _half(about, X, sign):
+    """(X ± Xᵀ)/2."""
+    zero = about.table.zero
+    found = {(i, j): about.tidy((X.get((i, j), zero) + sign * X.get((j, i), zero)) / 2)
+             for i, j in {*X, *((j, i) for i, j in X)}}
+    return {pair: node for pair, node in found.items() if not node.is_zero}

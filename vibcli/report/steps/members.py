@@ -1,0 +1,191 @@
+"""The steps of one member, or two end to end, that vibrate: differential equation, standing waves, what holds at each
+station, constants, frequency equation, its first roots and their frequencies (Rao 2007, chapters 8, 9 and 11)."""
+
+from typing import TYPE_CHECKING
+
+from vibcli.analyses.closed_form.member_frequencies import frequency_equations
+from vibcli.analyses.closed_form.member_shapes import shape, unstrained
+from vibcli.analyses.closed_form.textbook_equation import sides
+from vibcli.base.errors import PhysicsError
+from vibcli.notation.numbers import figure
+from vibcli.notation.plain import GREEK, lowered
+from vibcli.report.blocks import Factor, Name, WithNumbers, Words
+from vibcli.report.sections.members import SIMPLE, carried, differential, station_conditions
+from vibcli.report.steps.ends import Ends
+from vibcli.report.steps.held import HINT
+from vibcli.report.steps.step import WorkedSolution, number, of_time, told
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.normal_form import textbook
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+
+FIRST = 3               # roots that are told
+HALVINGS = 60           # of the interval that holds one
+NEAR, FAR = 1e-2, 1e4   # βL between which they are looked for
+CLOSE, BESIDE = 1e-6, 1.05      # relative: of a frequency equation at its roots, and beside them
+ALONG = {"φ": "turn"}
+WITHOUT = "the steps of these members are not told: their frequency equation has no closed form here"
+
+
+class MemberSteps:
+    """The steps of the members of a problem, written on a sheet."""
+
+    def __init__(self, problem: "Problem", sheet: WorkedSolution):
+        self.problem, self.sheet, self.scene, self.table = problem, sheet, problem.scene, problem.scene.table
+        if not problem.symbolic.linearisable:
+            raise PhysicsError(WITHOUT, HINT)
+        self.form = problem.symbolic.linearisation
+        M, C, _, K = problem.symbolic.discrete_matrices
+        self.matrices = M, C, K
+        self.damped = bool(C) or any(not one.piece.drag.is_zero for one in self.form.pieces)
+
+    def write(self) -> None:
+        """Write down all steps."""
+        found = [] if self.scene.loops is not None else frequency_equations(self.problem.symbolic)
+        own = {node for member in self.scene.members.values() for station in member.stations
+               for node in member.motions(station)}
+        others = [i for i, q in enumerate(self.scene.q) if q not in own]
+        if not found or None in found or set(others) != {i for one in found for i in one.hung}:
+            self._by_a_search(others)
+            return
+        for one in found:
+            self._of_one(one)
+
+    def _by_a_search(self, others):
+        """The equations alone, and the frequencies at which they hold."""
+        if self.problem.numeric.has_free_symbols:
+            raise PhysicsError(WITHOUT, HINT)
+        lines = [line for name in self.scene.members for first, held in [self._conditions(name)]
+                 for line in (first, *held)]
+        lines += [self._carried(i) for i in others]
+        words = ", without what damps," if self.damped else ""
+        line = self.sheet.write(Words(f"they hold{words} at frequencies that a search finds, which misses none"),
+                                settles="frequencies", uses=lines)
+        for mode in self.problem.modal.modes.first(FIRST):
+            if mode.omega:
+                omega = float(mode.omega)
+                self.sheet.write(f"ω{lowered(mode.index)}", *number(omega, "rad/s"), *of_time(self.sheet, omega),
+                                 settles=f"omega[{mode.index}]", value=omega, unit="rad/s", uses=[line])
+
+    def _carried(self, i):
+        one = carried(i, self.form.pieces, self.matrices, self.scene)
+        return self.sheet.write(Words("what it carries:  "), *one.parts, settles=f"equation[{self.scene.q[i].name}]")
+
+    def _of_one(self, found):
+        conditions = [self._conditions(name) for name in found.members]
+        hung = [self._carried(i) for i in found.hung]
+        waves = self._standing_waves(found, [first for first, _ in conditions])
+        uses = [waves, *(line for _, lines in conditions for line in lines), *hung]
+        ends = Ends(found, self.sheet)
+        asked = ends.write(uses) if len(found.pieces) == 1 and not self._pressed(found) else None
+        left, right = sides(found)
+        words = ", without what damps" if self.damped else ""
+        how = f"so the frequency equation{words}:  " if asked else (
+            f"the conditions leave constants other than zero{words} if  ")
+        alike = [Words(",  and βL = 0, as all of it may move alike")] if unstrained(found) else []
+        line = self.sheet.write(Words(how), left, " = ", right, *alike, uses=asked or uses,
+                                settles="frequency equation")
+        self._roots(found, ends, line, self._frequency(found, line))
+
+    def _pressed(self, found):
+        return any(not (part.piece.bending.is_zero or part.piece.tension.is_zero) for part in found.pieces)
+
+    def _conditions(self, name):
+        """(the line of the differential equation, those of the stations) of a member."""
+        member, pieces = self.scene.members[name], [piece for piece in self.form.pieces if piece.owner == name]
+        u = GREEK.get(member.kind.letter, member.kind.letter)
+        self.sheet.write(f"{u}(x, t)", Words(f":  {ALONG.get(u, 'displacement')} of {name} at x, counted "
+                                                          "from its left end"), settles=u)
+        lines = [self.sheet.write(Words("motion of an element dx:  "), *one.parts, settles=f"equation of {name}")
+                 for one in differential(pieces, u)]
+        held = [self.sheet.write(*one.label, Words(":  "), *one.parts, settles="", uses=lines[-1:])
+                for one in station_conditions(member, self.form.pieces, self.matrices, self.scene)]
+        return (lines or [None])[-1], held
+
+    def _standing_waves(self, found, uses):
+        """u = X(x) sin(ωt + ε), β by ω, the general solution; of a beam under tension the shape that fits its ends."""
+        piece, table = found.pieces[0].piece, self.table
+        omega = table.parameter(self.sheet.letter("omega"))
+        inertia = piece.inertia * omega ** 2 - piece.foundation
+        if self._pressed(found):
+            negative = piece.tension.op != "sum" and piece.tension.coefficient < 0
+            pull = [" − " if negative else " + ", Factor(-piece.tension if negative else piece.tension), "·β²"]
+            return self.sheet.write(Words("standing waves  "), "X(x)·sin(ω·t + ε)", Words("  with  "), "X = ",
+                                    shape(found).first, Words("  fit the ends,  "), Factor(piece.bending), "·β⁴", *pull,
+                                    " = ", inertia, settles="beta", uses=uses)
+        stiffness = piece.tension if piece.bending.is_zero else piece.bending
+        where = ""
+        if len(found.pieces) > 1:
+            where = f" of {found.members[0]}" if len(found.members) > 1 else " left of its inner place"
+        law, power = ("X″ = −β²·X", "β² = ") if found.order == 2 else ("X⁗ = β⁴·X", "β⁴ = ")
+        line = self.sheet.write(Words("standing waves  "), "X(x)·sin(ω·t + ε)", Words("  ask for  "), law, Words(",  "),
+                                power, textbook(inertia / stiffness), Words(where), settles="beta", uses=uses)
+        names = ["cos βx", "sin βx", "cosh βx", "sinh βx"][:found.order]
+        general = [part for k, name in enumerate(names, 1) for part in (
+            " + ", Name(self.sheet.letter(f"C{k}")), f"·{name}")][1:]
+        return self.sheet.write(Words("general solution" + " in each part" * bool(where) + ":  "), "X = ", *general,
+                                settles="X", uses=[line])
+
+    def _frequency(self, found, uses):
+        """ω by βL."""
+        x, order = found.wave_number, found.order
+        omega = self.table.parameter(self.sheet.letter("omega"))
+        alone = textbook(found.square / x ** order)
+        if x in reachable([alone]):
+            return self.sheet.write(omega ** 2, " = ", found.square, settles="omega^2", node=found.square, uses=[uses])
+        node = x ** (order // 2) * self.table.sqrt(alone)
+        return self.sheet.write(omega, " = ", node, settles="omega", node=node, uses=[uses])
+
+    def _roots(self, found, ends, equation, frequency):
+        """βL and ω of the first modes; of an equation without letters all by a formula."""
+        left, right = sides(found)
+        simple = SIMPLE.get(left.name) if right.is_zero and left.op == "call" else None
+        if simple:
+            orders = ", n = 0, 1, 2, …" if unstrained(found) else ", n = 1, 2, …"
+            equation = self.sheet.write("βL = ", simple + orders, settles="βL", uses=[equation])
+        if self.problem.numeric.has_free_symbols:
+            return
+        floats = self.problem.numeric.floats
+        known = [(mode, self._root_of(found, mode, floats)) for mode in self.problem.modal.modes.first(2 * FIRST)]
+        for mode, root in [(mode, root) for mode, root in known if root is not None][:FIRST]:
+            ends.hold(root, floats)
+            self._of_mode(found, mode, root, equation, frequency)
+
+    def _root_of(self, found, mode, floats):
+        """βL of a mode; None of one that grows, moves freely or belongs to other members."""
+        if not mode.omega:
+            return None
+        x, square = found.wave_number, float(mode.omega)**2
+
+        def residual(at: float) -> float:
+            return evaluate([found.square], Floats, {**floats, x.name: at})[0] - square
+
+        low, high = NEAR, 1.0
+        while residual(high) < 0:
+            high *= 2
+            if high > FAR:
+                return None
+        if residual(low) >= 0:
+            return None         # all of it moves alike
+        for _ in range(HALVINGS):
+            middle = (low + high) / 2
+            low, high = (middle, high) if residual(middle) < 0 else (low, middle)
+        root = (low + high) / 2
+        terms = [coefficient * self.table.product(*((self.table.call(name, found.arguments[i]), 1)
+                                                    for i, *called in functions for name in called))
+                 for functions, coefficient in found.function.items()]
+        values, beside = (evaluate(terms, Floats, {**floats, x.name: at}) for at in (root, BESIDE * root))
+        return root if abs(sum(values)) <= CLOSE * sum(map(abs, beside)) else None
+
+    def _of_mode(self, found, mode, root, equation, frequency):
+        x, order, k = found.wave_number, found.order, lowered(mode.index)
+        omega = float(mode.omega)
+        alone = textbook(found.square / x ** order)
+        node = self.table.sqrt(found.square) if x in reachable([alone]) else x ** (order // 2) * self.table.sqrt(alone)
+        put_in = {name: figure(value) for name, value in self.problem.numeric.floats.items()} | {x.name: figure(root)}
+        line = self.sheet.write(f"(βL){k} = {told(root)}", Words("   (a root, by a search)"), value=root,
+                                settles=f"βL[{mode.index}]", uses=[equation])
+        self.sheet.write(f"ω{k} = ", WithNumbers(node, put_in), *number(omega, "rad/s"), *of_time(self.sheet, omega),
+                         settles=f"omega[{mode.index}]", node=node, value=omega, unit="rad/s", uses=[line, frequency])

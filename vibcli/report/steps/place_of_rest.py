@@ -1,0 +1,62 @@
+"""Where a scene rests: as drawn, in letters, or where a search found it, told with letters of its own."""
+
+from typing import TYPE_CHECKING
+
+from vibcli.base.errors import NotInLetters
+from vibcli.notation.numbers import figure
+from vibcli.report.blocks import Name, Words
+from vibcli.report.steps.small import AboutRest
+from vibcli.report.steps.step import WorkedSolution, number
+from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+
+UNMOVED = 1e-12         # relative: how far from the drawn place rounding alone brings a coordinate at rest
+RECKONED = ("from now on ", " is counted from there")
+
+
+def about_rest(problem: "Problem", sheet: WorkedSolution) -> AboutRest:
+    """The problem about its rest. Where that is known in numbers alone, coordinates that rest elsewhere than drawn have
+    letters there, which are told with what a search found."""
+    scene, symbolic = problem.scene, problem.symbolic
+    if symbolic.balanced_as_drawn:
+        return AboutRest(problem, scene.drawn_position, {})
+    try:
+        named = symbolic.equilibrium_position
+    except NotInLetters:
+        if problem.numeric.has_free_symbols:
+            raise
+        return _about_numbers(problem, sheet)
+    about = AboutRest(problem, {**scene.drawn_position, **{q: named[q.name] for q in scene.q}}, {})
+    for q in scene.q:
+        if not about.same(named[q.name], scene.drawn[q]):
+            value, unit = about.value(named[q.name]), "m" if problem.system.dimension(q.name) else "rad"
+            sheet.write(Words("the forces balance at  "), Name(q.name), " = ", named[q.name],
+                        *(() if value is None else number(value, unit)), Words(f";  {RECKONED[0]}"), Name(q.name),
+                        Words(RECKONED[1]), settles=f"equilibrium[{q.name}]", node=named[q.name],
+                        value=value, unit=unit)
+    return about
+
+
+def _about_numbers(problem, sheet):
+    """The problem about a place of rest that a search found."""
+    scene, values = problem.scene, problem.configuration.equilibrium.values
+    looped = scene.loops.names if scene.loops is not None else ()
+    moving = {q.name: q for q in scene.q} | {name: node for name, node in scene.dependent.items() if name in looped}
+    drawn = dict(zip(moving, evaluate([scene.drawn[scene.symbol(name)] for name in moving], Floats,
+                                      problem.numeric.floats), strict=True))
+    moved = [name for name in moving if abs(values[name] - drawn[name]) > UNMOVED * (1 + abs(drawn[name]))]
+    letter = {name: sheet.letter(f"{name}0") for name in moved}
+    left = problem.configuration.equilibrium.residual
+    how = "the forces balance exactly"
+    if left:
+        how = f"what is left of the forces is {figure(left, digits=2)} of their terms"
+    for name in moved:
+        unit = "m" if problem.system.dimension(name) else "rad"
+        sheet.write(Words("at rest "), Name(name), " = ", Name(letter[name]), *number(values[name], unit),
+                    Words(f"  by a search ({how}); {RECKONED[0]}"), Name(name), Words(RECKONED[1]),
+                    settles=letter[name], value=values[name], unit=unit)
+    symbols = {moving[name]: scene.table.parameter(letter[name], positive=False) for name in moved}
+    return AboutRest(problem, {**scene.drawn_position, **symbols}, {letter[name]: values[name] for name in moved},
+                     sheet)

@@ -1,0 +1,180 @@
+"""The steps to forces: each from the balance of the bodies that it acts on, inertia forces included (d'Alembert); what
+is let go for it has a coordinate of its own."""
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base.errors import PhysicsError
+from vibcli.report.blocks import Name, Words
+from vibcli.report.sections.equations_of_motion import numeric_sum
+from vibcli.report.sections.statics import condition_in_numbers
+from vibcli.report.sections.too_long import brief
+from vibcli.report.steps.held import HINT, UNTOLD
+from vibcli.report.steps.small import ALIKE, samples_of
+from vibcli.report.steps.step import WorkedSolution, number
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.normal_form import is_zero
+
+READABLE = 24       # letters of an expression, beyond which it is told in numbers where it has them
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.inputs_outputs.symbolic_reactions import SymbolicForces
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
+
+
+def tell_statics(problem: "Problem", sheet: WorkedSolution) -> None:
+    """The balance of a scene that cannot move, and what follows for the forces."""
+    from vibcli.report.sections.parameters import words_of
+
+    found = problem.symbolic.reactions
+    _hold(problem, found, {})
+    lines = []
+    for name, node in found.conditions.items():
+        about = words_of(problem, name)
+        told = f",  {about}" if about else ""
+        lines.append(sheet.write(Words("balance along "), Name(name), Words(f"{told}:  "), *_readable(
+            problem, found, node), " = 0", settles=f"balance[{name}]"))
+    known = _values(problem, found, found.supports)
+    for signal, node in found.supports.items():
+        if not node.is_zero and node is not found.values.get(signal) and signal not in _zero(known):
+            lines.append(sheet.write(Words(signal), " = ", *_readable(problem, found, node),
+                                     settles=f"balance[{signal}]"))
+    told = [signal for signal, node in found.values.items() if node is not None and not node.is_zero]
+    _tell_values(problem, sheet, found, told, lines)
+
+
+def _readable(problem, found, node):
+    """Parts of a balance, in numbers where it is long and has them."""
+    if problem.numeric.has_free_symbols or letters(node) <= READABLE:
+        return [brief(node)]
+    return numeric_sum(condition_in_numbers(problem, found, node))
+
+
+def tell_forces(problem: "Problem", sheet: WorkedSolution) -> None:
+    """Forces of constraints and supports that the scene asks for: at rest, from rest where nothing holds it, or along
+    the motion; nothing where they are not told so."""
+    text = " ".join(answer.asked.text for answer in problem.spec.answers)
+    everything = "reactions" in (problem.spec.get("find") or ())
+    try:
+        found, moves = _forces(problem)
+    except PhysicsError:
+        _along(problem, sheet, text)
+        return
+    wanted = [signal for signal, node in found.values.items()
+              if node is not None and not node.is_zero and (everything or signal in text)]
+    if wanted and not found.degree:
+        _tell_balance(problem, sheet, found, wanted, moves)
+    elif not wanted:
+        _along(problem, sheet, text)
+
+
+def _forces(problem):
+    """(the forces at rest, or from rest where nothing holds the scene, {acceleration: its value})."""
+    from vibcli.report.sections.accelerations import falls
+
+    if not falls(problem):
+        return problem.symbolic.reactions, {}
+    return problem.symbolic.forces_from_rest, problem.symbolic.accelerations.values
+
+
+def _tell_balance(problem, sheet, found, wanted, moves):
+    """The balances with letters for forces and accelerations, then their values."""
+    from vibcli.mechanics.inputs_outputs.symbolic_reactions import symbolic_forces
+
+    table = problem.scene.table
+    of = {name: table.variable(name + "''") for name in moves}
+    shown = symbolic_forces(problem.numeric, of) if moves else found
+    _hold(problem, shown, moves, found.values)
+    symbols = {symbol for symbol, signal in shown.forces.items() if any(signal in one or one in signal
+                                                                       for one in wanted)}
+    lines = [sheet.write(Words("balance along "), Name(name), Words(":  "), node, " = 0", settles=f"balance[{name}]")
+             for name, node in shown.conditions.items() if any(symbol.name in _names(node) for symbol in symbols)]
+    lines += [sheet.write(Words(signal), " = ", node, settles=f"balance[{signal}]")
+              for signal, node in shown.supports.items()
+              if signal in wanted and not is_zero(node - found.values[signal])]
+    _tell_values(problem, sheet, found, wanted, lines)
+
+
+def _names(node):
+    return {part.name for part in reachable([node]) if part.op == "symbol"}
+
+
+def _tell_values(problem, sheet, found, wanted, lines):
+    symbols = {signal: symbol for symbol, signal in found.forces.items()}
+    values = _values(problem, found, wanted)
+    for signal, value in values.items():
+        if signal in _zero(values):
+            continue
+        node, unit = found.values[signal], "N·m" if "moment" in signal else "N"
+        shown = [] if value is not None and letters(node) > READABLE else [" = ", brief(node)]
+        parts = [*([symbols[signal]] if signal in symbols else []), *shown, *(() if value is None else number(
+            value, unit))]
+        head = Words(f"{signal}:  " if signal in symbols else signal)
+        sheet.write(head, *parts, settles=signal, node=node, value=value, unit=unit, uses=lines)
+
+
+def _values(problem, found, wanted):
+    """{signal: number}, None in letters and where statics leaves it open."""
+    known = [signal for signal in wanted if found.values.get(signal) is not None]
+    values = [None] * len(known) if problem.numeric.has_free_symbols else evaluate(
+        [found.values[signal] for signal in known], Floats, problem.numeric.floats)
+    return {**dict.fromkeys(wanted), **dict(zip(known, values, strict=True))}
+
+
+def _zero(values):
+    """Signals whose numbers are zero but for rounding."""
+    size = max((abs(value) for value in values.values() if value is not None), default=0.0)
+    return {signal for signal, value in values.items() if value is not None and abs(value) <= ALIKE * size}
+
+
+def _hold(problem: "Problem", found: "SymbolicForces", moves: "Mapping[str, Node]",
+          values: "Mapping[str, Node] | None" = None) -> None:
+    """PhysicsError where the values do not fulfil the conditions."""
+    values = found.values if values is None else values
+    for known in samples_of(problem, {}):
+        accelerations = dict(zip((name + "''" for name in moves), evaluate(list(moves.values()), Floats, known),
+                                 strict=True))
+        of = {symbol.name: evaluate([values[signal]], Floats, known)[0] for symbol, signal in found.forces.items()
+              if values.get(signal) is not None}
+        for node in found.conditions.values():
+            _vanishes(node, {**known, **accelerations, **of}, _names(node) - set(of) - set(known) - set(accelerations))
+
+
+def _vanishes(node: "Node", values: Mapping[str, float], unknown: Iterable[str]) -> None:
+    if unknown:
+        return
+    terms = [part * c for part, c in node.args] if node.op == "sum" else [node]
+    found = [*evaluate(terms, Floats, values), float(node.coefficient) if node.op == "sum" else 0.0]
+    if not abs(sum(found)) <= ALIKE * sum(map(abs, found)):
+        raise PhysicsError(UNTOLD, HINT)
+
+
+def _along(problem, sheet, text):
+    """What supports exert along the motion, by the balance in it."""
+    from vibcli.mechanics.inputs_outputs.reactions import along_the_motion
+
+    found: Any = along_the_motion(problem.numeric)
+    for signal, node in found.items():
+        if signal in text:
+            sheet.write(Words(f"by the balance along it  {signal}"), " = ", brief(node), settles=signal, node=node)
+
+
+def tell_accelerations(problem: "Problem", sheet: WorkedSolution, lines: Iterable[int]) -> None:
+    """The accelerations from rest as drawn of a scene that nothing holds, from its equations."""
+    from vibcli.report.sections.accelerations import falls
+
+    if not ("accelerations" in (problem.spec.get("find") or ()) or falls(problem)):
+        return
+    try:
+        found = problem.symbolic.accelerations.values
+    except PhysicsError:
+        return
+    floats = None if problem.numeric.has_free_symbols else problem.numeric.floats
+    for name, node in found.items():
+        value = None if floats is None else evaluate([node], Floats, floats)[0]
+        unit = "m/s²" if problem.system.dimension(name) else "1/s²"
+        sheet.write(Words("from rest as drawn  "), Name(name + "''"), " = ", node, *(() if value is None else number(
+            value, unit)), settles=f"{name}''(0 s)", node=node, value=value, unit=unit, uses=list(lines))

@@ -1,0 +1,178 @@
+"""The steps from M and K of two degrees of freedom to their natural frequencies, ratios of amplitudes and normal
+coordinates: det(K − ω²M) = a₂ ω⁴ − a₁ ω² + a₀ = 0 written out, and what follows from its roots."""
+
+from typing import TYPE_CHECKING, Any
+
+from vibcli.report.blocks import Either, Factor, Name, Words
+from vibcli.report.steps.held import SmallEquations
+from vibcli.report.steps.small import AboutRest
+from vibcli.report.steps.step import WorkedSolution, number, told
+from vibcli.symbolic.derivatives import substitute
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.radicals import root
+from vibcli.symbolic.rationals import fraction_of
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
+
+MARK = "𝔇"              # stands under the root while the rest is written
+CLOSE = 1e-8            # relative: of a frequency by its formula and the engine's
+NOTHING = 1e-9          # of a ratio of amplitudes: it is zero but for rounding
+
+
+class TwoDegrees:
+    """M q̈ + K q = 0 of two coordinates."""
+
+    def __init__(self, about: AboutRest, sheet: WorkedSolution, found: SmallEquations):
+        self.about, self.sheet, self.found, self.table = about, sheet, found, about.table
+        self.names = about.scene.coordinates
+        self.letters = [about.letter(sheet.letter(f"a{power}")) for power in (2, 1, 0)]
+        self.omega = about.letter(sheet.letter("omega"))
+        self.row = self._first([i for i in range(2) if not self._stiffened(i, 1).is_zero])
+
+    def _first(self, rows):
+        """The first of these rows, before those that rigid motions fulfil whatever their shape."""
+        return next((i for i in rows if (i, 0) in self.found.K or (i, 1) in self.found.K), next(iter(rows), None))
+
+    def fits(self, shapes: list[list[float]], omegas: list[float]) -> bool:
+        """Is there a row that gives the ratio of all shapes? It is the one that is told."""
+        for i in range(2):
+            below, above = self._stiffened(i, 1), self._stiffened(i, 0)
+            found = [[self.about.value(substitute([node], {self.omega: self.table.number(fraction_of(omega))})[0])
+                      for node in (above, below)] for omega in omegas]
+            if all(y and abs(x + u[1] * y) <= CLOSE * (abs(x) + abs(u[1] * y) + NOTHING * abs(y))
+                   for (x, y), u in zip(found, shapes, strict=True)):
+                self.row = i
+                return True
+        return False
+
+    def entry(self, letter: str, i: int, j: int) -> "Node":
+        return getattr(self.found, letter).get((i, j), self.table.zero)
+
+    def determinant(self, uses: list[int]) -> list[int]:
+        """Write down det(K − ω²M) = 0, its coefficients, and the formula of its roots; the numbers of the lines."""
+        M, K = (lambda i, j: self.entry("M", i, j)), (lambda i, j: self.entry("K", i, j))
+        coefficients = [
+            M(0, 0) * M(1, 1) - M(0, 1) * M(1, 0),
+            M(0, 0) * K(1, 1) + M(1, 1) * K(0, 0) - M(0, 1) * K(1, 0) - M(1, 0) * K(0, 1),
+            K(0, 0) * K(1, 1) - K(0, 1) * K(1, 0)]
+        (a2, a1, a0), omega, (of_M, of_K) = self.letters, self.omega, map(self.sheet.letter, "MK")
+        head = self.sheet.write("det(", Name(of_K), " − ", omega ** 2, "·", Name(of_M), ") = ",
+                                a2 * omega ** 4 - a1 * omega ** 2 + a0, " = 0", settles="det(K - omega^2*M)", uses=uses)
+        self.coefficients = [self.about.tidy(node) for node in coefficients]
+        lines = [head, *(self._coefficient(letter, node, uses) for letter, node in zip(
+            self.letters, self.coefficients, strict=True))]
+        if self.coefficients[0].is_zero:
+            return [*lines, self.sheet.write(omega ** 2, " = ", a0 / a1, settles="omega^2", node=a0 / a1, uses=lines)]
+        mark = self.table.sqrt(self.table.parameter(MARK, positive=False))
+        roots = Either((a1 + mark) / (2 * a2), mark, self.table.sqrt(a1 * a1 - 4 * a0 * a2))
+        return [*lines, self.sheet.write(omega ** 2, " = ", roots, settles="omega^2", uses=lines)]
+
+    def _coefficient(self, letter, node, uses):
+        value = self.about.value(node)
+        shown = () if value is None or node.op == "number" else number(value)
+        return self.sheet.write(letter, " = ", node, *shown, settles=letter.name, node=node, value=value, uses=uses)
+
+    def frequency(self, index: int, omega: float) -> "Node | None":
+        """ω of the mode of this number by the coefficients; None where that is not the engine's."""
+        a2, a1, a0 = self.letters
+        sign = -1 if index == 1 else 1
+        found = [self.about.value(node) for node in self.coefficients]
+        if None in found or not found[0]:
+            return None
+        square = (found[1] + sign * (found[1]**2 - 4 * found[2] * found[0])**0.5) / (2 * found[0])
+        alike = isinstance(square, float) and abs(square - omega**2) <= CLOSE * abs(found[1] / found[0])
+        return self.table.sqrt((a1 + sign * self.table.sqrt(a1 * a1 - 4 * a0 * a2)) / (2 * a2)) if alike else None
+
+    def in_letters(self, uses: list[int]) -> None:
+        """Write down the roots where their square root is none, and the ratios of amplitudes."""
+        found = self._squares()
+        lines = [self._root_in_letters(k, node, uses) for k, node in enumerate(found, 1)]
+        if self.row is None or self._stiffened(self.row, 0).is_zero:
+            return
+        ratio = self.ratio([*uses, *lines])
+        for k, node in enumerate(found, 1):
+            x, y = map(Name, self.names)
+            below = self.about.tidy(substitute([self._stiffened(self.row, 1)], {self.omega: self.table.sqrt(node)})[0])
+            if not below.is_zero:
+                above, = substitute([self._stiffened(self.row, 0)], {self.omega: self.table.sqrt(node)})
+                shape = self.about.tidy(-above / below)
+                self.sheet.write(Words(f"in mode {k}  "), y, "/", x, " = ", shape, node=shape, uses=[
+                    ratio, lines[k - 1]], settles=f"mode[{k}][{self.names[1]}]")
+
+    def _root_in_letters(self, k, node, uses):
+        omega, letter = root(node, self.about.samples), self.about.letter(self.sheet.letter(f"omega{k}"))
+        return self.sheet.write(letter ** 2, " = ", node, Words(",  "), letter, " = ", omega, node=omega,
+                                settles=f"omega[{k}]", uses=uses)
+
+    def _squares(self):
+        """[ω₁², ω₂²] where the square root of their formula comes out; else none."""
+        a2, a1, a0 = self.coefficients
+        if a2.is_zero:
+            return []
+        discriminant = self.about.tidy(a1 * a1 - 4 * a0 * a2)
+        spread = root(discriminant, self.about.samples)
+        if any(e.denominator > 1 and base.op != "number" for part in reachable([spread]) if part.op == "product"
+               for base, e in part.args):
+            return []
+        found = [self.about.tidy((a1 + sign * spread) / (2 * a2)) for sign in (-1, 1)]
+        values = [evaluate(found, Floats, values) for values in self.about.samples]
+        order = [low <= high for low, high in values]
+        return [] if len(set(order)) > 1 else found if order[0] else found[::-1]
+
+    def ratio(self, uses: list[int]) -> int:
+        """Write down the ratio of amplitudes from the first equation that couples them."""
+        x, y = map(Name, self.names)
+        self.shape = -self._stiffened(self.row, 0) / self._stiffened(self.row, 1)
+        return self.sheet.write(Words(f"from row {self.row + 1} the ratio of amplitudes  "), y, "/", x, " = ",
+                                self.shape, settles=f"{self.names[1]}/{self.names[0]}", node=self.shape, uses=uses)
+
+    def shape_at(self, k: int) -> "Node":
+        """The ratio with the letter of the frequency of a mode."""
+        return substitute([self.shape], {self.omega: self.about.letter(self.sheet.letter(f"omega{k}"))})[0]
+
+    def _stiffened(self, i, j):
+        return self.entry("K", i, j) - self.omega ** 2 * self.entry("M", i, j)
+
+    def normal_coordinates(self, shapes: list[list[float]], uses: list[int]) -> None:
+        """Write down the modal masses and the normal coordinates p; `shapes`: of each mode, the first coordinate 1."""
+        letters = [self.sheet.letter(f"p{k + 1}") for k in range(2)]
+        unit = "kg" if self.about.problem.system.dimension(self.names[0]) else "kg·m²"
+        lines = [self._modal_mass(k, shape, unit, uses) for k, shape in enumerate(shapes, 1)]
+        told: list[Any] = []
+        for i, name in enumerate(self.names):
+            terms = [(u[i], letter) for u, letter in zip(shapes, letters, strict=True) if abs(u[i]) > NOTHING]
+            told += [Words(",  " * bool(told)), Name(name), " = ", *_sum(terms)]
+        self.sheet.write(Words("normal coordinates:  "), *told, settles="normal coordinates", uses=lines)
+
+    def _modal_mass(self, k, u, unit, uses):
+        """Σ Mᵢⱼ uᵢ uⱼ."""
+        pairs = [(i, j) for i in range(2) for j in range(i, 2)
+                 if (i, j) in self.found.M and min(abs(u[i]), abs(u[j])) > NOTHING]
+        entries = [self.entry("M", i, j) * (1 if i == j else 2) for i, j in pairs]
+        value = sum((self.about.value(node) or 0.0) * u[i] * u[j] for node, (i, j) in zip(entries, pairs, strict=True))
+        terms = [part for node, (i, j) in zip(entries, pairs, strict=True)
+                 for part in (" + ", Factor(node), *_times(u[i] * u[j] if i != j else u[i], i == j))]
+        return self.sheet.write(Words(f"modal mass of mode {k}:  "), *terms[1:], *number(value, unit),
+                                settles=f"modal_mass[{k}]", value=value, unit=unit, uses=uses)
+
+
+def _times(value, squared):
+    """·value, or ·value²; nothing of 1."""
+    return [] if value == 1 else [f"·{_bracketed(value)}" + "²" * squared]
+
+
+def _bracketed(value):
+    text = told(value)
+    return f"({text})" if value < 0 or "e" in text else text
+
+
+def _sum(terms):
+    """Parts of Σ value·letter."""
+    parts: list = []
+    for value, letter in terms:
+        sign = (" − " if value < 0 else " + ") if parts else "−" if value < 0 else ""
+        size = "" if abs(value) == 1 else f"{told(abs(value))}·"
+        parts += [sign + size, Name(letter)] if sign + size else [Name(letter)]
+    return parts
