@@ -61,7 +61,8 @@ def test_keys_are_those_of_closed_forms():
 ])
 def test_keys_are_those_of_scenes_read_anew(name, varied):
     path = PROBLEMS / f"{name}.yaml"
-    text = path.read_text(encoding="utf-8").partition("\nvariants:")[0] + f"\nvariants: {{parameters: {{{varied}}}, without: [told, readable]}}\n"
+    text = path.read_text(encoding="utf-8").partition("\nvariants:")[0]
+    text += f"\nvariants: {{parameters: {{{varied}}}, without: [told, readable]}}\n"
     source = text_source(text)
     found = solved(text)
     document = SceneDocument.of(source.node, source.file, None)
