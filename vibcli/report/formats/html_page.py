@@ -39,7 +39,8 @@ figure { margin: 1em 0; } figure svg { max-width: max(100%, 34rem); height: auto
   body { max-width: none; margin: 0; font-size: 10.5pt; color: #000; background: #fff; }
   nav { display: none; }
   h1, h2, h3, h4 { break-after: avoid; } .equation, tr, figure { break-inside: avoid; }
-  .equation, .wide, p, li, figure { overflow: visible; } figure svg { max-width: 100%; } th, td { white-space: normal; padding: 0.15em 0.5em; }
+  .equation, .wide, p, li, figure { overflow: visible; } figure svg { max-width: 100%; }
+  th, td { white-space: normal; padding: 0.15em 0.5em; }
   article + article { break-before: page; border: 0; margin: 0; }
 }
 """

@@ -154,7 +154,7 @@ def _vanishes(node: "Node", values: Mapping[str, float], unknown: Iterable[str])
 
 def _along(problem, sheet, text):
     """What supports exert along the motion, by the balance in it."""
-    from vibcli.mechanics.inputs_outputs.reactions import along_the_motion
+    from vibcli.mechanics.inputs_outputs.reactions_along_motion import along_the_motion
 
     found: Any = along_the_motion(problem.numeric)
     for signal, node in found.items():
