@@ -19,6 +19,7 @@ from vibcli.report.formats import html
 if TYPE_CHECKING:
     from vibcli.homework.course import Course
     from vibcli.homework.handout import Handout
+    from vibcli.homework.paper import Pages, Paper
 
 STUDENT, INSTRUCTOR = "student", "instructor"
 
@@ -28,22 +29,21 @@ class Leak(PhysicsError):
 
 
 def files(course: "Course", handouts: "Sequence[Handout]", assigned: Assigned, attempt: int, salt: str,
-          tell: Callable[[float], None]) -> Iterator[tuple[str, bytes]]:
+          on: "Pages | Paper", tell: Callable[[float], None]) -> Iterator[tuple[str, bytes]]:
     """(path in the folder, bytes) of every file; Leak where a sheet would tell a key. tell(part): how far it is."""
     gone: dict[str, dict[int, list[str]]] = {one.name: {} for one in handouts}
     for number, (student, sheets) in enumerate(assigned, 1):
-        page = html.render(student_sheet(course, student, sheets), listed=False)
-        _require_no_leak(student.id, page, sheets, salt)
-        yield f"{STUDENT}/{student.id}.html", page.encode()
+        documents = student_sheet(course, student, sheets)
+        _require_no_leak(student.id, html.render(documents, listed=False), sheets, salt)
+        yield f"{STUDENT}/{student.id}{on.suffix}", on.data(documents)
         for handout, variant in sheets:
             gone[handout.name].setdefault(variant, []).append(student.id)
         tell(0.5 * number / len(assigned))
     for number, handout in enumerate(handouts, 1):
         for variant in sorted(gone[handout.name]):
-            yield f"{INSTRUCTOR}/keys/{handout.name}-{variant + 1}.html", html.render(
-                [key_sheet(handout, variant)]).encode()
+            yield f"{INSTRUCTOR}/keys/{handout.name}-{variant + 1}{on.suffix}", on.data([key_sheet(handout, variant)])
         tell(0.5 + 0.5 * number / len(handouts))
-    yield f"{INSTRUCTOR}/overview.html", html.render([overview(course, handouts, len(assigned), gone)]).encode()
+    yield f"{INSTRUCTOR}/overview{on.suffix}", on.data([overview(course, handouts, len(assigned), gone)])
     yield f"{INSTRUCTOR}/keys.csv", _table(assigned)
     yield f"{INSTRUCTOR}/manifest.json", _json(manifest(course, handouts, assigned, attempt))
 

@@ -56,10 +56,12 @@ def beginning(text: str) -> str:
     return text if start is None else f"{text[:start.end() - 1]}\\{text[start.end() - 1:]}"
 
 
-def render(documents: Sequence[Document], place: Callable | None) -> str:
-    """The Typst of all documents; `place(picture)` is the name of the file that a picture is written to."""
+def render(documents: Sequence[Document], place: Callable | None, apart: bool = True) -> str:
+    """The Typst of all documents; `place(picture)` is the name of the file that a picture is written to; `apart`: each
+    on pages of its own."""
     title = f"#set document(title: {quoted(documents[0].title)})\n"
-    return title + HEAD + "\n#pagebreak()\n".join("\n".join(_document(one, place)) for one in documents)
+    between = "\n#pagebreak()\n" if apart else "\n"
+    return title + HEAD + between.join("\n".join(_document(one, place)) for one in documents)
 
 
 def _document(document, place):
