@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.notation.numbers import SHOWN, figure
+from vibcli.notation.plain import plain
 from vibcli.report import blocks
 from vibcli.report.blocks import Heading, Name, Section, line, section
 from vibcli.symbolic.syntax import NameRef
@@ -93,7 +94,7 @@ def _product(part, t, digits):
         negative = negative != turned
     factors = [size] if size != "1" or not (part.power or part.rate or part.omega) else []
     if part.power:
-        factors.append(t if part.power == 1 else f"{t}^{part.power}")
+        factors.append(t if part.power == 1 else plain.power(t, str(part.power)))
     if part.rate:
         factors.append(_falling(part, t, digits))
     return negative, "·".join(factors + [wave] * bool(wave))
