@@ -1,4 +1,4 @@
-"""Every problem as text, and a part of them in every format: no line over the width, no rounding where data have a zero, no unit as it was typed."""
+"""Every problem as text, part of them in every format: no line too long, no rounding, no unit as it was typed."""
 
 import json
 import re

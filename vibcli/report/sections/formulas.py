@@ -5,7 +5,6 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.notation.numbers import SHOWN, figure
-from vibcli.notation.plain import plain
 from vibcli.report import blocks
 from vibcli.report.blocks import Heading, Name, Section, line, section
 from vibcli.symbolic.syntax import NameRef
@@ -87,6 +86,8 @@ def _digits(parts):
 
 def _product(part, t, digits):
     """(negative, text of the magnitude) of a part."""
+    from vibcli.notation.plain import plain
+
     size, wave = figure(abs(part.amplitude)), ""
     negative = part.amplitude < 0
     if part.omega:
