@@ -2,14 +2,17 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 
 if TYPE_CHECKING:
     from fractions import Fraction
 
+    from vibcli.symbolic.node import Node
+
 SHOWN = 6
+LARGEST = 48        # denominators up to here are written as fractions
 
 
 def figure(value: float | None, error: float = 0.0, digits: int = SHOWN) -> str:
@@ -86,3 +89,37 @@ def in_figures(value: float, figures: int) -> str:
         return "0"
     exponent = int(f"{value:.{figures - 1}e}".partition("e")[2])
     return f"{float(f'{value:.{figures - 1}e}'):.{max(figures - 1 - exponent, 0)}f}"
+
+
+def shown_as_decimal(value: "Fraction | int") -> bool:
+    """0.75 m reads better as a decimal, 3/4·m·L² as a fraction: denominators up to 48 are fractions."""
+    return value.denominator > LARGEST
+
+
+def decimal(value: Any) -> str:
+    """A rational as text: an integer, p/q, or a decimal where that is short enough, else 12 digits."""
+    if value.denominator == 1:
+        text = str(value.numerator)
+        return text if len(text) < 16 else f"{float(value):.12g}"
+    if not shown_as_decimal(value):
+        return f"{value.numerator}/{value.denominator}".replace("-", "−")
+    return f"{float(value):.12g}".replace("-", "−") if abs(value) >= 1e-4 else f"{float(value):.12g}"
+
+
+def added_as_decimal(node: "Node", value: "Fraction | int") -> bool:
+    """Is the number in a sum written as a decimal, 0.3 beside L, as the numbers of the sum were?"""
+    written = [node.coefficient, *(c for _, c in node.args)]
+    return value.denominator > 1 and bool(node.args) and all(map(_terminates, written)) and any(
+        c.denominator % 5 == 0 for c in written)
+
+
+def _terminates(value):
+    """Is a rational a decimal of few digits?"""
+    return (value * 1000).denominator == 1
+
+
+def common_denominator(node: "Node", values: "Sequence[Fraction | int]") -> int:
+    """The denominator that all terms of a sum of parameters share; 1 where they do not."""
+    values = [*values, node.coefficient] if node.coefficient else values
+    below = {value.denominator for value in values}
+    return 1 if node.mask or len(below) > 1 or shown_as_decimal(values[0]) else below.pop()

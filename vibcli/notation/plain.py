@@ -6,9 +6,9 @@ from fractions import Fraction
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
+from vibcli.notation.numbers import added_as_decimal, common_denominator, decimal, shown_as_decimal
 from vibcli.notation.ordering import factor_rank, is_rooted, positive_first, term_rank
 from vibcli.notation.radicals import is_constant, place, split
-from vibcli.notation.rational_numbers import added_as_decimal, common_denominator, decimal, shown_as_decimal
 from vibcli.symbolic.discontinuous_functions import PULSES
 from vibcli.symbolic.rationals import ONE
 

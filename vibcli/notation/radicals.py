@@ -5,14 +5,13 @@ from fractions import Fraction
 from math import gcd, lcm
 from typing import TYPE_CHECKING, Any
 
+from vibcli.notation.numbers import LARGEST
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import HALF, ONE, square_part
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
-
-LARGEST = 48        # denominators up to here are written as fractions
 
 
 def split(value: Fraction | int, factors: "Sequence[tuple[Node, Any]]") -> tuple[Any, ...]:

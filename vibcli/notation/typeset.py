@@ -9,9 +9,9 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.notation_text import read
+from vibcli.notation.numbers import decimal, shown_as_decimal
 from vibcli.notation.plain import PRODUCTS, Notation, split_name
 from vibcli.notation.radicals import place
-from vibcli.notation.rational_numbers import decimal, shown_as_decimal
 from vibcli.symbolic.rationals import ONE
 
 if TYPE_CHECKING:

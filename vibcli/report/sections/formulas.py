@@ -86,6 +86,8 @@ def _digits(parts):
 
 def _product(part, t, digits):
     """(negative, text of the magnitude) of a part."""
+    from vibcli.notation.plain import plain
+
     size, wave = figure(abs(part.amplitude)), ""
     negative = part.amplitude < 0
     if part.omega:
@@ -93,7 +95,7 @@ def _product(part, t, digits):
         negative = negative != turned
     factors = [size] if size != "1" or not (part.power or part.rate or part.omega) else []
     if part.power:
-        factors.append(t if part.power == 1 else f"{t}^{part.power}")
+        factors.append(t if part.power == 1 else plain.power(t, str(part.power)))
     if part.rate:
         factors.append(_falling(part, t, digits))
     return negative, "·".join(factors + [wave] * bool(wave))
