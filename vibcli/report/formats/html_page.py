@@ -6,9 +6,10 @@ from html import escape
 from vibcli.base.decoding import cleaned
 from vibcli.report.formats.bracket_font import FONT
 
+FONTS = '"Latin Modern Math", "STIX Two Math", "Cambria Math", '        # for mathematics: what is installed is better
 STYLE = f"""
 @font-face {{ font-family: "vibcli brackets"; src: url("data:font/woff;base64,{FONT}") format("woff"); }}
-math {{ font-family: "vibcli brackets", math; }}
+math {{ font-family: {FONTS}"vibcli brackets", math; }}
 """ + """
 :root { color-scheme: light dark; --rule: color-mix(in srgb, currentColor 25%, transparent); }
 body { max-width: 60rem; margin: 2rem auto; padding: 0 1rem; font: 1rem/1.5 "Latin Modern Roman", Georgia, serif;
@@ -39,7 +40,8 @@ figure { margin: 1em 0; } figure svg { max-width: max(100%, 34rem); height: auto
   body { max-width: none; margin: 0; font-size: 10.5pt; color: #000; background: #fff; }
   nav { display: none; }
   h1, h2, h3, h4 { break-after: avoid; } .equation, tr, figure { break-inside: avoid; }
-  .equation, .wide, p, li, figure { overflow: visible; } figure svg { max-width: 100%; } th, td { white-space: normal; padding: 0.15em 0.5em; }
+  .equation, .wide, p, li, figure { overflow: visible; } figure svg { max-width: 100%; }
+  th, td { white-space: normal; padding: 0.15em 0.5em; }
   article + article { break-before: page; border: 0; margin: 0; }
 }
 """
