@@ -12,9 +12,9 @@ from contextlib import contextmanager
 from html import unescape
 from http.client import HTTPConnection
 from pathlib import Path
-from shutil import which
 
 import pytest
+from support.browser import BROWSER, NEEDED, QUIET, dom
 from support.imported import modules
 
 from vibcli.cli import run
@@ -320,22 +320,16 @@ def test_other_commands_import_nothing_of_it():
 
 # in a browser
 
-BROWSER = next(filter(None, map(which, ("chromium", "chromium-browser", "google-chrome"))), None)
-QUIET = ("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-         "--disable-background-networking", "--disable-component-update", "--disable-sync")
-
-
-@pytest.mark.skipif(BROWSER is None, reason="no Chromium here")
+@NEEDED
 def test_a_browser_shows_the_page(tmp_path):
     with viewing(SCENE) as (_, port):
         until(port, lambda found: found["parts"])
-        done = subprocess.run([BROWSER, *QUIET, f"--user-data-dir={tmp_path}/profile", "--dump-dom",
-                               f"http://127.0.0.1:{port}/"], capture_output=True, text=True, timeout=120)
-    assert "Natural frequencies" in done.stdout and "<math" in done.stdout
-    assert "has ended" not in re.sub(r"(?s)<script.*?</script>", "", done.stdout)
+        shown = dom(f"http://127.0.0.1:{port}/", tmp_path / "profile")
+    assert "Natural frequencies" in shown and "<math" in shown
+    assert "has ended" not in re.sub(r"(?s)<script.*?</script>", "", shown)
 
 
-@pytest.mark.skipif(BROWSER is None, reason="no Chromium here")
+@NEEDED
 def test_a_browser_follows_the_file(tmp_path):
     """By the title of the tab, which the script of the page sets from what it fetches."""
     with viewing(SCENE) as (_, port):

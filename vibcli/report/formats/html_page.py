@@ -6,9 +6,10 @@ from html import escape
 from vibcli.base.decoding import cleaned
 from vibcli.report.formats.bracket_font import FONT
 
+FONTS = '"Latin Modern Math", "STIX Two Math", "Cambria Math", '        # for mathematics: what is installed is better
 STYLE = f"""
 @font-face {{ font-family: "vibcli brackets"; src: url("data:font/woff;base64,{FONT}") format("woff"); }}
-math {{ font-family: "vibcli brackets", math; }}
+math {{ font-family: {FONTS}"vibcli brackets", math; }}
 """ + """
 :root { color-scheme: light dark; --rule: color-mix(in srgb, currentColor 25%, transparent); }
 body { max-width: 60rem; margin: 2rem auto; padding: 0 1rem; font: 1rem/1.5 "Latin Modern Roman", Georgia, serif;
@@ -29,7 +30,7 @@ ul.items { list-style: none; margin: 0.5em 0; padding-left: 1.5em; }
 ul.flowing li { display: inline-block; margin-right: 1.8em; }
 .about { margin-left: 1.2em; }
 p { margin: 0.5em 0 0.5em 1.5em; }
-p, li, figure { overflow-x: auto; overflow-y: hidden; padding-bottom: 0.15em; }
+p, ul.items li, figure { overflow-x: auto; overflow-y: hidden; padding-bottom: 0.15em; }
 .question, .source { margin-left: 0; }
 .refusal { border-left: 4px solid #b00020; padding-left: 0.8em; }
 figure { margin: 1em 0; } figure svg { max-width: max(100%, 34rem); height: auto; } figcaption { font-size: 0.9rem; }
@@ -39,7 +40,7 @@ figure { margin: 1em 0; } figure svg { max-width: max(100%, 34rem); height: auto
   body { max-width: none; margin: 0; font-size: 10.5pt; color: #000; background: #fff; }
   nav { display: none; }
   h1, h2, h3, h4 { break-after: avoid; } .equation, tr, figure { break-inside: avoid; }
-  .equation, .wide, p, li, figure { overflow: visible; } figure svg { max-width: 100%; }
+  .equation, .wide, p, ul.items li, figure { overflow: visible; } figure svg { max-width: 100%; }
   th, td { white-space: normal; padding: 0.15em 0.5em; }
   article + article { break-before: page; border: 0; margin: 0; }
 }
