@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.notation.plain import lowered
 from vibcli.report.blocks import Name, Words
+from vibcli.report.steps.characteristic import tell_polynomial, tell_roots
 from vibcli.report.steps.damped_degrees import stay_apart, tell_damped
 from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.small import AboutRest
@@ -33,16 +34,20 @@ class SeveralDegrees:
                  if getattr(self.found, letter)]
         if self.two is not None:
             lines += self.two.determinant(lines)
+        elif len(self.about.scene.q) == 3 and not self.found.G:
+            lines += tell_polynomial(self.about, self.sheet, self.found, lines)[2]
         if not self.problem.numeric.has_free_symbols:
             self._modes(lines)
         elif self.two is not None:
             self.two.in_letters(lines)
+        else:
+            tell_roots(self.about, self.sheet, lines)
         tell_damped(self.about, self.sheet, self.found, lines)
         self._steady_state()
 
     def _matrix(self, words, letter, entries: "Mapping[tuple[int, int], Node]"):
         parts: list[Any] = []
-        skew, name = letter == "G", self.sheet.letter(letter)
+        skew, name = letter == "G", self.sheet.matrix(letter)
         for (i, j), node in sorted(entries.items()):
             twins = skew or self.about.same(node, entries.get((j, i), self.about.table.zero))
             if j < i and twins:
@@ -101,20 +106,24 @@ class SeveralDegrees:
             found = [(name, self.problem.symbolic_steady_state(name)) for name in self.about.scene.coordinates]
         except (NotInLetters, PhysicsError):
             return
-        numbers = self.about.value
-        first = self.sheet.write(Words("steady state: each coordinate as  "), "X·", f"{found[0][1].wave}(",
-                                 found[0][1].argument, " − θ)", Words(" with  "), *self._dynamic_stiffness(),
-                                 settles="steady state", uses=self.found.lines)
+        first = self._complex_equations(found[0][1])
         for k, (name, steady) in enumerate(found, 1):
             amplitude, letter = steady.formula.amplitude, self.sheet.letter(f"X{k}")
             unit = "m" if self.problem.system.dimension(name) else "rad"
-            value = numbers(amplitude)
+            value = self.about.value(amplitude)
             shown = () if value is None else number(value, unit)
             self.sheet.write(Words("of "), Name(name), Words(":  "), Name(letter), " = ", amplitude, *shown,
                              settles=f"amplitude({name})", node=amplitude, value=value, unit=unit, uses=[first])
 
-    def _dynamic_stiffness(self):
-        """Parts of (K − Ω²·M + i·Ω·C)·X = F."""
-        M, C, K = (self.sheet.letter(letter) for letter in "MCK")
-        rates = [" + i·Ω·", Name(C)] if self.found.C or self.found.G else []
-        return ["(", Name(K), " − Ω²·", Name(M), *rates, ")·X = F"]
+    def _complex_equations(self, steady):
+        """The line of (K − Ω²·M + i·Ω·C)·X = F."""
+        M, C, K = (Name(self.sheet.matrix(letter)) for letter in "MCK")
+        X, theta, F = (Name(self.sheet.letter(letter)) for letter in ("X", "theta", "F"))
+        Omega, told = steady.formula.Omega, []
+        if Omega.op != "symbol":
+            letter = self.about.letter(self.sheet.letter("Omega"))
+            told, Omega = [Words(",  "), letter, " = ", Omega], letter
+        rates = [" + i·", Omega, "·", C] if self.found.C else []
+        return self.sheet.write(Words("steady state: each coordinate as  "), X, f"·{steady.wave}(", steady.argument,
+                                " − ", theta, ")", Words(" with  "), "(", K, " − ", Omega ** 2, "·", M, *rates, ")·", X,
+                                " = ", F, *told, settles="steady state", uses=self.found.lines)
