@@ -316,6 +316,29 @@ springs: {s: {k: k, between: [b, S]}}
         worked(problem(shaken))
 
 
+@pytest.mark.sweep
+def test_no_small_oscillations_where_the_engine_has_none():
+    """Where forces have a kink at rest, or nothing holds the scene; elsewhere its frequencies are those of the
+    engine."""
+    kinked, compared = set(), 0
+    for path in PROBLEMS:
+        scene = kept_problem_of(path)
+        try:
+            found = {line.settles: line.value for line in kept_lines(path)}
+        except PhysicsError:
+            continue
+        refused = scene.scene.q and scene.symbolic.equations.refusal is not None
+        if refused and not scene.numeric.has_free_symbols:
+            kinked.add(path.stem)
+            assert not any(name.startswith(("equation[", "omega[")) for name in found), path.stem
+            continue
+        told = {name: value for name, value in found.items() if re.fullmatch(r"omega\[\d+\]", name) and value}
+        known = {f"omega[{mode.index}]": mode.omega for mode in scene.modal.modes} if told else {}
+        compared += len(told)
+        assert all(math.isclose(value, float(known[name]), rel_tol=1e-9) for name, value in told.items()), path.stem
+    assert {"one_sided_springs", "crate_drawn_until_it_sticks"} <= kinked and compared > 200
+
+
 FALL_BACK = {"pump_turned_by_a_motor", "bent_lever_in_balance", "double_atwood_from_rest", "matrices_outright",
              "garland_of_power_springs", "two_wells", "weight_on_a_square_root_spring"}
 
