@@ -229,3 +229,17 @@ def test_three_cars_in_letters():
     text = told(worked(kept_problem_of(Path("problems/6_more_degrees/three_car_train.yaml"))))
     assert "ω₂ = √(k/m₁),  x₁ : x₂ : x₃ = 1 : 0 : −1" in text
     assert any(line.startswith("ω₁ = 0,  x₁ : x₂ : x₃ = 1 : 1 : 1") for line in text)
+
+
+def test_modes_that_whirl_are_complex():
+    """M q̈ + G q̇ + K q = 0 by hand: (K₁₁ − ω²M₁₁) u + iωG₁₂ v = 0 with u : v as printed."""
+    lines = worked(kept_problem_of(Path("problems/6_two_degrees/unround_shaft.yaml")))
+    of = {line.settles: line for line in lines}
+    values = kept_problem_of(Path("problems/6_two_degrees/unround_shaft.yaml")).numeric.floats
+    m, Omega, k1 = values["m"], values["Omega"], values["k1"]
+    for k in (1, 2):
+        omega = of[f"omega[{k}]"].value
+        line = told([of[f"omega[{k}]"]])[0].replace("−", "-")
+        ratio = complex(line.rpartition("1 : ")[2].replace("·i", "j"))
+        assert (k1 - m * Omega**2 - m * omega**2) + 1j * omega * (-2 * m * Omega) * ratio == pytest.approx(
+            0, abs=2e-5 * abs(m * omega**2))

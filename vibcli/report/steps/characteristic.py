@@ -63,7 +63,7 @@ def tell_roots(about: AboutRest, sheet: WorkedSolution, uses: list[int]) -> None
             continue
         letter = about.letter(sheet.letter(f"omega{mode.index}"))
         parts = [letter, " = ", mode.omega]
-        if mode.readable:
+        if mode.readable and not mode.turns:
             parts += [Words(",  "), *[part for name in about.scene.coordinates for part in (" : ", Name(name))][1:]]
             parts += [" = ", *[part for x in mode.shape for part in (" : ", x)][1:]]
         sheet.write(*parts, settles=f"omega[{mode.index}]", node=mode.omega, uses=uses)
