@@ -22,7 +22,10 @@ class Latex(Stacked):
 
     def numeral(self, text: str) -> str:
         text, _, power = text.replace("−", "-").partition("e")
-        return rf"{text} \cdot 10^{{{int(power)}}}" if power else text
+        return rf"{text} \cdot 10^{{{int(power)}}}" if power else text.replace("°", r"^{\circ}")
+
+    def marked(self, text: str, marks: int) -> str:
+        return text + "'" * marks
 
     def lettered(self, letter: Any, below: Any, primes: Any):
         letter = NAMES.get(letter, letter)

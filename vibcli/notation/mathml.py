@@ -33,6 +33,9 @@ class MathML(Stacked):
         found = f"<mn>{text}</mn>" if text[0] != "-" else f"{_operator('−', 'prefix')}<mn>{text[1:]}</mn>"
         return f"{found}<mo>·</mo>{self.power('<mn>10</mn>', self.numeral(str(int(power))))}" if power else found
 
+    def marked(self, text: str, marks: int) -> str:
+        return f"<msup>{row(text)}<mo>{'′' * marks}</mo></msup>"
+
     def lettered(self, letter: Any, below: Any, primes: Any):
         found = f"<mi>{escape(GREEK.get(letter, letter))}</mi>"
         if primes:

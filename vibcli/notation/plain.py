@@ -48,6 +48,13 @@ def split_name(name: str) -> tuple[str, str, str]:
     return bare, "", primes
 
 
+def split_marks(name: str) -> tuple[str, int]:
+    """("phi0'", 1) of phi0′': the name without the marks ′ of a letter that stands beside another, and their number."""
+    bare = name.rstrip("'")
+    own = bare.rstrip("′")
+    return own + name[len(bare):], len(bare) - len(own)
+
+
 class Notation:
     """Writes nodes; the subclasses say how symbols, products, powers and brackets look. values: {symbol: number as
     text} of those that are put in."""
@@ -209,12 +216,14 @@ class Plain(Notation):
         return decimal(value).replace("-", "−")
 
     def symbol(self, name: str) -> str:
+        name, marks = split_marks(name)
         letter, rest, primes = split_name(name)
         letter = GREEK.get(letter, letter)
         if len(letter) > 1:
-            return letter + primes
+            return letter + "′" * marks + primes
         dotted = letter + _DOTS[primes]
-        return _PRECOMPOSED.get(dotted, dotted) + (rest.translate(_SUBSCRIPT) if rest.isdigit() else rest)
+        below = rest.translate(_SUBSCRIPT) if rest.isdigit() else rest
+        return _PRECOMPOSED.get(dotted, dotted) + below + "′" * marks
 
     def brackets(self, text: str) -> str:
         return f"({text})"

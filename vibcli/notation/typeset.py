@@ -1,6 +1,6 @@
 """Typeset notations: fractions stand on a line, roots under one. A subclass says how each is written:
 
-    numeral(text)   lettered(letter, below, primes)   functional(name)   applied(head, text, bare)
+    numeral(text)   lettered(letter, below, primes)   marked(text, marks)   functional(name)   applied(head, text, bare)
     times(texts)   fraction(above, below)   sqrt(text)   power(base, exponent)   brackets(text)   magnitude(text)
     flat(text), in brackets that need not grow   operator(symbol)   gap(columns)   words(text)   beside(*texts)
 """
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.notation_text import read
 from vibcli.notation.numbers import decimal, shown_as_decimal
-from vibcli.notation.plain import PRODUCTS, Notation, split_name
+from vibcli.notation.plain import PRODUCTS, Notation, split_marks, split_name
 from vibcli.notation.radicals import place
 from vibcli.symbolic.rationals import ONE
 
@@ -26,6 +26,7 @@ class Stacked(Notation):
     """Nodes with fractions and roots; texts in notation are read into the same pieces."""
 
     lettered: Callable[[str, str, str], str]
+    marked: Callable[[str, int], str]
     functional: Callable[[str], str]
     applied: Callable[..., str]
     times: Callable[..., str]
@@ -45,8 +46,10 @@ class Stacked(Notation):
     def symbol(self, name: str) -> str:
         if name in PRODUCTS:
             return self.times([self.lettered(letter, "", "") for letter in PRODUCTS[name]])
+        name, marks = split_marks(name)
         letter, rest, primes = split_name(name)
-        return self.lettered(letter, rest.removeprefix("_"), primes)
+        found = self.lettered(letter, rest.removeprefix("_"), primes)
+        return self.marked(found, marks) if marks else found
 
     def call(self, name: str, arg: "Node", exponent: int) -> str:
         inner = self.write(arg, 0)

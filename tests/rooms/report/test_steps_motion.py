@@ -206,3 +206,40 @@ springs: {l: {k: k, between: [ground, a]}, m: {k: k, between: [a, b]}}
 dampers: {l: {c: c, between: [ground, a]}}
 """)
     assert "it is not proportional" in told([of["proportional"]])[0]
+
+
+def test_three_degrees_are_written_out():
+    """Three masses in a row (Rao 2011, section 6.12): det(K − ω²M) by powers of ω², its coefficients by hand, and roots
+    that make it vanish."""
+    lines = worked(problem("""
+parameters: {m: 2 kg, M: 3 kg, k: 7 N/m, c: 5 N/m}
+bodies: {a: {mass: m, slide: x}, b: {mass: M, slide: y}, c: {mass: m, slide: z}}
+springs: {p: {k: k, between: [ground, a]}, q: {k: c, between: [a, b]}, r: {k: k, between: [b, c]}}
+"""))
+    of = {line.settles: line.value for line in lines}
+    assert of["a3"] == 2 * 3 * 2 and of["a0"] == pytest.approx(7 * 5 * 7)
+    assert of["a2"] == pytest.approx(12 * 3 * 2 + 12 * 2 * 2 + 7 * 2 * 3)
+    assert of["a1"] == pytest.approx(2 * (12 * 7 - 49) + 3 * 12 * 7 + 2 * (12 * 12 - 25))
+    for k in (1, 2, 3):
+        x = of[f"omega[{k}]"]**2
+        assert of["a3"] * x**3 - of["a2"] * x**2 + of["a1"] * x - of["a0"] == pytest.approx(0, abs=1e-9 * of["a0"])
+
+
+def test_three_cars_in_letters():
+    text = told(worked(kept_problem_of(Path("problems/6_more_degrees/three_car_train.yaml"))))
+    assert "ω₂ = √(k/m₁),  x₁ : x₂ : x₃ = 1 : 0 : −1" in text
+    assert any(line.startswith("ω₁ = 0,  x₁ : x₂ : x₃ = 1 : 1 : 1") for line in text)
+
+
+def test_modes_that_whirl_are_complex():
+    """M q̈ + G q̇ + K q = 0 by hand: (K₁₁ − ω²M₁₁) u + iωG₁₂ v = 0 with u : v as printed."""
+    lines = worked(kept_problem_of(Path("problems/6_two_degrees/unround_shaft.yaml")))
+    of = {line.settles: line for line in lines}
+    values = kept_problem_of(Path("problems/6_two_degrees/unround_shaft.yaml")).numeric.floats
+    m, Omega, k1 = values["m"], values["Omega"], values["k1"]
+    for k in (1, 2):
+        omega = of[f"omega[{k}]"].value
+        line = told([of[f"omega[{k}]"]])[0].replace("−", "-")
+        ratio = complex(line.rpartition("1 : ")[2].replace("·i", "j"))
+        assert (k1 - m * Omega**2 - m * omega**2) + 1j * omega * (-2 * m * Omega) * ratio == pytest.approx(
+            0, abs=2e-5 * abs(m * omega**2))

@@ -90,7 +90,8 @@ class Connections:
         square = about.half_squares([(k, small)], rates=False)
         node = shown * moves + square
         letter = about.letter(delta)
-        line = sheet.write(Name(V), " = ", shown * letter + k * letter ** 2 / 2, " = ", node, settles=V, node=node,
+        formula = shown * letter + k * letter ** 2 / 2
+        line = sheet.write(Name(V), *([] if formula.is_zero else [" = ", formula]), " = ", node, settles=V, node=node,
                            uses=[told])
         kept = shown if loaded and about.know(shown, about.value(tension)) else tension
         return EnergyPart(V, node, line), Acting(term.owner, tension, shown, k, small, line, hasattr(term, "weight"),

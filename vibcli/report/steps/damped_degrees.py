@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 def tell_damped(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, uses: list[int]) -> None:
     """Whether modes stay apart, and the eigenvalues where there are numbers."""
     problem = about.problem
-    of = {letter: sheet.letter(letter) for letter in "MCGK" if getattr(found, letter)}
+    of = {letter: sheet.matrix(letter) for letter in "MCGK" if getattr(found, letter)}
     if found.C and not found.G and proportional(problem.spec):
         uses = [*uses, *_proportional(about, sheet, found, of, uses)]
     damped = None if problem.numeric.has_free_symbols else problem.modal.damped
@@ -43,10 +43,11 @@ def _proportional(about, sheet, found, of, uses):
     one, other = (_product(about, found, *pair) for pair in ((0, 1), (1, 0)))
     alike = about.same(one, other)
     words = "proportional: normal coordinates stay apart" if alike else "not proportional: modes are complex"
-    product = [Name(of["C"]), "·", Name(of["M"]), "⁻¹·", Name(of["K"])]
-    return [sheet.write(Words("damping:  "), "(", *product, ")₁₂ = ", one, " = " if alike else " ≠ ", "(", *product,
-                        ")₂₁", *([] if alike else [" = ", other]), Words(f",  it is {words}"), settles="proportional",
-                        uses=uses)]
+    P = sheet.matrix("P")
+    of_what = [Words("damping: the product of "), Name(of["C"]), Words(", the inverse of "), Name(of["M"]),
+               Words(" and "), Name(of["K"]), Words(" has  ")]
+    return [sheet.write(*of_what, f"{P}₁₂ = ", one, " = " if alike else " ≠ ", f"{P}₂₁", *([] if alike else [
+        " = ", other]), Words(f",  it is {words}"), settles="proportional", uses=uses)]
 
 
 def _is_simple(about, found):

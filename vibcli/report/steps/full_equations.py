@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.equation_sides import sides
 from vibcli.report.blocks import Name, Words
+from vibcli.report.sections.equations_of_motion import WITHOUT
 from vibcli.report.steps.bodies import Bodies
 from vibcli.report.steps.full_energies import FullEnergies
 from vibcli.report.steps.held import HINT, UNTOLD, Untold
@@ -39,7 +40,10 @@ class FullEquations:
         uses = [energies.sum(letter, parts, node) for letter, parts, node in zip(
             ("T", "V", "Phi"), (T, V, Phi), total, strict=True)]
         sums = [self._total(parts) for parts in (T, V, Phi)]
-        return [self._equation(i, sums, Q[i], [*uses, *conditions]) for i in range(len(self.scene.q))]
+        lines = [self._equation(i, sums, Q[i], [*uses, *conditions]) for i in range(len(self.scene.q))]
+        if self.problem.spec.get("damping") is not None:
+            self.sheet.write(Words(WITHOUT), uses=lines)
+        return lines
 
     def _total(self, parts):
         return self.scene.table.total([part.node for part in parts if part.node is not None])

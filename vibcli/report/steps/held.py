@@ -8,7 +8,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.autonomous import excitation
 from vibcli.mechanics.given_damping_in_letters import proportional
 from vibcli.mechanics.symbolic_matrices import matrices_in_letters
-from vibcli.report.blocks import Factor, Words
+from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution
 
@@ -51,7 +51,7 @@ def held(about: AboutRest, sheet: WorkedSolution, M: Any, C: Any, K: Any, G: Any
         mine = (M, C if spec.get("damping") is None else _damped_as_a_whole(about, sheet, found[1]), G, K)
         if not all(_same(about, own, engine) for own, engine in zip(mine, found, strict=True)):
             raise Untold(UNTOLD, HINT)
-        return found
+        return mine if about.abbreviates else found
     numbers = about.problem.configuration.linear_system.matrices()
     if not all(_alike(about, *pair) for pair in zip((M, C, G, K), numbers, strict=True)):
         raise Untold(UNTOLD, HINT)
@@ -62,7 +62,7 @@ def _damped_as_a_whole(about, sheet, C):
     """What `damping:` adds to C, which is told."""
     alpha, beta = (about.scene.lower(one) for one in about.problem.spec.get("damping")["proportional"])
     parts = [part for node, name in ((alpha, "M"), (beta, "K")) if not node.is_zero
-             for part in (" + ", Factor(node), f"·{name}")][1:]
+             for part in (" + ", Factor(node), "·", Name(sheet.matrix(name)))][1:]
     sheet.write(Words("`damping:` adds  "), *parts, Words("  to the damping matrix"), settles="damping")
     return C
 

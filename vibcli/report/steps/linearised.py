@@ -3,6 +3,7 @@ from rest."""
 
 from typing import TYPE_CHECKING
 
+from vibcli.mechanics.given_damping_in_letters import proportional
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.held import SmallEquations, drive_of, held, left
 from vibcli.report.steps.small import AboutRest
@@ -22,7 +23,7 @@ def linearised(about: AboutRest, sheet: WorkedSolution, full: "Sequence[Node]", 
     slopes are not the engine's."""
     scene = about.scene
     M, X, K = (_slopes(about, full, symbols) for symbols in (scene.a, scene.v, scene.q))
-    C, G = (_half(about, X, sign) for sign in (1, -1))
+    C, G = _parts_by_speeds(about, X)
     matrices = held(about, sheet, M, C, K, G)
     drive = drive_of(about.problem)
     rows = [left(scene, matrices, i) for i in range(len(scene.q))]
@@ -44,6 +45,16 @@ def _slopes(about, full, symbols):
     found = {(i, j): about.rest(gradient(node).get(x, zero)) for i, node in enumerate(full)
              for j, x in enumerate(symbols)}
     return {pair: node for pair, node in found.items() if not node.is_zero}
+
+
+def _parts_by_speeds(about, X):
+    """(C, G) of what is linear in speeds: G of the engine where it is known in letters, else what is skew."""
+    symbolic, zero = about.problem.symbolic, about.table.zero
+    if not symbolic.linearisable or not proportional(about.problem.spec):
+        return _half(about, X, 1), _half(about, X, -1)
+    G = symbolic.matrices[2]
+    C = {pair: about.tidy(X.get(pair, zero) - G.get(pair, zero)) for pair in {*X, *G}}
+    return {pair: node for pair, node in C.items() if not node.is_zero}, G
 
 
 def _half(about, X, sign):

@@ -27,6 +27,7 @@ NEAR, FAR = 1e-2, 1e4   # βL between which they are looked for
 CLOSE, BESIDE = 1e-6, 1.05      # relative: of a frequency equation at its roots, and beside them
 ALONG = {"φ": "turn"}
 WITHOUT = "the steps of these members are not told: their frequency equation has no closed form here"
+UNKNOWN = "the steps of these members are not told: their equilibrium is not known in letters"
 
 
 class MemberSteps:
@@ -35,7 +36,7 @@ class MemberSteps:
     def __init__(self, problem: "Problem", sheet: WorkedSolution):
         self.problem, self.sheet, self.scene, self.table = problem, sheet, problem.scene, problem.scene.table
         if not problem.symbolic.linearisable:
-            raise PhysicsError(WITHOUT, HINT)
+            raise PhysicsError(UNKNOWN, HINT)
         self.form = problem.symbolic.linearisation
         M, C, _, K = problem.symbolic.discrete_matrices
         self.matrices = M, C, K
@@ -119,7 +120,7 @@ class MemberSteps:
         where = ""
         if len(found.pieces) > 1:
             where = f" of {found.members[0]}" if len(found.members) > 1 else " left of its inner place"
-        law, power = ("X″ = −β²·X", "β² = ") if found.order == 2 else ("X⁗ = β⁴·X", "β⁴ = ")
+        law, power = ("∂²X/∂x² = −β²·X", "β² = ") if found.order == 2 else ("∂⁴X/∂x⁴ = β⁴·X", "β⁴ = ")
         line = self.sheet.write(Words("standing waves  "), "X(x)·sin(ω·t + ε)", Words("  ask for  "), law, Words(",  "),
                                 power, textbook(inertia / stiffness), Words(where), settles="beta", uses=uses)
         names = ["cos βx", "sin βx", "cosh βx", "sinh βx"][:found.order]
@@ -185,7 +186,7 @@ class MemberSteps:
         alone = textbook(found.square / x ** order)
         node = self.table.sqrt(found.square) if x in reachable([alone]) else x ** (order // 2) * self.table.sqrt(alone)
         put_in = {name: figure(value) for name, value in self.problem.numeric.floats.items()} | {x.name: figure(root)}
-        line = self.sheet.write(f"(βL){k} = {told(root)}", Words("   (a root, by a search)"), value=root,
-                                settles=f"βL[{mode.index}]", uses=[equation])
+        line = self.sheet.write(Words(f"root {mode.index}:  "), "βL = " + told(root), Words("   (by a search)"),
+                                settles=f"βL[{mode.index}]", value=root, uses=[equation])
         self.sheet.write(f"ω{k} = ", WithNumbers(node, put_in), *number(omega, "rad/s"), *of_time(self.sheet, omega),
                          settles=f"omega[{mode.index}]", node=node, value=omega, unit="rad/s", uses=[line, frequency])

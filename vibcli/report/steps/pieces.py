@@ -78,7 +78,8 @@ def tell_pieces(degree: Degree, pieces: Sequence[LoadPiece]) -> None:
     sheet, lines, letters = degree.sheet, [], {}
     for kind in dict.fromkeys(piece.kind for piece in pieces):
         letters[kind] = sheet.letter(degree.name, kind)
-        head = Words(f"{KINDS[kind]} at τ = 0 brings about from rest  ")
+        lightly = ", under-damped," if rest is None and not degree.C.is_zero else ""
+        head = Words(f"{KINDS[kind]} at τ = 0 brings about{lightly} from rest  ")
         lines.append(sheet.write(head, Name(letters[kind]), "(τ) = ", _unit(degree, kind), settles=letters[kind],
                                  uses=degree.found.lines))
     told: list[Any] = []

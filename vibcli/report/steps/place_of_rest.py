@@ -21,14 +21,14 @@ def about_rest(problem: "Problem", sheet: WorkedSolution) -> AboutRest:
     letters there, which are told with what a search found."""
     scene, symbolic = problem.scene, problem.symbolic
     if symbolic.balanced_as_drawn:
-        return AboutRest(problem, scene.drawn_position, {})
+        return AboutRest(problem, scene.drawn_position, {}, sheet)
     try:
         named = symbolic.equilibrium_position
     except NotInLetters:
         if problem.numeric.has_free_symbols:
             raise
         return _about_numbers(problem, sheet)
-    about = AboutRest(problem, {**scene.drawn_position, **{q: named[q.name] for q in scene.q}}, {})
+    about = AboutRest(problem, {**scene.drawn_position, **{q: named[q.name] for q in scene.q}}, {}, sheet)
     for q in scene.q:
         if not about.same(named[q.name], scene.drawn[q]):
             value, unit = about.value(named[q.name]), "m" if problem.system.dimension(q.name) else "rad"

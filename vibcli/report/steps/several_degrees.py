@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.notation.plain import lowered
 from vibcli.report.blocks import Name, Words
+from vibcli.report.steps.characteristic import tell_polynomial, tell_roots
 from vibcli.report.steps.damped_degrees import stay_apart, tell_damped
 from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.small import AboutRest
@@ -33,16 +34,20 @@ class SeveralDegrees:
                  if getattr(self.found, letter)]
         if self.two is not None:
             lines += self.two.determinant(lines)
+        elif len(self.about.scene.q) == 3 and not self.found.G:
+            lines += tell_polynomial(self.about, self.sheet, self.found, lines)[2]
         if not self.problem.numeric.has_free_symbols:
             self._modes(lines)
         elif self.two is not None:
             self.two.in_letters(lines)
+        else:
+            tell_roots(self.about, self.sheet, lines)
         tell_damped(self.about, self.sheet, self.found, lines)
         self._steady_state()
 
     def _matrix(self, words, letter, entries: "Mapping[tuple[int, int], Node]"):
         parts: list[Any] = []
-        skew, name = letter == "G", self.sheet.letter(letter)
+        skew, name = letter == "G", self.sheet.matrix(letter)
         for (i, j), node in sorted(entries.items()):
             twins = skew or self.about.same(node, entries.get((j, i), self.about.table.zero))
             if j < i and twins:
@@ -54,22 +59,24 @@ class SeveralDegrees:
     def _modes(self, uses):
         """Each frequency, and the ratio of its amplitudes."""
         modal = self.problem.modal
-        found = [(mode, [float(x.real) for x in modal.shape(mode)]) for mode in modal.modes]
+        found = [(mode, [complex(x) for x in modal.shape(mode)]) for mode in modal.modes]
         self._by_ratio = self._has_ratio(found)
         lines = [self._frequency(mode, shape, uses) for mode, shape in found]
         if not self._by_ratio:
             return
         ratio = self.two.ratio(uses)
-        of = [self._amplitude_ratio(k, shape, [ratio, line]) for k, ((_, shape), line) in enumerate(
-            zip(found, lines, strict=True), 1)]
+        shapes = [[x.real for x in shape] for _, shape in found]
+        of = [self._amplitude_ratio(k, shape, [ratio, line]) for k, (shape, line) in enumerate(
+            zip(shapes, lines, strict=True), 1)]
         if not self.found.C or stay_apart(self.about, self.found):
-            self.two.normal_coordinates([shape for _, shape in found], of)
+            self.two.normal_coordinates(shapes, of)
 
     def _has_ratio(self, found):
         """Do two coordinates have a ratio of amplitudes that a row gives in both modes?"""
-        if self.two is None or len(found) != 2 or any(mode.omega is None or shape[0] != 1 for mode, shape in found):
+        if self.two is None or len(found) != 2 or any(
+                mode.omega is None or shape[0] != 1 or shape[1].imag for mode, shape in found):
             return False
-        return self.two.fits([shape for _, shape in found], [float(mode.omega) for mode, _ in found])
+        return self.two.fits([[x.real for x in shape] for _, shape in found], [float(mode.omega) for mode, _ in found])
 
     def _amplitude_ratio(self, k, shape, uses):
         x, y = map(Name, self.about.scene.coordinates)
@@ -79,7 +86,8 @@ class SeveralDegrees:
     def _frequency(self, mode, shape, uses):
         """The line of a mode: with two degrees by the formula of the roots, else with the ratios."""
         names = self.about.scene.coordinates
-        ratio = [*[part for name in names for part in (" : ", Name(name))][1:], " = " + " : ".join(map(told, shape))]
+        amplitudes = " : ".join(map(_complex, shape))
+        ratio = [*[part for name in names for part in (" : ", Name(name))][1:], " = " + amplitudes]
         if mode.omega is None:
             return self.sheet.write(Words(f"mode {mode.index} grows as exp(s·t) with "), "s = " + told(
                 mode.growth_rate), Words(" 1/s,  "), *ratio, settles=f"growth_rate[{mode.index}]",
@@ -101,20 +109,36 @@ class SeveralDegrees:
             found = [(name, self.problem.symbolic_steady_state(name)) for name in self.about.scene.coordinates]
         except (NotInLetters, PhysicsError):
             return
-        numbers = self.about.value
-        first = self.sheet.write(Words("steady state: each coordinate as  "), "X·", f"{found[0][1].wave}(",
-                                 found[0][1].argument, " − θ)", Words(" with  "), *self._dynamic_stiffness(),
-                                 settles="steady state", uses=self.found.lines)
+        first = self._complex_equations(found[0][1])
         for k, (name, steady) in enumerate(found, 1):
             amplitude, letter = steady.formula.amplitude, self.sheet.letter(f"X{k}")
             unit = "m" if self.problem.system.dimension(name) else "rad"
-            value = numbers(amplitude)
+            value = self.about.value(amplitude)
             shown = () if value is None else number(value, unit)
             self.sheet.write(Words("of "), Name(name), Words(":  "), Name(letter), " = ", amplitude, *shown,
                              settles=f"amplitude({name})", node=amplitude, value=value, unit=unit, uses=[first])
 
-    def _dynamic_stiffness(self):
-        """Parts of (K − Ω²·M + i·Ω·C)·X = F."""
-        M, C, K = (self.sheet.letter(letter) for letter in "MCK")
-        rates = [" + i·Ω·", Name(C)] if self.found.C or self.found.G else []
-        return ["(", Name(K), " − Ω²·", Name(M), *rates, ")·X = F"]
+    def _complex_equations(self, steady):
+        """The line of (K − Ω²·M + i·Ω·C)·X = F."""
+        M, C, K = (Name(self.sheet.matrix(letter)) for letter in "MCK")
+        X, theta, F = (Name(self.sheet.letter(letter)) for letter in ("X", "theta", "F"))
+        Omega, told = steady.formula.Omega, []
+        if Omega.op != "symbol":
+            letter = self.about.letter(self.sheet.letter("Omega"))
+            told, Omega = [Words(",  "), letter, " = ", Omega], letter
+        G = Name(self.sheet.matrix("G"))
+        both = ["(", C, " + ", G, ")"] if self.found.C and self.found.G else [G] if self.found.G else [C]
+        rates = [" + i·", Omega, "·", *both] if self.found.C or self.found.G else []
+        return self.sheet.write(Words("steady state: each coordinate as  "), X, f"·{steady.wave}(", steady.argument,
+                                " − ", theta, ")", Words(" with  "), "(", K, " − ", Omega ** 2, "·", M, *rates, ")·", X,
+                                " = ", F, *told, settles="steady state", uses=self.found.lines)
+
+
+def _complex(x):
+    """An amplitude; i a quarter period ahead of the others."""
+    if not x.imag:
+        return told(x.real)
+    ahead = "i" if abs(x.imag) == 1 else f"{told(abs(x.imag))}·i"
+    if not x.real:
+        return f"−{ahead}" if x.imag < 0 else ahead
+    return f"({told(x.real)} {'−' if x.imag < 0 else '+'} {ahead})"

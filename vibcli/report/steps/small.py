@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
-READABLE, SHOWN = 8, 40        # letters of a coefficient at a place that a search found; of one that is written out
+READABLE, SHOWN, TOO_LONG = 8, 40, 50        # letters of a coefficient: at a searched place, written out, elsewhere
 ALIKE = 1e-9            # relative: of an expression and its simpler form at values of the letters
 LEFT = 1e-7             # relative: of forces at rest, whose place may be known in numbers
 SAMPLES, STATES = (60, 61, 62), 3
@@ -54,6 +54,7 @@ class AboutRest:
         self.problem, self.scene, self.table = problem, problem.scene, problem.scene.table
         self.place = {**place, **dict.fromkeys((*self.scene.v, *self.scene.a), self.table.zero)}
         self._known, self._sheet, self._named = dict(values), sheet, {}
+        self._searched = bool(values)
         self._index = {q: i for i, q in enumerate(self.scene.q)}
         self.samples = samples_of(problem, self._known)
 
@@ -80,9 +81,11 @@ class AboutRest:
         return {key: node for key, node in entries.items() if not node.is_zero}
 
     def rest(self, node: "Node") -> "Node":
-        """An expression at rest, in its simplest form; a letter for a long one of a place that a search found."""
+        """An expression at rest, in its simplest form; a letter for a long one that has a number, at a place that a
+        search found for one that is not short."""
         found = self.tidy(substitute([node], self.place)[0])
-        return self._letter_for(found) if self._known and letters(found) > READABLE else found
+        most = READABLE if self._searched else TOO_LONG
+        return found if self.problem.numeric.has_free_symbols or letters(found) <= most else self._letter_for(found)
 
     def _letter_for(self, node):
         """A letter for a number, told with what it stands for."""
@@ -91,17 +94,23 @@ class AboutRest:
         if node not in self._named:
             name, value = self._sheet.letter(f"b{len(self._named) + 1}"), self.value(node)
             shown = [" = ", node] if letters(node) <= SHOWN else []
-            self._sheet.write(Words("at that place the coefficient  "), Name(name), *shown, " = " + told(value),
+            words = "at that place the coefficient  " if self._searched else "for short  "
+            self._sheet.write(Words(words), Name(name), *shown, " = " + told(value),
                               settles=name, node=node, value=value)
             self._named[node] = self.table.parameter(name, positive=False)
             self.know(self._named[node], value)
         return self._named[node]
 
+    @property
+    def abbreviates(self) -> bool:
+        """Have long coefficients letters of their own?"""
+        return bool(self._named)
+
     def know(self, letter: "Node", value: float | None) -> bool:
-        """Give a letter a number where the place of rest is known in numbers alone; is that so?"""
-        if self._known and value is not None:
+        """Give a letter its number; is the place of rest known in numbers alone, so that it stands in the sums?"""
+        if value is not None:
             self._known[letter.name] = self.samples[0][letter.name] = value
-        return bool(self._known)
+        return self._searched
 
     def tidy(self, node: "Node") -> "Node":
         """The simplest form of an expression without coordinates; itself where the simpler one is not the same."""

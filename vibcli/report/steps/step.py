@@ -10,7 +10,8 @@ from vibcli.report.blocks import Name, Words
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
-PRIMED = "′″‴"
+MARKED = "′", "′′", "′′′"
+MATRICES = {"M": "DHN", "C": "BRW", "G": "YXU", "K": "SEZ", "P": "QLJ"}       # of matrices, where the scene has these
 
 
 class WorkedLine(NamedTuple):
@@ -40,10 +41,20 @@ class WorkedSolution:
         key = f"{wanted} {of}"
         if key not in self._letters:
             base = f"{wanted}_{of}" if of else wanted
-            found = next(name for name in (base, *(base + mark for mark in PRIMED)) if name not in self._taken)
-            self._taken.add(found)
-            self._letters[key] = found
+            self._letters[key] = self._free((base, *(base + mark for mark in MARKED)))
         return self._letters[key]
+
+    def matrix(self, wanted: str) -> str:
+        """The letter of a matrix, which has indices instead of marks."""
+        key = f"matrix {wanted}"
+        if key not in self._letters:
+            self._letters[key] = self._free((wanted, *MATRICES[wanted], *(wanted + mark for mark in MARKED)))
+        return self._letters[key]
+
+    def _free(self, names):
+        found = next(name for name in names if name not in self._taken)
+        self._taken.add(found)
+        return found
 
     def write(self, *parts: Any, settles: str = "", uses: Sequence[int | None] = (), node: "Node | None" = None,
               value: float | None = None, unit: str = "") -> int:

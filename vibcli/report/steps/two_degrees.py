@@ -4,6 +4,7 @@ coordinates: det(K − ω²M) = a₂ ω⁴ − a₁ ω² + a₀ = 0 written out,
 from typing import TYPE_CHECKING, Any
 
 from vibcli.report.blocks import Either, Factor, Name, Words
+from vibcli.report.steps.characteristic import tell_polynomial, tell_roots
 from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number, told
@@ -27,7 +28,8 @@ class TwoDegrees:
     def __init__(self, about: AboutRest, sheet: WorkedSolution, found: SmallEquations):
         self.about, self.sheet, self.found, self.table = about, sheet, found, about.table
         self.names = about.scene.coordinates
-        self.letters = [about.letter(sheet.letter(f"a{power}")) for power in (2, 1, 0)]
+        for power in (2, 1, 0):         # before ω, so that they stand before its powers
+            about.letter(sheet.letter(f"a{power}"))
         self.omega = about.letter(sheet.letter("omega"))
         self.row = self._first([i for i in range(2) if not self._stiffened(i, 1).is_zero])
 
@@ -52,27 +54,13 @@ class TwoDegrees:
 
     def determinant(self, uses: list[int]) -> list[int]:
         """Write down det(K − ω²M) = 0, its coefficients, and the formula of its roots; the numbers of the lines."""
-        M, K = (lambda i, j: self.entry("M", i, j)), (lambda i, j: self.entry("K", i, j))
-        coefficients = [
-            M(0, 0) * M(1, 1) - M(0, 1) * M(1, 0),
-            M(0, 0) * K(1, 1) + M(1, 1) * K(0, 0) - M(0, 1) * K(1, 0) - M(1, 0) * K(0, 1),
-            K(0, 0) * K(1, 1) - K(0, 1) * K(1, 0)]
-        (a2, a1, a0), omega, (of_M, of_K) = self.letters, self.omega, map(self.sheet.letter, "MK")
-        head = self.sheet.write("det(", Name(of_K), " − ", omega ** 2, "·", Name(of_M), ") = ",
-                                a2 * omega ** 4 - a1 * omega ** 2 + a0, " = 0", settles="det(K - omega^2*M)", uses=uses)
-        self.coefficients = [self.about.tidy(node) for node in coefficients]
-        lines = [head, *(self._coefficient(letter, node, uses) for letter, node in zip(
-            self.letters, self.coefficients, strict=True))]
+        self.letters, self.coefficients, lines = tell_polynomial(self.about, self.sheet, self.found, uses)
+        (a2, a1, a0), omega = self.letters, self.omega
         if self.coefficients[0].is_zero:
             return [*lines, self.sheet.write(omega ** 2, " = ", a0 / a1, settles="omega^2", node=a0 / a1, uses=lines)]
         mark = self.table.sqrt(self.table.parameter(MARK, positive=False))
         roots = Either((a1 + mark) / (2 * a2), mark, self.table.sqrt(a1 * a1 - 4 * a0 * a2))
         return [*lines, self.sheet.write(omega ** 2, " = ", roots, settles="omega^2", uses=lines)]
-
-    def _coefficient(self, letter, node, uses):
-        value = self.about.value(node)
-        shown = () if value is None or node.op == "number" else number(value)
-        return self.sheet.write(letter, " = ", node, *shown, settles=letter.name, node=node, value=value, uses=uses)
 
     def frequency(self, index: int, omega: float) -> "Node | None":
         """ω of the mode of this number by the coefficients; None where that is not the engine's."""
@@ -86,8 +74,10 @@ class TwoDegrees:
         return self.table.sqrt((a1 + sign * self.table.sqrt(a1 * a1 - 4 * a0 * a2)) / (2 * a2)) if alike else None
 
     def in_letters(self, uses: list[int]) -> None:
-        """Write down the roots where their square root is none, and the ratios of amplitudes."""
+        """Write down the roots where their square root is none, else those of closed form, and the ratios."""
         found = self._squares()
+        if not found:
+            tell_roots(self.about, self.sheet, uses)
         lines = [self._root_in_letters(k, node, uses) for k, node in enumerate(found, 1)]
         if self.row is None or self._stiffened(self.row, 0).is_zero:
             return
@@ -111,6 +101,8 @@ class TwoDegrees:
         a2, a1, a0 = self.coefficients
         if a2.is_zero:
             return []
+        if a0.is_zero:
+            return [self.table.zero, self.about.tidy(a1 / a2)]
         discriminant = self.about.tidy(a1 * a1 - 4 * a0 * a2)
         spread = root(discriminant, self.about.samples)
         if any(e.denominator > 1 and base.op != "number" for part in reachable([spread]) if part.op == "product"

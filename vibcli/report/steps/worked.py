@@ -4,6 +4,7 @@ from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.nonsmooth import require_smooth
 from vibcli.report.steps.chosen import tell_chosen, with_letters
 from vibcli.report.steps.coordinates import tell_conditions, tell_constraints, tell_coordinates, tell_loops
 from vibcli.report.steps.degree import Degree
@@ -89,6 +90,7 @@ def _in_full(problem):
     try:
         if problem.system.sticking is not None or not problem.scene.q:
             return sheet
+        _require_slope(problem)
         about = about_rest(problem, sheet)
         if loose is problem.scene:
             found = linearised(about, sheet, problem.symbolic.equations.full, lines)
@@ -137,3 +139,10 @@ def _require_small(problem):
         raise Untold("the steps of closed loops that are driven are not told one by one", HINT)
     if problem.system.sticking is not None or scene.matrices:
         raise Untold(UNTOLD, HINT)
+    _require_slope(problem)
+
+
+def _require_slope(problem):
+    """Kinked where forces have no slope at rest."""
+    if not problem.numeric.has_free_symbols:
+        require_smooth(problem.configuration)
