@@ -60,10 +60,13 @@ def add_spread_load(record: "Record", member: "Member", scene: Any) -> None:
     if not low < high:
         scene.report(record.where, f"'{record.name}' acts from {low:.6g} m to {high:.6g} m", "`from` is left of `to`")
         return
-    vibrates = _on_slack(member, low, high, scene)      # between a station and a slack end
-    if vibrates and not q.is_zero:
-        _on_slack_end(record, scene)
-        return
+    hanging = _hanging(member, low, high, scene)
+    vibrates = bool(hanging)
+    for first, last, station in hanging if not q.is_zero else ():
+        if not load.even:
+            _on_slack_end(record, scene)
+            return
+        scene.add_force(q * (last - first), table.zero, member.motions(station)[0])
     for i, (segment, left, right) in enumerate(pieces_of(member, scene)):
         middle = (scene.number(left.place) + scene.number(right.place)) / 2
         if low < middle < high:
@@ -75,11 +78,13 @@ def add_spread_load(record: "Record", member: "Member", scene: Any) -> None:
         _vibrating(record, load, scene)
 
 
-def _on_slack(member, low, high, scene):
-    """Does a load reach beyond the stations, to an end that bears no tension?"""
-    first, last = (scene.number(member.stations[end].place) for end in (0, -1))
-    slack = ROUNDING * scene.number(member.length)
-    return low < first - slack or high > last + slack
+def _hanging(member, low, high, scene):
+    """[(start, end, the Station that it hangs on)] of what a load acts on between a station and an end without
+    tension; where a load begins or ends is a station."""
+    first, last, slack = member.stations[0], member.stations[-1], ROUNDING * scene.number(member.length)
+    beyond = (scene.table.zero, first.place, first), (last.place, member.length, last)
+    return [(start, end, station) for start, end, station in beyond
+            if min(high, scene.number(end)) - max(low, scene.number(start)) > slack]
 
 
 def _vibrating(record, load, scene):
@@ -144,5 +149,5 @@ def _put(scene, piece, part, start, load, xi):
 
 
 def _on_slack_end(record, scene):
-    scene.report(record["per_length"].where, "a steady load up to an end of a string that bears no tension is not "
-                 "found", "let forces act at points of the member")
+    scene.report(record["per_length"].where, "a steady load that is uneven next to an end of a string that bears no "
+                 "tension is not found", "let it act evenly, or let forces act at points of the string")

@@ -4,7 +4,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
-from vibcli.results.modal_response import ModalResponse, NotByModes
+from vibcli.results.modal_response import FEWEST, ModalResponse, NotByModes
 from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
@@ -55,7 +55,13 @@ class DampedModalResponse(ModalResponse):
         return self._exact
 
     @property
+    def _first(self):
+        return FEWEST if self._graded else super()._first
+
+    @property
     def most(self) -> int:
+        if self._graded:
+            return 2 * FEWEST
         return MANY if len(self.matrices[0]) <= SMALL else MOST
 
     def _found(self, count) -> "ModalMotion":

@@ -72,9 +72,14 @@ class ModalResponse(ResponseOfMembers):
         return FIRST
 
     @cached_property
+    def _graded(self):
+        """Does the tension vary along what moves? Each mode costs much then."""
+        return any(one.piece.gradient for one in self.placed)
+
+    @cached_property
     def most(self) -> int:
         """So many modes are counted at most."""
-        if any(one.piece.gradient for one in self.placed):
+        if self._graded:
             return FIRST
         return MOST[self.natural.first(1)[0].motion.system is not None and len(self.placed) == 1
                     and not any(part.any() for part in self.matrices)]

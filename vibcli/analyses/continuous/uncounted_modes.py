@@ -16,6 +16,8 @@ from vibcli.analyses.continuous.divided_pieces import divided_at
 from vibcli.analyses.continuous.tail_sums import grid, tail_sum, without_first
 from vibcli.analyses.continuous.uncoupled_parts import uncoupled_parts
 from vibcli.analyses.continuous.unit_responses import UnitLoads, motions_squared, overlaps
+from vibcli.numerics.pieces.graded import mirrored
+from vibcli.numerics.pieces.graded_parts import is_slack
 from vibcli.numerics.pieces.loads import LoadForm
 
 if TYPE_CHECKING:
@@ -139,8 +141,7 @@ class UncountedModes:
                     first = self.basis.shapes.T @ row
                     R = self.left(self.pieces, UnitLoads(row[:, None], {}), first[:, None])
                     found.append((rate, R, max(self.begins[i] for i, x in part.items() if x), self._square(row, first)))
-            found += [(place.rates, self._at_place(place) * x**2, begins_at(self.pieces[place.piece].piece.order,
-                                                                            place.along), self._at_end(place) * x**2)
+            found += [(place.rates, self._at_place(place) * x**2, self._begins(place), self._at_end(place) * x**2)
                       for place, x in output.places.items() if x]
             self._reads[key] = found
         return self._reads[key]
@@ -151,9 +152,20 @@ class UncountedModes:
             return np.inf
         return float(left_of_squares(row @ self.inverse @ row, first @ first))
 
+    def _begins(self, place: "FieldPoint"):
+        """The power from which on sums of a place are finite; infinite beside an end without tension, where a unit
+        load, by which they are known, has no finite motion."""
+        one = self.pieces[place.piece].piece
+        seen, x = (one, place.x) if place.x < one.length / 2 else (mirrored(one), one.length - place.x)
+        if one.order == 2 and x < BESIDE * one.length and is_slack(seen):
+            return np.inf
+        return begins_at(one.order, place.along)
+
     def _at_end(self, place: "FieldPoint"):
         """Σ c² of u or of a slope at an end of a piece, inf within it, or where nothing there has mass."""
         one, length = self.pieces[place.piece], self.pieces[place.piece].piece.length
+        if self._begins(place) == np.inf:
+            return np.inf
         half = one.piece.order // 2
         if place.along >= half or INSIDE * length < place.x < (1 - INSIDE) * length:
             return np.inf

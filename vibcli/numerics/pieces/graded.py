@@ -5,10 +5,11 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from vibcli.base.work import counted
 from vibcli.numerics.pieces.graded_parts import (
     coefficients,
     depth_of,
-    end_sums,
+    end_derivatives,
     is_slack,
     part_stiffness,
     parts_of,
@@ -22,8 +23,9 @@ if TYPE_CHECKING:
     from vibcli.numerics.pieces.arithmetic import Arithmetic
     from vibcli.numerics.pieces.piece import Piece
 
-AT_ONCE = 20_000        # parts times values of κ
-LIKE = 4.0              # κ up to this times another have its parts
+AT_ONCE = 4_000        # parts times values of κ
+STEP = 25e-6            # steps of work for each entry of the stiffness of a part at one κ
+LIKE = 2.0              # times as many parts at most as the lowest of them needs, |κ|^(1/order)
 
 
 class _Tree(NamedTuple):
@@ -73,14 +75,14 @@ def _of_parted_ends(piece, kappa, numbers):
 
 def _of_joined_ends(piece, kappa, numbers):
     """(d, ∂d/∂κ) of the whole, from all its parts."""
-    found = []
-    for some in _portions(piece, kappa):
+    found, real = [], numbers.is_real(kappa)
+    order, portions = _portions(piece, kappa)
+    for some in portions:
         tree = _tree(piece, some, numbers)
         whole = [values[0] for values in stiffness_again(tree.levels[-1], _ports(tree, -1), numbers)]
-        real = numbers.is_real(kappa)
         whole = [(values + values.swapaxes(-1, -2)) / 2 for values in whole]
         found.append([numbers.real(values) if real else values for values in whole])
-    d, slope = (np.concatenate(values) for values in zip(*found, strict=True))
+    d, slope = (np.concatenate(values)[order] for values in zip(*found, strict=True))
     if piece.order == 2 and is_slack(piece):
         for values in (d, slope):
             values[:, 0, :] = values[:, :, 0] = 0 * values[:, :, 0]
@@ -93,10 +95,11 @@ def graded_count(piece: "Piece", kappa: np.ndarray, numbers: "Arithmetic") -> np
     if piece.order == 2 and piece.gradient < 0:
         return graded_count(mirrored(piece), kappa, numbers)
     found = []
-    for some in _portions(piece, kappa):
+    order, portions = _portions(piece, kappa)
+    for some in portions:
         tree = _tree(piece, some, numbers)
         found.append(sum(_negative(tree, i, numbers) for i in range(len(tree.levels) - 1)) + np.zeros(len(some), int))
-    return np.concatenate(found)
+    return np.concatenate(found)[order]
 
 
 def graded_fields(piece: "Piece", kappa: np.ndarray, ends: np.ndarray, x: np.ndarray,
@@ -118,21 +121,21 @@ def _runs(piece, kappa):
     sizes = np.array([float(abs(value)) for value in kappa])
     order = np.argsort(sizes, kind="stable")
     while len(order):
-        alike = max(1, int(np.searchsorted(sizes[order], LIKE * sizes[order[0]], side="right")))
+        alike = max(1, int(np.searchsorted(sizes[order], LIKE**piece.order * sizes[order[0]], side="right")))
         count = min(alike, max(1, AT_ONCE // len(parts_of(piece, sizes[order[alike - 1]]))))
         yield order[:count]
         order = order[count:]
 
 
 def _portions(piece, kappa):
-    """κ in portions of about one size each, so that all have the parts that they need."""
-    sizes = np.array([float(abs(value)) for value in kappa])
-    step = max(1, AT_ONCE // len(parts_of(piece, sizes.max(initial=0.0))))
-    return [kappa[i:i + step] for i in range(0, len(kappa), step)]
+    """(the number of each κ among all of the portions, κ by their size in portions that need about as many parts)."""
+    runs = list(_runs(piece, kappa))
+    return np.argsort(np.concatenate(runs)), [kappa[run] for run in runs]
 
 
 def _tree(piece, kappa, numbers):
     cuts = parts_of(piece, max(float(abs(value)) for value in kappa))
+    counted((len(cuts) - 1) * len(kappa) * piece.order**2 * STEP)
     scale = _scale(piece, cuts, kappa, numbers)
     ports = np.concatenate([scale[:-1], scale[1:]], axis=-1)
     series = coefficients(piece, cuts, kappa, numbers)
@@ -217,8 +220,8 @@ def _within(piece, tree, which, parts, x, numbers):
     number of the κ of each field, the number of the field at each place)."""
     (of, field), places, (c, _, half) = which, numbers.array(tree.cuts), tree.series
     index = np.clip(np.searchsorted(places.astype(float), x.astype(float), side="right") - 1, 0, len(places) - 2)
-    values = np.concatenate([np.stack([end_sums(c, eta, j, numbers) / half**j for j in range(piece.order // 2)],
-                                      axis=-2) for eta in (-1, 1)], axis=-2)
+    values = np.concatenate([np.stack([one / half**j for j, one in enumerate(at_end)], axis=-2)
+                             for at_end in end_derivatives(c, piece.order // 2, numbers)], axis=-2)
     weights = (numbers.inverse(values)[:, of] @ parts[..., None])[..., 0]
     eta = (x - (places[index] + places[index + 1]) / 2) / half[index, 0, 0]
     met, place = _distinct(index * len(of) + field)

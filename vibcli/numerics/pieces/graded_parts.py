@@ -115,10 +115,11 @@ def sums(c: np.ndarray, eta: Any, derivative: int) -> Any:
     return found
 
 
-def end_sums(c: np.ndarray, eta: int, derivative: int, numbers: "Arithmetic") -> np.ndarray:
-    """The same at η = ±1."""
-    weights = [perm(k, derivative) * eta ** (k - derivative) for k in range(derivative, len(c))]
-    return np.tensordot(numbers.array(weights), c[derivative:], 1)
+def end_derivatives(c: np.ndarray, count: int, numbers: "Arithmetic") -> np.ndarray:
+    """The same of the first `count` derivatives at η = −1 and η = 1, (2, count, …), in one product."""
+    weights = [[[perm(k, derivative) * eta ** (k - derivative) if k >= derivative else 0 for k in range(len(c))]
+                for derivative in range(count)] for eta in (-1, 1)]
+    return np.tensordot(numbers.array(weights), c, 1)
 
 
 def slack_series(piece: "Piece", x: Any, kappa: np.ndarray, numbers: "Arithmetic") -> tuple[Any, Any, Any, Any]:
@@ -139,14 +140,15 @@ def _end_values(piece, cuts, series, numbers):
     found = []
     for series in (c, dc):
         values, forces = [], []
-        for eta, place in ((-1, places[:-1]), (1, places[1:])):
+        at_ends = end_derivatives(series, piece.order, numbers)
+        for eta, place, sums_at in zip((-1, 1), (places[:-1], places[1:]), at_ends, strict=True):
             tension = (place * piece.gradient + piece.tension)[:, None, None]
-            first = end_sums(series, eta, 1, numbers) / half
-            values.append(end_sums(series, eta, 0, numbers))
+            first = sums_at[1] / half
+            values.append(sums_at[0])
             if piece.order == 4:
                 values.append(first)
-                forces.append(eta * (tension * first - end_sums(series, eta, 3, numbers) * piece.bending / half**3))
-                forces.append(eta * end_sums(series, eta, 2, numbers) * piece.bending / half**2)
+                forces.append(eta * (tension * first - sums_at[3] * piece.bending / half**3))
+                forces.append(eta * sums_at[2] * piece.bending / half**2)
             else:
                 forces.append(eta * tension * first)
         found += [np.stack(values, axis=-2), np.stack(forces, axis=-2)]
