@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from vibcli.api.sweep import SweptValues
     from vibcli.api.values import QuantityValue
     from vibcli.report.blocks import Document
+    from vibcli.results.other_values import OtherValues
     from vibcli.results.problem import Problem
 
 __all__ = ["Model", "PhysicsError", "SpecError"]
@@ -29,8 +30,9 @@ class Model:
     such answer. Values are in SI units; those of a scene in letters are SymbolicExpressions."""
 
     def __init__(self, source: SceneSource, problem: "Problem", settings: dict[str, tuple] | None = None,
-                 case: str | None = None, accuracy: float | None = None):
+                 case: str | None = None, accuracy: float | None = None, others: "OtherValues | None" = None):
         self._source, self._settings, self._case, self._accuracy = source, settings or {}, case, accuracy
+        self._given_others, self._as_given = others, problem
         self._as_read = problem if accuracy is None else problem.with_accuracy(accuracy)
 
     @cached_property
@@ -59,7 +61,7 @@ class Model:
             asked = given.accuracy(str(accuracy))
         except ValueError as error:
             raise SpecError([Diagnostic(Where(f"with_accuracy {accuracy}", 1, 1, 0), str(error))]) from None
-        return Model(self._source, self._as_read, self._settings, self._case, asked)
+        return Model(self._source, self._as_given, self._settings, self._case, asked, self._others)
 
     def with_values(self, **values: float | str) -> "Model":
         """The scene with other values of parameters: numbers in the unit of the file, texts with their own."""
@@ -69,9 +71,18 @@ class Model:
                 found |= given.setting(name, text_of(value) or "", known, "with_values")
             except ValueError as error:
                 raise SpecError([Diagnostic(Where(f"with_values {name}", 1, 1, 0), str(error))]) from None
-        problem = problem_of(self._source, found)
-        return Model(self._source, problem if self._case is None else _case(problem, self._case), found, self._case,
-                     self._accuracy)
+        problem = self._others.at(found)
+        if problem is None:
+            problem = problem_of(self._source, found)
+            problem = problem if self._case is None else _case(problem, self._case)
+        return Model(self._source, problem, found, self._case, self._accuracy, self._others)
+
+    @cached_property
+    def _others(self):
+        """What shares the derivation of the scene as it was read."""
+        from vibcli.results.other_values import OtherValues
+
+        return self._given_others or OtherValues(self._as_given)
 
     def sweep(self, *quantities: str, **parameters: "ArrayLike") -> "SweptValues":
         """Quantities over ascending values of parameters, in the unit of the file; over two, over their grid. The

@@ -1,6 +1,6 @@
 """Values of parameters: from the file, from outside, exact or in any arithmetic."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
@@ -12,7 +12,7 @@ from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.literals import LARGEST, RANGE, SMALLEST
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.rationals import bits
-from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.semantics import literal_unit, lower
 from vibcli.symbolic.syntax import Call, ExpressionError, Number, Power, Product, Sum, whole_literal
 
 if TYPE_CHECKING:
@@ -22,16 +22,39 @@ if TYPE_CHECKING:
 
     from vibcli.language.spec import Spec
     from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.node import Node
 
 WIDEST = 4096       # bits
 
 
-def overridden(record: Record, tree: Number | Product | Sum, scalar: Any, reader: Reader) -> Record:
-    """The Record of a parameter with another value; a bare number takes the unit in which the file gives it."""
+def alike(record: Record, tree: Any, scalar: Any) -> Record | None:
+    """The Record of a parameter with another literal of the same sign and kind of unit, so that nothing else of the
+    scene is read otherwise; None where that is not so."""
+    if "value" not in record:
+        return None
+    was, (tree, scalar) = record["value"].tree, _in_unit(record, tree, scalar)
+    if not all(isinstance(one, Number) and one.value > 0 for one in (was, tree)) or _kind(was) != _kind(tree):
+        return None
+    value = Expression(scalar, tree, record["value"].unit, record["value"].dimension)
+    return record.with_values({**record, "value": value})
+
+
+def _kind(literal):
+    unit = literal_unit(literal.units) if literal.units else None
+    return unit and (unit.dimension, unit.pi, unit.cycles, unit.radians)
+
+
+def _in_unit(record, tree, scalar):
+    """A bare number in the unit in which the file gives a parameter; all else as it is."""
     number = whole_literal(tree)
     if number and not number.units and (unit := unit_text(record)):
-        was = parse("1 " + unit)
-        tree, scalar = _with_unit(tree, was.units), Scalar(f"{scalar.text} {unit}", scalar.where)
+        return _with_unit(tree, parse("1 " + unit).units), Scalar(f"{scalar.text} {unit}", scalar.where)
+    return tree, scalar
+
+
+def overridden(record: Record, tree: Number | Product | Sum, scalar: Any, reader: Reader) -> Record:
+    """The Record of a parameter with another value; a bare number takes the unit in which the file gives it."""
+    tree, scalar = _in_unit(record, tree, scalar)
     value = Expression(scalar, with_record_calls(tree, reader.records))
     if "value" in record:
         del reader.expressions[record["value"].scalar]
@@ -66,16 +89,27 @@ def _may_be_negative(tree):
 
 class Parameters:
     """The parameters of a scene as leaves of its table: `nodes` by name, `definitions` of those that have a value;
-    `in_letters`: what those that are defined by letters stand for in the scene."""
+    `in_letters`: what those that are defined by letters stand for in the scene; `like`: those of the same leaves, of
+    which some are `changed` to literals of the same sign."""
 
-    def __init__(self, spec: "Spec", table: "Table"):
+    order: list[str]
+    nodes: "dict[str, Node]"
+    definitions: "dict[str, Node]"
+    free: list[str]
+    in_letters: "dict[str, Node]"
+
+    def __init__(self, spec: "Spec", table: "Table", like: "Parameters | None" = None, changed: Iterable[str] = ()):
         self.table = table
         self.records = spec.parameters
+        if like is not None:
+            self.order, self.nodes, self.free, self.in_letters = like.order, like.nodes, like.free, like.in_letters
+            self.definitions = {**like.definitions, **self._lowered(changed)}
+            return
         self.order = definition_order(spec.parameters)
         unsigned = {name for name, record in spec.parameters.items() if record.get("sign") == "any"}
         unsigned |= self._not_positive()
         self.nodes = {name: table.parameter(name, name not in unsigned) for name in spec.parameters}
-        self.definitions = self._lowered()
+        self.definitions = self._lowered(self.order)
         self.free = [name for name in spec.parameters if name not in self.definitions]
         self.in_letters = self._letters() if self.free else {}
 
@@ -106,9 +140,9 @@ class Parameters:
                     found[name] = node
         return found
 
-    def _lowered(self):
+    def _lowered(self, names):
         found, wrong = {}, []
-        for name in self.order:
+        for name in names:
             value = self.records[name].get("value")
             try:
                 if value is not None:

@@ -1,6 +1,6 @@
 """The mechanical system of a scene: its expressions, which hold wherever it rests and whatever values it is given."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -24,13 +24,18 @@ class MechanicalSystem:
     """A scene and what follows from it in letters. `given`: exact values for parameters that the file leaves as
     symbols, by which signs in the geometry are read off; `work`: what counts its long work; `released`: the system
     whose motion starts under the force that lets go, where this one is held by it; `tensions`: {member: [N of each
-    piece]} that are not those of statics alone, None where they are sought."""
+    piece]} that are not those of statics alone, None where they are sought; `watched`: as what the numbers are that are
+    read off its drawing; `known`: {part: what it is}, and
+    `shared(part)`, None where that is to be found here."""
 
     def __init__(self, spec: "Spec", given: "Mapping[str, Fraction] | None" = None, work: Work | None = None,
-                 released: Any = None, tensions: "Mapping[str, list[Fraction]] | None" = None):
+                 released: Any = None, tensions: "Mapping[str, list[Fraction]] | None" = None,
+                 watched: "Callable | None" = None, known: "Mapping[str, Any] | None" = None,
+                 shared: "Callable | None" = None):
         self.spec, self.given, self.work, self.released = spec, dict(given or {}), work or Work(), released
-        self.tensions = tensions
+        self.tensions, self._watched, self._shared = tensions, watched, shared
         self.costs = Costs()
+        self.__dict__.update(known or {})
 
     def with_values(self, given: "Mapping[str, Fraction]") -> "MechanicalSystem":
         """The same scene drawn anew with these values alone for its symbols."""
@@ -82,7 +87,7 @@ class MechanicalSystem:
             self.preloads = self._itself.preloads
             return self._itself.scene
         if self.released is None:
-            scene = build_scene(self.spec, self.given, self.tensions)
+            scene = build_scene(self.spec, self.given, self.tensions, self._watched)
         else:
             scene = build_preloaded(self.spec, self.given, self.released.members_under)
         if any(name not in self.given for name in scene.parameters.free):
@@ -108,12 +113,13 @@ class MechanicalSystem:
     @cached_property
     def with_inputs(self):
         """(scene, Linearisation, the same without excitation) of the scene with what drives it as coordinates."""
-        return self._with_inputs(self.scene)
+        return (self._shared and self._shared("with_inputs")) or self._with_inputs(self.scene)
 
     @cached_property
     def released_with_inputs(self):
         """The same where supports give way."""
-        return self._with_inputs(self.scene.with_released_supports())
+        return (self._shared and self._shared("released_with_inputs")) or self._with_inputs(
+            self.scene.with_released_supports())
 
     def _with_inputs(self, scene):
         from vibcli.mechanics.autonomous import steady

@@ -15,7 +15,9 @@ from vibcli.language.given_values import GivenValue
 from vibcli.symbolic.expression_graph import fingerprint
 
 if TYPE_CHECKING:
+    from vibcli.mechanics.linearisation import Linearisation
     from vibcli.results.problem import Problem
+    from vibcli.scene.scene import Scene
 
 CORNERS = 9, 4, 3          # along each axis of one, two, more of them
 
@@ -118,7 +120,8 @@ class Variants:
         if place not in self._structures:
             problem = self.alone(place)
             try:
-                self._structures[place] = None if isinstance(problem, Exception) else _structure(problem)
+                self._structures[place] = None if isinstance(problem, Exception) else structure(
+                    problem.scene, problem.system.linearisation)
             except (SpecError, PhysicsError, ArithmeticError):
                 self._structures[place] = None
         return self._structures[place]
@@ -135,9 +138,8 @@ def _corners(length, count):
     return sorted({round(k * (length - 1) / (count - 1)) for k in range(count)})
 
 
-def _structure(problem):
+def structure(scene: "Scene", form: "Linearisation") -> tuple:
     """The expressions of a scene and of its linearisation as they are told apart between tables."""
-    scene, form = problem.scene, problem.system.linearisation
     loops = scene.loops
     nodes = [*scene.contents.nodes, *scene.drawn.values(), *scene.dependent.values(), *scene.driven.values(),
              *(() if loops is None else (*loops.conditions, *loops.slopes)), *_listed(form)]

@@ -1,6 +1,6 @@
 """Spec to Scene: the elements contribute, what is driven is put in, constraints are closed last."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -21,14 +21,14 @@ ATTEMPTS = 12
 
 
 def build_scene(spec: "Spec", given: "Mapping[str, Fraction] | None" = None,
-                tensions: "Mapping[str, list[Fraction]] | None" = None) -> Scene:
+                tensions: "Mapping[str, list[Fraction]] | None" = None, watched: Callable | None = None) -> Scene:
     """The Scene of a Spec, under the `tensions` of members that statics alone does not find; SpecError where its
-    geometry contradicts itself.
+    geometry contradicts itself. `watched`: as what the sample is that its numbers are read off, {name: float}.
 
     A scene with symbols is drawn with sample values, those that are `given` and others; signs such as that of R − r
     are those of the first sample in which the drawing fits together.
     """
-    return _drawn(spec, given or {}, 0, Variant(tensions=tensions))
+    return _drawn(spec, given or {}, 0, Variant(tensions=tensions), watched)
 
 
 def build_preloaded(spec: "Spec", given: Mapping[Any, Any],
@@ -37,11 +37,12 @@ def build_preloaded(spec: "Spec", given: Mapping[Any, Any],
     return _drawn(spec, given, 0, Variant(preloaded=True, tensions=tensions))
 
 
-def _drawn(spec, given, start, variant):
+def _drawn(spec, given, start, variant, watched=None):
     """The Scene of the first attempt in which the drawing fits together."""
     for attempt in range(start, start + ATTEMPTS):
         try:
-            builder = Builder(spec, given, attempt, variant, _tensions(spec, given, attempt, variant))
+            builder = Builder(spec, given, attempt, variant, _tensions(spec, given, attempt, variant),
+                              watched)
         except SpecError:   # a parameter that this sample leaves without value
             if attempt == start + ATTEMPTS - 1:
                 raise
@@ -49,7 +50,7 @@ def _drawn(spec, given, start, variant):
         scene = None
         try:
             scene = _assembled(builder, Setting(spec, attempt, variant, builder.parameters, builder.sample,
-                                                builder.reports, partial(_drawn, spec, given)))
+                                                builder.reports, partial(_drawn, spec, given, watched=watched)))
         except ExpressionError as error:
             builder.report(None, error.message)
         if not builder.diagnostics or not set(builder.parameters.free) - set(given):

@@ -42,13 +42,15 @@ class Builder:
     owner: str
 
     def __init__(self, spec: "Spec", given: "Mapping[str, Fraction]", attempt: int, variant: "Variant",
-                 tensions: "Mapping[str, Tensions]"):
+                 tensions: "Mapping[str, Tensions]", watched: "Callable | None" = None):
         self.tensions = tensions
         self.spec, self.variant, self.owner, self.reports = spec, variant, None, Reports()
         records = spec.sections.get("records") or {}
         self.table = table = Table({name: record["samples"] for name, record in records.items()})
         self.parameters = Parameters(spec, table)
         self.sample = self.parameters.values(Floats, _samples(spec, self.parameters.free, given, attempt))
+        if watched:
+            self.sample = watched(self.sample)
         table.resample(self.sample)
         self.time = table.time_variable("the time" if "t" in spec.parameters or "t" in spec.coordinates else "t")
         self.coordinates = SceneCoordinates.named(spec.coordinates, self.time)

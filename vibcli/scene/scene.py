@@ -3,8 +3,8 @@
     T = ½ Σ w ṡ²       V = Σ (N s + ½ k s²) − Σ m (gₓ x + g_y y)       Φ = ½ Σ c ṡ²
 """
 
-from collections.abc import Callable, Mapping
-from functools import cached_property
+from collections.abc import Mapping
+from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.scene.displacements import stays_bounded
@@ -16,6 +16,8 @@ from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import ONE
 
 if TYPE_CHECKING:
+    from vibcli.language.parameters import Parameters
+    from vibcli.language.spec import Spec
     from vibcli.scene.contents import Contents
     from vibcli.scene.coordinates import SceneCoordinates
     from vibcli.scene.energy_terms import Term
@@ -42,7 +44,7 @@ class Variant(NamedTuple):
 
 class Setting(NamedTuple):
     """What is the same for a scene and those that are derived from it; `draw(attempt, variant)`: another Scene of the
-    same file and values."""
+    same file and values, which are what `draw.func` takes first."""
 
     spec: Any
     attempt: int
@@ -50,7 +52,7 @@ class Setting(NamedTuple):
     parameters: Any
     sample: dict
     reports: Any
-    draw: Callable
+    draw: partial
 
 
 class Drives(NamedTuple):
@@ -109,6 +111,13 @@ class Scene:
     def with_parts(self, **parts: Any) -> "Scene":
         """The same with other parts, as they are named where a Scene is made."""
         return Scene(**{**self._parts, **parts})
+
+    def with_other_values(self, spec: "Spec", parameters: "Parameters", sample: dict[str, float]) -> "Scene":
+        """The same by its expressions with other values, at which all would be drawn alike."""
+        setting = self.setting._replace(spec=spec, parameters=parameters, sample=sample,
+                                        draw=partial(self.setting.draw.func, spec, {}))
+        return self.with_parts(setting=setting,
+                               still=self.still and self.still.with_other_values(spec, parameters, sample))
 
     def replaced(self, values: Any, **parts: Any) -> "Scene":
         """With other parts, and symbols replaced in every expression, {symbol: node}."""

@@ -29,6 +29,8 @@ def evaluate(nodes: "Sequence[Node]", arithmetic: Any, values: Any) -> list[Any]
     key = tuple(nodes)
     if not key:
         return []
+    if arithmetic is Floats and hasattr(values, "watching"):
+        return values.watching(key, evaluate(key, Floats, values.plain))
     if len(key) == 1 and key[0].op == "number":
         return [arithmetic.number(key[0].coefficient)]
     programs = key[0].table.programs

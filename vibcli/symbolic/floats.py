@@ -58,7 +58,9 @@ class Floats:
         except (ValueError, OverflowError, ZeroDivisionError):
             return math.nan
 
-    isfinite = staticmethod(math.isfinite)
+    @staticmethod
+    def isfinite(value: float) -> bool:
+        return -math.inf < value < math.inf
 
     @staticmethod
     def record(name: str, samples: "Samples") -> Callable:

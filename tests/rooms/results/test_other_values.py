@@ -1,0 +1,117 @@
+"""A scene with other values shares its derivation where it would be drawn alike, and is then the scene read anew."""
+
+import math
+import random
+from pathlib import Path
+
+import pytest
+
+import vibcli
+from vibcli.api import given
+from vibcli.api.model import Model
+from vibcli.api.source import problem_of
+
+PROBLEMS = Path(__file__).parents[3] / "problems"
+LEVER = """
+parameters: {k: 100 N/m, a: 1 m, b: 0.3 m, m: 1 kg, c: 2 N*s/m, F: 3 N, W: 4 rad/s}
+points: {e: {body: s, at: [a, 0]}}
+bodies: {s: {mass: m, at: [0, 0], move: [x, 0, 0]}}
+springs: {s1: {k: k, between: [[b, 0], e]}}
+dampers: {d: {c: c, between: [[b, 0], e]}}
+forces: {f: {at: s, force: [F*cos(W*t), 0]}}
+"""
+SAMPLED = ["3_free_undamped/wheel_on_incline_with_cord", "4_free_damped/bell_crank_dashpot",
+           "6_two_degrees/quarter_car_damped", "6_two_degrees/sagging_spring_pendulum",
+           "3_free_undamped/hoist_with_moving_pulley", "4_free_damped/crate_drawn_until_it_sticks",
+           "5_forced/press_with_two_blows", "7_forced_two_degrees/washing_machine_on_a_bench",
+           "1_statics_and_energy/snap_through_truss", "6_two_degrees/motor_on_inclined_mounts"]
+
+
+def anew(model, **values):
+    """The Model of the scene with other values, read and drawn anew."""
+    settings = {}
+    for name, value in values.items():
+        settings |= given.setting(name, str(value), given.parameters_of(model._source.node), "with_values")
+    return Model(model._source, problem_of(model._source, settings))
+
+
+def answer(model, quantity):
+    try:
+        found = model[quantity]
+        return found.value, found.error
+    except (vibcli.PhysicsError, vibcli.SpecError) as error:
+        return str(error)
+
+
+def shares(model, other):
+    return model._problem.scene.table is other._problem.scene.table
+
+
+@pytest.mark.parametrize("path", SAMPLED)
+def test_answers_are_those_of_the_scene_read_anew(path):
+    """To the last bit, the sentences of refusals too."""
+    model, draw, shared = vibcli.load(PROBLEMS / f"{path}.yaml"), random.Random(path), 0
+    spec = model._as_read.spec
+    quantities = list(dict.fromkeys(answer.asked.text for answer in spec.answers))
+    for name in spec.independent_parameters:
+        literal = spec.parameters[name]["value"].parts.whole
+        value = float(f"{float(literal.value) * math.exp(draw.uniform(-1, 1)):.4g}")
+        one, other = model.with_values(**{name: value}), anew(model, **{name: value})
+        try:
+            shared += shares(model, one)
+        except vibcli.SpecError as error:
+            assert str(error) == answer(other, quantities[0])
+            continue
+        assert [answer(one, text) for text in quantities] == [answer(other, text) for text in quantities], (name, value)
+    assert shared >= len(spec.independent_parameters) / 2
+
+
+@pytest.mark.parametrize(("values", "alike"), [
+    ({"k": 220}, True), ({"k": "0.2 N/mm"}, True), ({"a": 0.4}, True), ({"a": 0.2}, False), ({"b": 1.5}, False),
+    ({"a": 2, "b": 1.5}, True), ({"a": 2, "b": 2.5}, False), ({"m": 4, "W": 3, "F": 2}, True), ({"F": -2}, False),
+    ({"F": 0}, False), ({"k": "(240 N/m)/2"}, False), ({"W": "40 rpm"}, False)])
+def test_what_would_be_drawn_otherwise_is_drawn_anew(values, alike):
+    """The spring leads to one side or the other; a minus, zero, formula or other kind of unit is read anew."""
+    model = vibcli.loads(LEVER)
+    one, other = model.with_values(**values), anew(model, **values)
+    assert shares(model, one) == alike
+    for quantity in ("omega[1]", "zeta[1]", "amplitude(x)", "amplitude(s1.force)", "amplitude(ground.force.x)"):
+        assert answer(one, quantity) == answer(other, quantity)
+    assert one._repr_latex_() == other._repr_latex_()
+
+
+def test_what_is_driven_is_drawn_once():
+    model = vibcli.loads(LEVER)
+    one, other = model.with_values(k=200), model.with_values(k=300)
+    scenes = [each._problem.configuration.with_inputs.scene for each in (model, one, other)]
+    assert len({scene.table for scene in scenes}) == 1
+    assert [scene.sample["k"] for scene in scenes] == [100, 200, 300]
+
+
+def test_values_follow_those_given_before():
+    model = vibcli.loads(LEVER)
+    one = model.with_values(k="0.4 N/mm").with_values(m=4)
+    assert one.omega == pytest.approx([10.0]) and shares(model, one)
+    assert one.with_values(k=1600).omega == pytest.approx([20.0])
+    cased = vibcli.loads(LEVER + "cases: {heavy: {parameters: {m: 4 kg}}}\n")
+    heavy = cased.case("heavy").with_values(k=400)
+    assert heavy.omega == pytest.approx([10.0]) and shares(cased.case("heavy"), heavy)
+    assert cased.with_values(k=400).case("heavy").omega == pytest.approx([10.0])
+    assert cased.with_values(m=1).case("heavy").omega == anew(cased, m=1).case("heavy").omega
+
+
+@pytest.mark.parametrize("text", [
+    "parameters: {m: 2, k: 50}\nbodies: {b: {mass: m, slide: x}}\nsprings: {s: {k: k, between: [ground, b]}}\n",
+    "parameters: {m: 2 kg, k: {unit: N/m}}\nbodies: {b: {mass: m, slide: x}}\n"
+    "springs: {s: {k: k, between: [ground, b]}}\n"])
+def test_scenes_without_units_and_in_letters_are_read_anew(text):
+    model = vibcli.loads(text)
+    other = model.with_values(m=8)
+    assert not shares(model, other) and other._problem.scene.parameters.nodes
+
+
+def test_a_value_out_of_range_is_told():
+    model = vibcli.loads(LEVER)
+    for value in ("1e200 N/m", "1e-200 N/m"):
+        with pytest.raises(vibcli.SpecError, match="out of range"):
+            _ = model.with_values(k=value).omega

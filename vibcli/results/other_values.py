@@ -1,0 +1,134 @@
+"""A scene with other values of its parameters: by the expressions of the scene as it was read, where the new values
+would be drawn alike.
+
+While a scene is drawn and linearised, numbers are read off it: lengths, which side, what coincides. The scene is drawn
+once more with numbers that remember what was decided by them; where all of that comes out the same at other values,
+they have the same expressions. What is no such value is not found here, and is to be read anew.
+"""
+
+from collections.abc import Mapping
+from functools import cached_property, partial
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from vibcli.analyses.modal.modal_analysis import ModalAnalysis
+from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.language.parameters import Parameters, alike
+from vibcli.mechanics.configuration import Configuration
+from vibcli.mechanics.numeric_system import NumericSystem
+from vibcli.mechanics.system import MechanicalSystem
+from vibcli.results.problem import Problem
+from vibcli.results.variants import structure
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.watched_numbers import Decisions
+
+if TYPE_CHECKING:
+    from vibcli.language.spec import Spec
+    from vibcli.scene.scene import Scene
+
+PARTS = ("scene", "preloads", "linearisation", "time_dependent_linearisation", "linearisation_at_reference",
+         "is_linear", "drawn_residual", "conservative")
+
+
+class _Values(NamedTuple):
+    """Other values: their Spec and Parameters, {parameter: float}, and the names of those that differ."""
+
+    spec: "Spec"
+    parameters: Parameters
+    sample: dict[str, float]
+    changed: frozenset[str]
+
+    def over(self, scene: "Scene") -> "Scene":
+        """A Scene with these values."""
+        return scene.with_other_values(self.spec, self.parameters, self.sample)
+
+
+class OtherValues:
+    """The Problems of a scene at other values, that share its derivation."""
+
+    def __init__(self, problem: Problem):
+        self.problem, self._decisions = problem, Decisions()
+        self._systems = problem.system, MechanicalSystem(problem.spec, watched=self._decisions.watched)
+        self._opened: dict[str, tuple | None] = {}
+
+    def at(self, settings: Mapping[str, tuple[Any, Any]]) -> Problem | None:
+        """The Problem of {parameter: (syntax tree, text)}; None where it is to be read anew."""
+        values = None if self._known is None else self._values(settings)
+        if self._known is None or values is None or not self._drawn_alike(values):
+            return None
+        known = {**self._known, "scene": values.over(self.problem.scene)}
+        system = MechanicalSystem(values.spec, known=known, shared=partial(self._shared, values))
+        return Problem(values.spec, work=system.work, modal=ModalAnalysis(Configuration(NumericSystem(system))))
+
+    def _values(self, settings):
+        """The _Values of settings; None where they would be read otherwise."""
+        spec, scene = _with(self.problem.spec, settings), self.problem.scene
+        if spec is None:
+            return None
+        parameters = Parameters(spec, scene.table, scene.parameters, settings.keys() & spec.parameters.keys())
+        try:
+            sample = parameters.values(Floats)
+        except SpecError:
+            return None
+        changed = frozenset(name for name, value in sample.items() if value != scene.sample[name])
+        if any((sample[name] > 0) != (scene.sample[name] > 0) for name in changed):
+            return None
+        return _Values(spec, parameters, sample, changed)
+
+    def _drawn_alike(self, values):
+        return self._decisions.hold(values.changed, values.sample, _in_floats)
+
+    @cached_property
+    def _known(self):
+        """{part: what it is} of what is shared; None where nothing can be."""
+        if not _shareable(self.problem.spec):
+            return None
+        return self._both(lambda system: {part: getattr(system, part) for part in PARTS},
+                          lambda known: [(known["scene"], known["linearisation"])])
+
+    def _shared(self, values, part):
+        """(scene, Linearisation, that without excitation) of a scene with what drives it as coordinates; None where it
+        is to be drawn anew."""
+        if part not in self._opened:
+            self._opened[part] = self._both(lambda system: getattr(system, part),
+                                            lambda found: [(found[0], found[1]), (found[0], found[2])])
+        found = self._opened[part]
+        if found is None or not self._drawn_alike(values):
+            return None
+        return values.over(found[0]), *found[1:]
+
+    def _both(self, parts, forms):
+        """What is found of the scene as it was read, the same being watched; None where it is not to be shared."""
+        try:
+            found, watched = map(parts, self._systems)
+            scenes = zip(forms(found), forms(watched), strict=True)
+            alike = all(_closed_form(one[0]) and structure(*one) == structure(*other) for one, other in scenes)
+        except (SpecError, PhysicsError, ArithmeticError, TypeError, ValueError):
+            return None
+        return found if alike else None
+
+
+def _shareable(spec):
+    return not any(one.choices or one.free_numbers or one.members for one in (spec, *spec.cases.values()))
+
+
+def _closed_form(scene):
+    """Is a scene nothing but expressions of its parameters?"""
+    table = scene.table
+    return scene.loops is None and not (scene.pieces or scene.parameters.free or table.functions or table.records
+                                        or table.definitions)
+
+
+def _with(spec, settings):
+    """The Spec with other values, in its cases too; None where it would be read otherwise."""
+    parameters = dict(spec.parameters)
+    for name in settings.keys() & parameters.keys():
+        found = alike(parameters[name], *settings[name])
+        if found is None:
+            return None
+        parameters[name] = found
+    cases = {name: _with(case, settings) for name, case in spec.cases.items()}
+    return None if None in cases.values() else spec.with_parameters(parameters)._replace(cases=cases)
+
+
+def _in_floats(nodes, sample):
+    return evaluate(nodes, Floats, sample)
