@@ -136,7 +136,7 @@ def _small(symbolic):
         return {**matrices, "in_letters": True, "linear": linear}
     if symbolic.numeric.has_free_symbols:
         return {}
-    return dict(zip("MCGK", symbolic.configuration.linear_system.matrices(), strict=True))
+    return dict(zip("MCGK", symbolic.configuration.element_data.matrices(), strict=True))
 
 
 def _require_slope(configuration):
