@@ -196,7 +196,8 @@ FREQUENCY_RESPONSE = [
     [
         ("abs(frf[x, drive](5 Hz))", "amplitude for a unit of the input; also `phase`, `arg`, `re`, `im`"),
         ("peak[1](frf[x, drive]).Omega", "its first resonance, `.value` the amplitude there"),
-        ("antiresonance[1](frf[x, drive])", "where it vanishes, or is least where it is damped"),
+        ("antiresonance[1](frf[x, drive])", "where it vanishes, or is least where it is damped; between distant places "
+         "of a hundred coordinates that are no row of masses some may be missed"),
         ("half_power[1](frf[x, drive])", "where it is 1/√2 of peak 1 below it, `half_power[2]` above it; 3 and 4 of "
          "peak 2"),
         ("quality[1](frf[x, drive])", "Q of peak 1: its Omega over the distance of its half-power points"),

@@ -22,7 +22,7 @@ DIGITS, NOTHING = 60, 1e-45
 
 def told_matrices(configuration: "Configuration") -> "Sequence[Mapping[tuple[int, int], float]]":
     """M, C, G, K in floats, each {(i, j): number}."""
-    found = configuration.linear_system.matrices()
+    found = configuration.element_data.matrices()
     doubted = [_doubted(matrix) for matrix in found]
     if not any(doubted) or configuration.sources[0] is None:
         return found

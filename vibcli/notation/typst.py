@@ -28,6 +28,9 @@ class Typst(Stacked):
         text, _, power = text.replace("−", "-").partition("e")
         return f"{text} ⋅ 10^({int(power)})" if power else text
 
+    def marked(self, text: str, marks: int) -> str:
+        return f"{text}^({' '.join(['prime'] * marks)})" if marks else text
+
     def lettered(self, letter: Any, below: Any, primes: Any):
         letter = ACCENTS[primes].format(self.word(letter))
         if not below:

@@ -14,16 +14,17 @@ NOTHING = 2.0**-80              # of an interval: a zero nearer to 0 than this i
 SECTIONS, GOLDEN = 90, 0.3819660112501051
 
 
-def zeros_between(function: Callable, low: np.ndarray, high: np.ndarray, level: Any = 0.0) -> np.ndarray:
+def zeros_between(function: Callable, low: np.ndarray, high: np.ndarray, level: Any = 0.0,
+                  known: Any = None) -> np.ndarray:
     """The zero of a function in each of the intervals at whose ends its signs differ, to rounding; or where it is at
-    the level of each interval.
+    the level of each interval. known: its values at the ends, where they are.
 
     Inverse quadratic interpolation where three values stand for it, else halving (Chandrupatla 1997, Adv. Eng. Softw.
     28, 145); a step falls no nearer to an end than half of what is told apart, so that both ends close in.
     """
     level, least = np.broadcast_to(level, low.shape), NOTHING * (high - low)
     a, b, found = high.copy(), low.copy(), (low + high) / 2
-    fa, fb = function(a) - level, function(b) - level
+    fb, fa = (ends - level for ends in known or (function(b), function(a)))
     open_, share = np.arange(len(low)), np.full(len(low), 0.5)
     for _ in range(ROUNDS):
         near = np.maximum(SAME * np.maximum(np.abs(a), np.abs(b)), least)

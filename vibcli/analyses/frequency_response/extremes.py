@@ -5,7 +5,6 @@ zero, an antiresonance without damping.
 """
 
 import math
-from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -37,18 +36,18 @@ def extremes(system: "FrequencyResponseFunction", start: float = 0.0, end: float
     output."""
     if not _reaches(system, start, end):
         return []
-    low, high = _brackets(system, start, end)
-    maximum = steepness(system, low) > 0
-    Omega = zeros_between(lambda at: steepness(system, at), low, high)
-    values, _, resonant = sloped(system, Omega)
+    (low, high), steep = _brackets(system, start, end)
+    maximum = steep[0] > 0
+    Omega = zeros_between(lambda at: steepness(system, at), low, high, known=steep)
+    values, resonant = sampled(system, Omega)
     if system.undamped:
         turning = ~_through(system, low, high) & ~resonant
         found = [*map(_extreme, Omega[turning], np.abs(values[turning]), maximum[turning])]
         for marks, value in zip(system.endless(start, end), (None, 0.0), strict=True):
             found += [_extreme(at, value, value is None) for at in marks]
         return sorted(found, key=lambda one: one.Omega)
-    beside = [np.abs(sloped(system, Omega * (1 + sign * BESIDE))[0]) for sign in (1, -1)]
-    resonant |= maximum & (np.abs(values) > ENDLESS * np.maximum(*beside))
+    beside = [np.abs(sampled(system, Omega[maximum] * (1 + sign * BESIDE))[0]) for sign in (1, -1)]
+    resonant[maximum] |= np.abs(values[maximum]) > ENDLESS * np.maximum(*beside)
     Omega[resonant] = _nearest(system.poles(start, end).imag, Omega[resonant])
     return [_extreme(at, None if lost else size, top)
             for at, size, lost, top in zip(Omega, np.abs(values), resonant, maximum, strict=True)]
@@ -102,9 +101,10 @@ def places(system: "FrequencyResponseFunction", start: float = 0.0, end: float =
 
 
 def _brackets(system, start, end):
-    """(low, high) of the intervals in which the slope changes its sign."""
+    """The ends (low, high) of the intervals in which the slope changes its sign, and the slopes there."""
     Omega = places(system, start, end)
-    sign = np.sign(steepness(system, Omega))
-    known = np.flatnonzero(np.isfinite(sign) & (sign != 0))
-    ends = [(i, j) for i, j in pairwise(known) if sign[i] != sign[j]]
-    return tuple(Omega[[pair[k] for pair in ends]] if ends else np.zeros(0) for k in (0, 1))
+    steep = steepness(system, Omega)
+    known = np.flatnonzero(np.isfinite(steep) & (steep != 0))
+    turns = np.sign(steep[known[:-1]]) != np.sign(steep[known[1:]])
+    ends = known[:-1][turns], known[1:][turns]
+    return [Omega[end] for end in ends], [steep[end] for end in ends]

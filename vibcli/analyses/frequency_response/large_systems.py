@@ -1,5 +1,6 @@
-"""H(iΩ) of many degrees of freedom at many frequencies: by modes (modal_solution.py), and where these lose something by
-elimination of the band, all frequencies at once, or by LU.
+"""H(iΩ) of many degrees of freedom at many frequencies: of coordinates in a row by continued fractions
+(coordinates_in_a_row.py), of others by modes (modal_solution.py), and where these lose something by elimination of the
+band, all frequencies at once, or by LU.
 
 Each method gives (H, dH/ds or None, whether there is a pole) at each s.
 """
@@ -8,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from vibcli.analyses.frequency_response.coordinates_in_a_row import Row, in_a_row
 from vibcli.analyses.frequency_response.direct import (
     SINGULAR,
     along,
@@ -34,6 +36,9 @@ def chosen(system: Any) -> Any:
     """The method for this system; None where none of them fits."""
     order, width = _ordered(system)
     banded = Banded(system, order, width) if width <= min(NARROW, system.n // 4) else None
+    ends = in_a_row(system) if width <= 1 else None
+    if ends is not None:
+        return Row(system, ends, banded)
     return modal_solution(system, banded or direct, COUPLED if banded else np.inf) or banded
 
 

@@ -138,8 +138,14 @@ def _symmetric(matrix):
     return bool((np.abs(matrix - matrix.T) <= 1e-15 * np.abs(matrix)).all())
 
 
-def _real_modes(system, K, C, back):
-    """(right, left, small) by real modes where damping does not couple them, else None."""
+def decoupled(system: Any) -> "tuple[np.ndarray, np.ndarray, np.ndarray] | None":
+    """(ω², 2ζω, shapes) of modes that damping does not couple; None where it does, and of an M that is not positive
+    definite."""
+    reduced = _reduced(system)
+    return None if reduced is None else _decoupled(system, *reduced)
+
+
+def _decoupled(system, K, C, back):
     if not (_symmetric(system.K) and _symmetric(system.C)):
         return None
     if not _commute(K, C):
@@ -149,7 +155,15 @@ def _real_modes(system, K, C, back):
     size = np.abs(turn).T @ np.abs(C) @ np.abs(turn)
     if (np.abs(damping - np.diag(np.diag(damping))) > COUPLED * size).any():
         return None
-    rates, shapes = np.diag(damping), back @ turn
+    return squares, np.diag(damping), back @ turn
+
+
+def _real_modes(system, K, C, back):
+    """(right, left, small) by real modes where damping does not couple them, else None."""
+    found = _decoupled(system, K, C, back)
+    if found is None:
+        return None
+    squares, rates, shapes = found
 
     def small(s):
         at = s[:, None]

@@ -17,20 +17,35 @@ from vibcli.numerics.fixed_point import count_floats
 FAR = 1e-7      # |μ| of what counts as infinite
 STEPS, NEAR, STILL = 6, 0.03, 1e-6
 ASIDE = 1e-3
-LONG = 12       # coordinates in a row
+LONG = 12       # coordinates from which on their structure is looked at
 BESIDE = 1e-9   # where Newton's method for a pole starts that rounding hides at its own place
 
 
 def poles(system: Any) -> np.ndarray:
     """The poles with Im s ≥ 0."""
+    if system.n >= LONG:
+        from vibcli.analyses.frequency_response.modal_solution import decoupled
+
+        alone = decoupled(system)
+        if alone is not None:
+            return _of_modes(*alone[:2])
     return _roots([system.K, system.C, system.M], pace(system))
+
+
+def _of_modes(squares, rates):
+    """The s of s² + 2ζω s + ω² with Im s ≥ 0."""
+    root = np.sqrt(rates**2 / 4 - squares + 0j)
+    far = -rates / 2 - np.where(rates < 0, -1, 1) * np.where(root.imag == 0, root, 0)
+    with np.errstate(all="ignore"):
+        near = np.where(far == 0, 0, squares / far)
+    return np.concatenate([(root - rates / 2)[root.imag > 0], far[root.imag == 0], near[root.imag == 0]])
 
 
 def zeros(system: Any) -> np.ndarray:
     """The zeros with Im s ≥ 0."""
     cut = _cut_chain(system)
     if cut is not None:
-        return _kept(system, np.concatenate([_of_block(system, parts) for parts in cut]))
+        return _kept(system, np.concatenate([np.zeros(0), *(_of_block(system, parts) for parts in cut)]))
     parts = [np.block([[matrix, -b[:, None]], [c[None, :], np.atleast_2d(d)]]) for matrix, b, c, d in
              zip((system.K, system.C, system.M), system.b, system.c, system.d, strict=True)]
     if np.iscomplexobj(parts[0]) and not any(part.imag.any() for part in parts):
@@ -44,19 +59,21 @@ def _cut_chain(system):
     """[(K, C, M)] of what is left of coordinates in a row on either side of the way from the input to the output, and
     of the couplings on the way, whose poles are the zeros: H = det D_left · ∏ couplings · det D_right/det D. None of
     other systems; bordered as above, what lies on a long way would drown the others."""
-    parts = (system.K, system.C, system.M)
-    couples = sum(np.abs(part) for part in parts)
-    ends = [np.flatnonzero(row[0]) for row in (system.b, system.c)]
-    if len(couples) < LONG or np.triu(couples, 2).any() or np.tril(couples, -2).any() or any(
-            part.any() for part in (system.b[1:], system.c[1:], np.asarray(system.d))) or any(
-            len(places) != 1 for places in ends) or any(map(np.iscomplexobj, parts)):
+    if system.n < LONG:
         return None
-    low, high = sorted(int(places[0]) for places in ends)
+    from vibcli.analyses.frequency_response.coordinates_in_a_row import in_a_row
+
+    ends, parts = in_a_row(system), (system.K, system.C, system.M)
+    if ends is None:
+        return None
+    couples = sum(np.abs(part) for part in parts)
+    low, high = sorted(ends)
     if not np.diagonal(couples, 1)[low:high].all() or not np.diagonal(couples, -1)[low:high].all():
         return None
     sides = [tuple(part[side, side] for part in parts) for side in (slice(0, low), slice(high + 1, None))]
-    way = [tuple(part[i:i + 1, i + 1:i + 2] for part in parts) for i in range(low, high)]
-    return [block for block in (*sides, *way) if len(block[0])]
+    way = dict.fromkeys(tuple(part[i, i + 1] for part in parts) for i in range(low, high))
+    blocks = [*sides, *(tuple(np.array([[entry]]) for entry in coupling) for coupling in way if any(coupling[1:]))]
+    return [block for block in blocks if len(block[0])]
 
 
 def _of_block(system, parts):

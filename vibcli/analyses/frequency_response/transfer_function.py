@@ -55,10 +55,12 @@ class TransferFunction(FrequencyResponseFunction):
         return poles_and_zeros.pace(self)
 
     def at(self, s: np.ndarray, steep: bool = False) -> "tuple[np.ndarray, np.ndarray | None, np.ndarray]":
-        """The method for many frequencies is chosen once and kept."""
+        """The method for many frequencies is chosen once and kept, of coordinates in a row at once."""
         if self._method is None and self.n >= FROM:
+            from vibcli.analyses.frequency_response.coordinates_in_a_row import in_a_row
+
             self._asked += len(s)
-            if self._asked > MANY:
+            if self._asked > MANY or in_a_row(self):
                 from vibcli.analyses.frequency_response.large_systems import chosen
 
                 self._method = chosen(self) or direct

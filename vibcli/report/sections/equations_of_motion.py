@@ -129,11 +129,11 @@ def _full(problem, report):
 
 
 def _in_numbers(problem, found):
-    from vibcli.report.sections.numeric_equations import numeric_drive, numeric_row
+    from vibcli.report.sections.numeric_equations import numeric_drive, numeric_rows
 
-    matrices = problem.configuration.told_matrices
-    for i, name in enumerate(problem.scene.coordinates):
-        row, drive = numeric_row(problem, matrices, i), numeric_drive(problem, found, i)
+    rows = numeric_rows(problem, problem.configuration.told_matrices)
+    for i, (name, row) in enumerate(zip(problem.scene.coordinates, rows, strict=True)):
+        drive = numeric_drive(problem, found, i)
         yield line(*numeric_sum(row), " = ", *numeric_sum(drive), label=Name(name))
 
 
@@ -160,14 +160,15 @@ def equation_rows(problem: "Problem") -> Iterator[dict[str, str | None]]:
     """What the keys below tell of each coordinate."""
     from vibcli.notation.latex import latex
     from vibcli.notation.scene_language import language
-    from vibcli.report.sections.numeric_equations import linear_row
+    from vibcli.report.sections.numeric_equations import linear_rows
 
     equations, loose = problem.symbolic.equations, problem.system.scene_with_multipliers
+    linear = [] if equations.refusal else list(linear_rows(problem, equations))
     for i, name in enumerate(equations.names):
         text, tex, missing = None, None, None
         if name in problem.scene.coordinates and not equations.refusal:
             row = problem.scene.coordinates.index(name)
-            text, tex = linear_row(problem, equations, row)
+            text, tex = linear[row]
             missing = equations.left_out.get(row)
         full = [equation(loose, equations.full[i], write) if equations.full else None for write in (language, latex)]
         yield EQUATIONS.row(name, *full, text, tex, missing)

@@ -1,9 +1,10 @@
 """Equations of small oscillations with numbers for their coefficients."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
+from vibcli.mechanics.factored_system import summed
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import TooLong, expanded
@@ -18,33 +19,36 @@ if TYPE_CHECKING:
 ROUNDING = 1e-13        # of the terms that add up to a coefficient, which is zero then
 
 
-def linear_row(problem: "Problem", equations: "EquationsOfMotion", i: int):
-    """The equation of small oscillations of coordinate i: (text, LaTeX), in letters or with numbers."""
+def linear_rows(problem: "Problem", equations: "EquationsOfMotion") -> "Iterator[tuple[str | None, str | None]]":
+    """The equation of small oscillations of each coordinate: (text, LaTeX), in letters or with numbers."""
     from vibcli.notation.latex import latex
     from vibcli.notation.scene_language import language
 
+    count = len(problem.scene.coordinates)
     if equations.in_letters:
-        right = equations.drive.get(i, problem.scene.table.zero)
-        return tuple(f"{write(equations.linear[i])} = {write(right)}" for write in (language, latex))
-    if problem.numeric.has_free_symbols:
-        return None, None
-    matrices = equations.M, equations.C, equations.G, equations.K
-    row, drive = numeric_row(problem, matrices, i), numeric_drive(problem, equations, i)
-    return tuple(f"{joined(row, times, write)} = {joined(drive, times, write)}"
-                 for times, write in (("*", language), (r" \, ", latex)))
+        for i in range(count):
+            left, right = equations.linear[i], equations.drive.get(i, problem.scene.table.zero)
+            yield f"{language(left)} = {language(right)}", f"{latex(left)} = {latex(right)}"
+    elif problem.numeric.has_free_symbols:
+        yield from [(None, None)] * count
+    else:
+        rows = numeric_rows(problem, (equations.M, equations.C, equations.G, equations.K))
+        for i, row in enumerate(rows):
+            drive = numeric_drive(problem, equations, i)
+            text, tex = (f"{joined(row, times, write)} = {joined(drive, times, write)}"
+                         for times, write in (("*", language), (r" \, ", latex)))
+            yield text, tex
 
 
-def numeric_row(problem: "Problem", matrices: Any, i: int) -> "list[tuple[float, Node]]":
-    """[(coefficient, symbol node)] of a linear equation in numbers, of the matrices M, C, G, K."""
+def numeric_rows(problem: "Problem", matrices: Any) -> "list[list[tuple[float, Node]]]":
+    """[(coefficient, symbol node)] of each linear equation in numbers, of the matrices M, C, G, K {(i, j): number}."""
     scene, (M, C, G, K) = problem.scene, matrices
-    row = []
-    kinds = ((M,), scene.a), ((C, G), scene.v), ((K,), scene.q)
-    for parts, symbols in kinds:
-        for j, symbol in enumerate(symbols):
-            value = float(sum(matrix.get((i, j), 0.0) for matrix in parts))
-            if value:
-                row.append((value, symbol))
-    return row
+    rows: list[list[tuple[float, Node]]] = [[] for _ in scene.coordinates]
+    for parts, symbols in ((M, scene.a), (summed(C, G), scene.v), (K, scene.q)):
+        for i, j in sorted(parts):
+            if parts[i, j] and i < len(rows) and j < len(symbols):
+                rows[i].append((float(parts[i, j]), symbols[j]))
+    return rows
 
 
 def numeric_drive(problem: "Problem", equations: "EquationsOfMotion", i: int) -> "list[tuple[float, Node]]":

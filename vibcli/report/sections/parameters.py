@@ -7,6 +7,7 @@ from vibcli.base import units
 from vibcli.base.enumeration import listed
 from vibcli.language.record_calls import own
 from vibcli.report.blocks import Definition, Definitions, Name, Paragraph, Section, maths, paragraph, section, separated
+from vibcli.report.sections.mode_tables import passed_over, places_told
 from vibcli.report.sections.too_long import brief
 
 if TYPE_CHECKING:
@@ -50,16 +51,17 @@ def _record(problem, name, samples):
 
 
 def coordinates(problem: "Problem", _: "Report") -> Iterator[Section]:
-    items = [Definition((maths(Name(name)), f" [{unit(problem.system.dimension(name))}]"), words_of(problem, name))
-             for name in problem.scene.coordinates]
-    n = len(items)
+    names = list(problem.scene.coordinates)
+    n, told = len(names), places_told(len(names))
+    items = [Definition((maths(Name(names[i])), f" [{unit(problem.system.dimension(names[i]))}]"),
+                        words_of(problem, names[i])) for i in told]
     if problem.scene.held:
         yield from section("Freedom", *_no_freedom(problem))
         return
     degrees = f" ({n} degree{'s' if n != 1 else ''} of freedom)" if not problem.scene.pieces else \
         ", and those of places between which members move"
     yield from section("Generalised coordinates" + degrees,
-                       Definitions(tuple(items)) if items else None, *tied(problem.scene))
+                       Definitions(tuple(items)) if items else None, passed_over(len(told), n), *tied(problem.scene))
 
 
 def words_of(problem: "Problem", name: str) -> str:
