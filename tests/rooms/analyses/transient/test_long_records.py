@@ -223,6 +223,7 @@ ASKED = ("max(abs(x))", "argmax(abs(x))", "min(x*y)", "max(y')", "argmin(y)", "m
          "max(max(x, 2*y))", "steady(x)(2 s)", "transient(x)(2 s)", "max(T)")
 
 
+@pytest.mark.sweep
 def test_what_is_asked_of_a_scene_is_found_alike(monkeypatch, tmp_path):
     samples = short(jump=False)
     (tmp_path / "a.csv").write_text("".join(f"{t!r},{a!r}\n" for t, a in zip(samples.times, samples.values,
