@@ -32,10 +32,10 @@ test: $(BIN)/pytest
 	@$(MAKE) --no-print-directory -j 2 lint all
 	$(BIN)/vibcli check --quiet --jobs 2 problems
 
-chosen:
+chosen: $(BIN)/pytest
 	$(BIN)/pytest -q -n 2 -m "not sweep"
 
-all:
+all: $(BIN)/pytest
 	$(BIN)/pytest -q -n 2
 
 bench: $(BIN)/vibcli

@@ -71,17 +71,15 @@ def exact(matrices, samples, shares, marks, start=(0.01, -0.02)):
         A[2 + i, 4] = push[i]
         for j in range(2):
             A[2 + i, j], A[2 + i, 2 + j] = -left[i, j], -drag[i, j]
-    z = mp.matrix([mpf(start[0]), mpf(start[1]), 0, 0, 0, 0])
+    state, rates = [mpf(start[0]), mpf(start[1]), mpf(0), mpf(0)], A.tolist()[2:4]
     for k in range(marks[-1] + 1):
-        z[4], z[5] = mpf(samples.values[k]), 0
         if k in marks:
-            rate = A * z
-            yield k, ([z[0], z[1]], [z[2], z[3]], [rate[2], rate[3]])
+            yield k, (state[:2], state[2:], [mp.fdot(row, [*state, mpf(samples.values[k]), 0]) for row in rates])
         h = samples.times[k + 1] - samples.times[k]
         if h not in known:
-            known[h] = mp.expm(A * mpf(h))
-        z[5] = (mpf(samples.values[k + 1]) - mpf(samples.values[k])) / mpf(h)
-        z = known[h] * z
+            known[h] = mp.expm(A * mpf(h)).tolist()[:4]
+        f, rise = mpf(samples.values[k]), (mpf(samples.values[k + 1]) - mpf(samples.values[k])) / mpf(h)
+        state = [mp.fdot(row, [*state, f, rise]) for row in known[h]]
 
 
 @pytest.mark.parametrize("steps", ["even", "uneven"])
