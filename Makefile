@@ -1,19 +1,21 @@
-# make solve: install into .venv and solve a problem.  make quick: tests without sweeps over many scenes, in under four minutes.
-# make test: everything that must hold, as CI runs it.  make lint: style and types.  make bench: speed and error.
+# make solve: install into .venv and solve a problem.  make lint: style and types.  make bench: speed and error.
+# make quick: lint and tests without sweeps: one problem a chapter, one case of each test of rooms and commands.
+# make test: everything that must hold, as CI runs it; style and types are checked beside the tests.
 PYTHON ?= python3
 BIN := .venv/bin
+INSTALL := $(BIN)/python -m pip install --no-compile --quiet --disable-pip-version-check
 PROBLEM ?= problems/6_two_degrees/cart_with_pendulum.yaml
 
-.PHONY: solve quick test lint bench clean
+.PHONY: solve quick test lint chosen all bench clean
 
 $(BIN)/vibcli: pyproject.toml
 	$(PYTHON) -m venv .venv
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e .
+	$(INSTALL) -e .
 	$(BIN)/python -m compileall -q vibcli
 	@touch $@
 
 $(BIN)/pytest: pyproject.toml $(BIN)/vibcli
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e ".[test]"
+	$(INSTALL) -e ".[test]"
 	@touch $@
 
 solve: $(BIN)/vibcli
@@ -23,15 +25,21 @@ lint: $(BIN)/pytest
 	$(BIN)/ruff check vibcli tests
 	$(BIN)/mypy
 
-quick: lint
-	$(BIN)/pytest -q -n 2 -m "not sweep"
+quick: $(BIN)/pytest
+	@$(MAKE) --no-print-directory -j 2 lint chosen
 
-test: lint
-	$(BIN)/pytest -q -n 2
+test: $(BIN)/pytest
+	@$(MAKE) --no-print-directory -j 2 lint all
 	$(BIN)/vibcli check --quiet --jobs 2 problems
 
+chosen: $(BIN)/pytest
+	$(BIN)/pytest -q -n 2 -m "not sweep"
+
+all: $(BIN)/pytest
+	$(BIN)/pytest -q -n 2
+
 bench: $(BIN)/vibcli
-	-$(BIN)/python -m pip install --quiet --disable-pip-version-check -e ".[bench]"
+	-$(INSTALL) -e ".[bench]"
 	$(BIN)/python -m vibcli.bench
 
 clean:

@@ -1,7 +1,8 @@
-"""Which tests are sweeps, that `make quick` leaves out: hostile and random scenes, and of the tests with a problem file
-each those of all but one file in a chapter; what takes half a second is marked where it stands. Each process has one
-thread: those of small matrices wait for one another where several processes share the cores; and it seldom looks for
-garbage, among what was collected never, as eleven thousand tests and what they import are looked through each time."""
+"""Which tests are sweeps, that `make quick` leaves out: hostile and random scenes; of the tests with a problem file
+those of all but one file in a chapter; of the other tests of rooms and commands with several cases all but the first
+case; what takes half a second is marked where it stands. Each process has one thread: those of small matrices wait for
+one another where several processes share the cores; and it seldom looks for garbage, among what was collected never, as
+eleven thousand tests and what they import are looked through each time."""
 
 import gc
 import os
@@ -13,21 +14,28 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")      # before NumPy is import
 
 TESTS = Path(__file__).parent
 PROBLEMS = sorted(TESTS.parent.glob("problems/*/*.yaml"))
-ONE_A_CHAPTER = {path.parent: path.stem for path in reversed(PROBLEMS)}.values()
-SWEPT = {path.stem for path in PROBLEMS} - set(ONE_A_CHAPTER)
+ALL = {path.stem for path in PROBLEMS}
+ONE_CASE = {"rooms", "commands"}
+ONE_A_CHAPTER = set({path.parent: path.stem for path in reversed(PROBLEMS)}.values())
 
 
-def of_problems_swept(item):
-    """Is it a test with a file of problems/, by path or by name, that is not the first of its chapter?"""
+def files_of_problems(item):
+    """The stems of the files of problems/ that a test has, by path or by name."""
     values = item.callspec.params.values() if hasattr(item, "callspec") else ()
-    return any((value.stem if isinstance(value, Path) else value) in SWEPT
-               for value in values if isinstance(value, (Path, str)))
+    stems = {value.stem if isinstance(value, Path) else value for value in values if isinstance(value, (Path, str))}
+    return stems & ALL
 
 
 def pytest_collection_modifyitems(items):
+    met = set()     # tests of which one case was met
     for item in items:
-        if TESTS / "fuzz" in item.path.parents or of_problems_swept(item):
+        stems = files_of_problems(item)
+        test = item.path, getattr(item, "originalname", item.name)
+        another = not stems and test in met and item.path.relative_to(TESTS).parts[0] in ONE_CASE
+        if TESTS / "fuzz" in item.path.parents or not stems <= ONE_A_CHAPTER or another:
             item.add_marker(pytest.mark.sweep)
+        if not stems:
+            met.add(test)
 
 
 def pytest_collection_finish():

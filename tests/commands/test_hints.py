@@ -70,6 +70,7 @@ def test_what_is_named_exists():
             assert page is None or page[1] in words() or "{…}" in rest, f"{path.name}:{line}: explain {page[1]}"
 
 
+@pytest.mark.sweep
 def test_many_are_named():
     named = [found for path in FILES for _, text in texts(path) for found in OPTION.findall(text)]
     called = [found for path in FILES for _, text in texts(path) for found in COMMAND.findall(text)]
@@ -86,6 +87,7 @@ def test_hints_name_options_of_the_command_that_prints_them():
 REPORTED = {"--digits", "--json", "--of", "--steps"}     # in answers to these, and in reports, which have them
 
 
+@pytest.mark.sweep
 def test_hints_from_within_can_be_followed_in_every_command():
     """What is refused while scenes are solved is told by `check` too: the options that it names are there."""
     for path in FILES:

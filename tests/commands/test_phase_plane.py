@@ -34,6 +34,7 @@ def test_it_stands_in_the_terminal(scene, capsys, monkeypatch):
     assert "it comes back after" in out
 
 
+@pytest.mark.sweep
 def test_it_is_written_once(scene, capsys, tmp_path):
     target = tmp_path / "plane.svg"
     assert run(["response", scene, "--phase-plane", "--save", str(target)]) == 0

@@ -89,5 +89,6 @@ def test_the_value_is_found_again(path):
         assert values == sorted(values)
 
 
+@pytest.mark.sweep
 def test_how_many_were_swept():
     assert sum(len(collected(path)) for path in PROBLEMS) >= 45

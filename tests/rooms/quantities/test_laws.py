@@ -95,6 +95,7 @@ def test_cardanos_formula():
         assert abs(eval(text, {**values, "D": mpmath.mpf("0.1")}) / exact - 1) < 1e-25
 
 
+@pytest.mark.sweep
 def test_more_digits_of_a_nested_chain(tmp_path, capsys):
     (tmp_path / "chain.yaml").write_text(NESTED)
     assert run(["frequencies", "--digits", "25", str(tmp_path / "chain.yaml")]) == 0

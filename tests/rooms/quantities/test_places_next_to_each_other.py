@@ -74,6 +74,7 @@ def test_steady_state(apart):
         assert abs(found - exact) <= error * exact and error < 1e-9
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("apart", ["0.01", "1e-6"])
 def test_peak(apart):
     with mpmath.workdps(40):
@@ -84,6 +85,7 @@ def test_peak(apart):
         assert abs(value - exact) <= 2 * error * exact + 1e-12 * exact and max(beside) < exact
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("apart", ["1e-3", "1e-6"])
 def test_natural_frequencies_in_floats(apart):
     """Of the bare beam with its mass and spring: the determinant of transfer matrices changes its sign within them."""

@@ -44,6 +44,7 @@ def test_a_value_before_anything_comes_back(long_one):
         assert error <= 1e-12 or not expected
 
 
+@pytest.mark.sweep
 def test_later_ones_are_those_of_a_motion_that_ends_soon(long_one):
     short = problem(SCENE % "2 s")
     assert short.response.KIND == "waves"

@@ -81,6 +81,7 @@ def test_quantities_to_digits():
                     assert abs(two - exact(mpmath.mpf(10) ** 6)) <= 1e-11
 
 
+@pytest.mark.sweep
 def test_twelve_right_digits_are_printed_and_mpmath_stays_out_without_need(tmp_path):
     path = tmp_path / "scene.yaml"
     program = ("import sys\nfrom vibcli.cli import main\ntry:\n    main(sys.argv[1:])\nexcept SystemExit:\n    pass\n"

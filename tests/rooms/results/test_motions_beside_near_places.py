@@ -44,6 +44,7 @@ def _few_modes(monkeypatch):
     monkeypatch.setattr(modal_response, "FIRST", 32)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("apart, tip", [("1e-5", DAMPED), ("1e-3", "")])
 def test_shears_jump_by_what_is_held(apart, tip):
     one = beam(apart, tip)

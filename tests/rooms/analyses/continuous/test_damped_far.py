@@ -26,6 +26,7 @@ def test_a_bar_with_an_end_damper(r):
     assert modes.count(100.0) == sum(abs(value) <= 100.0 for value in exact(r, 60))
 
 
+@pytest.mark.sweep
 def test_all_up_to_far():
     found = source(bar(0.5)).numbered(1, 700)
     assert [mode.index for mode in found] == list(range(1, 701))
@@ -50,6 +51,7 @@ def test_a_cantilever_with_a_damper_by_mpmath():
             assert abs(value.real - mode.eigenvalue.real) <= 1e-6
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("seed", [0, 24, 42])
 def test_as_those_found_with_all_below(seed, monkeypatch):
     draw, system = random.Random(seed), random_members(seed)

@@ -45,6 +45,7 @@ def test_every_antiresonance_of_what_is_cut_off(output, driven):
     assert found == pytest.approx(exact, rel=1e-6)
 
 
+@pytest.mark.sweep
 def test_what_floats_do_not_hold_is_no_antiresonance():
     """From end to end H = (k + sc)ⁿ⁻¹/det has no zero but far on the left; right of its poles it falls below the least
     float."""

@@ -141,6 +141,7 @@ def test_peaks_and_zeros_of_a_cantilever():
     assert found.antiresonance(12) == pytest.approx(ROOT * (12.25 * math.pi) ** 2, rel=1e-12)
 
 
+@pytest.mark.sweep
 def test_zeros_elsewhere_by_the_argument_principle():
     """Seen at x, a clamped bar that is driven at its end has no zero but those of sin(kx) that are no poles."""
     text = """
@@ -156,6 +157,7 @@ def test_zeros_elsewhere_by_the_argument_principle():
     assert len(curve(text, "rod.force(0 m)").antiresonances) == 0
 
 
+@pytest.mark.sweep
 def test_damped_peaks():
     """Each is a maximum that is higher than beside it, one to each natural frequency."""
     found = curve(TWO, "arm.u(L)", "at_two")

@@ -41,6 +41,7 @@ def refusal(model, asked):
     return str(refused.value)
 
 
+@pytest.mark.sweep
 def test_a_chain_by_its_closed_form(held):
     for i in (1, 2, 10, 57):
         omega = held[f"omega[{i}]"]
@@ -55,6 +56,7 @@ def test_a_chain_by_its_closed_form(held):
     assert np.allclose(shape, [float(x / exact[0]) for x in exact], rtol=1e-9)
 
 
+@pytest.mark.sweep
 def test_a_free_chain_has_one_rigid_mode():
     model = vibcli.load(chain(held=False))
     assert (model["omega[1]"].value, model["omega[1]"].error) == (0.0, 0.0)
@@ -62,6 +64,7 @@ def test_a_free_chain_has_one_rigid_mode():
     assert model["mode[1][x9]"].value == pytest.approx(1.0, rel=1e-10)
 
 
+@pytest.mark.sweep
 def test_a_spring_that_drives_away():
     """k < 0 to the ground: λ² of cosh, from the condition at the end of the chain."""
     scene = chain()
@@ -90,12 +93,14 @@ def test_what_needs_all_coordinates_at_once_is_refused_by_name(held):
     assert held["K[x1, x2]"].value == -1000
 
 
+@pytest.mark.sweep
 def test_dampers_leave_the_natural_modes():
     model = vibcli.load(chain(dampers={"d": {"c": "3 N*s/m", "between": ["ground", "b1"]}}))
     assert abs(model["omega[1]"].value / closed_form(1) - 1) < 1e-13
     assert "the search for damped modes needs dense matrices" in refusal(model, "zeta[1]")
 
 
+@pytest.mark.sweep
 def test_given_damping_leaves_the_natural_modes():
     model = vibcli.load(chain(damping={"modal": "0.02"}))
     assert abs(model["omega[1]"].value / closed_form(1) - 1) < 1e-13
@@ -103,6 +108,7 @@ def test_given_damping_leaves_the_natural_modes():
     assert "`damping:` needs dense matrices" in refusal(model, "stable")
 
 
+@pytest.mark.sweep
 def test_a_coordinate_without_inertia_is_refused():
     scene = chain()
     del scene["bodies"]["b7"]["mass"]
@@ -119,6 +125,7 @@ def test_a_scene_whose_parts_move_with_all_coordinates_keeps_the_old_limit():
         vibcli.load({"bodies": links})
 
 
+@pytest.mark.sweep
 def test_the_command_tells_the_lowest_and_their_count(tmp_path, capsys):
     lines = ["bodies:"] + [f"  b{i}: {{mass: 1 kg, slide: x{i}}}" for i in range(1, N + 1)] + ["springs:"]
     lines += [f"  s{i}: {{k: 1 kN/m, between: [{f'b{i - 1}' if i > 1 else 'ground'}, b{i}]}}" for i in range(1, N + 1)]
@@ -164,6 +171,7 @@ def test_slices_agree_with_dense_matrices():
     assert source.counted_above(found[9]) == 10
 
 
+@pytest.mark.sweep
 def test_element_data_take_no_scipy():
     code = ("import sys, vibcli; m = vibcli.load({'bodies': {f'b{i}': {'mass': '1 kg', 'slide': f'x{i}'} for i in "
             "range(2100)}, 'springs': {f's{i}': {'k': '1 N/m', 'between': ['ground', f'b{i}']} for i in range(2100)}})"

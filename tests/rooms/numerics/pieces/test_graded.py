@@ -50,6 +50,7 @@ def halves(piece, x):
             piece._replace(length=piece.length - x, tension=piece.tension + piece.gradient * x))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("seed", range(2))
 def test_two_parts_make_the_whole(seed):
     for piece, kappa in graded(seed, 30):
