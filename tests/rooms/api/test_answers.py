@@ -12,7 +12,7 @@ from vibcli.check.verdicts import check
 from vibcli.cli import run
 from vibcli.notation.scene_language import unit_in_scene
 
-PROBLEMS = sorted((Path(__file__).parents[3] / "problems").rglob("*.yaml"))
+PROBLEMS = sorted((Path(__file__).parents[3] / "problems").glob("*/*.yaml"))
 MASS = """\
 # a block
 parameters: {m: 2 kg, k: 700 N/m, c: 9 N*s/m}   # as measured

@@ -14,7 +14,7 @@ from vibcli.mechanics.lagrange import equation_of
 from vibcli.notation.plain import plain
 from vibcli.symbolic.evaluation import Floats, evaluate
 
-FILES = sorted((Path(__file__).parents[3] / "problems").rglob("*.yaml"))
+FILES = sorted((Path(__file__).parents[3] / "problems").glob("*/*.yaml"))
 INCLINE = """
 parameters: {m1: {value: 2 kg}, m2: {value: 1 kg}, J: {value: 0.1 kg*m^2}, r: {value: 0.1 m}, alpha: {value: 0.5},
              a: {value: 2 m}, k: {value: 90 N/m}, g: {value: 9.81 m/s^2}}
