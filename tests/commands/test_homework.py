@@ -31,6 +31,13 @@ def course(tmp_path, monkeypatch):
     return tmp_path
 
 
+@pytest.fixture(autouse=True)
+def pages(request, monkeypatch):
+    """Sheets are pages, but for the tests of paper."""
+    if not request.node.name.startswith("test_paper"):
+        monkeypatch.setattr("vibcli.homework.paper.find_spec", lambda name: None)
+
+
 def homework(*options, file="block.yaml", out="out"):
     return run(["homework", file, "-o", out, "--students", "roster.csv", "--salt-file", "salt", *options])
 
@@ -151,3 +158,21 @@ def test_manifests_that_are_none(course, capsys):
         assert run(["grade", "m.json", "--student", "s1", "--answer", "x=1"]) == 3
         assert said in capsys.readouterr().err
     assert run(["grade", "nowhere.json", "--student", "s1"]) == 3
+
+
+def test_paper(course):
+    """PDF: read back, its pages, no key in it, the same bytes again."""
+    pytest.importorskip("typst")
+    pypdf = pytest.importorskip("pypdf")
+    assert homework() == 0 and homework(out="again") == 0
+    assert files(course / "out") == files(course / "again")
+    manifest = json.loads((course / "out" / "instructor" / "manifest.json").read_text(encoding="utf-8"))
+    variants = {one["variant"]: one for one in manifest["problems"][0]["variants"]}
+    for student in manifest["students"]:
+        read = pypdf.PdfReader(course / "out" / "student" / f"{student['id']}.pdf")
+        found = variants[student["sheets"][0]["variant"]]
+        text = "\n".join([*map(str, (read.metadata or {}).values()), *(page.extract_text() for page in read.pages)])
+        assert len(read.pages) == 1 and leak(text, [key["value"] for key in found["keys"]], ["a secret text"]) is None
+        assert all(value.split()[0] in text for value in found["values"].values()) and "omega_d[1]" in text
+        key = pypdf.PdfReader(course / "out" / "instructor" / "keys" / f"block-{found['variant']}.pdf")
+        assert leak("\n".join(page.extract_text() for page in key.pages), [found["keys"][0]["value"]], []) is not None

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from importlib.util import find_spec
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.report.formats import html
 
@@ -29,9 +29,9 @@ class Paper:
     suffix = ".pdf"
 
     def __init__(self) -> None:
-        from typst import Compiler  # type: ignore[import-not-found]
+        from typst import Compiler
 
-        self._compiler = Compiler(ignore_system_fonts=True)
+        self._compiler: Any = Compiler(ignore_system_fonts=True)
         self._drawn: dict[int, tuple[Picture, bytes]] = {}
 
     def data(self, documents: "Sequence[Document]") -> bytes:

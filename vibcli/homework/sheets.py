@@ -1,11 +1,13 @@
 """Sheets as documents of reports: the student's, with the question and its values, and the key with its solution."""
 
+import re
 from collections.abc import Sequence
 from string import ascii_lowercase
 from typing import TYPE_CHECKING
 
 from vibcli.notation.as_printed import as_printed
 from vibcli.notation.numbers import figure, in_figures
+from vibcli.notation.plain import plain
 from vibcli.quantities.quantity import quantity_of
 from vibcli.report.blocks import (
     Definition,
@@ -56,17 +58,28 @@ def _asked(handout, variant):
     rows = []
     for number, (key, points, one) in enumerate(zip(handout.keys, handout.points, variant.keys, strict=True)):
         quantity = quantity_of(handout.base.spec, key.asked.tree)
-        about = quantity.about.partition(";")[0].partition(":")[0] if quantity else "this expression"
+        about = _about(quantity, key.asked.tree) if quantity else "this expression"
         rows.append((f"({ascii_lowercase[number]})", about, key.text, as_printed(key.unit) or "–",
-                     str(one.band.figures), figure(points)))
+                     str(one.band.figures), figure(points, digits=3)))
     return section("Asked", TableBlock(("", "what", "written as", "unit", "figures", "points"), tuple(rows)))
+
+
+def _about(quantity, tree):
+    """What a quantity is, in words, with the number of its mode and the name of what moves."""
+    about = re.split("[;:,]", quantity.about)[0]
+    if tree.indices:
+        number = f"mode {tree.indices[0]}"
+        about = about.replace("damped mode i", f"damped {number}").replace("mode i", number)
+        about = about.replace("a coordinate or signal", plain.symbol(tree.indices[0]) if tree.indices[0].isidentifier()
+                              else tree.indices[0])
+    return about
 
 
 def key_sheet(handout: "Handout", number: int) -> Document:
     """The key of a variant with its worked solution: right answers, how far they may be off, what mistakes give."""
     variant = handout.variants[number]
     rows = [(key.text, in_figures(one.value, one.band.figures), as_printed(key.unit) or "–",
-             f"± {figure(one.band.width, digits=2)}", figure(points))
+             f"± {figure(one.band.width, digits=2)}", figure(points, digits=3))
             for key, points, one in zip(handout.keys, handout.points, variant.keys, strict=True)]
     wrong = [(wrong.mistake, key.text, in_figures(wrong.value, one.band.figures), handout.sentences[wrong.mistake])
              for key, one in zip(handout.keys, variant.keys, strict=True) for wrong in one.wrong]

@@ -23,16 +23,20 @@ HOMEWORK = [
         ("ask", "what is asked, in which unit, for how many points; what `answers` ask that is a number unless given"),
         ("figures", "An answer is asked to three figures; where the band of a mistake would meet that of the key, to "
          "four, then to five. A variant in which that does not help is rejected."),
+        ("bands", "how far a right answer may lie from its key: what rounding to these figures does along the lines of "
+         "the worked solution, in 99 of 100 cases, by the slopes of the key along them; half a per cent where no line "
+         "tells the key; `rtol` in `ask` overrides. A variant whose band is wider than 2 % is rejected."),
         ("mistakes", "those that `vibcli explain mistakes` lists, as far as they concern the scene, and parts of the "
          "scene, merged over it as cases are, and solved anew: `weight forgotten: {gravity: 0}`; wrong values by other "
          "quantities: `natural for damped: {answers: {\"omega_d[1]\": \"omega[1]\"}}`. One that leads to the key in "
-         "every variant is told and left out."),
+         "every variant is told and left out; `damped for natural: off` switches one of the list off."),
         ("sample", "so many candidates of a larger grid, the same ones on every machine"),
     ],
     "`vibcli homework SET -o FOLDER` hands out a problem file, a folder of them or a `set.yaml`, to the students of a "
     "roster (`--students roster.csv`), by a secret text (`--salt-file F`): under `student/` a sheet for each student, "
     "under `instructor/` the key of each variant with its worked solution, `keys.csv`, an overview and "
-    "`manifest.json`. `--paper N` numbers sheets instead.",
+    "`manifest.json`. `--paper N` numbers sheets instead. Sheets are PDF where `vibcli[homework]` is installed, else "
+    "HTML pages.",
     [
         ("set.yaml", "`{title: Week 3, course: Dynamics, due: Friday, problems: [lever.yaml, {file: shafts.yaml, case: "
          "stiff, points: 4}, {file: more, pick: 2}]}`: of a folder each student gets so many problems"),
