@@ -89,12 +89,12 @@ def test_amplitudes_of_shapes_are_read_back():
     for _ in range(100):
         found = [[draw.choice([0.0, 1e-15, 1.0, -1.0, draw.uniform(-1, 1) * 10 ** draw.uniform(-9, 3)]) for _ in names]
                  for _ in range(3)]
-        table, = shapes(names, [1, 2, 3], found)
+        table, _ = shapes(names, [1, 2, 3], found)
         for i, (_, *row) in enumerate(table.rows):
             assert [float(text) for text in row] == pytest.approx([shape[i] for shape in found], rel=5.1e-6, abs=1e-12)
         turned = [[cmath.rect(size, draw.choice([0.0, math.pi, draw.uniform(-3, 3)])) for size in shape]
                   for shape in found]
-        table, = shapes(names, [1, 2, 3], turned, polar)
+        table, _ = shapes(names, [1, 2, 3], turned, polar)
         for i, (_, *row) in enumerate(table.rows):
             parts = [[float(part.strip(" °")) for part in f"{text}∠0".split("∠")[:2]] for text in row]
             assert [cmath.rect(size, math.radians(angle)) for size, angle in parts] == pytest.approx(

@@ -42,20 +42,12 @@ def _one(text, at, write):
         return write.functional(token["letter"]), at
     if token["letter"]:
         return write.lettered(token["letter"], token["word"] or (token["digits"] or "").translate(_DIGITS), ""), at
-    if (end := _raised_group(text, token.start())) is not None:
-        return write.brackets(read(text[at:end], write)), end + 1
     if kind == "root":
         found, at = _argument(text, at, write)
         return write.sqrt(found), at
     if token["operator"] == "(" and (end := closing(text, at - 1)) is not None:
         return write.flat(read(text[at:end], write)), end + 1
     return (write.gap(len(token["gap"])) if kind == "gap" else write.operator(token["operator"])), at
-
-
-def _raised_group(text, at):
-    """Where the brackets close that open at a place, if a power of them follows: (1 − r²)²."""
-    end = closing(text, at) if text.startswith("(", at) else None
-    return end if end is not None and (_RAISED.match(text, end + 1) or text.startswith("^", end + 1)) else None
 
 
 def _argument(text, at, write):

@@ -3,8 +3,8 @@ browsers stretch none, and set fractions by rules of text. 4 kB, embedded, so th
 
 From STIX Two Math 2.13, Copyright 2001-2021 The STIX Fonts Project Authors (https://github.com/stipub/stixfonts), under
 the SIL Open Font License 1.1 (https://openfontlicense.org), as the font itself says too: the glyphs of "()|√ ∫∑" with
-their variants and the MATH table, as `fontTools.subset` leaves them (`--text="()|√ ∫∑" --layout-features= --no-hinting
---name-IDs=0,1,2,3,4,6,13,14 --flavor=woff`).
+their variants and the MATH table, as `fontTools.subset` leaves them (as woff, without layout features, hints
+and all names but those of the font itself).
 """
 
 FONT = (

@@ -8,8 +8,8 @@ from vibcli.report.formats.bracket_font import FONT
 
 FONTS = '"Latin Modern Math", "STIX Two Math", "Cambria Math", '        # for mathematics: what is installed is better
 STYLE = f"""
-@font-face {{ font-family: "vibcli brackets"; src: url("data:font/woff;base64,{FONT}") format("woff"); }}
-math {{ font-family: {FONTS}"vibcli brackets", math; }}
+@font-face {{ font-family: "Brackets of vibcli"; src: url("data:font/woff;base64,{FONT}") format("woff"); }}
+math {{ font-family: {FONTS}"Brackets of vibcli", math; }}
 """ + """
 :root { color-scheme: light dark; --rule: color-mix(in srgb, currentColor 25%, transparent); }
 body { max-width: 60rem; margin: 2rem auto; padding: 0 1rem; font: 1rem/1.5 "Latin Modern Roman", Georgia, serif;
