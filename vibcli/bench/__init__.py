@@ -21,4 +21,5 @@ PARTS = {
     "extremes": "extremes of full motions",
     "members": "beams, their frequencies and frequency responses",
     "sweeps": "quantities over a parameter",
+    "homework": "variants of a problem with all gates, and sheets for students",
 }

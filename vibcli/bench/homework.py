@@ -1,0 +1,82 @@
+"""Homework: variants of a problem with four keys, mistakes, bands and all gates, against as many scenes read anew; and
+sheets for students, with keys and worked solutions."""
+
+import json
+from statistics import median
+from time import process_time
+from typing import Any
+
+from vibcli.bench.processes import answer
+from vibcli.bench.rows import Timing
+
+QUARTER_CAR = """title: Quarter of a car
+question: A wheel {mu} on a tyre {kt} carries a body {ms} on a spring {ks} and a damper {c}.
+parameters: {mu: 40 kg, ms: 300 kg, kt: 180 kN/m, ks: 20 kN/m, c: 1200 N*s/m}
+bodies: {wheel: {mass: mu, slide: x1}, body: {mass: ms, slide: x2}}
+springs: {tyre: {k: kt, between: [ground, wheel]}, s: {k: ks, between: [wheel, body]}}
+dampers: {d: {c: c, between: [wheel, body]}}
+variants:
+  parameters:
+    mu: {from: 30 kg, to: 48 kg, step: 2 kg}
+    ms: {from: 250 kg, to: 430 kg, step: 20 kg}
+    ks: {from: 16 kN/m, to: 25 kN/m, step: 1 kN/m}
+  ask: {"omega_d[1]": rad/s, "omega_d[2]": rad/s, "zeta[1]": , "zeta[2]": }
+  without: [regime]
+"""
+COUNT, ALONE, STUDENTS = 1000, 20, 20
+GATE = 0.35         # of as many scenes read anew
+
+
+def rows(runs: Any) -> list[Timing]:
+    """Milliseconds of all variants with scenes read anew as the baseline, of a tenth of them, of sheets."""
+    ours, tenth, anew, sheets, accepted = json.loads(answer("from vibcli.bench.homework import main; main()", runs))
+    case = f"{COUNT} variants of two degrees, four keys, mistakes, bands, gates"
+    return [Timing(case, ours, "ms", GATE, "as many read anew, keys alone", anew),
+            Timing("  a variant, beside one of a tenth of them", ours / COUNT, "ms", None, "", 10 * tenth / COUNT),
+            Timing("  of these are accepted", accepted, "", None),
+            Timing(f"  {STUDENTS} sheets with keys and worked solutions, a sheet", sheets / STUDENTS, "ms", None)]
+
+
+def main() -> None:
+    """Child process: print [ms of all variants, of a tenth, of as many scenes read anew, of sheets, how many are
+    accepted]."""
+    import sys
+
+    from vibcli.api.source import problem_of, text_source
+    from vibcli.homework.assignment import assigned
+    from vibcli.homework.course import Course, CoursePart, CourseProblem
+    from vibcli.homework.document import SceneDocument
+    from vibcli.homework.folder import files
+    from vibcli.homework.handout import Handout
+    from vibcli.homework.paper import Pages
+    from vibcli.homework.roster import numbered
+    from vibcli.homework.variants import solve_variants
+
+    def solved(text):
+        source = text_source(text)
+        document = SceneDocument.of(source.node, source.file, None)
+        start = process_time()
+        found = solve_variants(problem_of(source), document)
+        return process_time() - start, found, document
+
+    few = f"{QUARTER_CAR}  sample: {COUNT // 10}\n"
+    solved(few)
+    ours = [solved(QUARTER_CAR) for _ in range(int(sys.argv[1]))]
+    tenth = median(solved(few)[0] for _ in range(int(sys.argv[1])))
+    _, found, document = ours[0]
+    start = process_time()
+    for variant in found.accepted[:ALONE]:
+        fresh = document.anew(variant.values)
+        for key in found.keys:
+            key.value(fresh)
+    anew = (process_time() - start) * COUNT / ALONE
+    problem = CourseProblem("car", "car.yaml")
+    handout = Handout.of(problem, found, document, QUARTER_CAR)
+    students = numbered(STUDENTS)
+    numbers = assigned(b"a secret text", "car", students, len(found.accepted))
+    sheets = [(student, [(handout, number)]) for student, number in zip(students, numbers, strict=True)]
+    course = Course("Week 1", "", "", (CoursePart((problem,), 1),))
+    start = process_time()
+    list(files(course, [handout], sheets, 1, "a secret text", Pages(), lambda part: None))
+    print(json.dumps([1e3 * median(one[0] for one in ours), 1e3 * tenth, 1e3 * anew, 1e3 * (process_time() - start),
+                      len(found.accepted)]))
