@@ -77,7 +77,8 @@ def _eliminated(released, symbols, slopes, parts):
 def _shortest_rows(released, slopes, parts):
     """(equations, multipliers) of a largest regular system of the E_q + Σ λ_k ∂G_k/∂q = 0, of the shortest E_q."""
     scene, n = released.scene, len(released.real)
-    at = {**scene.sample, **dict.fromkeys((q.name for q in released.held), 0.0), scene.time.name: 0.0}
+    at = {**scene.sample, **dict.fromkeys((q.name for q in released.held), 0.0), **_beside(released, 1),
+          scene.time.name: 0.0}
     sizes = [evaluate(row[:n], Floats, at) for row in slopes]
     rows, picked = [], []
     for i in sorted(range(n), key=lambda i: letters(parts[i])):
@@ -98,10 +99,14 @@ def _steady_slope(released, node):
     scene = released.scene
     values = []
     for attempt in range(3):
-        at = {q.name: 0.01 * (attempt + 1) * (-1) ** i * scene.unit_of(q.name) for i, q in enumerate(released.real)}
-        start = {q.name: scene.number(q) for q in released.real}
-        at = {name: start[name] + shift for name, shift in at.items()}
-        values += evaluate([node], Floats, {**scene.sample, **dict.fromkeys((q.name for q in released.held), 0.0), **at,
-                                            scene.time.name: 0.0})
+        values += evaluate([node], Floats, {**scene.sample, **dict.fromkeys((q.name for q in released.held), 0.0),
+                                            **_beside(released, attempt + 1), scene.time.name: 0.0})
     whole = round(values[0]) if values[0] == values[0] else 2
     return scene.table.number(whole) if abs(whole) <= 1 and all(abs(v - whole) <= 1e-12 for v in values) else node
+
+
+def _beside(released, steps):
+    """{coordinate: a number some hundredths of the figure beside the drawn one}."""
+    scene = released.scene
+    return {q.name: scene.number(q) + 0.01 * steps * (-1) ** i * scene.unit_of(q.name)
+            for i, q in enumerate(released.real)}
