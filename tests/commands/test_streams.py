@@ -37,6 +37,13 @@ pytestmark = pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")
 def imported(tmp_path_factory):
     """What the commands import, once for all processes."""
     folder = tmp_path_factory.mktemp("once")
+    with pytest.MonkeyPatch.context() as patch:         # a compiler with threads does not survive a fork: pages do
+        patch.setattr("vibcli.homework.paper.find_spec", lambda name: None)
+        _import_all(folder)
+        yield
+
+
+def _import_all(folder):
     before = Path.cwd()
     os.chdir(folder)
     beside(folder)

@@ -136,14 +136,14 @@ def _write(folder, force, course, handouts, assigned, attempt, salt):
     from vibcli.homework.paper import paper
 
     on = paper()
-    if on.suffix != ".pdf":
-        click.echo("sheets are HTML pages; PDF needs the extra homework: pip install 'vibcli[homework]'", err=True)
     work = handouts[0].base.work
     with work.task("the sheets") as task:
         count = write_folder(folder, files(course, handouts, assigned, attempt, salt, on, task.step), force)
     shared = sum(one.accepted for one in handouts)
     click.echo(f"{len(assigned)} sheets of {len(handouts)} problem{'s' * (len(handouts) > 1)} with {shared} variants: "
                f"{count} files in {os.fspath(folder)}")
+    if on.suffix != ".pdf":
+        click.echo("They are HTML pages; PDF needs the extra homework: pip install 'vibcli[homework]'")
     return 0
 
 
