@@ -1,7 +1,8 @@
 """A process that solves scenes for the page, so that the server answers, and an interrupt ends it, whatever it does."""
 
 import signal
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from multiprocessing import get_context
 from typing import Any, NamedTuple
 
@@ -32,8 +33,10 @@ class Solver:
         if self.process is None or not self.process.is_alive():
             context = get_context("spawn")      # no thread of the server lives on in a copy
             self.ours, theirs = context.Pipe()
-            self.process = context.Process(target=_serve, args=(theirs,), daemon=True)
-            self.process.start()
+            process = context.Process(target=_serve, args=(theirs,), daemon=True)
+            with _interrupts_held():
+                process.start()
+                self.process = process
             theirs.close()
         self.ours.send(job)
         self.busy = True
@@ -56,6 +59,19 @@ class Solver:
             self.process.join()
             self.ours.close()
         self.process, self.busy = None, False
+
+
+@contextmanager
+def _interrupts_held() -> Iterator[None]:
+    """An interrupt waits until this is done: half a process is none that can be ended."""
+    came = []
+    before = signal.signal(signal.SIGINT, lambda *_: came.append(True))
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+    if came:
+        raise KeyboardInterrupt
 
 
 def _serve(connection):
