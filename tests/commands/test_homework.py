@@ -160,6 +160,52 @@ def test_manifests_that_are_none(course, capsys):
     assert run(["grade", "nowhere.json", "--student", "s1"]) == 3
 
 
+def test_manifests_that_are_damaged(course, capsys):
+    """With any part of it taken out or of another kind: said, by its path, never a fault of ours."""
+    assert homework() == 0
+    path = course / "out" / "instructor" / "manifest.json"
+    whole = path.read_text(encoding="utf-8")
+    places = [("problems",), ("students",), ("problems", 0, "variants"), ("problems", 0, "scene"),
+              ("problems", 0, "variants", 0, "keys", 0, "value"), ("students", 0, "sheets", 0, "variant"),
+              ("problems", 0, "variants", 0, "keys", 0, "mistakes", 0, "name")]
+    for place in places:
+        for other in (None, "text", {}):
+            data = json.loads(whole)
+            *way, last = place
+            inner = data
+            for key in way:
+                inner = inner[key]
+            if isinstance(inner[last], type(other)):
+                continue
+            inner[last] = other
+            path.write_text(json.dumps(data), encoding="utf-8")
+            capsys.readouterr()
+            assert run(["grade", str(path), "--student", "s1", "--answer", "zeta[1]=1"]) == 3
+            assert run(["homework", str(path), "--from-manifest", "-o", "third"]) == 3
+            assert f"damaged: {place[0]}" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("text, said", [
+    ("omega_d[1],id\n5\n", "no id"), ("id,zeta[1],zeta[1]\ns1,1,2\n", "the column 'zeta[1]' stands twice"),
+    ("id,zeta[1]\ns1,1,2\n", "has 3 cells"), ("id,zeta[1]\ns1,1\ns1,2\n", "stand in line 2 already"),
+    ("id,zetta[1]\ns1,1\n", "does not ask for 'zetta[1]'"), ("zeta[1]\n1\n", "one of them is 'id'"),
+    ('id,zeta[1]\ns1,"' + "1" * 200_000 + '"\n', "cannot be read"), ("id,zeta[1]\ns9,1\n", "no student 's9'")])
+def test_answers_that_are_none(course, capsys, text, said):
+    assert homework() == 0
+    (course / "answers.csv").write_text(text, encoding="utf-8")
+    capsys.readouterr()
+    assert run(["grade", "out/instructor/manifest.json", "--csv", "answers.csv"]) == 3
+    assert said in capsys.readouterr().err
+
+
+def test_a_table_is_read_whole_or_not_at_all(course, capsys, monkeypatch):
+    assert homework() == 0
+    monkeypatch.setattr("vibcli.homework.tables.MAX_BYTES", 20)
+    (course / "answers.csv").write_text("id,zeta[1]\ns1,1\ns2,1\ns3,1\n", encoding="utf-8")
+    assert run(["grade", "out/instructor/manifest.json", "--csv", "answers.csv"]) == 3
+    assert "longer than 20 bytes" in capsys.readouterr().err
+
+
 def test_paper(course):
     """PDF: read back, its pages, no key in it, the same bytes again."""
     pytest.importorskip("typst")

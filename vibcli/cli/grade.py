@@ -3,7 +3,6 @@
 import csv
 import io
 from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
@@ -16,7 +15,6 @@ if TYPE_CHECKING:
     from vibcli.homework.marks import AnswerMark, Marker
 
 COLUMNS = "id", "problem", "quantity", "answer", "points", "of", "verdict", "mistake", "said"
-MAX_BYTES = 50 * 2**20
 
 
 @click.command("grade")
@@ -74,27 +72,21 @@ def _parted(answer):
 
 def _of_table(marker: "Marker", path: str) -> "list[AnswerMark]":
     """The marks of a table; SpecError with every line that is none."""
-    try:
-        data = Path(path).read_bytes()[:MAX_BYTES + 1]
-        text = data.decode("utf-8-sig")
-    except (OSError, UnicodeDecodeError) as error:
-        raise SpecError([Diagnostic(Where(path, 1, 1, 0), f"the answers cannot be read: {error}")]) from None
-    separator = ";" if ";" in text.partition("\n")[0] else ","
-    rows = list(csv.reader(io.StringIO(text), delimiter=separator))
-    heading = [cell.strip() for cell in rows[0]] if rows else []
-    if "id" not in heading:
-        raise SpecError([Diagnostic(Where(path, 1, 1, 0), "the first line names the columns, and one of them is 'id'",
-                                    "write for example: id,problem,omega[1]")])
-    found, wrong = [], []
-    for line, row in enumerate(rows[1:], 2):
-        if not any(cell.strip() for cell in row):
-            continue
-        cells = dict(zip(heading, (cell.strip() for cell in row), strict=False))
+    from vibcli.homework.tables import read_table
+
+    _, rows = read_table(path, "the answers")
+    found, wrong, seen = [], [], {}
+    for line, cells in rows:
         try:
-            name = marker.problem(cells["id"], cells.get("problem") or None)
-            answers = {marker.quantity(name, key): value for key, value in cells.items()
-                       if key not in ("id", "problem", "name") and value}
-            found += marker.marks(cells["id"], name, answers)
+            if "id" not in cells:
+                raise ValueError("these answers have no id")
+            student = cells["id"]
+            name = marker.problem(student, cells.get("problem"))
+            if (student, name) in seen:
+                raise ValueError(f"the answers of {student} to {name} stand in line {seen[student, name]} already")
+            seen[student, name] = line
+            found += marker.marks(student, name, {marker.quantity(name, key): value for key, value in cells.items()
+                                                  if key not in ("id", "problem", "name")})
         except ValueError as error:
             wrong.append(Diagnostic(Where(path, line, 1, 0), str(error)))
     if wrong:

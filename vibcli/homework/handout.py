@@ -5,7 +5,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from vibcli.homework.told import told
-from vibcli.homework.variants import ROUTES, ProblemVariant, SolvedVariants
+from vibcli.homework.variants import ProblemVariant, SolvedVariants, read_anew
 from vibcli.notation.numbers import in_figures
 from vibcli.report.document import Report
 
@@ -69,16 +69,9 @@ class Handout:
         return [section._replace(title="Figure (not to scale)") for section in report.sections]
 
     def problem(self, number: int) -> "Problem":
-        """The Problem of a variant, read anew from what is printed; RuntimeError, a fault of ours, where a key is not
-        the one that was found."""
+        """The Problem of a variant, read anew from what is printed, once."""
         if number not in self._read:
-            variant = self.variants[number]
-            fresh = self.document.anew(variant.values)
-            for key, one in zip(self.keys, variant.keys, strict=True):
-                value, error = key.value(fresh)
-                if abs(value - one.value) > ROUTES * abs(value) + error + one.error:
-                    raise RuntimeError(f"two ways to {key.text} differ, {value!r} and {one.value!r}")
-            self._read[number] = fresh
+            self._read[number] = read_anew(self.document, self.keys, self.variants[number])
         return self._read[number]
 
     def solution(self, number: int) -> "Iterator[Section]":

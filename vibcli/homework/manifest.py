@@ -22,6 +22,17 @@ if TYPE_CHECKING:
 
 MAX_BYTES = 200 * 2**20
 FORM = "vibcli homework 1"
+NUMBER = int, float
+NAMED: dict[Any, str] = {str: "text", int: "whole number", NUMBER: "number", dict: "mapping", list: "list"}
+SHAPE: dict[str, Any] = {
+    "title": str, "course": str, "due": str, "attempt": int,
+    "problems": [{
+        "name": str, "title": str, "file": str, "scene": str, "accepted": int, "ranges": list, "mistakes": dict,
+        "variants": [{"variant": int, "values": dict, "keys": [{
+            "quantity": str, "unit": str, "points": NUMBER, "value": NUMBER, "error": NUMBER, "figures": int,
+            "band": NUMBER, "mistakes": [{"name": str, "value": NUMBER}]}]}]}],
+    "students": [{"id": str, "name": str, "sheets": [{"problem": str, "variant": int}]}],
+}
 Assigned = Sequence[tuple[Student, Sequence[tuple["Handout", int]]]]
 
 
@@ -62,4 +73,20 @@ def read_manifest(path: str) -> dict[str, Any]:
         raise refused(f"this is no manifest: {error}", "it is the manifest.json beside the keys") from None
     if not isinstance(found, dict) or found.get("form") != FORM:
         raise refused("this is no manifest of this version", "it is the manifest.json beside the keys")
+    if (damaged := _unlike(found, SHAPE, "")) is not None:
+        raise refused(f"this manifest is damaged: {damaged}", "take the one that was written, unchanged")
     return found
+
+
+def _unlike(value, shape, path):
+    """Where a value has not the shape of a manifest, in words; None where it has."""
+    if isinstance(shape, dict) and isinstance(value, dict):
+        return next((said for key, inner in shape.items()
+                     if (said := _unlike(value.get(key), inner, f"{path}.{key}".lstrip("."))) is not None), None)
+    if isinstance(shape, list) and isinstance(value, list):
+        return next((said for i, one in enumerate(value)
+                     if (said := _unlike(one, shape[0], f"{path}[{i}]")) is not None), None)
+    if isinstance(shape, (tuple, type)) and isinstance(value, shape) and not isinstance(value, bool):
+        return None
+    kind = type(shape) if isinstance(shape, (dict, list)) else shape
+    return f"{path} is missing, or no {NAMED[kind]}"

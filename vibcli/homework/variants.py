@@ -206,11 +206,18 @@ def _reread(document, keys, accepted: Sequence[ProblemVariant]) -> int:
     step = max(1, len(accepted) // REREAD)
     chosen = accepted[::step][:REREAD]
     for variant in chosen:
-        fresh = document.anew(variant.values)
-        for key, one in zip(keys, variant.keys, strict=True):
-            value, error = key.value(fresh)
-            if abs(value - one.value) > ROUTES * abs(value) + error + one.error:
-                raise RuntimeError(f"two ways to {key.text} differ, {value!r} and {one.value!r}, at "
-                                   + ", ".join(one.text for one in variant.values.values()))
+        read_anew(document, keys, variant)
     return len(chosen)
+
+
+def read_anew(document: "SceneDocument", keys: Sequence[AnswerKey], variant: ProblemVariant) -> "Problem":
+    """The Problem of a variant, read anew from what is printed; RuntimeError, a fault of ours, where a key is not
+    the one that was found."""
+    fresh = document.anew(variant.values)
+    for key, one in zip(keys, variant.keys, strict=True):
+        value, error = key.value(fresh)
+        if abs(value - one.value) > ROUTES * abs(value) + error + one.error:
+            raise RuntimeError(f"two ways to {key.text} differ, {value!r} and {one.value!r}, at "
+                               + ", ".join(one.text for one in variant.values.values()))
+    return fresh
 

@@ -2,15 +2,12 @@
 
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base.diagnostics import quoted
-from vibcli.base.spelling import near, nearest
+from vibcli.base.spelling import near
 from vibcli.language.document.document import Scalar, Sequence
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Kind, Quantity
 from vibcli.language.reader import Expression
-from vibcli.quantities import FAMILIES
-from vibcli.quantities.quantity import ALL
-from vibcli.reader.sides import side
+from vibcli.reader.sides import report_unreadable, side
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.syntax import ExpressionError
 
@@ -58,11 +55,7 @@ class _Condition(Kind):
         try:
             equation = parse(node.text, "omega[1] = 20 rad/s")
         except ExpressionError as error:
-            asked = node.text[error.offset:error.offset + error.width]
-            if error.message.startswith("unknown function"):
-                return reader.report(node.place(error.offset, error.width), f"unknown quantity {quoted(asked)}",
-                                     nearest(asked, FAMILIES) or ALL)
-            return reader.report(node.place(error.offset, error.width), error.message, error.hint)
+            return report_unreadable(node, error, reader)
         sides = [side(node, tree.start, tree.end, reader) for tree in equation.children]
         return Condition(words, node.where, None, *sides)
 

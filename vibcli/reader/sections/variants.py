@@ -5,16 +5,13 @@ from itertools import pairwise
 from typing import Any, NamedTuple
 
 from vibcli.base.diagnostics import quoted
-from vibcli.base.spelling import nearest
 from vibcli.language.document.document import Mapping, Scalar
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Choice, Kind, Many, OneOf, Quantity, WholeNumber
 from vibcli.language.named_elements import Named
 from vibcli.language.reader import Expression, Record
 from vibcli.language.sections.parameter import UNIT
-from vibcli.quantities import FAMILIES
-from vibcli.quantities.quantity import ALL
-from vibcli.reader.sides import side
+from vibcli.reader.sides import report_unreadable, side
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.syntax import ExpressionError
 
@@ -73,11 +70,7 @@ def _side(node, start, end, reader):
     try:
         return side(node, start, end, reader)
     except ExpressionError as error:
-        asked = node.text[start + error.offset:start + error.offset + error.width]
-        place = node.place(start + error.offset, error.width)
-        if error.message.startswith("unknown function"):
-            return reader.report(place, f"unknown quantity {quoted(asked)}", nearest(asked, FAMILIES) or ALL)
-        return reader.report(place, error.message, error.hint)
+        return report_unreadable(node, error, reader, start)
 
 
 class AskedQuantity(NamedTuple):
@@ -105,7 +98,7 @@ class _Asked(Kind):
         try:
             tree = reader.at_places(parse(key.text))
         except ExpressionError as error:
-            return reader.report(key.place(error.offset, error.width), error.message, error.hint)
+            return report_unreadable(key, error, reader)
         nothing = isinstance(value, Scalar) and not value.text.strip()
         named = key.text, key.where
         record = Record(None, *named, {}, {}) if nothing else ASKED.read(value, reader, *named)

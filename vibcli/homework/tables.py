@@ -1,0 +1,65 @@
+"""Tables of students: CSV files in UTF-8 whose first line names the columns, one of them `id`."""
+
+import csv
+import io
+from typing import NamedTuple
+
+from vibcli.base.errors import Diagnostic, SpecError, Where
+
+MAX_BYTES = 50 * 2**20
+WORDS = "id", "name", "problem"     # columns that are named in capitals, too
+
+
+class TableRow(NamedTuple):
+    """A line of a table: its number in the file, {column: text} of the cells that are filled."""
+
+    line: int
+    cells: dict[str, str]
+
+
+def read_table(path: str, what: str) -> tuple[list[str], list[TableRow]]:
+    """(columns, rows) of a file, lines without anything left out; SpecError where it is none. what: the roster, or the
+    answers."""
+    text = _text(path, what)
+    separator = ";" if ";" in text.partition("\n")[0] else ","
+    reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator)
+    rows: list[TableRow] = []
+    try:
+        heading = [word if (word := cell.strip().lower()) in WORDS else cell.strip() for cell in next(reader, [])]
+        _require_columns(path, heading)
+        for row in reader:
+            cells = [cell.strip() for cell in row]
+            if any(cells[len(heading):]):
+                raise _wrong(path, reader.line_num, f"this line has {len(cells)} cells, and the first names "
+                             f"{len(heading)} columns", "a cell with a separator in it stands in quotes")
+            filled = {name: cell for name, cell in zip(heading, cells, strict=False) if cell}
+            rows += [TableRow(reader.line_num, filled)] if filled else []
+    except csv.Error as error:
+        raise _wrong(path, max(reader.line_num, 1), f"{what} cannot be read: {error}") from None
+    return heading, rows
+
+
+def _text(path, what):
+    try:
+        with open(path, "rb") as stream:
+            data = stream.read(MAX_BYTES + 1)
+    except OSError as error:
+        raise _wrong(path, 1, f"{what} cannot be read: {error.strerror}") from None
+    if len(data) > MAX_BYTES:
+        raise _wrong(path, 1, f"the file is longer than {MAX_BYTES} bytes", "divide it")
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise _wrong(path, data[:error.start].count(b"\n") + 1, f"{what}: this is no text in UTF-8") from None
+
+
+def _require_columns(path, heading):
+    if "id" not in heading:
+        raise _wrong(path, 1, "the first line names the columns, and one of them is 'id'", "write for example: id,name")
+    twice = next((name for i, name in enumerate(heading) if name and name in heading[:i]), None)
+    if twice is not None:
+        raise _wrong(path, 1, f"the column '{twice}' stands twice", "leave one of them out")
+
+
+def _wrong(path, line, message, hint=None):
+    return SpecError([Diagnostic(Where(path, line, 1, 0), message, hint)])
