@@ -3,7 +3,7 @@
 import os
 import subprocess
 import sys
-from contextlib import redirect_stderr, redirect_stdout
+from contextlib import chdir, redirect_stderr, redirect_stdout
 from io import StringIO
 from pathlib import Path
 
@@ -27,8 +27,10 @@ SILENT = ("draw", "animate")        # these print nothing on stdout
 CALLS = {"explain": ["springs"], "schema": [], "new": [], "grade": ["manifest.json"]}      # the others read a scene
 MORE = {"sweep": ["--over", "k=3 .. 5"], "grade": ["--student", "1", "--answer", "omega[1]=2 rad/s"],
         "homework": ["--paper", "2", "--salt-file", "salt", "--force", "-o", "sheets_for_all"]}
-MANIFEST = """{"form": "vibcli homework 1", "problems": [{"name": "scene", "mistakes": {}, "variants": [{"variant": 1,
-"keys": [{"quantity": "omega[1]", "unit": "rad/s", "points": 1, "value": 2, "band": 0.01, "mistakes": []}]}]}],
+MANIFEST = """{"form": "vibcli homework 1", "title": "set", "course": "", "due": "", "attempt": 1, "problems": [
+{"name": "scene", "title": "scene", "file": "scene.yaml", "scene": "", "accepted": 2, "ranges": [], "mistakes": {},
+"variants": [{"variant": 1, "values": {"k": "4 N/m"}, "keys": [{"quantity": "omega[1]", "unit": "rad/s", "points": 1,
+"value": 2, "error": 0, "figures": 4, "band": 0.01, "mistakes": []}]}]}],
 "students": [{"id": "1", "name": "", "sheets": [{"problem": "scene", "variant": 1}]}]}"""
 pytestmark = pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")
 
@@ -44,16 +46,13 @@ def imported(tmp_path_factory):
 
 
 def _import_all(folder):
-    before = Path.cwd()
-    os.chdir(folder)
     beside(folder)
     scene = folder / "scene.yaml"
     scene.write_text(SCENE.replace("NUMBER", "1").replace("RATE", "2"))
-    with redirect_stdout(StringIO()), redirect_stderr(StringIO()):
+    with chdir(folder), redirect_stdout(StringIO()), redirect_stderr(StringIO()):
         for command in ENDING:
             files = ["-o", str(folder / f"{command}.{'gif' if command == 'animate' else 'png'}")] * (command in SILENT)
             assert run([command, *CALLS.get(command, [str(scene)]), *MORE.get(command, []), *files]) == 0
-    os.chdir(before)
 
 
 def beside(folder):
