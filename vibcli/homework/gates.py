@@ -5,7 +5,7 @@ from operator import ge, gt, le, lt
 from typing import TYPE_CHECKING, NamedTuple
 
 from vibcli.homework.bands import FIGURES, WIDEST, Band, KeyBand
-from vibcli.notation.numbers import figure, in_figures
+from vibcli.notation.numbers import figure, in_figures, plainly
 from vibcli.quantities.expression import value_of
 
 if TYPE_CHECKING:
@@ -47,7 +47,7 @@ def unreadable(keys: "Sequence[AnswerKey]", bands: Sequence[KeyBand], found: Seq
             return f"{key.text} is {figure(value)} {key.unit}".rstrip() + ": write it in another unit"
         width = hangs_on.band(value, FIGURES[0]).width
         if error > BOUND * width:
-            return f"{key.text} is known to {figure(error, digits=2)} {key.unit} only"
+            return f"{key.text} is known to {plainly(error)} {key.unit} only"
         for name, number in given.items():
             if abs(abs(number) - abs(value)) <= width:
                 return f"{key.text} is the given {name}"
@@ -63,7 +63,7 @@ def told_apart(key: "AnswerKey", hangs_on: KeyBand, value: float,
     """(Band with the fewest figures in which no mistake leads into it, None), or the last one and why there is none."""
     found = hangs_on.band(value, FIGURES[0])
     if found.width > WIDEST * abs(value):
-        return found, f"the band of {key.text} is {figure(100 * found.width / abs(value), digits=2)} % of it"
+        return found, f"the band of {key.text} is {plainly(100 * found.width / abs(value))} % of it"
     for figures in FIGURES:
         found = hangs_on.band(value, figures)
         near = next((one for one in wrong if one.value is not None and _meet(hangs_on, value, found, one.value)), None)

@@ -6,7 +6,7 @@ from string import ascii_lowercase
 from typing import TYPE_CHECKING
 
 from vibcli.notation.as_printed import as_printed
-from vibcli.notation.numbers import figure, in_figures
+from vibcli.notation.numbers import figure, in_figures, plainly
 from vibcli.notation.plain import plain
 from vibcli.quantities.quantity import quantity_of
 from vibcli.report.blocks import (
@@ -79,7 +79,7 @@ def key_sheet(handout: "Handout", number: int) -> Document:
     """The key of a variant with its worked solution: right answers, how far they may be off, what mistakes give."""
     variant = handout.variants[number]
     rows = [(key.text, in_figures(one.value, one.band.figures), as_printed(key.unit) or "–",
-             f"± {figure(one.band.width, digits=2)}", figure(points, digits=3))
+             f"± {plainly(one.band.width)}", figure(points, digits=3))
             for key, points, one in zip(handout.keys, handout.points, variant.keys, strict=True)]
     wrong = [(wrong.mistake, key.text, in_figures(wrong.value, one.band.figures), handout.sentences[wrong.mistake])
              for key, one in zip(handout.keys, variant.keys, strict=True) for wrong in one.wrong]

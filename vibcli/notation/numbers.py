@@ -27,6 +27,12 @@ def figure(value: float | None, error: float = 0.0, digits: int = SHOWN) -> str:
     return "0" if text in ("-0", "0") else text.replace("e+0", "e").replace("e-0", "e-").replace("e+", "e")
 
 
+def plainly(value: float, digits: int = 2) -> str:
+    """A number to so many digits, without an exponent below a million: 120, not 1.2e2."""
+    near = float(f"{value:.{digits}g}")
+    return f"{near:.0f}" if 10**digits <= abs(near) < 1e6 else figure(value, digits=digits)
+
+
 def rounded_up(bound: float, digits: int = 1) -> float:
     """The least number of so many significant digits that is not below a bound: 1.11e-16 → 2e-16, as bounds are
     printed."""

@@ -2,7 +2,7 @@
 
 from fractions import Fraction
 
-from vibcli.notation.numbers import rounded_up, supported
+from vibcli.notation.numbers import plainly, rounded_up, supported
 from vibcli.notation.plain import plain
 from vibcli.symbolic.expression import Table
 
@@ -14,6 +14,13 @@ def test_bounds_are_printed_rounded_up():
     assert rounded_up(9.91e3, digits=2) == 1e4
     assert [rounded_up(x) for x in (2e-16, 0.5, 0.0, float("inf"))] == [2e-16, 0.5, 0.0, float("inf")]
     assert supported(1.0, 10.2) == "0 ± 2e1"
+
+
+def test_a_share_is_printed_without_an_exponent():
+    """100 %, not 1e2 %; as digits allow."""
+    assert [plainly(x) for x in (99.6, 100.0, 286.4, 1e5, 0.0123, 2.71e-5)] == ["100", "100", "290", "100000", "0.012",
+                                                                               "2.7e-5"]
+    assert plainly(2.5e7) == "2.5e7"
 
 
 def test_a_length_written_as_a_decimal_is_added_as_one():

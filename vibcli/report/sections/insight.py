@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from vibcli.notation.numbers import figure
+from vibcli.notation.numbers import plainly
 from vibcli.report.blocks import Paragraph, Section, TableBlock, paragraph, section
 
 if TYPE_CHECKING:
@@ -48,5 +48,4 @@ def off(value: Any, exact: Any):
     found = 100 * (value / exact - 1)
     if abs(found) < NOTHING:
         return "0 %"
-    size = figure(abs(found), digits=2) if abs(found) < 99.5 else f"{float(f'{abs(found):.2g}'):.0f}"
-    return f"{'−' if found < 0 else '+'}{size} %"
+    return f"{'−' if found < 0 else '+'}{plainly(abs(found))} %"

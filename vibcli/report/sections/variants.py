@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from vibcli.notation.numbers import figure, in_figures
+from vibcli.notation.numbers import in_figures, plainly
 from vibcli.reader.sections.variants import GATES
 from vibcli.report.blocks import Name, Section, TableBlock, maths, paragraph, section
 from vibcli.report.keys import Key
@@ -92,7 +92,7 @@ def _keys(found):
             one.value for one in values) else 0.0
         rows.append((key.text, _printed(key.unit) or "–", in_figures(low.value, low.band.figures),
                      in_figures(high.value, high.band.figures), str(len(texts)), _figures(values),
-                     f"{figure(100 * widest, digits=2)} %"))
+                     f"{plainly(100 * widest)} %"))
     return TableBlock(("quantity", "unit", "least", "largest", "distinct", "figures", "widest band"), tuple(rows))
 
 
@@ -111,7 +111,7 @@ def _mistakes(found):
             if pairs:
                 gap, nearest, wrong = min(pairs, key=lambda pair: pair[0])
                 rows.append((gap, (mistake.name, key.text, in_figures(nearest.value, nearest.band.figures),
-                                   in_figures(wrong, nearest.band.figures), f"{figure(100 * gap, digits=2)} %")))
+                                   in_figures(wrong, nearest.band.figures), f"{plainly(100 * gap)} %")))
     rows.sort(key=lambda row: row[0])
     head = ("mistake, nearest first", "quantity", "key", "mistaken", "apart")
     return TableBlock(head, tuple(row for _, row in rows)) if rows else None
