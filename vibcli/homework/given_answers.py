@@ -17,11 +17,12 @@ RAISED = re.compile(r"([⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)")
 
 class GivenAnswer(NamedTuple):
     """What was read: the number in the unit that is asked, None where it is none; reason: why it is none; unit: that in
-    which it was given, '' where none stands."""
+    which it was given, '' where none stands; half: of the last figure, in the unit that is asked."""
 
     value: float | None
     reason: str = ""
     unit: str = ""
+    half: float = 0.0
 
 
 def read_answer(text: str, unit: str) -> GivenAnswer:
@@ -41,7 +42,8 @@ def read_answer(text: str, unit: str) -> GivenAnswer:
     number = float(f"{'-' if match['sign'] in ('-', '−') else ''}{digits}e{power}")
     if not isfinite(number):
         return GivenAnswer(None, "this number is too large")
-    return _in_unit(number, _plain(match["unit"]), unit)
+    half = 0.5 * 10.0 ** (int(power) - len(match["part"] or ""))
+    return _in_unit(number, half, _plain(match["unit"]), unit)
 
 
 def _plain(text):
@@ -51,9 +53,9 @@ def _plain(text):
     return f"{text[2:]}^-1" if text.startswith("1/") else text
 
 
-def _in_unit(number, given, unit):
+def _in_unit(number, half, given, unit):
     if not given or given == unit:
-        return GivenAnswer(number, "", given)
+        return GivenAnswer(number, "", given, half)
     try:
         tree = parse(f"1 {given}")
     except ExpressionError:
@@ -63,4 +65,5 @@ def _in_unit(number, given, unit):
     found, asked = unit_of_text(given), unit_of_text(unit)
     if found.dimension != (asked.dimension if asked is not None else {}):
         return GivenAnswer(None, f"'{given}' measures something else than {unit or 'a pure number'}", given)
-    return GivenAnswer(number * found.in_si(1) / (asked.in_si(1) if asked is not None else 1.0), "", given)
+    factor = found.in_si(1) / (asked.in_si(1) if asked is not None else 1.0)
+    return GivenAnswer(number * factor, "", given, half * factor)

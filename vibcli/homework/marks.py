@@ -9,6 +9,7 @@ from vibcli.homework.given_answers import read_answer
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+COARSE = 0.01           # of an answer: half of its last figure, beyond which it tells nothing
 RIGHT, WRONG, UNREADABLE, MISSING = "right", "wrong", "unreadable", "missing"
 
 
@@ -40,7 +41,7 @@ class Marker:
     def sheet(self, student: str) -> dict[str, int]:
         """{problem: variant} of a student; ValueError where there is none."""
         if student not in self._sheets:
-            raise ValueError(f"the manifest has no student '{student}'; {nearest(student, self._sheets)}")
+            raise _unknown(f"the manifest has no student '{student}'", student, self._sheets)
         return self._sheets[student]
 
     def problem(self, student: str, name: str | None) -> str:
@@ -50,7 +51,7 @@ class Marker:
             raise ValueError(f"the sheet of {student} has several problems: say which of {', '.join(sheet)}")
         found = next(iter(sheet)) if name is None else name
         if found not in sheet:
-            raise ValueError(f"the sheet of {student} has no problem '{found}'; {nearest(found, sheet)}")
+            raise _unknown(f"the sheet of {student} has no problem '{found}'", found, sheet)
         return found
 
     def quantity(self, problem: str, text: str) -> str:
@@ -58,7 +59,7 @@ class Marker:
         asked = [key["quantity"] for key in self._keys[next(pair for pair in self._keys if pair[0] == problem)]]
         plain = {"".join(one.split()): one for one in asked}
         if "".join(text.split()) not in plain:
-            raise ValueError(f"'{problem}' does not ask for '{text.strip()}'; {nearest(text.strip(), asked)}")
+            raise _unknown(f"'{problem}' does not ask for '{text.strip()}'", text.strip(), asked)
         return plain["".join(text.split())]
 
     def marks(self, student: str, problem: str, answers: Mapping[str, str]) -> "Iterator[AnswerMark]":
@@ -77,8 +78,17 @@ class Marker:
             return 0.0, most, UNREADABLE, "", given.reason
         if is_within(given.value, key["value"], key["band"]):
             return most, most, RIGHT
-        mistake = _mistake(given.value, key)
+        half = given.half if given.half <= COARSE * abs(given.value) else 0.0
+        if is_within(given.value, key["value"], half):
+            return 0.0, most, WRONG, "", f"right as far as it goes, but {key['figures']} figures are asked"
+        mistake = _mistake(given.value, half, key)
         return 0.0, most, WRONG, mistake or "", self._problems[problem]["mistakes"].get(mistake, "")
+
+
+def _unknown(message, word, words):
+    """A ValueError with the word that was meant, where one is near."""
+    hint = nearest(word, words)
+    return ValueError(f"{message}; {hint}" if hint else message)
 
 
 def is_within(value: float, key: float, band: float) -> bool:
@@ -86,12 +96,13 @@ def is_within(value: float, key: float, band: float) -> bool:
     return abs(value - key) <= band * (1 + 1e-12) + 1e-15 * abs(key)
 
 
-def _mistake(value, key):
-    """The name of the mistake to which an answer comes nearest, None where it comes to none."""
+def _mistake(value, half, key):
+    """The name of the mistake to which an answer comes nearest, by the band of the key or half of its own last figure;
+    None where it comes to none."""
     near = []
     for number, one in enumerate(key["mistakes"]):
         width = key["band"] * abs(one["value"] / key["value"])
-        if is_within(value, one["value"], width):
+        if is_within(value, one["value"], max(width, half)):
             near.append((abs(value - one["value"]), number, one["name"]))
     return min(near)[2] if near else None
 

@@ -33,7 +33,8 @@ MANIFEST = {
         {"variant": 7, "keys": [
             {"quantity": "omega_d[1]", "unit": "rad/s", "points": 2.0, "value": 21.909, "band": 0.11, "mistakes": [
                 {"name": "Hz", "value": 21.909 / (2 * pi)}, {"name": "weight", "value": 22.6}]},
-            {"quantity": "zeta[1]", "unit": "", "points": 1.0, "value": 0.125, "band": 0.0006, "mistakes": []}]}]},
+            {"quantity": "zeta[1]", "unit": "", "points": 1.0, "value": 0.1254, "band": 0.0001, "figures": 4,
+             "mistakes": [{"name": "weight", "value": 0.1282}]}]}]},
         {"name": "drum", "mistakes": {}, "variants": [
             {"variant": 1, "keys": [{"quantity": "omega[1]", "unit": "rad/s", "points": 1.0, "value": 5.0, "band": 0.02,
                                      "mistakes": []}]}]}],
@@ -49,11 +50,19 @@ def marks(**answers):
 
 
 def test_marks():
-    assert marks(omega="21.9 rad/s", zeta="0.125") == [("right", 2, "", ""), ("right", 1, "", "")]
+    assert marks(omega="21.9 rad/s", zeta="0.1254") == [("right", 2, "", ""), ("right", 1, "", "")]
     assert marks(omega="3.49 Hz") == [("wrong", 0, "Hz", "this is in Hz"), ("missing", 0, "", "")]
     assert marks(omega="22,6", zeta="12.5 kg") == [("wrong", 0, "weight", "the weight"), (
         "unreadable", 0, "", "'kg' measures something else than a pure number")]
     assert marks(omega="-21.9")[0][:2] == ("wrong", 0)
+
+
+def test_answers_of_fewer_figures_than_are_asked():
+    """They are told so where they are right, and their mistake where they are not, as far as their last figure goes."""
+    assert marks(zeta="12.5 %")[1] == ("wrong", 0, "", "right as far as it goes, but 4 figures are asked")
+    assert marks(zeta="0.128")[1] == ("wrong", 0, "weight", "the weight")
+    assert marks(zeta="0.1280")[1] == ("wrong", 0, "", "")
+    assert marks(zeta="0.1")[1] == ("wrong", 0, "", "")
 
 
 def test_edges_of_the_band():
@@ -71,6 +80,11 @@ def test_names_of_students_problems_and_quantities():
                        (lambda: marker.quantity("crank", "omega[1]"), "does not ask for 'omega[1]'")):
         with pytest.raises(ValueError, match=said.replace("[", "\\[")):
             call()
+    with pytest.raises(ValueError, match="no student 's3'; valid here: s1, s2"):
+        marker.sheet("s3")
+    crowd = Marker(MANIFEST | {"students": [{"id": f"{i:03}", "sheets": []} for i in range(60)]})
+    with pytest.raises(ValueError, match=r"no student 'zz'$"):      # neither one that is near, nor all
+        crowd.sheet("zz")
 
 
 @pytest.mark.parametrize("text, found", [
