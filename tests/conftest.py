@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+os.environ.setdefault("VIBCLI_NO_CACHE", "1")           # what a test checks is checked
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")      # before NumPy is imported; commands that are run inherit it
 
 TESTS = Path(__file__).parent

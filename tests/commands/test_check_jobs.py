@@ -10,7 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from vibcli.cli import check, progress, run
+from vibcli.cli import progress, run
+from vibcli.cli.checking import work
 
 ROOT = Path(__file__).parents[2]
 SCENE = """
@@ -39,14 +40,14 @@ def test_the_same_bytes_in_the_same_order(folder, options, capfd):
 
 
 def test_a_fault_of_one_file_leaves_the_others(folder, capfd, monkeypatch):
-    whole = check._check_file
+    whole = work._checked
 
     def faulty(file, *rest):
         if file.endswith("1.yaml"):
             raise RuntimeError("broken")
         return whole(file, *rest)
 
-    monkeypatch.setattr(check, "_check_file", faulty)
+    monkeypatch.setattr(work, "_checked", faulty)
     assert run(["check", str(folder), "--json"]) == 101
     out, err = capfd.readouterr()
     assert [one["exit_code"] for one in json.loads(out)] == [0, 101, 3, 4, 0, 0]

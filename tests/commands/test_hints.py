@@ -53,7 +53,8 @@ def options(command):
 
 
 OPTIONS = {command: options(command) | {"--help"} for command in COMMANDS}
-ANY = set().union(*OPTIONS.values(), options(None), {"--quick", "--only", "--sympy"})
+OF_GIT = {"--show-toplevel", "--name-only", "--no-renames", "--others", "--exclude-standard"}
+ANY = set().union(*OPTIONS.values(), options(None), {"--quick", "--only", "--sympy"}, OF_GIT)
 
 
 @pytest.mark.sweep

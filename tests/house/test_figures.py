@@ -8,7 +8,7 @@ import pytest
 from house.measure import PACKAGE
 
 MOST = {        # methods of House that list or count something
-    "arrows": 115,
+    "arrows": 116,
     "floors": 14,
     "taking_problem": 0,
     "set_from_outside": 3,

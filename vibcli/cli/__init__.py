@@ -100,9 +100,9 @@ def run(args: list[str] | None = None) -> int:
         click.echo("interrupted", err=True)
         return 130
     except Exception as error:  # the last resort: no traceback reaches a user
-        from vibcli.cli.common import show_fault
+        from vibcli.cli.common import fault, show_fault
 
-        show_fault(error)
+        show_fault(fault(error))
         if os.environ.get("VIBCLI_TRACEBACK"):
             raise
         return 101

@@ -1,228 +1,194 @@
 """`vibcli check PATH…`: the answers in problem files against the results."""
 
 import os
-from collections.abc import Callable, Sequence
+import sys
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
-from typing import Any, NamedTuple
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from vibcli.api.source import settled
-from vibcli.base.errors import PhysicsError, SpecError
-from vibcli.cli.common import (
-    _sources,
-    color_option,
-    patience_option,
-    problem_in,
-    show_diagnostics,
-    show_fault,
-    show_refusal,
-    source_of,
-)
-from vibcli.homework import SET
+from vibcli.cli.checking.files import scenes_below
+from vibcli.cli.checking.found import CheckedFile
+from vibcli.cli.checking.text import is_told, summary, tell_in_full, tell_in_short, tell_troubles
+from vibcli.cli.common import color_option, patience_option
+from vibcli.cli.pictures import FILE
+
+if TYPE_CHECKING:
+    from vibcli.cli.checking.cache import Cache
 
 GRAVEST = (101, 3, 4, 1, 0)
-
-
-class CheckedFile(NamedTuple):
-    """What is known of a file that was checked: its exit code, could it not be checked? and the data of its answers."""
-
-    file: str
-    code: int
-    failed: bool
-    answers: list
+STDIN = "-"
+FULL, CONCISE = "full", "concise"
+FORMATS = (FULL, CONCISE, "json", "junit", "github", "sarif")
 
 
 @click.command("check")
 @click.argument("paths", nargs=-1, required=True, type=click.Path())
 @click.option("--set", "settings", multiple=True, metavar="NAME=VALUE",
               help="Give a parameter another value, in every file: k=500 in the file's unit, or 'k=0.5 N/mm'.")
-@click.option("--json", "as_json", is_flag=True, help="Verdicts as JSON.")
+@click.option("--format", "form", type=click.Choice(FORMATS), help="How it is told: in full, a line for each thing "
+              "that is wrong, or for other programs (vibcli explain ci).")
+@click.option("--json", "as_json", is_flag=True, help="Verdicts as JSON: --format json.")
+@click.option("-o", "--output", metavar="FILE", type=FILE,
+              help="Write the report to a file (json, xml, sarif, txt), and tell in full as well.")
+@click.option("--force", is_flag=True, help="Replace the file if it exists.")
 @click.option("--quiet", "-q", is_flag=True, help="Print only what does not agree.")
 @click.option("--jobs", "-j", type=click.IntRange(1, 256), default=1, metavar="N",
               help="Check N files at a time, in processes of their own.")
+@click.option("--max-failures", type=click.IntRange(1), metavar="N",
+              help="Stop where N answers differ, are uncertain, or files could not be checked.")
+@click.option("--changed-since", "revision", metavar="REV",
+              help="Only files that differ from a revision of git, or whose records do.")
+@click.option("--stdin-name", metavar="FILE", help="The name of the scene that is read from stdin, as '-'.")
+@click.option("--no-cache", is_flag=True, envvar="VIBCLI_NO_CACHE", help="Check anew what was checked before.")
+@click.option("--cache-dir", metavar="FOLDER", type=click.Path(),
+              help="Where results are kept for the next time; unless named, .vibcli_cache beside the first path.")
 @patience_option
 @color_option
-def command(paths: Sequence[str], settings: Sequence[Any], as_json: bool, quiet: bool, jobs: int,
-            patience: int) -> int:
+def command(paths: Sequence[str], settings: Sequence[str], form: str | None, as_json: bool, output: str | None,
+            force: bool, quiet: bool, jobs: int, max_failures: int | None, revision: str | None,
+            stdin_name: str | None, no_cache: bool, cache_dir: str | None, patience: int) -> int:
     """Compare the answers in scene files (and in folders of them) with the results.
 
     Exit code: 0 all agree, 1 an answer differs, 3 a file is invalid, 4 a scene cannot be solved or whether an answer
     agrees is uncertain (of several the gravest of 3, 4, 1), 5 no answer was found to check, 130 interrupted: what was
     found by then is told.
     """
-    files = [file for path in paths for file in _files(path)]
-    tell, found, interrupted = None if as_json else partial(_print, quiet=quiet), [], False
+    if as_json and form not in (None, "json"):
+        raise click.UsageError(f"--json and --format {form} are two ways to tell it: choose one")
+    form = "json" if as_json else form
+    if stdin_name is not None and STDIN not in paths:
+        raise click.UsageError("--stdin-name names what is read from stdin: give '-' as a path")
+    path, form = _target(output, form, force)
+    files, on_screen = _chosen(paths, revision), FULL if output or form is None else form
+    if revision is not None and not files:
+        click.echo(f"no scene has changed since {revision}")
+        return 0
+    tell = partial(_tell, on_screen=on_screen, quiet=quiet)
+    cache = None if no_cache else _cache(cache_dir, paths, [settings, patience])
+    found, left, interrupted = [], 0, False
     try:
-        for one in _each(files, jobs, tell, settings, patience):
+        for one in _each(files, jobs, cache, settings, patience, stdin_name, partial(is_told, quiet=quiet)):
+            tell(one)
             found.append(one)
+            if max_failures and sum(each.failures for each in found) >= max_failures:
+                left = len(files) - len(found)
+                break
     except KeyboardInterrupt:
         interrupted = True
-    if as_json:
-        import json
-
-        data = [{"file": one.file, "exit_code": one.code, "answers": list(one.answers)} for one in found]
-        click.echo(json.dumps(data, ensure_ascii=False, allow_nan=False, indent=1))
-    else:
-        click.echo(_summary(found))
+    _finish(found, on_screen, form, path, force, left)
     if interrupted:
         raise KeyboardInterrupt
     code = next(code for code in GRAVEST if code in {0, *(one.code for one in found)})
-    return 5 if code == 0 and not any(answer["agrees"] for one in found for answer in one.answers) else code
+    return 5 if code == 0 and not any(answer.data["agrees"] for one in found for answer in one.answers) else code
 
 
-def _each(files, jobs, tell, settings, patience):
-    """The CheckedFile of each file, in their order, printed."""
-    if jobs > 1 and len(files) > 1:
+def _tell(one, on_screen, quiet):
+    """Tell of a file as soon as it is checked."""
+    tell_troubles(one)
+    if on_screen == FULL:
+        tell_in_full(one, quiet)
+    elif on_screen == CONCISE:
+        tell_in_short(one)
+
+
+def _target(output, form, force):
+    """(the Path to write to or None, the form of what is written there, or else told)."""
+    if output is None:
+        return None, form
+    from vibcli.cli.checking.reports import FORMS
+    from vibcli.cli.pictures import target
+
+    by_suffix = {suffix: name for name, (_, suffixes) in FORMS.items() for suffix in suffixes}
+    if form in (FULL, CONCISE):
+        raise click.UsageError(f"--format {form} is told on the screen: -o writes {', '.join(FORMS)}")
+    path = target(None, output, list(by_suffix) if form is None else None, force)
+    return path, form or by_suffix[path.suffix.lower()]
+
+
+def _finish(found, on_screen, form, path, force, left):
+    """What is told at the end, and written."""
+    if on_screen in (FULL, CONCISE):
+        click.echo(summary(found) + (f"; {left} more left, as so many fail" if left else ""))
+        if on_screen == FULL and os.environ.get("GITHUB_ACTIONS") == "true":
+            click.echo(_report("github", found), nl=False)
+    else:
+        click.echo(_report(on_screen, found), nl=False)
+    if path is not None:
+        from vibcli.cli.pictures import write
+
+        write(path, _report(form, found).encode(), force)
+
+
+def _report(form: str, found: Sequence[CheckedFile]) -> str:
+    from vibcli.cli.checking.reports import FORMS
+
+    return FORMS[form][0](found)
+
+
+def _each(files: Sequence[str], jobs: int, cache: "Cache | None", settings: Sequence[str], patience: int,
+          stdin_name: str | None, said: Callable[[Any], bool]) -> Iterator[CheckedFile]:
+    """The CheckedFile of each file, in their order: those that are kept, the others checked, several at a time."""
+    known = {} if cache is None else {file: one for file in files if file != STDIN and (one := cache.find(file))}
+    rest = [file for file in files if file not in known]
+    work: Callable[[str], CheckedFile] = partial(_checked, cache, settings, patience)
+    if STDIN in rest:
+        work = partial(_from_stdin, _stdin(), stdin_name or "stdin", settings, patience, work)
+    checked: Iterator[CheckedFile] = map(work, rest)
+    if jobs > 1 and len(rest) > 1:
         from vibcli.cli.jobs import in_processes
 
-        yield from in_processes(partial(checked_file, tell=tell, settings=settings, patience=patience), files,
-                                min(jobs, len(files)))
-        return
+        checked = in_processes(work, rest, min(jobs, len(rest)), said, None if cache is None else cache.seconds)
     for file in files:
-        yield checked_file(file, tell, settings, patience)
+        yield known[file] if file in known else next(checked)
 
 
-def checked_file(file: str, tell: Callable | None, settings: Sequence[str], patience: int) -> CheckedFile:
-    """What the check of a file found; `tell` prints it. A fault of ours is told and leaves the other files."""
+def _checked(cache, settings, patience, file):
+    from vibcli.cli.checking.work import checked_file
+
+    check = partial(checked_file, settings=settings, patience=patience)
+    return check(file) if cache is None else cache.checked(file, check)
+
+
+def _from_stdin(data, name, settings, patience, work, file):
+    if file != STDIN:
+        return work(file)
+    from vibcli.cli.checking.work import checked_file
+
+    return checked_file(name, settings, patience, data)
+
+
+def _stdin():
+    """What stdin holds, no more than a scene may."""
+    from vibcli.base.decoding import MAX_BYTES
+
+    return sys.stdin.buffer.read(MAX_BYTES + 1)
+
+
+def _cache(folder, paths, options):
+    """The Cache, None with a warning where it cannot be used, and where all comes from stdin."""
+    from vibcli.cli.checking.cache import Cache, Unusable, folder_of
+
+    named = [path for path in paths if path != STDIN]
+    if not named and folder is None:
+        return None
+    place = folder_of(named) if folder is None else Path(folder)
     try:
-        code, verdicts = _check_file(file, settings, patience)
-    except (click.ClickException, click.Abort):
-        raise
-    except Exception as error:
-        click.echo(f"{file}:", err=True)
-        show_fault(error)
-        if os.environ.get("VIBCLI_TRACEBACK"):
-            raise
-        code, verdicts = 101, []
-    failed = _failed(code, verdicts)
-    if tell:
-        tell(file, verdicts, failed=failed)
-    return CheckedFile(file, code, failed, [_data(verdict) for verdict in verdicts])
+        return Cache(place, options)
+    except Unusable as error:
+        click.echo(f"warning: {place} cannot keep results: {error}; all is checked anew", err=True)
+        return None
 
 
-def _failed(code, verdicts):
-    """Is a file invalid, or could an answer not be found? What is uncertain was."""
-    return code in (3, 101) or (code == 4 and (not verdicts or any(v.refusal and v.agrees is False for v in verdicts)))
+def _chosen(paths, revision):
+    """The files that the paths name, or those of them that have changed since a revision."""
+    files = [file for path in paths for file in ([path] if path == STDIN else scenes_below(path))]
+    if revision is None:
+        return files
+    from vibcli.cli.checking.changed import changed_since
 
-
-def _files(path):
-    """A file itself, or all .yaml and .yml files below a folder, sorted; sets name problems, and are none."""
-    if not os.path.isdir(path):
-        if not os.path.exists(path):
-            raise click.UsageError(f"there is no file or folder '{path}'")
-        return [path]
-    found = []
-    for folder, folders, names in os.walk(path):
-        folders.sort()
-        found += [os.path.join(folder, name) for name in sorted(names)
-                  if name.endswith((".yaml", ".yml")) and name != SET]
-    return found
-
-
-def _check_file(file, settings, patience):
-    """(exit code, verdicts) of one file; what is wrong with it goes to stderr."""
-    try:
-        source = source_of(file)
-        problem = problem_in(source, settings, patience)
-        if not any(spec.answers for spec in (problem.spec, *problem.spec.cases.values())):
-            _settle(problem)
-            return 0, []
-        from vibcli.check.verdicts import check
-
-        verdicts = check(problem, source.node)
-        refused = [v for v in verdicts if v.refusal]
-        for refusal in _once([v.refusal for v in refused]):
-            show_refusal(refusal, file)
-    except SpecError as error:
-        show_diagnostics(error.diagnostics)
-        return 3, []
-    except PhysicsError as error:
-        show_refusal(error, file)
-        return 4, []
-    finally:
-        _sources.pop(file, None)
-    return 4 if refused else int(any(not v.agrees for v in verdicts)), verdicts
-
-
-def _once(refusals):
-    """Each refusal of one place once, with the number of answers that it keeps from being found."""
-    same: dict = {}
-    for refusal in refusals:
-        same.setdefault((refusal.message, refusal.hint, refusal.where), []).append(refusal)
-    for (message, hint, where), those in same.items():
-        yield PhysicsError(f"{message} (so of {len(those)} answers)" if len(those) > 1 else message, hint, where)
-
-
-def _settle(problem):
-    """Refused where the scene or a case of it cannot be drawn, or what it chooses cannot be found."""
-    problem.draw()
-    for part in (problem, *map(problem.case, problem.spec.cases)):
-        settled(part)
-
-
-def _name(verdict):
-    return (f"{verdict.case}: " if verdict.case else "") + verdict.answer.asked.text
-
-
-def _print(file, verdicts, quiet, failed):
-    shown = [v for v in verdicts if not (quiet and v.agrees)]
-    if not shown and quiet:
-        return
-    click.echo(file + ("" if verdicts else "  (not checked)" if failed else "  (no answers)"))
-    for verdict in shown:
-        if verdict.agrees:
-            click.echo("  " + click.style("✓", fg="green") + f" {_name(verdict)}{_estimate(verdict)}")
-            continue
-        where = verdict.answer.expected.where
-        click.echo(f"  {_mark(verdict)} {_name(verdict)}:{_said(verdict)}{_estimate(verdict)}  [line {where.line}]")
-
-
-def _estimate(verdict):
-    return "  (its error is estimated)" if verdict.estimated else ""
-
-
-def _mark(verdict):
-    return click.style("?", fg="yellow") if verdict.agrees is None else click.style("✗", fg="red")
-
-
-def _said(verdict):
-    """What was expected and what was found, and what there is to say of it."""
-    if verdict.agrees is None:
-        return f" uncertain: expected {verdict.answer.expected.text}, {verdict.remark}"
-    values = ""
-    if verdict.expected is not None:
-        values = " expected {}, found {}".format(*(verdict.digits or _values(verdict.expected, verdict.found)))
-    return values + (f" ({verdict.remark})" if verdict.remark else "")
-
-
-def _values(*values):
-    """Two values, to the digits in which they differ."""
-    if any(isinstance(value, bool) for value in values):
-        return ["true" if value else "false" for value in values]
-    digits = next((n for n in range(9, 17) if len({f"{value:.{n}g}" for value in values}) > 1), 17)
-    return [f"{value:.{digits}g}" for value in values]
-
-
-def _data(verdict):
-    return {"answer": verdict.answer.asked.text, "case": verdict.case, "line": verdict.answer.expected.where.line,
-            "agrees": verdict.agrees, "expected": verdict.expected, "found": verdict.found, "error": verdict.error,
-            "estimated": verdict.estimated, "remark": verdict.remark}
-
-
-def _summary(found):
-    agreed = [answer["agrees"] for one in found for answer in one.answers]
-    agree, differ, uncertain = (sum(one is value for one in agreed) for value in (True, False, None))
-    failed = sum(one.failed for one in found)
-    parts = [f"{_count(agree, 'answer')} agree" + "s" * (agree == 1)]
-    if differ:
-        parts.append(f"{differ} differ" + "s" * (differ == 1))
-    if uncertain:
-        parts.append(f"{uncertain} {'is' if uncertain == 1 else 'are'} uncertain")
-    if failed:
-        parts.append(f"{_count(failed, 'file')} could not be checked")
-    return f"{', '.join(parts)} in {_count(len(found), 'file')}"
-
-
-def _count(number, what):
-    return f"{number} {what}" + ("" if number == 1 else "s")
+    if STDIN in files:
+        raise click.UsageError("--changed-since asks git of files: stdin is none")
+    return changed_since(revision, files)

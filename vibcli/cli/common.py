@@ -13,6 +13,7 @@ from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
 
 if TYPE_CHECKING:
     from vibcli.api.source import SceneSource
+    from vibcli.base.errors import Where
     from vibcli.results.problem import Problem
 
 MOST = 600      # steps of a million products, for --digits
@@ -163,25 +164,31 @@ def chosen(problem: "Problem", case: str | None) -> "list[tuple[str | None, Prob
         raise click.UsageError(str(error)) from None
 
 
-def show_diagnostics(diagnostics: Sequence[Diagnostic]) -> None:
-    """Diagnostics on stderr, each with its line and a caret."""
+def show_diagnostics(diagnostics: Sequence[Diagnostic], lines_of: "Callable[[Where], Sequence[str]] | None" = None):
+    """Diagnostics on stderr, each with its line and a caret. lines_of: the lines of the file of a place; unless given
+    those that were read."""
     from vibcli.base.diagnostics import render
 
     color = colored(sys.stderr)
     for diagnostic in diagnostics:
-        lines = _lines(diagnostic.where) if diagnostic.where else ()
+        lines = (lines_of or shown_lines)(diagnostic.where) if diagnostic.where else ()
         click.echo(render(diagnostic, lines, color), err=True, color=color)
     if len(diagnostics) > 1:
         click.echo(f"{len(diagnostics)} errors", err=True)
 
 
-def _lines(where):
+def shown_lines(where: "Where") -> Sequence[str]:
     """The lines of the file of a place: of a scene, or of a record beside it."""
     if where.file not in _sources and where.width:
-        from vibcli.api.source import shown_lines
+        from vibcli.api import source
 
-        return shown_lines(where.file)
+        return source.shown_lines(where.file)
     return _sources.get(where.file, ())
+
+
+def forget(file: str) -> None:
+    """Let go of the lines of a file that was read."""
+    _sources.pop(file, None)
 
 
 def show_refusal(error: PhysicsError, file: str | None = None) -> None:
@@ -193,9 +200,14 @@ def show_refusal(error: PhysicsError, file: str | None = None) -> None:
     show_diagnostics([Diagnostic(where, error.message, error.hint)])
 
 
-def show_fault(error: Exception) -> None:
+def fault(error: Exception) -> str:
+    """A fault of ours in short."""
+    return f"{type(error).__name__}: {str(error)[:200]}"
+
+
+def show_fault(text: str) -> None:
     """A fault of ours on stderr."""
-    click.echo(f"vibcli: an error of its own: {type(error).__name__}: {str(error)[:200]}\n"
+    click.echo(f"vibcli: an error of its own: {text}\n"
                "Please report it with the file that shows it; VIBCLI_TRACEBACK=1 shows where it happened.", err=True)
 
 

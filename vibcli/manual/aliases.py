@@ -1,5 +1,6 @@
 """Other names of words of the manual. Data alone."""
 
+from vibcli.base.rules import RULES
 from vibcli.report.formats import FORMATS
 
 ALIASES = {
@@ -9,6 +10,8 @@ ALIASES = {
     "normalisation": "conventions", "normalise": "conventions", "delta": "conventions", "lambda": "conventions",
     "damping ratio": "conventions", "mode shapes": "conventions", "phase lag": "conventions", "lag": "conventions",
     "quantity": "quantities", "tolerance": "quantities", "exit codes": "exit", "exit code": "exit",
+    "check": "ci", "junit": "ci", "sarif": "ci", "github": "ci", "gitlab": "ci", "cache": "ci", "pytest": "ci",
+    "pre-commit": "ci", **dict.fromkeys(RULES, "ci"),
     "json keys": "json", "progress": "patience", "limits": "patience",
     "schema": "editors", "inertias": "shapes", "case": "cases", "signal": "signals",
     "pulley": "pulley of a rope", "drum": "pulley of a rope", "ropes": "rope", "multiplier": "constraint",

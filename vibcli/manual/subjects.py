@@ -6,6 +6,7 @@ from vibcli.base import units
 from vibcli.elements.rigid_body import MOTIONS
 from vibcli.elements.shapes import LAWS, NEEDS
 from vibcli.manual import scenes, topics
+from vibcli.manual.ci import WORKFLOWS
 from vibcli.manual.layout import blocks, in_short, paragraph, table
 from vibcli.manual.python import EXAMPLE
 from vibcli.quantities import FAMILIES, quantity
@@ -23,7 +24,7 @@ def topic_page(catalogue: "Catalogue", word: str) -> str:
     head = [f"{word} — {about}"]
     made = {"units": units_table, "functions": functions_table, "quantities": quantities_table, "exit": exit_table,
             "json": json_table, "shapes": shapes_table, "motions": motions_table,
-            "python": python_example}
+            "python": python_example, "ci": ci_examples}
     own = made[word](catalogue) if word in made else []
     texts = [paragraph(part) if isinstance(part, str) else table(part) for part in parts or ()]
     return blocks(head, *texts, *own)
@@ -31,6 +32,10 @@ def topic_page(catalogue: "Catalogue", word: str) -> str:
 
 def python_example(catalogue: "Catalogue") -> list[list[str]]:
     return [["An example that runs:"], ["  " + line if line else "" for line in EXAMPLE.split("\n")]]
+
+
+def ci_examples(catalogue: "Catalogue") -> list[list[str]]:
+    return [[name, *("  " + line for line in text.rstrip().split("\n"))] for name, text in WORKFLOWS.items()]
 
 
 def exit_table(catalogue: "Catalogue") -> list[list[str]]:

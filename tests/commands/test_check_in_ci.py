@@ -1,0 +1,211 @@
+"""`vibcli check` as CI servers read it: forms, rules, what is left out, what is read from stdin or has changed."""
+
+import io
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+import yaml
+
+from vibcli.base.rules import RULES
+from vibcli.check import comparison
+from vibcli.cli import run
+
+junitparser = pytest.importorskip("junitparser")
+ROOT = Path(__file__).parents[2]
+SCENE = """
+bodies: {a: {mass: MASS kg, slide: x}}
+springs: {s: {k: 4 N/m, between: [ground, a]}}
+answers:
+  omega[1]: 2 rad/s
+"""
+SCENES = {"agrees.yaml": SCENE.replace("MASS", "1"), "differs.yaml": SCENE.replace("MASS", "2"),
+          "uncertain.yaml": SCENE.replace("MASS", "1") + "  2*omega[1]: 4.000 rad/s\n",
+          "slip, 100 %: a.yaml": "bodies: {a: {mas: 1 kg}}\n", "loose.yaml": SCENE.replace("MASS", "0"),
+          "none.yaml": "title: no answers\n"}
+WRONG = {"differs.yaml": ["answer-differs"], "uncertain.yaml": ["answer-uncertain"],
+         "slip, 100 %: a.yaml": ["scene-invalid"], "loose.yaml": ["cannot-be-solved"]}
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """The scenes in sets/, where twice a frequency is known to 0.01 rad/s alone."""
+    plain = comparison.bounded
+    monkeypatch.setattr(comparison, "bounded", lambda problem, expression: (4.0, 0.01) if (
+        expression.text == "2*omega[1]") else plain(problem, expression))
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.delenv("GITHUB_ACTIONS", raising=False)
+    (tmp_path / "sets").mkdir()
+    for name, text in SCENES.items():
+        (tmp_path / "sets" / name).write_text(text)
+    return tmp_path
+
+
+def told(form, capsys, *more):
+    code = run(["check", "sets", "--format", form, *more])
+    return code, capsys.readouterr().out
+
+
+def annotations(text):
+    """[(command, properties, message)] by the grammar of workflow commands: ::name key=value,…::message."""
+    found = []
+    for line in text.splitlines():
+        name, properties, message = re.fullmatch(r"::(\w+) ([^:]*(?:::)?.*?)::(.*)", line).groups()
+        values = dict(pair.split("=", 1) for pair in properties.split(","))
+        found.append((name, {key: _plain(value) for key, value in values.items()}, _plain(message)))
+    return found
+
+
+def _plain(text):
+    for code, char in (("%2C", ","), ("%3A", ":"), ("%0A", "\n"), ("%0D", "\r"), ("%25", "%")):
+        text = text.replace(code, char)
+    return text
+
+
+def test_each_form_tells_the_same(folder, capsys):
+    expected = sorted((name, rule) for name, rules in WRONG.items() for rule in rules)
+    code, text = told("concise", capsys)
+    lines = [re.fullmatch(r"sets/(.+?\.yaml)(?::\d+:\d+)?: ([a-z-]+): .+", line) for line in text.splitlines()[:-1]]
+    assert code == 3 and sorted(line.groups() for line in lines) == expected
+    _, text = told("github", capsys)
+    found = annotations(text)
+    assert sorted((one["file"].removeprefix("sets/"), one["title"]) for _, one, _ in found) == expected
+    assert {name for name, _, _ in found} == {"error"}
+    _, text = told("sarif", capsys)
+    results = json.loads(text)["runs"][0]["results"]
+    assert len(results) == len(expected)
+    _, text = told("junit", capsys)
+    suites = junitparser.JUnitXml.fromstring(text.encode())
+    rules = [(suite.name.removeprefix("sets/"), one.type) for suite in suites for case in suite for one in case.result]
+    assert sorted(rules) == expected
+
+
+def test_places_are_those_of_the_answers(folder, capsys):
+    _, text = told("github", capsys)
+    place = next(one for _, one, _ in annotations(text) if one["file"] == "sets/differs.yaml")
+    assert (place["line"], place["col"], place["endColumn"]) == ("5", "13", "20")
+    assert SCENES["differs.yaml"].split("\n")[4][12:19] == "2 rad/s"
+
+
+def test_junit_counts_failures_and_errors(folder, capsys):
+    _, text = told("junit", capsys)
+    suites = {suite.name.removeprefix("sets/"): suite for suite in junitparser.JUnitXml.fromstring(text.encode())}
+    assert set(suites) == set(SCENES)
+    counts = {name: (suite.tests, suite.failures, suite.errors) for name, suite in suites.items()}
+    assert counts == {"agrees.yaml": (1, 0, 0), "differs.yaml": (1, 1, 0), "uncertain.yaml": (2, 0, 1),
+                      "slip, 100 %: a.yaml": (1, 0, 1), "loose.yaml": (1, 0, 1), "none.yaml": (0, 0, 0)}
+
+
+def test_sarif_has_what_code_scanning_requires(folder, capsys):
+    _, text = told("sarif", capsys)
+    log = json.loads(text)
+    found = log["runs"][0]
+    rules = [rule["id"] for rule in found["tool"]["driver"]["rules"]]
+    assert log["version"] == "2.1.0" and rules == list(RULES)
+    for result in found["results"]:
+        place = result["locations"][0]["physicalLocation"]
+        assert rules[result["ruleIndex"]] == result["ruleId"] and result["level"] == "error"
+        assert result["message"]["text"] and place["region"]["startLine"] >= 1
+        uri = place["artifactLocation"]["uri"]
+        assert (uri.startswith("sets/") and " " not in uri and "%" in uri) or uri.isascii()
+
+
+def test_sarif_tools_count_the_same(folder, capsys):
+    loader = pytest.importorskip("sarif.loader")
+    assert run(["check", "sets", "-o", "report.sarif"]) == 3
+    shown = capsys.readouterr().out
+    assert "differs.yaml" in shown and "2 differ" in shown          # in full as well
+    report = loader.load_sarif_file("report.sarif").get_report()
+    assert sum(map(report.get_issue_count_for_severity, report.get_severities())) == 4
+
+
+def test_a_report_is_written_whole_whatever_the_exit_code(folder, capsys):
+    assert run(["check", "sets", "-o", "report.xml"]) == 3
+    assert len(list(junitparser.JUnitXml.fromfile("report.xml"))) == len(SCENES)
+    assert run(["check", "sets", "-o", "report.xml"]) == 2
+    assert "exists already" in capsys.readouterr().err
+    assert run(["check", "sets/agrees.yaml", "-o", "report.xml", "--force"]) == 0
+    assert len(list(junitparser.JUnitXml.fromfile("report.xml"))) == 1
+    for more, said in ((["-o", "report.docx"], "'.docx'"), (["--json", "--format", "sarif"], "choose one"),
+                       (["--format", "concise", "-o", "x.json"], "on the screen"), (["--format", "xml"], "'junit'"),
+                       (["--max-failures", "0"], "0"), (["--stdin-name", "a.yaml"], "'-'"),
+                       (["--jobs", "0"], "0")):
+        assert run(["check", "sets", *more]) == 2
+        assert said in capsys.readouterr().err, more
+
+
+def test_under_github_actions_annotations_come_by_themselves(folder, capsys, monkeypatch):
+    monkeypatch.setenv("GITHUB_ACTIONS", "true")
+    run(["check", "sets/differs.yaml"])
+    out = capsys.readouterr().out
+    assert "✗ omega[1]" in out and "::error file=sets/differs.yaml,line=5," in out
+    assert run(["check", "sets/differs.yaml", "--json"]) == 1
+    assert json.loads(capsys.readouterr().out)
+
+
+def test_it_stops_at_so_many_failures(folder, capsys):
+    for jobs in ("1", "2"):
+        assert run(["check", "sets", "--max-failures", "1", "--jobs", jobs]) == 1
+        assert capsys.readouterr().out.splitlines()[-1] == (
+            "1 answer agrees, 1 differs in 2 files; 4 more left, as so many fail")
+
+
+def test_a_scene_from_stdin(folder, capsys, monkeypatch):
+    for text, name, code, said in ((SCENES["differs.yaml"], "x/y.yaml", 1, "x/y.yaml\n  ✗ omega[1]"),
+                                   (SCENES["slip, 100 %: a.yaml"], None, 3, "stdin:1:14: error")):
+        monkeypatch.setattr(sys, "stdin", SimpleNamespace(buffer=io.BytesIO(text.encode()), isatty=lambda: False))
+        assert run(["check", "-", *(["--stdin-name", name] if name else [])]) == code
+        assert said in "".join(capsys.readouterr())
+
+
+def test_only_what_has_changed(folder, capsys):
+    def git(*args):
+        subprocess.run(["git", "-c", "user.name=a", "-c", "user.email=a@b", *args], check=True, capture_output=True)
+
+    (folder / "sets" / "quake.csv").write_text("0,0\n1,1\n")
+    (folder / "sets" / "shaken.yaml").write_text(SCENES["agrees.yaml"] + "# quake.csv\n")
+    assert run(["check", "sets", "--changed-since", "HEAD"]) == 2
+    assert "git says: fatal" in capsys.readouterr().err
+    git("init", "-q")
+    git("add", ".")
+    git("commit", "-qm", "all")
+    assert run(["check", "sets", "--changed-since", "HEAD"]) == 0
+    assert capsys.readouterr().out == "no scene has changed since HEAD\n"
+    (folder / "sets" / "agrees.yaml").write_text(SCENES["agrees.yaml"] + "\n")
+    (folder / "sets" / "new.yaml").write_text(SCENES["agrees.yaml"])
+    (folder / "sets" / "quake.csv").write_text("0,0\n1,2\n")
+    run(["check", "sets", "--changed-since", "HEAD", "--json"])
+    files = [one["file"] for one in json.loads(capsys.readouterr().out)]
+    assert files == ["sets/agrees.yaml", "sets/new.yaml", "sets/shaken.yaml"]
+    for revision, said in (("nowhere", "git says"), ("--output=x", "expected a revision")):
+        assert run(["check", "sets", "--changed-since", revision]) == 2
+        assert said in capsys.readouterr().err
+    assert not (folder / "x").exists()
+
+
+def test_the_rules_are_explained_and_the_workflows_run(folder, capsys, monkeypatch):
+    for rule in RULES:
+        assert run(["explain", rule]) == 0
+        assert RULES[rule][:30] in " ".join(capsys.readouterr().out.split())
+    from vibcli.manual.ci import GITHUB, GITLAB
+
+    steps = yaml.safe_load(GITHUB)["jobs"]["check"]["steps"]
+    commands = [step["run"] for step in steps if "run" in step] + yaml.safe_load(GITLAB)["problems"]["script"]
+    ours = [command.split()[1:] for command in commands if command.startswith("vibcli ")]
+    assert len(ours) == 2
+    for number, args in enumerate(ours):
+        monkeypatch.chdir(folder / "sets")
+        (folder / "sets" / "problems").mkdir(exist_ok=True)
+        (folder / "sets" / "problems" / f"{number}.yaml").write_text(SCENES["agrees.yaml"])
+        assert run(args) == 0, args
+
+
+def test_the_hook_is_one(tmp_path):
+    clientlib = pytest.importorskip("pre_commit.clientlib")
+    hook, = clientlib.load_manifest(str(ROOT / ".pre-commit-hooks.yaml"))
+    assert hook["entry"].split()[:2] == ["vibcli", "check"]
+    assert re.search(hook["files"], "a/b.yaml") and not re.search(hook["files"], "a/b.yaml.txt")

@@ -1,0 +1,65 @@
+"""The plugin of pytest: each answer is a test where the configuration says so, and none elsewhere."""
+
+import subprocess
+import sys
+
+import pytest
+
+pytest_plugins = ["pytester"]
+RIGHT = """
+bodies: {a: {mass: 1 kg, slide: x}}
+springs: {s: {k: 4 N/m, between: [ground, a]}}
+answers:
+  omega[1]: 2 rad/s
+  K[x,x]: 4 N/m
+cases:
+  twice: {bodies: {a: {mass: 4 kg}}, answers: {"omega[1]": 1 rad/s}}
+"""
+WRONG = RIGHT.replace("2 rad/s", "3 rad/s")
+
+
+@pytest.fixture
+def course(pytester):
+    pytester.makeini("[pytest]\nvibcli = true\n")
+    pytester.makefile(".yaml", right=RIGHT, wrong=WRONG, slip="bodies: {a: {mas: 1 kg}}\n", bare="title: none\n")
+    return pytester
+
+
+def ran(course, *args):
+    """In a process of its own, as users run it."""
+    return course.runpytest_subprocess("-p", "vibcli.testing.plugin", *args)
+
+
+def test_each_answer_is_a_test(course):
+    found = ran(course, "-v")
+    found.assert_outcomes(passed=6, failed=2)
+    found.stdout.fnmatch_lines(["*right.yaml::twice: omega[[]1] PASSED*", "*wrong.yaml::omega[[]1] FAILED*",
+                                "slip.yaml:1: scene-invalid: *did you mean 'mass'*",
+                                "wrong.yaml:4: answer-differs: omega[[]1]: expected 3, found 2*"])
+
+
+def test_some_are_chosen_and_the_first_failure_ends_it(course):
+    ran(course, "-k", "twice").assert_outcomes(passed=2, deselected=6)
+    ran(course, "-x", "wrong.yaml").assert_outcomes(failed=1)
+    ran(course, "right.yaml::K[x,x]").assert_outcomes(passed=1)
+
+
+def test_the_last_failures(course):
+    ran(course)
+    ran(course, "--lf").assert_outcomes(failed=2)
+
+
+def test_in_several_processes(course):
+    ran(course, "-n", "2").assert_outcomes(passed=6, failed=2)
+
+
+def test_without_the_setting_nothing_is_collected(pytester):
+    pytester.makefile(".yaml", right=RIGHT)
+    ran(pytester).assert_outcomes()
+
+
+def test_pytest_of_others_imports_nothing_of_it(pytester):
+    code = ("import sys, vibcli.testing.plugin; "
+            "print(sorted(name for name in sys.modules if name.partition('.')[0] in ('vibcli', 'click', 'yaml')))")
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
+    assert found.strip() == "['vibcli', 'vibcli.testing', 'vibcli.testing.plugin']"

@@ -1,0 +1,206 @@
+"""What was found of files by a check, kept for the next time: read back where nothing has changed that it hangs on.
+
+An entry is a file of JSON, named by the file that it is of and by the options; it holds a key, made of the bytes of the
+file and of the records beside it that it names, of the options, of the sources of the program and of the versions of
+what it computes with. An entry that is damaged counts as none. Faults of ours are not kept, nor is what hangs on a file
+that is not there.
+"""
+
+import json
+import os
+import sys
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from hashlib import blake2b
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from vibcli.base.decoding import MAX_BYTES
+from vibcli.base.errors import PhysicsError
+from vibcli.cli.checking.found import CheckedAnswer, CheckedFile, Trouble
+
+NAME, FORM = ".vibcli_cache", 1
+COMPUTES_WITH = "numpy", "scipy", "sympy", "mpmath", "PyYAML"
+TAG = "Signature: 8a477f597d28d172789f06886806bc55\n# Results of `vibcli check`; they may be deleted.\n"
+BESIDE = {"CACHEDIR.TAG": TAG, ".gitignore": "*\n"}
+LONGEST, LARGEST = 300, 100 * 2**20     # characters of a name of a record; bytes of one
+ABSENT = "there is no file"
+
+
+class Unusable(Exception):
+    """The folder of the cache cannot be used, for this reason."""
+
+
+def folder_of(paths: Sequence[str]) -> Path:
+    """Where the cache is unless another folder is named: beside the first path."""
+    path = os.path.normpath(paths[0])
+    beside = path if os.path.basename(path) in (".", "..", "") else os.path.dirname(path)
+    return Path(beside or ".") / NAME
+
+
+class Cache:
+    """The cache in a folder; options: what else the results hang on. Unusable where it is a link, no folder, or not to
+    be written to."""
+
+    def __init__(self, folder: Path, options: Sequence[Any]):
+        self._folder, self._options = folder, json.dumps(options)
+        if folder.is_symlink():
+            raise Unusable("it is a link")
+        try:
+            folder.mkdir(exist_ok=True)
+            for name, text in BESIDE.items():
+                if not (folder / name).exists():
+                    _write(folder / name, text.encode())
+        except (OSError, PhysicsError) as error:
+            raise Unusable(getattr(error, "strerror", None) or str(error)) from None
+        if not os.access(folder, os.W_OK | os.X_OK):
+            raise Unusable("it may not be written to")
+        self._machinery = _machinery()
+
+    def find(self, file: str) -> CheckedFile | None:
+        """What was found of a file when it was as it is now; None where that is not known."""
+        entry = self._entry(file)
+        if entry is None:
+            return None
+        data = _bytes(file, MAX_BYTES)
+        if data is None or entry["key"] != self._key(file, data, entry["records"]):
+            return None
+        return _found(file, entry["found"])._replace(cached=True, seconds=entry["seconds"])
+
+    def seconds(self, file: str) -> float:
+        """How long the check of a file took last, 0 where that is not known."""
+        entry = self._entry(file)
+        return 0.0 if entry is None else entry["seconds"]
+
+    def checked(self, file: str, check: Callable[[str], CheckedFile]) -> CheckedFile:
+        """What `check` finds of a file, kept where nothing that it hangs on has changed meanwhile."""
+        before = self._state(file)
+        found = check(file)
+        if before is not None and _lasts(found) and self._state(file, before) == before:
+            text = json.dumps({"file": file, "records": before.records, "key": before.key, "seconds": found.seconds,
+                               "found": [found.code, found.failed, found.answers, found.troubles]})
+            with suppress(PhysicsError):        # where it cannot be written it is not kept
+                _write(self._path(file), json.dumps({"form": FORM, "sum": _digest(text), "entry": text}).encode())
+        return found
+
+    def _state(self, file, before=None):
+        """The Dependencies of a file now; None where it cannot be read. before: that of the same bytes, if they are."""
+        data = _bytes(file, MAX_BYTES)
+        if data is None:
+            return None
+        same = before is not None and before.data == data
+        records = before.records if same else _records(file, data)
+        return Dependencies(data, records, self._key(file, data, records))
+
+    def _path(self, file):
+        return self._folder / f"{_digest(file, self._options)[:32]}.json"
+
+    def _entry(self, file):
+        """The entry of a file, None where there is none or it is damaged."""
+        try:
+            with open(self._path(file), "rb") as stream:
+                outer = json.loads(stream.read(LARGEST))
+            if outer["form"] != FORM or outer["sum"] != _digest(outer["entry"]):
+                return None
+            entry = json.loads(outer["entry"])
+        except (OSError, ValueError, KeyError, TypeError, RecursionError):
+            return None
+        return entry if entry["file"] == file else None
+
+    def _key(self, file, data, records):
+        beside = [name and _file_digest(os.path.join(os.path.dirname(file), name)) for name in records]
+        return _digest(data, self._options, json.dumps([records, beside]), self._machinery)
+
+
+class Dependencies(NamedTuple):
+    """What a result hangs on: the bytes of a file, the names of its records, the key of all."""
+
+    data: bytes
+    records: list[str]
+    key: str
+
+
+def _lasts(found):
+    """Is it no fault of ours, and hangs on nothing that is not there?"""
+    return found.code != 101 and not any(one.message.startswith(ABSENT) for one in found.troubles)
+
+
+def _machinery():
+    """The hash of what computes: the sources of vibcli, Python, and the packages by their versions."""
+    from importlib.metadata import PackageNotFoundError, version
+
+    def known(name):
+        try:
+            return version(name)
+        except PackageNotFoundError:
+            return "–"
+
+    root = Path(__file__).parents[2]
+    sources = sorted(root.rglob("*.py"))
+    parts = [part for path in sources for part in (str(path.relative_to(root)), path.read_bytes())]
+    return _digest(sys.version, *map(known, COMPUTES_WITH), *parts)
+
+
+def _digest(*parts):
+    """The hash of texts and bytes, each with its length."""
+    found = blake2b(digest_size=20)
+    for part in parts:
+        data = part.encode("utf-8", "surrogatepass") if isinstance(part, str) else part
+        found.update(len(data).to_bytes(8, "little") + data)
+    return found.hexdigest()
+
+
+def _bytes(file, most):
+    """The bytes of a file, None where it cannot be read or is longer."""
+    try:
+        if not os.path.isfile(file):
+            return None
+        with open(file, "rb") as stream:
+            data = stream.read(most + 1)
+    except OSError:
+        return None
+    return data if len(data) <= most else None
+
+
+def _file_digest(path):
+    data = _bytes(path, LARGEST)
+    return None if data is None else _digest(data)
+
+
+def _records(file, data):
+    """The names in a scene that are those of files beside it."""
+    from vibcli.api.source import bytes_source
+
+    node = bytes_source(data, file).node
+    folder = os.path.dirname(file)
+    names = {text for text in _texts(node) if 0 < len(text) <= LONGEST and "\0" not in text and "\n" not in text}
+    return sorted(name for name in names if os.path.isfile(os.path.join(folder, name)))
+
+
+def _texts(node: Any):
+    """All texts that stand as values in a document."""
+    waiting = [node]
+    while waiting:
+        one = waiting.pop()
+        if hasattr(one, "entries"):
+            waiting += [value for _, value in one.entries.values()]
+        elif hasattr(one, "items"):
+            waiting += one.items
+        elif hasattr(one, "text"):
+            yield one.text.strip()
+
+
+def _found(file, kept):
+    """The CheckedFile of what JSON holds."""
+    code, failed, answers, troubles = kept
+    return CheckedFile(file, code, failed, [
+        CheckedAnswer(data, rule, tuple(place), name, said, estimated)
+        for data, rule, place, name, said, estimated in answers], [
+        Trouble(rule, message, hint, place and tuple(place), source, of_answers)
+        for rule, message, hint, place, source, of_answers in troubles])
+
+
+def _write(path, data):
+    from vibcli.base.output_files import write_whole
+
+    write_whole(path, data)

@@ -1,0 +1,113 @@
+"""The same as other programs read it: JSON, JUnit's XML, GitHub's annotations, SARIF.
+
+JUnit's XML as CI servers take it: a suite for each file, a case for each answer. Annotations by the grammar of GitHub's
+workflow commands. SARIF 2.1.0 (OASIS, 2020) with what GitHub's code scanning requires: rule, level, relative file and
+line.
+"""
+
+import json
+import os
+import re
+from collections.abc import Callable, Sequence
+from urllib.parse import quote
+
+from vibcli import __version__
+from vibcli.base.rules import DIFFERS, RULES
+from vibcli.cli.checking.found import CheckedFile, Finding, findings
+
+NOT_IN_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+WHOLE = "scene"         # the name of what is no answer's
+SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
+
+
+def as_json(found: Sequence[CheckedFile]) -> str:
+    """All verdicts."""
+    data = [{"file": one.file, "exit_code": one.code, "answers": [answer.data for answer in one.answers]}
+            for one in found]
+    return json.dumps(data, ensure_ascii=False, allow_nan=False, indent=1) + "\n"
+
+
+def as_junit(found: Sequence[CheckedFile]) -> str:
+    """A suite for each file, a case for each answer; what is no answer's is a case named `scene`."""
+    from xml.etree import ElementTree as xml
+
+    tree = xml.TreeBuilder()
+    tree.start("testsuites", {"name": "vibcli check"})
+    for one in found:
+        cases: dict[str, tuple[int, list[Finding]]] = {answer.name: (answer.place[0], []) for answer in one.answers}
+        for finding in findings(one):
+            cases.setdefault(finding.name or WHOLE, (finding.line, []))[1].append(finding)
+        differ = [all(finding.rule == DIFFERS for finding in wrong) for _, wrong in cases.values() if wrong]
+        file = _clean(one.file)
+        tree.start("testsuite", {"name": file, "tests": str(len(cases)), "failures": str(sum(differ)),
+                                 "errors": str(len(differ) - sum(differ))})
+        for name, (line, wrong) in cases.items():
+            tree.start("testcase", {"classname": file, "name": _clean(name), "file": file, "line": str(line)})
+            for finding in wrong:
+                kind = "failure" if finding.rule == DIFFERS else "error"
+                tree.start(kind, {"type": finding.rule, "message": _clean(finding.message)})
+                tree.data(_clean(f"{finding.file}:{finding.line}: {finding.message}"))
+                tree.end(kind)
+            tree.end("testcase")
+        tree.end("testsuite")
+    tree.end("testsuites")
+    top = tree.close()
+    xml.indent(top)
+    return '<?xml version="1.0" encoding="utf-8"?>\n' + xml.tostring(top, encoding="unicode") + "\n"
+
+
+def _clean(text):
+    """Text without what XML cannot hold."""
+    return NOT_IN_XML.sub("\N{REPLACEMENT CHARACTER}", text)
+
+
+def as_annotations(found: Sequence[CheckedFile]) -> str:
+    """A line for each thing that is wrong, which GitHub shows at its line of a change."""
+    told = []
+    for one in (finding for each in found for finding in findings(each)):
+        places = {"file": _relative(one.file), "line": one.line}
+        if one.column:
+            places |= {"col": one.column, "endColumn": one.column + one.width}
+        places["title"] = one.rule
+        told.append("::error " + ",".join(f"{key}={_property(str(value))}" for key, value in places.items())
+                    + f"::{_data(one.message)}\n")
+    return "".join(told)
+
+
+def _data(text):
+    return text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
+
+
+def _property(text):
+    return _data(text).replace(":", "%3A").replace(",", "%2C")
+
+
+def _relative(file):
+    """The name of a file from where the command runs, as on the web; as it is where it lies elsewhere."""
+    path = os.path.relpath(file) if os.path.isabs(file) else os.path.normpath(file)
+    return (file if path.startswith("..") else path).replace(os.sep, "/")
+
+
+def as_sarif(found: Sequence[CheckedFile]) -> str:
+    """One run, a result for each thing that is wrong."""
+    results = []
+    for one in (finding for each in found for finding in findings(each)):
+        region = {"startLine": one.line}
+        if one.column:
+            region |= {"startColumn": one.column, "endColumn": one.column + one.width}
+        place = {"artifactLocation": {"uri": quote(_relative(one.file)), "uriBaseId": "%SRCROOT%"}, "region": region}
+        results.append({"ruleId": one.rule, "ruleIndex": list(RULES).index(one.rule), "level": "error",
+                        "message": {"text": one.message}, "locations": [{"physicalLocation": place}]})
+    rules = [{"id": name, "shortDescription": {"text": about}, "defaultConfiguration": {"level": "error"},
+              "help": {"text": f"vibcli explain {name}"}} for name, about in RULES.items()]
+    driver = {"name": "vibcli", "version": __version__, "semanticVersion": __version__, "rules": rules}
+    run = {"tool": {"driver": driver}, "columnKind": "unicodeCodePoints", "results": results}
+    return json.dumps({"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}, ensure_ascii=False, indent=1) + "\n"
+
+
+FORMS: dict[str, tuple[Callable[[Sequence[CheckedFile]], str], tuple[str, ...]]] = {
+    "json": (as_json, (".json",)),          # name: (what makes its text, suffixes of its files)
+    "junit": (as_junit, (".xml",)),
+    "github": (as_annotations, (".txt",)),
+    "sarif": (as_sarif, (".sarif", ".sarif.json")),
+}

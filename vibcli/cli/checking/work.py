@@ -1,0 +1,118 @@
+"""The check of one file, found as data: nothing is printed here."""
+
+import os
+from collections.abc import Sequence
+from time import process_time
+
+import click
+
+from vibcli.base.errors import PhysicsError, SpecError, Where
+from vibcli.base.rules import DIFFERS, INVALID, UNCERTAIN, UNSOLVED
+from vibcli.cli.checking.found import CheckedAnswer, CheckedFile, Trouble
+from vibcli.cli.common import fault, forget, problem_in, shown_lines, source_of
+
+
+def checked_file(file: str, settings: Sequence[str] = (), patience: int = 1, data: bytes | None = None) -> CheckedFile:
+    """What the check of a file found, or of bytes that stand for it. A fault of ours is told and leaves others."""
+    start = process_time()
+    try:
+        found = _checked(file, settings, patience, data)
+    except (click.ClickException, click.Abort):
+        raise
+    except Exception as error:
+        if os.environ.get("VIBCLI_TRACEBACK"):
+            raise
+        found = CheckedFile(file, 101, True, fault=fault(error))
+    finally:
+        forget(file)
+    return found._replace(seconds=process_time() - start)
+
+
+def _checked(file, settings, patience, data):
+    verdicts, troubles, code = [], [], 0
+    try:
+        problem, source = _problem(file, settings, patience, data)
+        if any(spec.answers for spec in (problem.spec, *problem.spec.cases.values())):
+            from vibcli.check.verdicts import check
+
+            verdicts = check(problem, source.node)
+            troubles = [_trouble(UNCERTAIN if uncertain else UNSOLVED, refusal, file, True)
+                        for refusal, uncertain in _once([v for v in verdicts if v.refusal])]
+            code = 4 if troubles else int(any(not v.agrees for v in verdicts))
+        else:
+            _settle(problem)
+    except SpecError as error:
+        code, troubles = 3, [_trouble(INVALID, one, file) for one in error.diagnostics]
+    except PhysicsError as error:
+        code, troubles = 4, [_trouble(UNSOLVED, error, file)]
+    failed = code == 3 or (code == 4 and (not verdicts or any(v.refusal and v.agrees is False for v in verdicts)))
+    return CheckedFile(file, code, failed, [_answer(verdict) for verdict in verdicts], troubles)
+
+
+def _problem(file, settings, patience, data):
+    if data is None:
+        source = source_of(file)
+    else:
+        from vibcli.api.source import bytes_source
+
+        source = bytes_source(data, file)
+    return problem_in(source, settings, patience), source
+
+
+def _once(verdicts):
+    """(refusal, is it of what is uncertain?): each of one place once, with the number of answers that it keeps from
+    being found."""
+    same: dict = {}
+    for verdict in verdicts:
+        refusal = verdict.refusal
+        same.setdefault((refusal.message, refusal.hint, refusal.where), []).append(verdict)
+    for (message, hint, where), those in same.items():
+        told = f"{message} (so of {len(those)} answers)" if len(those) > 1 else message
+        yield PhysicsError(told, hint, where), all(verdict.agrees is None for verdict in those)
+
+
+def _settle(problem):
+    """Refused where the scene or a case of it cannot be drawn, or what it chooses cannot be found."""
+    from vibcli.api.source import settled
+
+    problem.draw()
+    for part in (problem, *map(problem.case, problem.spec.cases)):
+        settled(part)
+
+
+def _trouble(rule, error, file, of_answers=False):
+    where = error.where or (Where(file, 1, 1, 0) if rule != INVALID else None)
+    place = None if where is None else (where.file, where.line, where.column, where.width)
+    lines = shown_lines(where) if where is not None and where.width else ()
+    source = lines[where.line - 1] if where is not None and 1 <= where.line <= len(lines) else None
+    return Trouble(rule, error.message, error.hint, place, source, of_answers)
+
+
+def _answer(verdict):
+    where, asked = verdict.answer.expected.where, verdict.answer.asked.text
+    rule = "" if verdict.agrees else UNCERTAIN if verdict.agrees is None else UNSOLVED if verdict.refusal else DIFFERS
+    data = {"answer": asked, "case": verdict.case, "line": where.line, "column": where.column,
+            "agrees": verdict.agrees, "expected": verdict.expected, "found": verdict.found, "error": verdict.error,
+            "estimated": verdict.estimated, "remark": verdict.remark}
+    name = (f"{verdict.case}: " if verdict.case else "") + asked
+    return CheckedAnswer(data, rule, (where.line, where.column, where.width), name, _said(verdict), verdict.estimated)
+
+
+def _said(verdict):
+    """What was expected and what was found, and what there is to say of it."""
+    if verdict.agrees:
+        return ""
+    if verdict.agrees is None:
+        return f"uncertain: expected {verdict.answer.expected.text}, {verdict.remark}"
+    values = []
+    if verdict.expected is not None:
+        values.append("expected {}, found {}".format(*(verdict.digits or _values(verdict.expected, verdict.found))))
+    return " ".join(values + [f"({verdict.remark})"] * bool(verdict.remark))
+
+
+def _values(*values):
+    """Two values, to the digits in which they differ."""
+    if any(isinstance(value, bool) for value in values):
+        return ["true" if value else "false" for value in values]
+    digits = next((n for n in range(9, 17) if len({f"{value:.{n}g}" for value in values}) > 1), 17)
+    return [f"{value:.{digits}g}" for value in values]

@@ -1,0 +1,1 @@
+"""Answers of scenes as tests of pytest."""
