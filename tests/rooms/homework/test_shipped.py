@@ -2,18 +2,21 @@
 
 from pathlib import Path
 
+import numpy as np
 import pytest
+from support.students import Students
 
 from vibcli.api.source import file_source, problem_of
 from vibcli.homework.candidates import sampled
 from vibcli.homework.course import course_of
 from vibcli.homework.document import SceneDocument
+from vibcli.homework.marks import is_within
 from vibcli.homework.variants import solve_variants
 
 PROBLEMS = Path(__file__).parents[3] / "problems"
 WITH_VARIANTS = [path for path in sorted(PROBLEMS.glob("*/*.yaml"))
                  if "\nvariants:" in path.read_text(encoding="utf-8")]
-SOME = 12
+SOME, SEVERAL, STUDENTS = 12, 4, 500
 
 
 def test_how_many_there_are():
@@ -35,6 +38,45 @@ def test_variants_of_a_problem(path):
     for one in found.accepted:
         for key in one.keys:
             assert 0 < key.band.width <= 0.02 * abs(key.value) and key.error <= 0.1 * key.band.width
+    assert_students_pass(problem, found)
+    assert_no_mistake_is_marked_right(found)
+
+
+def assert_students_pass(problem, found):
+    """Of those who follow the lines and round some of them, 98 of 100 at least, in each variant."""
+    for one in found.accepted[:SEVERAL]:
+        students = Students(problem, one, STUDENTS)
+        for key, value in zip(found.keys, one.keys, strict=True):
+            answers = students.answers(key, value.band.figures)
+            if answers is not None:
+                off = np.abs(answers[0] * value.value)
+                assert np.mean(off <= value.band.width * (1 + 1e-9)) >= 0.98, (key.text, one.values)
+
+
+def assert_no_mistake_is_marked_right(found):
+    """Whatever figures are kept of what a mistake leads to."""
+    for one in found.accepted:
+        for value in one.keys:
+            for wrong in value.wrong:
+                answers = [wrong.value, *(float(f"{wrong.value:.{figures}g}") for figures in
+                                          range(value.band.figures, 8))]
+                assert not any(is_within(answer, value.value, value.band.width) for answer in answers), wrong
+
+
+def test_students_evaluate_lines_by_their_letters():
+    """ω_d = √(ω² − δ²) and ζ = δ/ω of a bell crank; one who rounds nothing answers right."""
+    path = next(path for path in WITH_VARIANTS if path.stem == "bell_crank_dashpot")
+    source = file_source(path)
+    problem = problem_of(source)
+    rules = problem.spec.get("variants")
+    problem = problem.with_spec(problem.spec.with_sections(variants=rules._replace(sample=2)))
+    found = solve_variants(problem, SceneDocument.of(source.node, source.file, None))
+    students = Students(problem, found.accepted[0], 50)
+    for key in found.keys:
+        off, by_letters = students.answers(key, 12)
+        assert by_letters >= 1 and np.abs(off).max() < 1e-10
+        off, _ = students.answers(key, 2)
+        assert np.abs(off).max() > 1e-3
 
 
 @pytest.mark.parametrize("path", sorted(PROBLEMS.glob("sets/*")), ids=lambda path: path.name)
