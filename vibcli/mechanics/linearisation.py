@@ -73,6 +73,12 @@ def residual_terms(form: Linearisation) -> "list[list[Node]]":
     return found
 
 
+def hangs_on(form: Linearisation, variable: "Node") -> bool:
+    """Is a variable in what M, C, G and K are made of? Forces without curvature are in the residual alone."""
+    curved = [(force, curvature, row) for force, curvature, row in form.curved if curvature]
+    return any(node.mask & variable.mask for node in nodes_of(form._replace(curved=curved, residual=[])))
+
+
 def nodes_of(form: Linearisation) -> "list[Node]":
     """Every expression of a Linearisation."""
     nodes = []

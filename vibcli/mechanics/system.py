@@ -112,7 +112,8 @@ class MechanicalSystem:
 
     @cached_property
     def with_inputs(self):
-        """(scene, Linearisation, the same without excitation) of the scene with what drives it as coordinates."""
+        """(scene, Linearisation, the same without excitation, may its matrices depend on the time?) of the scene with
+        what drives it as coordinates."""
         return (self._shared and self._shared("with_inputs")) or self._with_inputs(self.scene)
 
     @cached_property
@@ -123,12 +124,13 @@ class MechanicalSystem:
 
     def _with_inputs(self, scene):
         from vibcli.mechanics.autonomous import steady
+        from vibcli.mechanics.linearisation import hangs_on
         from vibcli.mechanics.linearise import linearise
         from vibcli.mechanics.static_preload import take_over
 
         scene = take_over(scene.with_inputs(), self.preloads)
         form = linearise(scene)
-        return scene, form, steady(scene, form)
+        return scene, form, steady(scene, form), hangs_on(form, scene.time)
 
     @Stage
     def linearisation(self):
@@ -155,6 +157,14 @@ class MechanicalSystem:
 
         self._require_coordinates()
         return defined_as_drawn(linearise, self.scene.vibrating)
+
+    @cached_property
+    def hangs_on_time(self):
+        """May M, C, G and K depend on the time?"""
+        from vibcli.mechanics.linearisation import hangs_on
+
+        vibrating = self.scene.vibrating
+        return vibrating.loops is not None or hangs_on(self.time_dependent_linearisation, vibrating.time)
 
     def _require_coordinates(self):
         if not self.scene.q and not self.scene.pieces and any(body.moves for body in self.scene.bodies.values()):

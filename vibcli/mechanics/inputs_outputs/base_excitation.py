@@ -26,13 +26,14 @@ if TYPE_CHECKING:
 
 class SystemWithInputs:
     """scene; n: how many of its coordinates are none of its inputs, which stand last; timed, form: its Linearisation
-    with and without excitation; kind: of arrays of its numbers."""
+    with and without excitation; varies: may its matrices depend on the time? kind: of arrays of its numbers."""
 
     def __init__(self, configuration: "Configuration", releasing: bool = False):
         self.configuration, self.arithmetic = configuration, configuration.arithmetic
         self.kind = float if self.arithmetic is Floats else object
         system = configuration.system
-        self.scene, self.timed, self.form = system.released_with_inputs if releasing else system.with_inputs
+        opened = system.released_with_inputs if releasing else system.with_inputs
+        self.scene, self.timed, self.form, self.varies = opened
         self.n = len(self.scene.q) - len(self.scene.inputs)
 
     @cached_property
@@ -73,7 +74,7 @@ class SystemWithInputs:
     @cached_property
     def turning(self):
         """The numbers of the coordinates and inputs whose columns are others at other instants."""
-        if not self.scene.timed:
+        if not self.scene.timed or not self.varies:
             return set()
         wanted, columns = matrices_at(self.form, self.values), set()
         for instant in INSTANTS:
