@@ -24,7 +24,8 @@ COMMANDS = {"phi": "varphi", "epsilon": "varepsilon"}      # of LaTeX, where the
 NAMES = {letter: name for name, letter in GREEK.items()}
 _SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _SUPERSCRIPT = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
-PRODUCTS = {"βL": ("β", "L"), "βx": ("β", "x")}      # symbols read as products: their powers have brackets
+PRODUCTS = re.compile(r"(β)([Lx])|([EG])([AIJ](?:[op]|\d*))")   # names read as products: βL; EI, GIo of members
+TYPED = re.compile(r"[A-Za-z][a-z]\d{1,2}")           # kt1: the stiffness k of torsion number 1
 _DOTS = {"": "", "'": "\u0307", "''": "\u0308"}
 _PRECOMPOSED = {"x\u0307": "ẋ", "x\u0308": "ẍ", "y\u0307": "ẏ", "y\u0308": "ÿ", "s\u0307": "ṡ", "z\u0307": "ż",
                 "u\u0308": "ü", "r\u0307": "ṙ"}
@@ -35,15 +36,23 @@ def lowered(number: int) -> str:
     return str(number).translate(_SUBSCRIPT)
 
 
+def factors_of(name: str) -> list[str]:
+    """The names of which one is a product, as E and I2 of EI2; none of others."""
+    found = PRODUCTS.fullmatch(name)
+    return [part for part in found.groups() if part] if found else []
+
+
 def split_name(name: str) -> tuple[str, str, str]:
-    """('φ', '1', "'") of phi1': letter, subscript, primes; a word such as length stays whole."""
+    """('φ', '1', "'") of phi1': letter, subscript, primes; ('k', 't1', '') of kt1; a word such as length stays
+    whole."""
     bare = name.rstrip("'")
     primes = name[len(bare):]
     letter = max((word for word in GREEK if bare.startswith(word)), key=len, default=bare[:1])
     rest = bare[len(letter):]
     if letter != "ℓ" and not (letter.isascii() and letter.isalpha()):
         return bare, "", primes
-    if not rest or rest.isdigit() or rest.startswith("_") or len(bare) == 2 or (letter in GREEK and len(rest) <= 2):
+    if not rest or rest.isdigit() or rest.startswith("_") or len(bare) == 2 or (letter in GREEK and len(rest) <= 2) or (
+            TYPED.fullmatch(bare)):
         return letter, rest, primes
     return bare, "", primes
 
@@ -194,7 +203,8 @@ class Notation:
             leading = min(base.args, key=term_rank)
             base = -base if leading[1] < 0 and not base.table.squares_at_sample else base
         text = self.write(base, 2)
-        return self.power(self.brackets(text) if base.name in PRODUCTS else text, self.number(exponent))
+        bracketed = base.op == "symbol" and factors_of(base.name)
+        return self.power(self.brackets(text) if bracketed else text, self.number(exponent))
 
 
 class Plain(Notation):
@@ -216,13 +226,15 @@ class Plain(Notation):
         return decimal(value).replace("-", "−")
 
     def symbol(self, name: str) -> str:
+        if factors := factors_of(name):
+            return "".join(map(self.symbol, factors))
         name, marks = split_marks(name)
         letter, rest, primes = split_name(name)
         letter = GREEK.get(letter, letter)
+        below = rest.translate(_SUBSCRIPT) if rest.isdigit() else rest
         if len(letter) > 1:
             return letter + "′" * marks + primes
         dotted = letter + _DOTS[primes]
-        below = rest.translate(_SUBSCRIPT) if rest.isdigit() else rest
         return _PRECOMPOSED.get(dotted, dotted) + below + "′" * marks
 
     def brackets(self, text: str) -> str:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.notation_text import read
 from vibcli.notation.numbers import decimal, shown_as_decimal
-from vibcli.notation.plain import PRODUCTS, Notation, split_marks, split_name
+from vibcli.notation.plain import Notation, factors_of, split_marks, split_name
 from vibcli.notation.radicals import place
 from vibcli.symbolic.rationals import ONE
 
@@ -44,8 +44,8 @@ class Stacked(Notation):
         return self.signed(value < 0, found, first=True)
 
     def symbol(self, name: str) -> str:
-        if name in PRODUCTS:
-            return self.times([self.lettered(letter, "", "") for letter in PRODUCTS[name]])
+        if factors := factors_of(name):
+            return self.times(list(map(self.symbol, factors)))
         name, marks = split_marks(name)
         letter, rest, primes = split_name(name)
         found = self.lettered(letter, rest.removeprefix("_"), primes)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import LetterRuns, Run
 from vibcli.drawing.layout.fonts import font
-from vibcli.notation.plain import GREEK, Plain, split_name
+from vibcli.notation.plain import GREEK, Plain, factors_of, split_name
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
@@ -21,6 +21,7 @@ FONTS = {True: ("STIXGeneralItalic.ttf", "DejaVuSerif-Italic.ttf"), False: ("STI
 MISSING, LONGEST, GAP = "□", 90, 0.13
 BESIDE = 0.05       # of the size: behind each run
 _OPEN, _INDEX, _CLOSE = "\ue000", "\ue001", "\ue002"
+_NUMBER_BEFORE = re.compile("(?<![^(−])([\\d.]+)·")        # 4k, but F₀ sin(Ωt)
 _HIGH = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789−")
 _PARTS = re.compile(f"{_OPEN}([^{_INDEX}]*){_INDEX}([^{_CLOSE}]*){_CLOSE}|([⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)|([^{_OPEN}⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)")
 
@@ -29,11 +30,13 @@ class _Marked(Plain):
     """Plain notation in which names are marked off with their indices."""
 
     def symbol(self, name: str) -> str:
+        if factors := factors_of(name):
+            return "".join(map(self.symbol, factors))
         letter, rest, primes = split_name(name)
         return f"{_OPEN}{GREEK.get(letter, letter)}{primes}{_INDEX}{rest.removeprefix('_')}{_CLOSE}"
 
     def product(self, value: Any, args: Any):
-        return super().product(value, args).replace("·", " ")
+        return _NUMBER_BEFORE.sub(r"\1", super().product(value, args)).replace("·", " ")
 
 
 def named(name: str, size: float = SIZE) -> tuple[Run, ...]:
