@@ -154,6 +154,7 @@ def _gravity(sketch, box):
     middle = box[2] + 18.0, box[3] - GRAVITY / 2
     start, tip = (plane.plus(middle, direction, side * GRAVITY / 2) for side in (-1, 1))
     field = sketch.spec.get("gravity")
-    runs = lettering.named("g") if isinstance(field, list) else captions.expression(field, sketch) or \
-        lettering.named("g")
+    runs = () if isinstance(field, list) else captions.expression(field, sketch) or ()
+    if not runs or runs[0].text[0].isdigit():
+        runs = (*lettering.named("g"), *(lettering.words(" = ") if runs else ()), *runs)
     return [*arrow.straight(start, tip, "ink"), lettering.text(runs, middle[0] + 5, middle[1] - 4)]

@@ -42,7 +42,7 @@ def test_numbers_of_the_file_stand_as_in_print():
         beams: {arm: {from: [0, 0], to: [3 m, 0], EI: 900 N*m^2, mass_per_length: 1 kg/m, left: clamped}}
     """))
     written = {"".join(run.text for run in part.runs) for part in drawn if isinstance(part, LetterRuns)}
-    assert {"9.81 m/s²", "900 N·m²"} <= written
+    assert {"g = 9.81 m/s²", "900 N·m²"} <= written
 
 
 def test_a_beam_is_named_by_all_its_stiffnesses():

@@ -21,6 +21,7 @@ FONTS = {True: ("STIXGeneralItalic.ttf", "DejaVuSerif-Italic.ttf"), False: ("STI
 MISSING, LONGEST, GAP = "□", 90, 0.13
 BESIDE = 0.05       # of the size: behind each run
 _OPEN, _INDEX, _CLOSE = "\ue000", "\ue001", "\ue002"
+DOTS = {"'": "\u0307", "''": "\u0308"}      # of a rate: one or two above the letter
 _NUMBER_BEFORE = re.compile("(?<![^(−])([\\d.]+)·")        # 4k, but F₀ sin(Ωt)
 _HIGH = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789−")
 _PARTS = re.compile(f"{_OPEN}([^{_INDEX}]*){_INDEX}([^{_CLOSE}]*){_CLOSE}|([⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)|([^{_OPEN}⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)")
@@ -33,7 +34,7 @@ class _Marked(Plain):
         if factors := factors_of(name):
             return "".join(map(self.symbol, factors))
         letter, rest, primes = split_name(name)
-        return f"{_OPEN}{GREEK.get(letter, letter)}{primes}{_INDEX}{rest.removeprefix('_')}{_CLOSE}"
+        return f"{_OPEN}{GREEK.get(letter, letter)}{DOTS.get(primes, primes)}{_INDEX}{rest.removeprefix('_')}{_CLOSE}"
 
     def product(self, value: Any, args: Any):
         return _NUMBER_BEFORE.sub(r"\1", super().product(value, args)).replace("·", " ")

@@ -1,0 +1,35 @@
+"""Letters of labels as they are set in print."""
+
+import pytest
+from support.scenes import problem
+
+from vibcli.drawing.canvas.primitives import LetterRuns
+from vibcli.drawing.drawing import draw
+from vibcli.drawing.layout.lettering import letters, named, written
+from vibcli.symbolic.expression import Table
+
+
+def of_name(name):
+    """(on the line, lowered)"""
+    runs = named(name)
+    return letters([run for run in runs if not run.rise]), letters([run for run in runs if run.rise < 0])
+
+
+@pytest.mark.parametrize("name, found", [
+    ("kt1", ("k", "t1")), ("mp", ("m", "p")), ("phi2", ("φ", "2")), ("EI", ("EI", "")), ("EI2", ("EI", "2")),
+    ("GIo", ("GI", "o")), ("rod1", ("rod1", "")), ("phi'", ("φ\u0307", "")), ("x1''", ("x\u0308", "1"))])
+def test_names(name, found):
+    assert of_name(name) == found
+
+
+def test_a_number_stands_at_its_letter():
+    table = Table()
+    k, F = table.parameter("k"), table.parameter("F")
+    assert letters(written(k * 4)) == "4k" and letters(written(k * F)) in ("k F", "F k")
+    assert letters(written(k * F * -3)) == "−3k F"
+
+
+def test_gravity_in_numbers_is_named():
+    scene = "parameters: {m: 2 kg}\ngravity: 9.81 m/s^2\nbodies: {a: {mass: m, at: [0, 0], move: [0, y, 0]}}\n"
+    told = [letters(part.runs) for part in draw(problem(scene)) if isinstance(part, LetterRuns)]
+    assert "g = 9.81 m/s²" in told
