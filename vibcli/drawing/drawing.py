@@ -34,31 +34,30 @@ def annotations(stage: Any, found: Any,
         made.extend(parts)
         space.add(parts)
 
-    thin = []
+    thin, words = [], []
+    for record in (sketch.spec.get("forces") or {}).values():       # where they act is given: names make room for them
+        drawn = load.draw(record, sketch, stage.looks, space)
+        if drawn is not None:
+            put(drawn[0])
+            words.append((drawn[1], drawn[2], "load"))
+    for layout in stage.rows:
+        for parts, runs, places, role in lumped.arrows(layout, stage.scene, sketch):
+            put(parts)
+            words.append((runs, places, role))
     for runs, places, outside in _bodies(stage):
         if outside:
             thin.append((runs, places, "ink"))
         else:
             made.append(space.put(runs, places, inside=places))
-    words = []
     for item in coordinate.wanted(sketch):
         parts, places = coordinate.draw(item, sketch, stage.looks, space)
         put(parts)
         words.append((item[0], places, item[1]))
-    for record in (sketch.spec.get("forces") or {}).values():
-        drawn = load.draw(record, sketch, stage.looks, space)
-        if drawn is not None:
-            put(drawn[0])
-            words.append((drawn[1], drawn[2], "load"))
     for strip in stage.strips:
         for parts, runs, places, role in member_words.of(strip, sketch):
             put(parts)
             if runs:
                 words.append((runs, places, role))
-    for layout in stage.rows:
-        for parts, runs, places, role in lumped.arrows(layout, stage.scene, sketch):
-            put(parts)
-            words.append((runs, places, role))
     for runs, places, role in words + thin:
         made.append(space.put(runs, places, role))
     for parts, runs, places in _shaken(stage):

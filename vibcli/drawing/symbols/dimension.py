@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.drawing.canvas.primitives import ARROW, Polygon, Polyline, Run
 from vibcli.drawing.layout import captions, lettering, plane
+from vibcli.drawing.layout.space import TAKEN
 from vibcli.drawing.symbols import arrow
 from vibcli.drawing.symbols.shape import ROD
 
@@ -106,13 +107,15 @@ def draw(length: Length,
         for side in (-1, 1):
             a, b = plane.plus(length.one, n, side * offset), plane.plus(length.two, n, side * offset)
             label = plane.plus(plane.middle(a, b), n, side * 7.0)
-            cost = space.path([plane.plus(a, e, 2), plane.plus(b, e, -2)]) + space.path([label, label]) + 0.1 * offset
-            if best is None or cost < best[0]:
-                best = cost, side, offset, a, b
-    cost, side, offset, a, b = best
-    if cost - 0.1 * offset > CROWDED:
+            legs = [(plane.plus(p, n, side * (ROD + 2)), plane.plus(q, n, side * BEYOND))
+                    for p, q in ((length.one, a), (length.two, b))]
+            over = sum(cost for cost in map(space.path, legs) if cost >= TAKEN)       # they strike no word
+            cost = space.path([plane.plus(a, e, 2), plane.plus(b, e, -2)]) + space.path([label, label]) + over
+            if best is None or cost + 0.1 * offset < best[0]:
+                best = cost + 0.1 * offset, cost, a, b, side, legs
+    _, cost, a, b, side, legs = best
+    if cost > CROWDED:
         return None
-    legs = [Polyline((plane.plus(p, n, side * (ROD + 2)), plane.plus(q, n, side * BEYOND)), "measure", 0.6, layer=ARROW)
-            for p, q in ((length.one, a), (length.two, b))]
+    legs = [Polyline(leg, "measure", 0.6, layer=ARROW) for leg in legs]
     parts = [part._replace(width=min(part.width, 0.7)) for part in arrow.straight(a, b, "measure", 0.7, both=True)]
     return [*legs, *parts], length.runs, [plane.plus(plane.middle(a, b), n, sign * 1.5) for sign in (side, -side)]
