@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from vibcli.drawing.layout.ties import Ties
     from vibcli.elements.rigid_body import Body
 
-RIM, CORNER = 8.0, 4.5
+RIM, CORNER, KNOT = 8.0, 4.5, 2.4
 
 
 def looks(sketch: "Sketch", ties: "Ties") -> dict[str, Look]:
@@ -27,7 +27,7 @@ def looks(sketch: "Sketch", ties: "Ties") -> dict[str, Look]:
 def look_of(body: "Body", sketch: "Sketch", ties: "Ties") -> Look:
     record, name = body.record, body.name
     if "parts" in record or record.get("shape", "particle") != "particle":
-        return _shaped(record, sketch, toothed=name in ties.toothed)
+        return _shaped(record, sketch, ties)
     centre = sketch.centre(name)
     carried = {kind: surface for surface in reversed(ties.surfaces.get(name, ()))
                for kind in ("line", "curve", "circle") if kind in surface}
@@ -43,6 +43,8 @@ def look_of(body: "Body", sketch: "Sketch", ties: "Ties") -> Look:
     if name in ties.radii:
         axle = sketch.rim(name).drawn
         return _wheel(axle, _radii(name, axle, ties), name in ties.toothed)
+    if name in ties.fastened and body.mass is None:
+        return Look([ball(centre, KNOT)._replace(fill="ink")], "joint")
     pivot = sketch.pivot(name)
     if pivot is not None:
         return pinned(body, centre, pivot.drawn, sketch, ties)
@@ -51,13 +53,18 @@ def look_of(body: "Body", sketch: "Sketch", ties: "Ties") -> Look:
     return _loose(body, centre, sketch, ties)
 
 
-def _shaped(record, sketch, toothed=False):
+def _shaped(record, sketch, ties):
+    toothed = record.name in ties.toothed
     parts = [outline(part, sketch) for part in record.get("parts", (record,))]
     pieces = [_piece(part) for part in sorted(parts, key=lambda part: part.cut)]
     if toothed and parts[0].band:
         return _rim(sketch.rim(record.name).drawn, sketch.length(record["radius"]))
     if toothed:
         pieces = [piece._replace(points=tuple(teeth(piece.points))) for piece in pieces]
+    if record.get("shape") == "disc":
+        centre, whole = sketch.centre(record.name), sketch.length(record["radius"])
+        pieces += [Polygon(tuple(plane.circle(centre, radius)), "inner")
+                   for radius in ties.radii.get(record.name, ()) if radius < whole * (1 - 1e-6)]
     core = list(pieces[0].points) if record.get("shape") == "rectangle" else None
     return Look(pieces, record.get("shape", "parts"), core)
 
