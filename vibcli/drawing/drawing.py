@@ -11,7 +11,7 @@ from vibcli.drawing.symbols.connection import symbol
 
 GRAVITY = 30.0
 SHOWN = "bodies bars shafts beams strings springs dampers inerters forces constraints".split()
-SLENDER = ("rod", "arm", "bob", "bar", "ring", "hoop", "rim", "arch")
+SLENDER = ("rod", "arm", "bob", "bar", "ring", "hoop", "rim", "arch", "frame")
 
 
 def draw(problem: Any) -> list[Any]:
@@ -137,8 +137,11 @@ def _spots(name, look, sketch):
         return [plane.plus(ends[0], plane.minus(ends[1], ends[0]), share) for share in (0.5, 0.65, 0.35)]
     if look.kind in ("bob", "arm", "hub", "bar"):
         return [sketch.centre(name)]
-    if look.kind in ("ring", "hoop", "rim", "arch"):
+    if look.kind in ("ring", "hoop", "rim", "arch", "frame"):
         points = [sketch.frames[name].point(p) for p in look.pieces[0].points]
+        if look.kind == "frame":        # beside it
+            middle = plane.middle(*plane.corners(points))
+            points = [plane.plus(p, plane.unit(plane.minus(p, middle)), 7.0) for p in points]
         return [points[len(points) * i // 8] for i in (3, 1, 5, 7)]
     part = max((part for part in look.outlines if part.fill != "paper"), default=look.pieces[-1],
                key=lambda part: plane.distance(*plane.corners(part.points)))

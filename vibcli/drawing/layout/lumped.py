@@ -2,10 +2,11 @@
 
 from collections.abc import Mapping, Sequence
 from math import sin
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import BODY, Circle, Hatch, Polygon, Polyline, Run
-from vibcli.drawing.layout import captions, lettering, plane
+from vibcli.drawing.layout import captions, lettering, plane, storeys, tube
+from vibcli.drawing.layout.lumped_place import Layout, LumpedPlace
 from vibcli.drawing.layout.rows import LumpedRow, carrier, motion
 from vibcli.drawing.symbols import arrow, support
 from vibcli.drawing.symbols.connection import symbol
@@ -16,33 +17,18 @@ if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
 
 BOX, DISC, GAP, LANE, STACK = 40.0, 13.0, 64.0, 22.0, 18.0
-HALF, RIM, ROOM = 18.0, 30.0, 46.0
-
-
-class LumpedPlace(NamedTuple):
-    """Where a lumped body stands: its middle, half its width and height, and whether it turns."""
-
-    middle: tuple
-    half: float
-    height: float
-    turns: bool
-
-
-class Layout(NamedTuple):
-    """A row on paper: `places` by body, the walls (None where there is none), the height of the highest lane."""
-
-    row: Any
-    places: dict
-    left: float | None
-    right: float | None
-    y: float
-    top: float
+HALF, RIM, ROOM, SUPPORT = 18.0, 30.0, 46.0, 2.5
 
 
 def layouts(found: Sequence[LumpedRow], scene: "Scene", left: float, top: float) -> list[Layout]:
     """The Layouts of rows below one another, from the upper left corner on."""
     made = []
     for row in found:
+        special = _special(row, scene, left, top)
+        if special is not None:
+            made.append(special)
+            top = special.y - ROOM
+            continue
         turns = any(scene.bodies[name].lumped[0] == "turn" for name in row.bodies)
         across = max([_across(edges) for edges in row.gaps.values()] or [STACK])
         height = max(RIM if turns else HALF, 0.5 * across + 4)
@@ -52,14 +38,28 @@ def layouts(found: Sequence[LumpedRow], scene: "Scene", left: float, top: float)
         x = left + (GAP if walled else 0.0)
         places = {}
         for name in row.bodies:
-            half = DISC / 2 if scene.bodies[name].lumped[0] == "turn" else BOX / 2
-            places[name] = LumpedPlace((x + half, y), half, height, scene.bodies[name].lumped[0] == "turn")
+            disc = scene.bodies[name].lumped[0] == "turn"
+            half = DISC / 2 if disc else SUPPORT if _is_support(scene.bodies[name], scene) else BOX / 2
+            places[name] = LumpedPlace((x + half, y), half, height, disc)
             x += 2 * half + GAP
         end = len(row.bodies)
         right = x if end in row.gaps or any(high == end for _, high, _ in row.lanes) else None
         made.append(Layout(row, places, left if walled else None, right, y, y + above - 12))
         top = y - height - ROOM
     return made
+
+
+def _is_support(body, scene):
+    """Is this ground that is shaken: without mass, its motion a function of the time?"""
+    mask = captions.raw(motion(body), scene).mask
+    return body.mass is None and carrier(body) is None and bool(mask) and mask == scene.time.mask
+
+
+def _special(row, scene, left, top):
+    """The Layout of what is no row on a floor or shaft: storeys, or a column of liquid."""
+    if storeys.is_one(row, scene):
+        return storeys.layout(row, scene, left, top)
+    return tube.layout(row, scene, left, top) if tube.is_one(row, scene) else None
 
 
 def _across(edges):
@@ -71,6 +71,10 @@ def _across(edges):
 def draw(layout: Layout,
          moved: Mapping[str, float]) -> tuple[list[Any], dict[str, tuple[tuple[Any, ...], tuple[Any, ...]]]]:
     """The primitives of a row, and where its elements are; `moved`: {body: displacement in points, or angle}."""
+    if layout.kind == "frame":
+        return storeys.draw(layout, moved)
+    if layout.kind == "tube":
+        return tube.draw(layout, moved)
     places = {name: place if place.turns else place._replace(middle=plane.plus(place.middle, (moved.get(name, 0.0), 0)))
               for name, place in layout.places.items()}
     found, where = _walls(layout), {}
@@ -106,7 +110,7 @@ def _lane(layout, places, low, high, edge, lane):
             ends.append(((layout.left if column < 0 else layout.right), None))
         else:
             place = places[bodies[column]]
-            ends.append((place.middle[0] + side * (place.half - 6), layout.y + place.height))
+            ends.append((place.middle[0] + side * max(place.half - 6, 0.0), layout.y + place.height))
     (x1, y1), (x2, y2) = ends
     legs = [Polyline(((x, foot), (x, y))) for x, foot in ((x1, y1), (x2, y2)) if foot is not None]
     return legs + symbol(edge.record).between(edge.record, (x1, y), (x2, y), x2 - x1), ((x1 + x2) / 2, y)
@@ -114,6 +118,8 @@ def _lane(layout, places, low, high, edge, lane):
 
 def _box(place):
     x, y = place.middle
+    if place.half == SUPPORT:
+        return [Polygon(tuple(plane.box(place.middle, 2 * place.half, 2 * place.height)), "driven")]
     wheels = [Circle((x + side * (place.half - 8), y - place.height - support.ROLLER), support.ROLLER, "paper")
               for side in (-1, 1)]
     return [Polygon(tuple(plane.box(place.middle, 2 * place.half, 2 * place.height))), *wheels]
@@ -154,11 +160,15 @@ def arrows(layout: Layout, scene: "Scene",
         body = scene.bodies[name]
         field = motion(body)
         x, y = place.middle[0], place.middle[1] + place.height + 9
+        if layout.kind == "frame":      # beside the storey
+            x, y = x + place.half + 6, place.middle[1]
         driven = captions.raw(field, scene).mask == scene.time.mask
         runs = _displacement(body, scene, sketch)
         role = "driven" if driven else "coordinate"
         tip = (x + 26, y)
-        if place.turns:
+        if layout.kind == "tube":
+            parts, tip = tube.arrow_of(place, role)
+        elif place.turns:
             parts, tip = arrow.over((x, y), role), (x + 8, y + 6)
         else:
             bar = Polyline(((x, y - 5), (x, y + 5)), role, 0.9, layer=arrow.ARROW)
@@ -192,6 +202,11 @@ def _load(record, layout, sketch):
         parts = [Polyline((place.middle, mass), "load"), Circle(mass, 2.3, "load", "load")]
         return [(parts, runs, [mass], "load")]
     runs = captions.expression(record["force"], sketch, 18) or lettering.named(record.name)
+    if layout.kind == "tube":
+        parts, tip = tube.load_on(place)
+        return [(parts, runs, [tip], "load")]
     start = (x + place.half, y + place.height - 5)
+    if layout.kind == "frame":
+        start = (x - place.half - 32, y)
     return [(arrow.straight(start, plane.plus(start, (30.0, 0.0)), "load", 1.7), runs,
              [plane.plus(start, (16.0, 3.0))], "load")]

@@ -4,8 +4,8 @@ from typing import TYPE_CHECKING
 
 from vibcli.drawing.canvas.primitives import BODY, Polygon, Polyline
 from vibcli.drawing.layout import plane
-from vibcli.drawing.symbols import sliding
-from vibcli.drawing.symbols.look import Look, ball, centre_mark, teeth
+from vibcli.drawing.symbols import hulls, sliding
+from vibcli.drawing.symbols.look import Look, ball, teeth
 from vibcli.drawing.symbols.pinned import pinned
 from vibcli.drawing.symbols.posts import with_posts
 from vibcli.drawing.symbols.shape import BALL, outline
@@ -28,6 +28,8 @@ def look_of(body: "Body", sketch: "Sketch", ties: "Ties") -> Look:
     record, name = body.record, body.name
     if "parts" in record or record.get("shape", "particle") != "particle":
         return _shaped(record, sketch, ties)
+    if "looks" in record:
+        return hulls.named(body, sketch, ties)
     centre = sketch.centre(name)
     carried = {kind: surface for surface in reversed(ties.surfaces.get(name, ()))
                for kind in ("line", "curve", "circle") if kind in surface}
@@ -48,6 +50,8 @@ def look_of(body: "Body", sketch: "Sketch", ties: "Ties") -> Look:
     pivot = sketch.pivot(name)
     if pivot is not None:
         return pinned(body, centre, pivot.drawn, sketch, ties)
+    if "slide" in record and hulls.encloses(body, [*ties.carried.get(name, ()), centre], sketch):
+        return hulls.frame(body, [*ties.carried[name], centre], ties)
     if "slide" in record and "surface" not in record["slide"]:
         return sliding.block(body, centre, sketch, ties)
     return _loose(body, centre, sketch, ties)
@@ -105,14 +109,8 @@ def _loose(body, centre, sketch, ties):
     of a frame, which has no mass."""
     carried = [place for place in ties.carried.get(body.name, ()) if plane.distance(place, centre) > 1e-6]
     turns = body.inertia is not None and {"inertia", "gyration"} & set(body.record)
-    if len(carried) > 1 or (carried and turns):
-        ends = sorted([*carried, centre])
-        if all(abs(plane.across(plane.minus(p, ends[0]), plane.minus(ends[-1], ends[0]))) < 1e-6 * (
-                1 + plane.distance(ends[0], ends[-1])) ** 2 for p in ends):
-            e = plane.unit(plane.minus(ends[-1], ends[0]))
-            bar = plane.box(plane.middle(ends[0], ends[-1]), plane.distance(ends[0], ends[-1]) + 22, 13,
-                            plane.heading(e))
-            return Look([Polygon(tuple(bar)), *centre_mark(centre)], "bar", bar)
+    if (len(carried) > 1 or (carried and turns)) and hulls.straight([*carried, centre]):
+        return hulls.bar([*carried, centre], centre)
     corner = all(node is None or node.is_zero for node in (body.mass, body.inertia))
     found = ball(centre, CORNER if corner else 14.0 if turns else BALL + 2.5)
     return Look([found], "ball", found.points)
