@@ -8,6 +8,7 @@ from vibcli.drawing.layout import captions, compose, lettering, letters, lumped,
 from vibcli.drawing.layout.space import Space
 from vibcli.drawing.symbols import abstract, arrow, coordinate, dimension, load, member_words, path
 from vibcli.drawing.symbols.connection import symbol
+from vibcli.drawing.symbols.shape import outline
 
 GRAVITY = 30.0
 SHOWN = "bodies bars shafts beams strings springs dampers inerters forces constraints".split()
@@ -117,15 +118,29 @@ def _bodies(stage):
     """[(runs, places, is there no room within)] of the masses."""
     found = []
     for name, look in stage.looks.items():
+        parts = _parts(name, stage.sketch)
+        found += parts
         runs = captions.mass(stage.scene.bodies[name].record, stage.sketch)
-        if runs is not None:
+        if runs is not None and not parts:
             found.append((runs, _spots(name, look, stage.sketch), look.kind in SLENDER))
     for layout in stage.rows:
         for name, place in layout.places.items():
             runs = captions.mass(stage.scene.bodies[name].record, stage.sketch)
             if runs is not None:
-                middle = place.middle if not place.turns else plane.plus(place.middle, (0, -place.height))
-                found.append((runs, [middle], False))
+                found.append((runs, lumped.label_places(place), False))
+    return found
+
+
+def _parts(name, sketch):
+    """The same of the parts of a body that have masses of their own."""
+    found = []
+    for part in sketch.scene.bodies[name].record.get("parts", ()):
+        if "mass" in part and not part.get("cut"):
+            shape, points = part.get("shape", "particle"), outline(part, sketch).points
+            points = [sketch.frames[name].point(p) for p in points]
+            ring = [points[len(points) * i // 8] for i in (3, 1, 5, 7)]
+            places = ring if shape in SLENDER and shape != "rod" else [plane.middle(*plane.corners(points))]
+            found.append((captions.quantity(part, ("mass",), sketch), places, shape in ("particle", *SLENDER)))
     return found
 
 

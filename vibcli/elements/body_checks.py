@@ -69,7 +69,7 @@ def _lumped(record, reader):
 
 
 def _looks(record, reader):
-    """What a body is drawn as: a bar, slab or cam has a place; a tube of liquid has none."""
+    """What a body is drawn as: a slab or cam has a place; a tube of liquid has none."""
     word, placed = record["looks"], "at" in record
     if word == "cam" and not (placed and "slide" in record):
         reader.report(record.place("looks"), f"'{record.name}' is not lifted by a cam: it does not slide from a place",
@@ -77,6 +77,6 @@ def _looks(record, reader):
     elif word == "tube" and (placed or "slide" not in record):
         reader.report(record.place("looks"), f"'{record.name}' is no column of liquid in a tube, which only slides",
                       "give it `slide: x` and no place")
-    elif not placed and (word not in ("frame", "tube") or "slide" not in record):
+    elif not placed and (word == "slab" or "slide" not in record):
         reader.report(record.place("looks"), f"'{record.name}' has no place, so it cannot look like {article(word)}",
                       "say where it is drawn with `at: [x, y]`, or leave `looks` out")

@@ -7,7 +7,7 @@ from support.scenes import problem
 
 from vibcli.api.load import loads
 from vibcli.base.errors import SpecError
-from vibcli.drawing.canvas.primitives import Circle, Hatch, Polygon
+from vibcli.drawing.canvas.primitives import Circle, Hatch, LetterRuns, Polygon
 from vibcli.drawing.drawing import draw
 from vibcli.drawing.layout import compose, lumped, plane
 
@@ -148,7 +148,7 @@ def test_a_cam_lies_under_what_it_lifts_and_runs_about_a_bearing():
 
 @pytest.mark.parametrize("body, message, hint", [
     ("{mass: 2 kg, slide: x, looks: plate}", "bar, slab, frame, tube or cam", ""),
-    ("{mass: 2 kg, slide: x, looks: bar}", "cannot look like a bar", "at: [x, y]"),
+    ("{mass: 2 kg, slide: x, looks: slab}", "cannot look like a slab", "at: [x, y]"),
     ("{inertia: 2 kg*m^2, turn: x, looks: frame}", "cannot look like a frame", "leave `looks` out"),
     ("{mass: 2 kg, at: [0, 0], slide: x, looks: tube}", "no column of liquid", "no place"),
     ("{mass: 2 kg, slide: x, looks: cam}", "not lifted by a cam", "slide: {along"),
@@ -159,3 +159,44 @@ def test_looks_that_do_not_fit(body, message, hint):
     (found,) = caught.value.diagnostics
     assert message in found.message and hint in (found.hint or "")
     assert found.where[1] == 2 and found.where[2] in (body.index("looks") + 6, body.index("looks") + 13)
+
+
+INCLINE = """
+    parameters: {{m: 2 kg, k: 90 N/m, r: 0.1 m}}
+    surfaces: {{plane: {{line: [[0, 0], [1.6 m, 1.2 m]]}}}}
+    bodies:
+      block: {{mass: m, at: [0.8 m, 0.6 m], slide: {{by: x, surface: plane}}}}
+      {other}
+    springs: {{s: {{k: k, between: [[1.6 m, 1.2 m], block]}}}}
+"""
+
+
+@pytest.mark.parametrize("other", ["", "disc: {shape: disc, mass: m, radius: r, at: [0.34 m, 0.38 m],"
+                                       " roll: {surface: plane, travel: s}}"])
+def test_a_block_rests_on_its_surface(other):
+    """The surface is drawn under the block, unless something rolls on it, which touches the line itself."""
+    text = INCLINE.format(other=other)
+    stage = compose.Scenery(problem(text if other else text.replace(", r: 0.1 m", "")).scene)
+    corners = stage.looks["block"].core
+    ground = [part for part in compose.primitives(stage, stage.sketch)[0] if isinstance(part, Hatch)
+              and abs(part.points[0][0] - part.points[1][0]) > 30]
+    (a, b) = ground[0].points
+    distances = [plane.across(plane.unit(plane.minus(b, a)), plane.minus(corner, a)) for corner in corners]
+    assert sorted(map(abs, distances))[:2] == pytest.approx([0.0, 0.0], abs=1e-6)
+    assert min(distances) > -1e-6
+    middle = plane.middle(corners[0], corners[2])
+    assert (plane.distance(middle, stage.sketch.centre("block")) < 1e-6) == (not other)
+
+
+def test_parts_keep_their_masses():
+    found = draw(problem("""
+        parameters: {M: 3 kg, n: 1 kg, g: 9.81 m/s^2}
+        gravity: g
+        bodies:
+          p:
+            parts: [{shape: rod, mass: n, from: [0, 0], to: [0, -1 m]},
+                    {shape: disc, mass: M, radius: 0.2 m, at: [0, -1 m]}]
+            pin: {at: [0, 0], by: phi}
+    """))
+    names = ["".join(run.text for run in part.runs) for part in found if isinstance(part, LetterRuns)]
+    assert {"M", "n"} <= set(names) and "p" not in names

@@ -4,12 +4,14 @@ from typing import Any, NamedTuple
 
 
 class LumpedPlace(NamedTuple):
-    """Where a lumped body stands: its middle, half its width and height, and whether it turns."""
+    """Where a lumped body stands: its middle, half its width and height, and whether it turns; `gear`: 1 of one with
+    its mate below it, −1 of that, 2 of a rack, 3 of a gear on a rack alone."""
 
     middle: tuple
     half: float
     height: float
     turns: bool
+    gear: int = 0
 
 
 class Layout(NamedTuple):

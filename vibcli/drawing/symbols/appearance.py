@@ -52,8 +52,12 @@ def look_of(body: "Body", sketch: "Sketch", ties: "Ties") -> Look:
         return pinned(body, centre, pivot.drawn, sketch, ties)
     if "slide" in record and hulls.encloses(body, [*ties.carried.get(name, ()), centre], sketch):
         return hulls.frame(body, [*ties.carried[name], centre], ties)
-    if "slide" in record and "surface" not in record["slide"]:
-        return sliding.block(body, centre, sketch, ties)
+    if "slide" in record:
+        if "surface" not in record["slide"]:
+            return sliding.block(body, centre, sketch, ties)
+        surface = sketch.scene.surfaces[record["slide"]["surface"].text]
+        if "line" in surface:
+            return sliding.resting(centre, surface, sketch)
     return _loose(body, centre, sketch, ties)
 
 
