@@ -158,6 +158,10 @@ def _spots(name, look, sketch):
             middle = plane.middle(*plane.corners(points))
             points = [plane.plus(p, plane.unit(plane.minus(p, middle)), 7.0) for p in points]
         return [points[len(points) * i // 8] for i in (3, 1, 5, 7)]
+    if look.kind == "disc" and look.pieces[-1].fill == "inner":     # between its rim and that of its hub
+        points = [sketch.frames[name].point(p) for part in look.pieces[-2:] for p in part.points]
+        half = len(points) // 2
+        return [plane.middle(points[half * i // 8], points[half + half * i // 8]) for i in (6, 2, 7, 5, 1, 3)]
     part = max((part for part in look.outlines if part.fill != "paper"), default=look.pieces[-1],
                key=lambda part: plane.distance(*plane.corners(part.points)))
     return [plane.middle(*plane.corners(part.points))]
