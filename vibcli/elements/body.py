@@ -59,7 +59,7 @@ ELEMENT = Element(
         **{name: Field(Lazy(name), ELEMENTS[name][1]) for name in MOTIONS},
     },
     exclusive=(("mass", "density", "parts"), ("at", "from"), ("at", "to"), ("inertia", "gyration"), MOTIONS,
-               ("shape", "parts", "looks")),
+               ("shape", "parts"), ("shape", "looks"), ("parts", "looks")),
     settle=body_checks.body,
     example="bodies_of_every_shape",
 )
