@@ -8,10 +8,11 @@ from vibcli.drawing.layout import captions, compose, lettering, letters, lumped,
 from vibcli.drawing.layout.space import Space
 from vibcli.drawing.symbols import abstract, arrow, coordinate, dimension, load, member_words, path
 from vibcli.drawing.symbols.connection import symbol
+from vibcli.drawing.symbols.shape import outline
 
 GRAVITY = 30.0
 SHOWN = "bodies bars shafts beams strings springs dampers inerters forces constraints".split()
-SLENDER = ("rod", "arm", "bob", "bar", "ring", "hoop", "rim", "arch")
+SLENDER = ("rod", "arm", "bob", "bar", "ring", "hoop", "rim", "arch", "frame")
 
 
 def draw(problem: Any) -> list[Any]:
@@ -116,15 +117,29 @@ def _bodies(stage):
     """[(runs, places, is there no room within)] of the masses."""
     found = []
     for name, look in stage.looks.items():
+        parts = _parts(name, stage.sketch)
+        found += parts
         runs = captions.mass(stage.scene.bodies[name].record, stage.sketch)
-        if runs is not None:
+        if runs is not None and not parts:
             found.append((runs, _spots(name, look, stage.sketch), look.kind in SLENDER))
     for layout in stage.rows:
         for name, place in layout.places.items():
             runs = captions.mass(stage.scene.bodies[name].record, stage.sketch)
             if runs is not None:
-                middle = place.middle if not place.turns else plane.plus(place.middle, (0, -place.height))
-                found.append((runs, [middle], False))
+                found.append((runs, lumped.label_places(place), False))
+    return found
+
+
+def _parts(name, sketch):
+    """The same of the parts of a body that have masses of their own."""
+    found = []
+    for part in sketch.scene.bodies[name].record.get("parts", ()):
+        if "mass" in part and not part.get("cut"):
+            shape, points = part.get("shape", "particle"), outline(part, sketch).points
+            points = [sketch.frames[name].point(p) for p in points]
+            ring = [points[len(points) * i // 8] for i in (3, 1, 5, 7)]
+            places = ring if shape in SLENDER and shape != "rod" else [plane.middle(*plane.corners(points))]
+            found.append((captions.quantity(part, ("mass",), sketch), places, shape in ("particle", *SLENDER)))
     return found
 
 
@@ -136,9 +151,16 @@ def _spots(name, look, sketch):
         return [plane.plus(ends[0], plane.minus(ends[1], ends[0]), share) for share in (0.5, 0.65, 0.35)]
     if look.kind in ("bob", "arm", "hub", "bar"):
         return [sketch.centre(name)]
-    if look.kind in ("ring", "hoop", "rim", "arch"):
+    if look.kind in ("ring", "hoop", "rim", "arch", "frame"):
         points = [sketch.frames[name].point(p) for p in look.pieces[0].points]
+        if look.kind == "frame":        # beside it
+            middle = plane.middle(*plane.corners(points))
+            points = [plane.plus(p, plane.unit(plane.minus(p, middle)), 7.0) for p in points]
         return [points[len(points) * i // 8] for i in (3, 1, 5, 7)]
+    if look.kind == "disc" and look.pieces[-1].fill == "inner":     # between its rim and that of its hub
+        points = [sketch.frames[name].point(p) for part in look.pieces[-2:] for p in part.points]
+        half = len(points) // 2
+        return [plane.middle(points[half * i // 8], points[half + half * i // 8]) for i in (6, 2, 7, 5, 1, 3)]
     part = max((part for part in look.outlines if part.fill != "paper"), default=look.pieces[-1],
                key=lambda part: plane.distance(*plane.corners(part.points)))
     return [plane.middle(*plane.corners(part.points))]

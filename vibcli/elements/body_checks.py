@@ -6,6 +6,7 @@ from vibcli.language.reader import Reader, Record, article
 SIZES = ("radius", "half_angle", "width", "height", "a", "b", "from", "to", "angle")
 SLENDER = ("rod", "ring", "arch")
 TURNED = ("rectangle", "ellipse", "sector", "arch")
+LOOKS = ("bar", "slab", "frame", "tube", "cam")
 NO_PLACE = "say where it is drawn with `at: [x, y]`, or lump it: `slide: x` or `turn: phi`"
 
 
@@ -36,6 +37,8 @@ def body(record: Record, reader: Reader) -> None:
     if "gyration" in record and not {"mass", "density", "parts"} & set(record.places):
         reader.report(record.place("gyration"), f"'{record.name}' has a radius of gyration but no mass",
                       "give its mass too, or `inertia` instead")
+    if "looks" in record:
+        _looks(record, reader)
     if any(key in record for key in ("at", "from", "to", "parts")):
         if "turn" in record:
             reader.report(record.place("turn"), f"'{record.name}' has a place, so it turns about a point",
@@ -63,3 +66,17 @@ def _lumped(record, reader):
         if key in record:
             reader.report(record.place(key), f"'{record.name}' slides: its moment of inertia plays no part",
                           "give `mass: m`, or let it turn with `turn: phi`")
+
+
+def _looks(record, reader):
+    """What a body is drawn as: a slab or cam has a place; a tube of liquid has none."""
+    word, placed = record["looks"], "at" in record
+    if word == "cam" and not (placed and "slide" in record):
+        reader.report(record.place("looks"), f"'{record.name}' is not lifted by a cam: it does not slide from a place",
+                      "give it `at: [x, y]` and `slide: {along: [0, 1], by: …}`")
+    elif word == "tube" and (placed or "slide" not in record):
+        reader.report(record.place("looks"), f"'{record.name}' is no column of liquid in a tube, which only slides",
+                      "give it `slide: x` and no place")
+    elif not placed and (word == "slab" or "slide" not in record):
+        reader.report(record.place("looks"), f"'{record.name}' has no place, so it cannot look like {article(word)}",
+                      "say where it is drawn with `at: [x, y]`, or leave `looks` out")

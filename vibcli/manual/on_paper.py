@@ -25,6 +25,8 @@ PICTURES = [
     ".html. In an .svg words are text, and for who cannot see it stands what it shows; one that moves stands still on "
     "paper and where the reader wishes for less motion. No file is replaced without `--force`. A scene with symbols "
     "can be drawn; its modes need numbers.",
+    "A body without a shape is drawn as what it carries and how it moves show it; its key `looks` says otherwise: "
+    "`vibcli explain looks`.",
     "In diagrams each member is a base line. Bending moments stand on the side in tension; all else that is positive "
     "stands to the left of the way from the left end of the member to its right one, upwards where that runs to the "
     "right. Values stand at ends, at jumps and where the curve is largest; rings mark where it is zero. Signs are "

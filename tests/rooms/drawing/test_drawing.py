@@ -517,6 +517,7 @@ def test_a_plank_lies_under_its_whole_surface_and_its_centre(place, angle, monke
     b, centre = plane.plus(a, e, 100.0), plane.plus(plane.plus(a, e, place), plane.left(e), -12.0)
     monkeypatch.setattr(sliding, "contacts", lambda *_: ())
     monkeypatch.setattr(sliding, "free_side", lambda *_: 1)
+    monkeypatch.setattr(sliding, "straight", lambda record, *_: record["line"])
     sketch = SimpleNamespace(pair=lambda end: end, centre=lambda name: centre)
     surface = type("Surface", (dict,), {"name": "s"})(line=(a, b))
     plank = sliding.platform(SimpleNamespace(name="p"), sketch, surface).core

@@ -6,32 +6,19 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import PhysicsError
 from vibcli.drawing.canvas.primitives import BODY, SURFACE, Circle, Polyline, extent
 from vibcli.drawing.layout import lumped, plane, rows
+from vibcli.drawing.layout.positions import values_at
 from vibcli.drawing.layout.scale import scale_of
 from vibcli.drawing.layout.sketch import Sketch
 from vibcli.drawing.layout.strips import resting, strips
 from vibcli.drawing.layout.ties import Ties
 from vibcli.drawing.symbols import bodies, connection, joint, member, member_ends, rope, support, tracks
 from vibcli.drawing.symbols.appearance import looks
-from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
 
 BELOW, MOST = 40.0, 80      # points to the first row of lumped bodies; bodies
 FINE = 1e9                  # points per metre at which what has a size on paper alone has none
-
-
-def values_at(scene: "Scene", position: Mapping[str, float] | None = None, time: float = 0.0) -> dict[str, float]:
-    """{symbol: number} with `position` ({coordinate: number}), the dependent coordinates included; None where the
-    loops of the scene cannot follow."""
-    values = scene.drawn_values
-    target = {**values, **(position or {}), scene.time.name: time}
-    if scene.loops is not None and (position or time):
-        target = scene.loops.followed(values, target)
-        if target is None:
-            return None
-    nodes = scene.dependent
-    return {**target, **dict(zip(nodes, evaluate(list(nodes.values()), Floats, target), strict=True))}
 
 
 class Scenery:
@@ -139,6 +126,8 @@ def primitives(stage: Scenery, sketch: Any,
     found += _pegs(sketch, ties)
     for chain in stage.ropes.values():
         found += rope.draw(chain, sketch)
+    for end in ties.hinges:
+        found += support.hinge(sketch.now(end))
     found += _constraints(sketch)
     found += connection.walls(_fixed_ends(stage, sketch), sketch)
     lines, places = joint.draw(sketch, looks)

@@ -15,11 +15,14 @@ CLOSE = 1e-6
 
 
 class Implied(NamedTuple):
-    """A rope from a wheel of this radius (0: from the centre of a body) to a weight."""
+    """A rope from a wheel of this radius (0: from the centre of a body) to a weight, or to another wheel, which it
+    meets on the same side at the distance `over` from its centre."""
 
     wheel: str
     radius: float
     weight: str
+    over: float = 0.0
+    side: tuple[float, float] | None = None
 
 
 def ropes(sketch: "Sketch") -> list[Any]:
@@ -33,7 +36,28 @@ def ropes(sketch: "Sketch") -> list[Any]:
         others = [other for other in rates if other != name]
         if not any(plane.distance(sketch.centre(other), sketch.centre(name)) < CLOSE for other in others):
             found += [rope for other in others if (rope := _between(other, name, rates, sketch))][:1]
-    return found
+    pulleys = dict.fromkeys(rope.wheel for rope in found if rope.radius)
+    return found + [rope for name in pulleys for rope in _onward(name, found, rates, sketch)]
+
+
+def _onward(pulley, known, rates, sketch):
+    """The rope over a pulley in a fixed axle, which hangs on no coordinate of its own, to the wheel that turns it."""
+    weights = {rope.weight for rope in known}
+    radius = sketch.rolling_radius(pulley)
+    if not radius or any(hypot(x, y) > CLOSE for x, y, _ in rates[pulley]) or pulley in _tied(sketch):
+        return []
+    a = sketch.rim(pulley).drawn
+    for other in rates:
+        if other == pulley or other in weights or not any(turn for _, _, turn in rates[other]):
+            continue
+        for side in ((0.0, 1.0), (0.0, -1.0), (1.0, 0.0), (-1.0, 0.0)):
+            e, b = plane.times(plane.left(side), -1), sketch.rim(other).drawn
+            over = radius - plane.dot(plane.minus(b, a), side)
+            if over > CLOSE and _is_wheel(other, over / sketch.scale, rates, sketch) and any(
+                    hypot(*rate[:2]) > CLOSE for rate in rates[other]) and _taut(
+                    pulley, other, rates, e, radius / sketch.scale, over / sketch.scale):
+                return [Implied(pulley, radius, other, over, side)]
+    return []
 
 
 def _tied(sketch):
@@ -72,8 +96,21 @@ def _between(wheel, weight, rates, sketch):
                     for rate, mine in zip(rates[wheel], rates[weight], strict=True))
         return Implied(wheel, 0.0, weight) if straight and not alone and abs(e[1]) > 0.5 else None
     offset = plane.across(e, plane.minus(b, a)) / sketch.scale
-    for (x, y, turn), mine in moving:
-        speed = plane.dot(mine[:2], e)
-        if hypot(x, y) or not turn or abs(speed + offset * turn) > CLOSE * abs(speed):
-            return None
+    if not offset or not _is_wheel(wheel, abs(offset), rates, sketch) or not _taut(wheel, weight, rates, e, offset):
+        return None
     return Implied(wheel, abs(offset) * sketch.scale, weight)
+
+
+def _is_wheel(name, offset, rates, sketch):
+    """Does a body turn, about its fixed centre or with a circle that reaches to a rope?"""
+    moves = any(hypot(x, y) > CLOSE for x, y, _ in rates[name])
+    reach = sketch.rolling_radius(name) / sketch.scale if moves else offset
+    return any(turn for _, _, turn in rates[name]) and offset <= reach * (1 + CLOSE)
+
+
+def _taut(one, two, rates, e, offset, over=0.0):
+    """Do two bodies move equally fast along a line of direction e, `offset` to the left of the one's centre and `over`
+    to the left of the other's? All places of a rigid body on a line have the same speed along it."""
+    pairs = [(plane.dot(a[:2], e) - offset * a[2], plane.dot(b[:2], e) - over * b[2])
+             for a, b in zip(rates[one], rates[two], strict=True)]
+    return all(abs(a - b) <= CLOSE * max(abs(a), abs(b)) for a, b in pairs)

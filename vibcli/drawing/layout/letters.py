@@ -62,6 +62,8 @@ def crowding(stage: "Scenery") -> float:
     for pair in stage.ties.ends:
         for end in pair:
             for name, look in looks.items():
+                if look.kind == "frame":    # which is about what is in it
+                    continue
                 if end.carrier != name and any(plane.inside(end.drawn, list(part.points)) for part in look.outlines):
                     total += not _joined(name, end.carrier, sketch) or end.carrier is None
     return total
@@ -86,8 +88,8 @@ def _joined(one, two, sketch):
 
 
 def _overlap(one, two):
-    """The part of the smaller body that the boxes of two bodies share; thin rods count for nothing."""
-    if "rod" in (one.kind, two.kind) or not (one.outlines and two.outlines):
+    """The part of the smaller body that the boxes of two bodies share; thin rods and frames count for nothing."""
+    if {"rod", "frame"} & {one.kind, two.kind} or not (one.outlines and two.outlines):
         return 0.0
     a, b = (plane.bounds([p for part in look.outlines for p in part.points]) for look in (one, two))
     wide, high = min(a[2], b[2]) - max(a[0], b[0]), min(a[3], b[3]) - max(a[1], b[1])

@@ -2,10 +2,11 @@
 
 from collections.abc import Mapping, Sequence
 from math import sin
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import BODY, Circle, Hatch, Polygon, Polyline, Run
-from vibcli.drawing.layout import captions, lettering, plane
+from vibcli.drawing.layout import captions, gears, lettering, plane, storeys, tube
+from vibcli.drawing.layout.lumped_place import Layout, LumpedPlace
 from vibcli.drawing.layout.rows import LumpedRow, carrier, motion
 from vibcli.drawing.symbols import arrow, support
 from vibcli.drawing.symbols.connection import symbol
@@ -15,51 +16,91 @@ if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
     from vibcli.scene.scene import Scene
 
-BOX, DISC, GAP, LANE, STACK = 40.0, 13.0, 64.0, 22.0, 18.0
-HALF, RIM, ROOM = 18.0, 30.0, 46.0
-
-
-class LumpedPlace(NamedTuple):
-    """Where a lumped body stands: its middle, half its width and height, and whether it turns."""
-
-    middle: tuple
-    half: float
-    height: float
-    turns: bool
-
-
-class Layout(NamedTuple):
-    """A row on paper: `places` by body, the walls (None where there is none), the height of the highest lane."""
-
-    row: Any
-    places: dict
-    left: float | None
-    right: float | None
-    y: float
-    top: float
+BOX, LONG, DISC, GAP, LANE, STACK = 40.0, 68.0, 13.0, 64.0, 22.0, 18.0
+HALF, RIM, ROOM, SUPPORT = 18.0, 30.0, 46.0, 2.5
 
 
 def layouts(found: Sequence[LumpedRow], scene: "Scene", left: float, top: float) -> list[Layout]:
     """The Layouts of rows below one another, from the upper left corner on."""
-    made = []
+    made: list[Layout] = []
+    known = gears.meshes(scene)
     for row in found:
-        turns = any(scene.bodies[name].lumped[0] == "turn" for name in row.bodies)
-        across = max([_across(edges) for edges in row.gaps.values()] or [STACK])
-        height = max(RIM if turns else HALF, 0.5 * across + 4)
-        above = height + 26 + (LANE * len(row.lanes) + 8) * bool(row.lanes)
-        y = top - above
-        walled = 0 in row.gaps or any(low < 0 for low, _, _ in row.lanes)
-        x = left + (GAP if walled else 0.0)
-        places = {}
-        for name in row.bodies:
-            half = DISC / 2 if scene.bodies[name].lumped[0] == "turn" else BOX / 2
-            places[name] = LumpedPlace((x + half, y), half, height, scene.bodies[name].lumped[0] == "turn")
-            x += 2 * half + GAP
-        end = len(row.bodies)
-        right = x if end in row.gaps or any(high == end for _, high, _ in row.lanes) else None
-        made.append(Layout(row, places, left if walled else None, right, y, y + above - 12))
-        top = y - height - ROOM
+        made.append(_special(row, scene, left, top) or _row(row, scene, left, top, known))
+        mesh, other = _mesh(row, made[:-1], known)
+        if mesh is not None:
+            made[-1] = _meshed(made[-1], other, mesh)
+            made[made.index(other)] = _sized(other, mesh.gear if mesh.gear in other.places else mesh.mate, mesh, 1)
+        heights = [place.height for place in made[-1].places.values()]
+        top = made[-1].y - ROOM - (max(heights) if made[-1].kind == "row" else 0.0)
     return made
+
+
+def _row(row, scene, left, top, known):
+    """The Layout of bodies on a floor or a shaft."""
+    turns = any(scene.bodies[name].lumped[0] == "turn" for name in row.bodies)
+    across = max([_across(edges) for edges in row.gaps.values()] or [STACK])
+    height = max(RIM if turns else HALF, 0.5 * across + 4)
+    racks = {mesh.mate for mesh in known if mesh.rack}
+    above = height + 26 + (LANE * len(row.lanes) + 8) * bool(row.lanes) + gears.PINION * bool(racks & set(row.bodies))
+    y = top - above
+    walled = 0 in row.gaps or any(low < 0 for low, _, _ in row.lanes)
+    x = left + (GAP if walled else 0.0)
+    places = {}
+    for name in row.bodies:
+        half, disc = _half(scene.bodies[name], scene), scene.bodies[name].lumped[0] == "turn"
+        gear = 2 if name in racks else 3 if any(mesh.rack and mesh.gear == name for mesh in known) else 0
+        places[name] = LumpedPlace((x + half, y), half, height, disc, gear)
+        x += 2 * half + GAP
+    end = len(row.bodies)
+    right = x if end in row.gaps or any(high == end for _, high, _ in row.lanes) else None
+    return Layout(row, places, left if walled else None, right, y, y + above - 12)
+
+
+def _half(body, scene):
+    """Half the width of a body in a row."""
+    if body.lumped[0] == "turn":
+        return DISC / 2
+    return SUPPORT if _is_support(body, scene) else LONG / 2 if body.record.get("looks") == "bar" else BOX / 2
+
+
+def _mesh(row, made, known):
+    """The gears by which a row is driven from one above it: (Mesh, Layout), both None where there are none."""
+    for mesh in known:
+        for layout in made if not mesh.rack else ():
+            for upper, lower in ((mesh.gear, mesh.mate), (mesh.mate, mesh.gear)):
+                if upper in layout.places and lower in row.bodies and layout.places[upper].gear != 1:
+                    return mesh, layout
+    return None, None
+
+
+def _sized(layout, name, mesh, side):
+    """A Layout with a gear as large as its ratio says."""
+    size = gears.radii(mesh)[0 if name == mesh.gear else 1]
+    return layout._replace(places={**layout.places, name: layout.places[name]._replace(height=size, gear=side)})
+
+
+def _meshed(layout, upper, mesh):
+    """A row moved to below another one so that its gear meets the other's."""
+    name, mate = (mesh.mate, mesh.gear) if mesh.mate in layout.places else (mesh.gear, mesh.mate)
+    layout = _sized(layout, name, mesh, -1)
+    dx = upper.places[mate].middle[0] - layout.places[name].middle[0]
+    dy = upper.y - gears.SUM - layout.y
+    places = {key: place._replace(middle=plane.plus(place.middle, (dx, dy))) for key, place in layout.places.items()}
+    left, right = (None if x is None else x + dx for x in (layout.left, layout.right))
+    return layout._replace(places=places, left=left, right=right, y=layout.y + dy, top=layout.top + dy)
+
+
+def _is_support(body, scene):
+    """Is this ground that is shaken: without mass, its motion a function of the time?"""
+    mask = captions.raw(motion(body), scene).mask
+    return body.mass is None and carrier(body) is None and bool(mask) and mask == scene.time.mask
+
+
+def _special(row, scene, left, top):
+    """The Layout of what is no row on a floor or shaft: storeys, or a column of liquid."""
+    if storeys.is_one(row, scene):
+        return storeys.layout(row, scene, left, top)
+    return tube.layout(row, scene, left, top) if tube.is_one(row, scene) else None
 
 
 def _across(edges):
@@ -71,11 +112,17 @@ def _across(edges):
 def draw(layout: Layout,
          moved: Mapping[str, float]) -> tuple[list[Any], dict[str, tuple[tuple[Any, ...], tuple[Any, ...]]]]:
     """The primitives of a row, and where its elements are; `moved`: {body: displacement in points, or angle}."""
+    if layout.kind == "frame":
+        return storeys.draw(layout, moved)
+    if layout.kind == "tube":
+        return tube.draw(layout, moved)
     places = {name: place if place.turns else place._replace(middle=plane.plus(place.middle, (moved.get(name, 0.0), 0)))
               for name, place in layout.places.items()}
     found, where = _walls(layout), {}
     for name, place in places.items():
         found += _disc(place, moved.get(name, 0.0)) if place.turns else _box(place)
+        if place.gear == 2:
+            found += gears.rack(place, layout.places[name])
     for column, edges in layout.row.gaps.items():
         for edge, t in zip(edges, offsets([edge.record for edge in edges], STACK), strict=True):
             start, end = _ends(layout, places, column, t)
@@ -106,7 +153,7 @@ def _lane(layout, places, low, high, edge, lane):
             ends.append(((layout.left if column < 0 else layout.right), None))
         else:
             place = places[bodies[column]]
-            ends.append((place.middle[0] + side * (place.half - 6), layout.y + place.height))
+            ends.append((place.middle[0] + side * max(place.half - 6, 0.0), layout.y + place.height))
     (x1, y1), (x2, y2) = ends
     legs = [Polyline(((x, foot), (x, y))) for x, foot in ((x1, y1), (x2, y2)) if foot is not None]
     return legs + symbol(edge.record).between(edge.record, (x1, y), (x2, y), x2 - x1), ((x1 + x2) / 2, y)
@@ -114,6 +161,8 @@ def _lane(layout, places, low, high, edge, lane):
 
 def _box(place):
     x, y = place.middle
+    if place.half == SUPPORT:
+        return [Polygon(tuple(plane.box(place.middle, 2 * place.half, 2 * place.height)), "driven")]
     wheels = [Circle((x + side * (place.half - 8), y - place.height - support.ROLLER), support.ROLLER, "paper")
               for side in (-1, 1)]
     return [Polygon(tuple(plane.box(place.middle, 2 * place.half, 2 * place.height))), *wheels]
@@ -123,6 +172,8 @@ def _disc(place, angle):
     """A disc from the side; a mark on its rim shows how far it has turned."""
     x, y = place.middle
     level = y + place.height * sin(angle)
+    if place.gear:
+        return [Polygon(tuple(plane.box(place.middle, 2 * place.half, 2 * place.height))), *gears.edges(place, angle)]
     return [Polygon(tuple(plane.box(place.middle, 2 * place.half, 2 * place.height))),
             *([Polyline(((x - place.half, level), (x + place.half, level)), layer=BODY)] if angle else [])]
 
@@ -146,6 +197,14 @@ def _walls(layout):
     return [Hatch((*left, *right), -1)]
 
 
+def label_places(place: LumpedPlace) -> list[tuple[float, float]]:
+    """Where the name of a body may stand: in a box, below a disc, beside a gear."""
+    if abs(place.gear) == 1:
+        x, y = place.middle[0], place.middle[1] + 0.6 * place.height * place.gear
+        return [(x + side * (place.half + 8), y) for side in (1, -1)]
+    return [place.middle if not place.turns else plane.plus(place.middle, (0, -place.height))]
+
+
 def arrows(layout: Layout, scene: "Scene",
            sketch: "Sketch") -> list[tuple[list[Polygon | Polyline], tuple[Run, ...], list[tuple[Any, ...]], str]]:
     """[(primitives, runs, places for them, role)] of the coordinates and loads of a row."""
@@ -154,11 +213,19 @@ def arrows(layout: Layout, scene: "Scene",
         body = scene.bodies[name]
         field = motion(body)
         x, y = place.middle[0], place.middle[1] + place.height + 9
+        if layout.kind == "frame":      # beside the storey
+            x, y = x + place.half + 6, place.middle[1]
+        if place.gear == 2:             # beside the pinion
+            x += 0.25 * place.half
+        if place.gear == -1:            # away from the other gear
+            y = place.middle[1] - place.height - 15
         driven = captions.raw(field, scene).mask == scene.time.mask
         runs = _displacement(body, scene, sketch)
         role = "driven" if driven else "coordinate"
         tip = (x + 26, y)
-        if place.turns:
+        if layout.kind == "tube":
+            parts, tip = tube.arrow_of(place, role)
+        elif place.turns:
             parts, tip = arrow.over((x, y), role), (x + 8, y + 6)
         else:
             bar = Polyline(((x, y - 5), (x, y + 5)), role, 0.9, layer=arrow.ARROW)
@@ -192,6 +259,11 @@ def _load(record, layout, sketch):
         parts = [Polyline((place.middle, mass), "load"), Circle(mass, 2.3, "load", "load")]
         return [(parts, runs, [mass], "load")]
     runs = captions.expression(record["force"], sketch, 18) or lettering.named(record.name)
+    if layout.kind == "tube":
+        parts, tip = tube.load_on(place)
+        return [(parts, runs, [tip], "load")]
     start = (x + place.half, y + place.height - 5)
+    if layout.kind == "frame":
+        start = (x - place.half - 32, y)
     return [(arrow.straight(start, plane.plus(start, (30.0, 0.0)), "load", 1.7), runs,
              [plane.plus(start, (16.0, 3.0))], "load")]

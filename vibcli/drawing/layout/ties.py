@@ -3,7 +3,7 @@ carries, and the places at which anything is joined."""
 
 from typing import TYPE_CHECKING
 
-from vibcli.drawing.layout import implied, plane
+from vibcli.drawing.layout import implied, joined, plane
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
@@ -15,7 +15,8 @@ class Ties:
     """`radii`: {body: radii}, `toothed`: bodies in gears, `rims`: those with inner teeth, `arms`: bodies that carry
     gears, `pegs`: [(place, radius)] of pulleys without a body, `carried`: {body: places}, `surfaces`: {body: records},
     `slots`: {body: [(place, direction)]} of what slides along a body, `ends`: [(Attachment, Attachment)] of springs,
-    dampers and links, `implied`: ropes that are not named."""
+    dampers and links, `implied`: ropes that are not named, `fastened`: what is on them, `hinges`: [Attachment] of pins
+    that are not named."""
 
     def __init__(self, sketch: "Sketch"):
         self.radii, self.carried, self.surfaces, self.slots = {}, {}, {}, {}
@@ -32,10 +33,13 @@ class Ties:
             self._joined(record.get("between"), sketch)
         for record in (sketch.spec.get("constraints") or {}).values():
             self._constraint(record, sketch)
-        self.implied = implied.ropes(sketch)
-        for rope in self.implied:
-            if rope.radius:
-                self._rim(rope.wheel, rope.radius)
+        self.hinges, self.fastened = [], set()
+        for name, end in joined.hinges(sketch):
+            self._carries(name, end.drawn)
+            self.hinges.append(end)
+        self.implied = []
+        for rope in implied.ropes(sketch):
+            self._implied(rope, sketch)
 
     def _body(self, body, sketch):
         if body.name not in sketch.frames:
@@ -51,6 +55,19 @@ class Ties:
             self.slots.setdefault(slide["carrier"].text, []).append((sketch.centre(body.name), direction))
         if "radius" in record.get("roll", ()):
             self._rim(body.name, sketch.length(record["roll"]["radius"]))
+
+    def _implied(self, rope, sketch):
+        """A rope; where it has no length its end is fastened to the wheel itself."""
+        self.fastened.add(rope.weight)
+        ends = sketch.rim(rope.wheel).drawn, sketch.centre(rope.weight)
+        if rope.side is None and abs(plane.distance(*ends) - rope.radius) < 1e-6 * plane.distance(*ends):
+            self._carries(rope.wheel, ends[1])
+            return
+        self.implied.append(rope)
+        if rope.radius:
+            self._rim(rope.wheel, rope.radius)
+        if rope.over:
+            self._rim(rope.weight, rope.over)
 
     def _carries(self, carrier, place):
         if carrier is not None:

@@ -4,8 +4,8 @@ from typing import TYPE_CHECKING
 
 from vibcli.drawing.canvas.primitives import BODY, Polygon, Polyline
 from vibcli.drawing.layout import plane
-from vibcli.drawing.symbols import sliding
-from vibcli.drawing.symbols.look import Look, ball, centre_mark, teeth
+from vibcli.drawing.symbols import hulls, sliding
+from vibcli.drawing.symbols.look import Look, ball, teeth
 from vibcli.drawing.symbols.pinned import pinned
 from vibcli.drawing.symbols.posts import with_posts
 from vibcli.drawing.symbols.shape import BALL, outline
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from vibcli.drawing.layout.ties import Ties
     from vibcli.elements.rigid_body import Body
 
-RIM, CORNER = 8.0, 4.5
+RIM, CORNER, KNOT = 8.0, 4.5, 2.4
 
 
 def looks(sketch: "Sketch", ties: "Ties") -> dict[str, Look]:
@@ -27,7 +27,9 @@ def looks(sketch: "Sketch", ties: "Ties") -> dict[str, Look]:
 def look_of(body: "Body", sketch: "Sketch", ties: "Ties") -> Look:
     record, name = body.record, body.name
     if "parts" in record or record.get("shape", "particle") != "particle":
-        return _shaped(record, sketch, toothed=name in ties.toothed)
+        return _shaped(record, sketch, ties)
+    if "looks" in record:
+        return hulls.named(body, sketch, ties)
     centre = sketch.centre(name)
     carried = {kind: surface for surface in reversed(ties.surfaces.get(name, ()))
                for kind in ("line", "curve", "circle") if kind in surface}
@@ -43,21 +45,34 @@ def look_of(body: "Body", sketch: "Sketch", ties: "Ties") -> Look:
     if name in ties.radii:
         axle = sketch.rim(name).drawn
         return _wheel(axle, _radii(name, axle, ties), name in ties.toothed)
+    if name in ties.fastened and body.mass is None:
+        return Look([ball(centre, KNOT)._replace(fill="ink")], "joint")
     pivot = sketch.pivot(name)
     if pivot is not None:
         return pinned(body, centre, pivot.drawn, sketch, ties)
-    if "slide" in record and "surface" not in record["slide"]:
-        return sliding.block(body, centre, sketch, ties)
+    if "slide" in record and hulls.encloses(body, [*ties.carried.get(name, ()), centre], sketch):
+        return hulls.frame(body, [*ties.carried[name], centre], ties)
+    if "slide" in record:
+        if "surface" not in record["slide"]:
+            return sliding.block(body, centre, sketch, ties)
+        surface = sketch.scene.surfaces[record["slide"]["surface"].text]
+        if "line" in surface:
+            return sliding.resting(centre, surface, sketch)
     return _loose(body, centre, sketch, ties)
 
 
-def _shaped(record, sketch, toothed=False):
+def _shaped(record, sketch, ties):
+    toothed = record.name in ties.toothed
     parts = [outline(part, sketch) for part in record.get("parts", (record,))]
     pieces = [_piece(part) for part in sorted(parts, key=lambda part: part.cut)]
     if toothed and parts[0].band:
         return _rim(sketch.rim(record.name).drawn, sketch.length(record["radius"]))
     if toothed:
         pieces = [piece._replace(points=tuple(teeth(piece.points))) for piece in pieces]
+    if record.get("shape") == "disc":
+        centre, whole = sketch.centre(record.name), sketch.length(record["radius"])
+        pieces += [Polygon(tuple(plane.circle(centre, radius)), "inner")
+                   for radius in ties.radii.get(record.name, ()) if radius < whole * (1 - 1e-6)]
     core = list(pieces[0].points) if record.get("shape") == "rectangle" else None
     return Look(pieces, record.get("shape", "parts"), core)
 
@@ -98,14 +113,8 @@ def _loose(body, centre, sketch, ties):
     of a frame, which has no mass."""
     carried = [place for place in ties.carried.get(body.name, ()) if plane.distance(place, centre) > 1e-6]
     turns = body.inertia is not None and {"inertia", "gyration"} & set(body.record)
-    if len(carried) > 1 or (carried and turns):
-        ends = sorted([*carried, centre])
-        if all(abs(plane.across(plane.minus(p, ends[0]), plane.minus(ends[-1], ends[0]))) < 1e-6 * (
-                1 + plane.distance(ends[0], ends[-1])) ** 2 for p in ends):
-            e = plane.unit(plane.minus(ends[-1], ends[0]))
-            bar = plane.box(plane.middle(ends[0], ends[-1]), plane.distance(ends[0], ends[-1]) + 22, 13,
-                            plane.heading(e))
-            return Look([Polygon(tuple(bar)), *centre_mark(centre)], "bar", bar)
+    if (len(carried) > 1 or (carried and turns)) and hulls.straight([*carried, centre]):
+        return hulls.bar([*carried, centre], centre)
     corner = all(node is None or node.is_zero for node in (body.mass, body.inertia))
     found = ball(centre, CORNER if corner else 14.0 if turns else BALL + 2.5)
     return Look([found], "ball", found.points)

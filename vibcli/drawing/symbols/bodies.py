@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import BODY, Circle, Hatch, Polygon, Polyline
 from vibcli.drawing.layout import plane
-from vibcli.drawing.symbols import joint, support
+from vibcli.drawing.symbols import hulls, joint, support
 from vibcli.drawing.symbols.connection import snapped
 
 if TYPE_CHECKING:
@@ -94,6 +94,8 @@ def fixed_pivots(sketch: "Sketch") -> set[tuple[float, float]]:
 
 def _floor(name, look, sketch, room):
     """The ground, and rollers, under a box that slides on it; guides beside one that slides upright."""
+    if look.kind == "cam":
+        return support.bearing(hulls.axle(look), (0.0, -1.0))
     slide = sketch.scene.bodies[name].record.get("slide")
     if slide is None or look.kind not in ("block", "platform", "ramp") or "surface" in slide:
         return []

@@ -79,6 +79,10 @@ def implied(found: "Implied", sketch: Sketch, looks: "Mapping[str, Look]") -> li
     """The Stops of a rope that the motions imply."""
     wheel, weight = sketch.rim(found.wheel), Attachment(found.weight, sketch.centre(found.weight))
     offset = plane.minus(weight.drawn, wheel.drawn)
+    if found.side is not None:
+        other = sketch.rim(found.weight)
+        sense = 1 if plane.across(found.side, plane.minus(other.drawn, wheel.drawn)) > 0 else -1
+        return [DrawnStop(wheel, found.radius, sense), DrawnStop(other, found.over, sense)]
     if not found.radius:
         return [DrawnStop(wheel), _edge(DrawnStop(weight), DrawnStop(wheel), looks)]
     turn = 1 if abs(abs(offset[0]) - found.radius) < abs(abs(offset[1]) - found.radius) else 0

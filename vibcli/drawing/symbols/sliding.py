@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.drawing.canvas.primitives import JOINT, Polygon, Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols.look import Look, ball
-from vibcli.drawing.symbols.tracks import contacts, curve_points, free_side
+from vibcli.drawing.symbols.tracks import contacts, curve_points, free_side, straight, sunk
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from vibcli.language.reader import Record
 
 BLOCK, FLAT, BAR, DECK, DEEP = (36.0, 25.0), (22.0, 13.0), (26.0, 5.0), 19.0, 70.0
+
+Place = tuple[float, float]
 
 
 def block(body: "Body", centre: tuple[float, float], sketch: "Sketch", ties: "Ties") -> Look:
@@ -43,6 +45,15 @@ def block(body: "Body", centre: tuple[float, float], sketch: "Sketch", ties: "Ti
         corners = plane.box(middle, width, height)
     hanger = [Polyline((centre, plane.plus(centre, (0.0, -1.0), hook)), width=1.4, layer=JOINT)] if hook else []
     return Look([*hanger, Polygon(tuple(corners))], "block", corners, angle, width, height)
+
+
+def resting(place: Place, surface: "Record", sketch: "Sketch") -> Look:
+    """A box on a straight surface, on the side where the ground is not, about its place where it can be."""
+    a, b = (sketch.pair(end) for end in surface["line"])
+    e = plane.times(plane.unit(plane.minus(b, a)), free_side(a, b, contacts(surface.name, sketch)))
+    middle = plane.plus(place, plane.left(e), BLOCK[1] / 2 - sunk(surface.name, sketch))
+    corners = plane.box(middle, *BLOCK, plane.heading(e))
+    return Look([Polygon(tuple(corners))], "box", corners)
 
 
 def _holder(body, centre, ties):
@@ -79,7 +90,7 @@ def _ramp(place, direction, carried):
 
 def platform(body: Any, sketch: Any, surface: Any) -> Look:
     """A plank under the surface that it carries, away from what is on it; so thick that it holds its centre."""
-    a, b = (sketch.pair(place) for place in surface["line"])
+    a, b = straight(surface, contacts(surface.name, sketch), sketch)
     side = free_side(a, b, contacts(surface.name, sketch))
     if side < 0:
         a, b = b, a

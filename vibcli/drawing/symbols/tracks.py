@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from vibcli.language.reader import Record
 
 SPREAD, MARGIN, FAR, SMALL = 0.35 * pi, 22.0, 120.0, 16.0  # of a circle beside what is inside it; beyond what rolls
-SAMPLES, STEEP = 48, 0.6
+SAMPLES, STEEP, SUNK = 48, 0.6, 12.5        # half the height of a block
 
 
 def contacts(name: str, sketch: "Sketch") -> list[tuple[tuple[float, float], float | None]]:
@@ -37,12 +37,28 @@ def ground(record: "Record", used: Sequence[tuple[tuple[float, float], float | N
            sketch: "Sketch") -> list[Circle | Hatch]:
     """A fixed surface under what is on it (`contacts`)."""
     if "line" in record:
-        return _line(*(sketch.pair(place) for place in record["line"]), used)
+        return _line(*straight(record, used, sketch), used)
     places = [place for place, room in used if room is not None]
     if "circle" in record:
         return _circle(record, places, sketch)
     points = curve_points(record, sketch, places[0][0] if places else 0.0)
     return [Hatch(tuple(points), -1)]
+
+
+def straight(record: "Record", used: Sequence[tuple[tuple[float, float], float | None]],
+             sketch: "Sketch") -> list[tuple[float, float]]:
+    """The ends of a straight surface: under the blocks whose mass centres slide along the line, where no others are."""
+    a, b = (sketch.pair(place) for place in record["line"])
+    down = plane.times(plane.left(plane.unit(plane.minus(b, a))), -free_side(a, b, used))
+    return [plane.plus(place, down, sunk(record.name, sketch)) for place in (a, b)]
+
+
+def sunk(name: str, sketch: "Sketch") -> float:
+    """How far below its line a straight surface is drawn."""
+    on = [body for body in sketch.scene.bodies.values() if name in body.touched]
+    points = [record for record in (sketch.spec.get("constraints") or {}).values()
+              if "surface" in record and record["surface"].text == name]
+    return SUNK if on and not points and all("slide" in body.record for body in on) else 0.0
 
 
 def free_side(a: tuple[float, float], b: tuple[float, float],

@@ -1,0 +1,92 @@
+"""Gears and racks of bodies without a place: those that turn against each other in a fixed ratio mesh."""
+
+from math import pi
+
+import pytest
+from support.scenes import problem
+
+from vibcli.drawing.drawing import draw
+from vibcli.drawing.layout import compose, gears, lumped, plane
+from vibcli.drawing.layout.lumped_place import LumpedPlace
+
+SHAFTS = """
+    parameters: {{J: 2 kg*m^2, kt: 30 N*m, r: 0.1 m, R: 0.25 m}}
+    bodies:
+      motor: {{inertia: J, turn: p}}
+      pinion: {{inertia: J, turn: {pinion}}}
+      wheel: {{inertia: J, turn: {wheel}}}
+      load: {{inertia: J, turn: u}}
+    springs:
+      one: {{torsion: kt, between: [motor, pinion]}}
+      two: {{torsion: kt, between: [wheel, load]}}
+    {more}
+"""
+RACK = """
+    parameters: {{J: 2 kg*m^2, m: 3 kg, k: 90 N/m, r: 0.1 m}}
+    bodies:
+      rod: {{mass: m, slide: x{looks}}}
+      wheel: {{inertia: J, turn: x/r}}
+    springs: {{s: {{k: k, between: [ground, rod]}}}}
+"""
+
+
+def scene_of(text, **fields):
+    return problem(text.format(**fields)).scene
+
+
+@pytest.mark.parametrize("pinion, wheel, more, ratio", [
+    ("s", "-s*r/R", "", -0.4), ("s", "s*r/R", "", None), ("s", "-(s + u)*r/R", "", None),
+    ("s", "w", "constraints: {g: {gear: [pinion, wheel], radii: [r, R]}}", -0.4),
+    ("s", "w", "constraints: {g: {belt: [pinion, wheel], radii: [r, R], crossed: true}}", None)])
+def test_what_turns_against_each_other_meshes(pinion, wheel, more, ratio):
+    scene = scene_of(SHAFTS, pinion=pinion, wheel=wheel, more=more)
+    (mesh,) = gears.meshes(scene) or [None]
+    assert (mesh is None) == (ratio is None)
+    if ratio is not None:
+        assert {mesh.gear, mesh.mate} == {"pinion", "wheel"}
+        assert mesh.ratio == pytest.approx(ratio if mesh.gear == "pinion" else 1 / ratio)
+
+
+def test_gears_touch_one_above_the_other_and_their_sizes_are_as_their_radii():
+    stage = compose.Scenery(scene_of(SHAFTS, pinion="s", wheel="-s*r/R", more=""))
+    upper, lower = stage.rows
+    pinion, wheel = upper.places["pinion"], lower.places["wheel"]
+    assert pinion.middle[0] == pytest.approx(wheel.middle[0])
+    assert pinion.middle[1] - pinion.height == pytest.approx(wheel.middle[1] + wheel.height)
+    assert wheel.height / pinion.height == pytest.approx(2.5)
+    boxes = [plane.bounds(plane.box(place.middle, 2 * place.half, 2 * place.height))
+             for layout in stage.rows for place in layout.places.values()]
+    for i, one in enumerate(boxes):
+        for two in boxes[i + 1:]:
+            wide, high = min(one[2], two[2]) - max(one[0], two[0]), min(one[3], two[3]) - max(one[1], two[1])
+            assert min(wide, high) < 1e-6
+
+
+@pytest.mark.parametrize("ratio", [-0.01, -1.0, -50.0])
+def test_the_smaller_of_two_gears_can_be_seen(ratio):
+    sizes = gears.radii(gears.Mesh("a", "b", ratio, False))
+    assert sum(sizes) == pytest.approx(gears.SUM) and min(sizes) >= 0.2 * gears.SUM - 1e-9
+
+
+def test_teeth_go_round_with_a_gear():
+    place = LumpedPlace((0.0, 0.0), 6.0, 20.0, True, 1)
+    levels = [sorted(line.points[0][1] for line in gears.edges(place, angle)) for angle in (0.0, 0.05, 2 * pi)]
+    assert all(-20.0 <= level <= 20.0 for level in levels[1]) and levels[0] == pytest.approx(levels[2])
+    assert levels[0] != pytest.approx(levels[1])
+
+
+@pytest.mark.parametrize("looks, gear", [(", looks: bar", 2), ("", 0)])
+def test_a_bar_that_a_gear_moves_is_a_rack(looks, gear):
+    """A body that just moves as a rim does may as well hang on a rope."""
+    stage = compose.Scenery(scene_of(RACK, looks=looks))
+    layout = stage.rows[0]
+    assert layout.places["rod"].gear == gear
+    assert draw(problem(RACK.format(looks=looks)))
+    if gear:
+        still, moved = (lumped.draw(layout, {"rod": shift})[0] for shift in (0.0, 9.0))
+        toothed = [[part.points for part in found if len(getattr(part, "points", ())) > 20] for found in (still, moved)]
+        (rod, pinion), (rod_moved, pinion_moved) = toothed
+        assert rod_moved[0][0] - rod[0][0] == pytest.approx(9.0)
+        middle = plane.middle(*plane.corners(pinion))
+        angles = [plane.heading(plane.minus(points[0], middle)) for points in (pinion, pinion_moved)]
+        assert angles[1] - angles[0] == pytest.approx(9.0 / gears.PINION, rel=0.05)

@@ -1,0 +1,104 @@
+"""What moves together is joined in the figure: rods to bodies that expressions place, ropes that motions imply."""
+
+import pytest
+from support.scenes import problem
+
+from vibcli.drawing.drawing import draw
+from vibcli.drawing.layout import compose, plane
+
+PLATFORM = """
+    parameters: {{m: 2 kg, M: 5 kg, L: 1 m, g: 9.81 m/s^2}}
+    gravity: g
+    bodies:
+      left: {{shape: rod, mass: m, from: [-0.5 m, L], to: [-0.5 m, 0], pin: {{at: [-0.5 m, L], by: phi}}}}
+      right: {{shape: rod, mass: m, from: [0.5 m, L], to: [0.5 m, 0], pin: {{at: [0.5 m, L], by: phi}}}}
+      platform: {{mass: M, at: [0, 0], move: {motion}}}
+"""
+ROLLER = """
+    parameters: {{m: 16 kg, R: 0.2 m, c: 120 N*s/m}}
+    surfaces: {{floor: {{line: [[-2 m, 0], [2 m, 0]]}}}}
+    bodies:
+      roller: {{shape: disc, mass: m, radius: R, at: [0, R], roll: {{surface: floor, travel: x}}}}
+      piston: {{{mass}at: [3*R, {height}], slide: {by}}}
+    dampers: {{d: {{c: c, between: [piston, [6*R, {height}]]}}}}
+"""
+DRUM = """
+    parameters: {{m: 12 kg, R: 0.2 m, r: 0.12 m, b: 0.08 m, g: 9.81 m/s^2}}
+    gravity: g
+    surfaces: {{floor: {{line: [[-0.5 m, 0], [1 m, 0]]}}}}
+    bodies:
+      drum: {{shape: disc, mass: m, radius: R, at: [0, R], roll: {{surface: floor, travel: x}}}}
+      pulley: {{shape: disc, mass: m, radius: b, at: [1.5 m, R + r - b], pin: {{by: -{ratio}*x/b}}}}
+      weight: {{mass: m, at: [1.5 m + b, -0.4 m], slide: {{along: [0, -1], by: {ratio}*x}}}}
+"""
+WHEEL = """
+    parameters: {{J: 2 kg*m^2, k: 600 N/m, r: 0.3 m}}
+    bodies:
+      wheel: {{inertia: J, at: [0, 0], pin: phi}}
+      end: {{{mass}at: [0, r], slide: -r*phi}}
+    springs: {{s: {{k: k, between: [[-1 m, r], end]}}}}
+"""
+
+
+def stage_of(text, **fields):
+    return compose.Scenery(problem(text.format(**fields)).scene)
+
+
+@pytest.mark.parametrize("motion, count", [
+    ("[L*sin(phi), -L*cos(phi), 0]", 2), ("[L*phi, 0, 0]", 0), ("[x, y, 0]", 0),
+    ("[L*sin(phi), -L*cos(phi), 0.1*phi^2]", 0)])
+def test_rods_are_pinned_to_what_stays_on_their_ends(motion, count):
+    """Not where the speeds agree in the drawn position alone."""
+    stage = stage_of(PLATFORM, motion=motion)
+    assert len(stage.ties.hinges) == count
+    assert stage.looks["platform"].kind == ("bar" if count else "ball")
+    for end in stage.ties.hinges:
+        assert any(plane.inside(end.drawn, part.points) for part in stage.looks["platform"].outlines[:1])
+        for angle in (-0.6, 0.9):
+            moved = stage.at({"phi": angle})
+            assert moved.now(end) == pytest.approx(moved.frames["platform"].point(end.drawn))
+
+
+def test_a_bar_reaches_over_all_that_it_carries():
+    stage = stage_of(PLATFORM, motion="[L*sin(phi), -L*cos(phi), 0]")
+    left, _, right, _ = plane.bounds(stage.looks["platform"].core)
+    assert left < -0.5 * stage.sketch.scale and right > 0.5 * stage.sketch.scale
+
+
+@pytest.mark.parametrize("height, by, count", [("2*R", "2*x", 1), ("R/2", "x/2", 1), ("2*R", "x", 0), ("3*R", "3*x", 0),
+                                               ("2*R", "-2*x", 0)])
+def test_a_rope_leaves_a_roller_where_both_are_as_fast(height, by, count):
+    """A place at the height h over the floor moves h/R times as fast as the axle; above the roller there is none."""
+    stage = stage_of(ROLLER, mass="", height=height, by=by)
+    assert [(rope.wheel, rope.weight) for rope in stage.ties.implied] == [("roller", "piston")] * count
+    assert len([name for name in stage.ropes if name.startswith("implied")]) == count
+    assert stage.looks["piston"].kind == ("joint" if count else "block")
+
+
+def test_a_piston_with_a_mass_stays_a_block():
+    stage = stage_of(ROLLER, mass="mass: m, ", height="2*R", by="2*x")
+    assert len(stage.ties.implied) == 1 and stage.looks["piston"].kind == "block"
+
+
+def test_a_rope_goes_on_over_a_pulley_to_what_turns_it():
+    stage = stage_of(DRUM, ratio="(1 + r/R)")
+    ropes, scale = stage.ties.implied, stage.sketch.scale
+    assert [(rope.wheel, rope.weight) for rope in ropes] == [("pulley", "weight"), ("pulley", "drum")]
+    assert ropes[1].over == pytest.approx(0.12 * scale)
+    first, second = stage.ropes["implied 1"]
+    assert first.at.drawn[1] + first.radius == pytest.approx(second.at.drawn[1] + second.radius)
+    assert [part.fill for part in stage.looks["drum"].pieces] == ["body", "inner"]
+
+
+def test_no_rope_where_the_pulley_turns_at_another_rate():
+    stage = stage_of(DRUM, ratio="(1 + r/R)/2")
+    ropes = [(rope.wheel, rope.weight) for rope in stage.ties.implied]
+    assert ropes == [("pulley", "weight")]
+
+
+@pytest.mark.parametrize("mass, kind", [("", "joint"), ("mass: 3 kg, ", "block")])
+def test_what_is_on_the_rim_itself_hangs_on_no_rope(mass, kind):
+    stage = stage_of(WHEEL, mass=mass)
+    assert not stage.ropes and stage.looks["end"].kind == kind
+    assert draw(problem(WHEEL.format(mass=mass)))
+    assert stage.ties.carried["wheel"] == [(0.0, pytest.approx(0.3 * stage.sketch.scale))]
