@@ -121,8 +121,8 @@ class Model:
         """Mode shapes, the first coordinate that moves being 1: an array of n coordinates × m modes, complex where
         phases differ; in letters a list of modes, each a list of amplitudes."""
         if self._problem.numeric.has_free_symbols:
-            from vibcli.api.letters import GIVE_VALUES
             from vibcli.base.errors import NotInLetters
+            from vibcli.inverse.letters import GIVE_VALUES
 
             modes = self._closed_modes()
             if any(mode.shape is None for mode in modes):
@@ -209,7 +209,7 @@ class Model:
         return document if refusal is None else document._replace(refusal=Refusal(refusal.message, refusal.hint))
 
     def _closed_modes(self, stable=False):
-        from vibcli.api.letters import closed_modes
+        from vibcli.inverse.letters import closed_modes
 
         found = closed_modes(self._problem)
         growing = next((mode.index for mode in found if mode.unstable), None) if stable else None

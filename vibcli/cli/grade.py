@@ -96,18 +96,20 @@ def _of_table(marker: "Marker", path: str) -> "list[AnswerMark]":
 
 def _table(marks: "Sequence[AnswerMark]") -> str:
     """The marks as CSV; texts of students that a spreadsheet would take for formulas have a quote before them."""
+    from vibcli.homework.tables import as_text
+
     text = io.StringIO()
     rows = csv.writer(text, lineterminator="\n")
     rows.writerow(COLUMNS)
     for one in marks:
-        answer = "'" + one.answer if one.answer[:1] in ("=", "+", "@", "\t") else one.answer
-        rows.writerow([one.student, one.problem, one.quantity, answer, f"{one.points:g}", f"{one.of:g}", one.verdict,
-                       one.mistake, one.said])
+        rows.writerow([one.student, one.problem, one.quantity, as_text(one.answer), f"{one.points:g}",
+                       f"{one.of:g}", one.verdict, one.mistake, one.said])
     return text.getvalue()
 
 
 def _shown(marks: "Sequence[AnswerMark]") -> str:
-    from vibcli.homework.marks import RIGHT, total
+    from vibcli.homework import RIGHT
+    from vibcli.homework.marks import total
 
     lines = []
     for one in marks:

@@ -173,7 +173,8 @@ ELEMENT = Element(
         "printed": Field(Named(Choice("2", "3", "4", "5", "6", *SERIES), "a mapping from parameters to figures"),
                          "to how many figures, or in which series, a parameter that is chosen is printed: the scene is "
                          "solved again with that"),
-        "ask": Field(_Asked(), "the quantities that are asked; those of `answers` that are numbers unless given"),
+        "ask": Field(_Asked(), "the quantities that are asked; those of `answers` that are numbers, or in letters, "
+                               "unless given"),
         "mistakes": Field(_Mistakes(), "known mistakes: parts of the scene, merged over it as cases are, and wrong "
                                        "values by quantities, as in {answers: {\"omega_d[1]\": \"omega[1]\"}}; `off` "
                                        "where one that `vibcli explain mistakes` lists is not looked for"),
