@@ -12,6 +12,7 @@ from vibcli.homework.keys import AnswerKey
 from vibcli.homework.leaks import numbers_in
 from vibcli.homework.mistakes import mistakes_of
 from vibcli.homework.printed import with_given, with_printed
+from vibcli.homework.routes import hold_against_closed_forms
 from vibcli.homework.solved import SOLVED, Rejected, solve_candidates
 from vibcli.homework.told import untold
 from vibcli.language.given_values import GivenValue, number_and_unit
@@ -39,7 +40,8 @@ class ProblemVariant(NamedTuple):
 
 class SolvedVariants(NamedTuple):
     """What is known of all candidates, in the order of the grid. same: (mistake, quantity) of mistakes that lead to the
-    key in every variant, which are left out; reread: how many were held against the scene read anew."""
+    key in every variant, which are left out; reread: how many were held against the scene read anew; closed: {quantity:
+    how many candidates its closed form was held against}."""
 
     problem: "Problem"
     rules: "VariantRules"
@@ -49,6 +51,7 @@ class SolvedVariants(NamedTuple):
     rejected: list[Rejected]
     same: list[tuple[str, str]]
     reread: int
+    closed: dict[str, int]
 
     @property
     def counts(self) -> dict[str, int]:
@@ -84,13 +87,14 @@ def solve_variants(problem: "Problem", document: "SceneDocument") -> SolvedVaria
     solved, rejected, base = solve_candidates(problem, rules, keys)
     bands = _bands(base, keys, solved)
     _look(problem, rules, keys, base, bands, solved, rejected)
+    closed = {} if "routes" in rules.without else hold_against_closed_forms(keys, list(solved.values()))
     wrong = _wrong(problem, rules, keys, mistakes, solved)
     equal = _equal(keys, mistakes, solved, wrong)
     same = _same(keys, mistakes, solved, equal)
     accepted = _accept(keys, bands, solved, wrong, equal, set(same), rejected, "apart" in rules.without)
     rejected.sort(key=lambda one: one.place)
     reread = 0 if "routes" in rules.without else _reread(document, keys, accepted)
-    return SolvedVariants(problem, rules, keys, mistakes, accepted, rejected, same, reread)
+    return SolvedVariants(problem, rules, keys, mistakes, accepted, rejected, same, reread, closed)
 
 
 def _bands(base, keys, solved) -> "dict[Place, list[KeyBand]]":

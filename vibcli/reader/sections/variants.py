@@ -24,7 +24,7 @@ GATES = {
     "readable": "keys between 0.001 and 100000 in their unit, none within its band of a given value or another key",
     "told": "every parameter on which a key depends is quoted in the question or lettered in the figure",
     "apart": "no mistake leads into the band of its key",
-    "routes": "the key found by a shared derivation is the one of the scene read anew",
+    "routes": "the key found by a shared derivation is the one of the scene read anew, and of its closed form",
 }
 OFF = "off"         # of a known mistake that is not looked for
 SIGNS = re.compile(r"<=|>=|<|>")

@@ -80,6 +80,8 @@ def _gates(found):
 def _remarks(found):
     if found.reread:
         yield f"{_count(found.reread, 'variant')} read anew from the printed values: the same keys."
+    if found.closed:
+        yield f"Closed forms give the same: {', '.join(f'{text} in {count}' for text, count in found.closed.items())}."
 
 
 def _keys(found):
@@ -139,7 +141,7 @@ def variants_data(found: "SolvedVariants") -> dict:
     same = [{"mistake": name, "name": text} for name, text in found.same]
     counts = [{"gate": gate, "rejected": count} for gate, count in found.counts.items()]
     return KEY.row(len(accepted) + len(rejected), counts, list(found.rules.without), asked, accepted, rejected, same,
-                   found.reread)
+                   found.reread, [{"name": text, "variants": count} for text, count in found.closed.items()])
 
 
 def _given_data(one):
@@ -181,4 +183,6 @@ KEY = Key("variants", "the variants of a problem", of=(
         Key("reason", "why"))),
     Key("same", "mistakes that lead to the key in every variant, a list", each=(
         Key("mistake", "its name"), Key("name", "the quantity"))),
-    Key("reread", "how many were held against the scene read anew")))
+    Key("reread", "how many were held against the scene read anew"),
+    Key("closed", "quantities that have a closed form, which gives the same keys, a list", each=(
+        Key("name", "the quantity"), Key("variants", "in how many candidates")))))
