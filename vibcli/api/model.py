@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from vibcli.api.response import SampledResponse
     from vibcli.api.sweep import SweptValues
     from vibcli.api.values import QuantityValue
+    from vibcli.api.variants import HomeworkVariants
     from vibcli.report.blocks import Document
     from vibcli.results.other_values import OtherValues
     from vibcli.results.problem import Problem
@@ -90,6 +91,12 @@ class Model:
         from vibcli.api.sweep import swept
 
         return swept(self._as_read, quantities, parameters)
+
+    def variants(self) -> "HomeworkVariants":
+        """All variants of the scene as homework, as its `variants:` says: solved, and passed through the gates."""
+        from vibcli.api.variants import variants_of
+
+        return variants_of(self._as_read, self._source, self._case, self._settings)
 
     @property
     def omega(self) -> "ndarray | list[SymbolicExpression]":
