@@ -46,7 +46,8 @@ HOMEWORK = [
     "HTML pages.",
     [
         ("set.yaml", "`{title: Week 3, course: Dynamics, due: Friday, problems: [lever.yaml, {file: shafts.yaml, case: "
-         "stiff, points: 4}, {file: more, pick: 2}]}`: of a folder each student gets so many problems"),
+         "stiff, points: 4}, {file: more, pick: 2}]}`: of a folder each student gets so many problems. Its schema for "
+         "editors: `vibcli schema --set`"),
         ("roster", "a CSV file with a heading: `id`, and perhaps `name`"),
         ("who gets what", "In the order of the roster each the first variant still free in a permutation of their own, "
          "made of hashes of the salt, the problem, the id and `--attempt`: none share while variants last, and who is "
@@ -60,7 +61,8 @@ HOMEWORK = [
     "`--csv answers.csv -o marks.csv` those of all (columns `id`, `problem`, one for each quantity). Without a unit "
     "the one that was asked is meant; decimal commas are read; a mistake that is known is named. Expressions and "
     "equations are read as those of scenes are, also with ẍ, · and ²: `--answer 'omega[1]=sqrt(k/m)'`, `--answer "
-    "\"equation[x]=2*x'' + 800*x = 0\"`. The exit code is 0 whatever the marks are.",
+    "\"equation[x]=2*x'' + 800*x = 0\"`. `--json` prints `marks` "
+    "with the columns of the table, `points` and `of`. The exit code is 0 whatever the marks are.",
     "Cases do not inherit variants; a case may have its own (`--case`). All variants share one derivation where no "
     "sign of the drawing hangs on their values; twenty are held against the scene read anew from the printed values.",
 ]
