@@ -2,8 +2,11 @@
 
 import csv
 import json
+from pathlib import Path
 
+import jsonschema
 import pytest
+import yaml
 
 from vibcli.cli import run
 from vibcli.homework.leaks import leak, text_of_page
@@ -222,3 +225,30 @@ def test_paper(course):
         assert all(value.split()[0] in text for value in found["values"].values()) and "omega_d[1]" in text
         key = pypdf.PdfReader(course / "out" / "instructor" / "keys" / f"block-{found['variant']}.pdf")
         assert leak("\n".join(page.extract_text() for page in key.pages), [found["keys"][0]["value"]], []) is not None
+
+
+def test_marks_as_json(course, capsys):
+    assert homework() == 0
+    capsys.readouterr()
+    manifest = json.loads((course / "out" / "instructor" / "manifest.json").read_text(encoding="utf-8"))
+    number = manifest["students"][0]["sheets"][0]["variant"]
+    key = next(one for one in manifest["problems"][0]["variants"] if one["variant"] == number)["keys"][0]["value"]
+    mine = ("grade", "out/instructor/manifest.json", "--student", "s1")
+    assert run([*mine, "--answer", f"omega_d[1]={key:.4g}", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    right, missing = found["marks"]
+    assert (found["points"], found["of"]) == (2, 3) and right["verdict"] == "right" and missing["answer"] is None
+    assert right == {"id": "s1", "problem": "block", "quantity": "omega_d[1]", "answer": f"{key:.4g}", "points": 2,
+                     "of": 2, "verdict": "right", "mistake": None, "said": None}
+    assert run([*mine, "--json", "-o", "marks.csv"]) == 2 and "choose one" in capsys.readouterr().err
+
+
+def test_the_schema_of_sets(capsys):
+    assert run(["schema", "--set"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    jsonschema.Draft7Validator.check_schema(found)
+    valid = jsonschema.Draft7Validator(found).is_valid
+    path = Path(__file__).parents[2] / "problems" / "sets" / "free_vibration_with_a_lever" / "set.yaml"
+    assert valid(yaml.safe_load(path.read_text(encoding="utf-8")))
+    assert valid({"problems": ["a.yaml", {"file": "more", "pick": 2}]}) and not valid({"title": "Week 3"})
+    assert not valid({"problems": [{"fil": "a.yaml"}]}) and not valid({"problems": []})

@@ -8,8 +8,8 @@ import pytest
 from house.measure import PACKAGE
 
 MOST = {        # methods of House that list or count something
-    "arrows": 116,
-    "floors": 14,
+    "arrows": 118,
+    "floors": 16,
     "taking_problem": 0,
     "set_from_outside": 3,
     "with_several_bases": 1,

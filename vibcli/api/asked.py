@@ -54,7 +54,7 @@ def _matrices(problem):
 def _modes(problem):
     """The modes that are told; of a scene in letters all, in closed form."""
     if problem.numeric.has_free_symbols:
-        from vibcli.api.letters import closed_modes
+        from vibcli.inverse.letters import closed_modes
 
         return [(mode, mode.unstable) for mode in closed_modes(problem)]
     return [(mode, mode.growth_rate is not None) for mode in shown(problem)]

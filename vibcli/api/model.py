@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from vibcli.api.response import SampledResponse
     from vibcli.api.sweep import SweptValues
     from vibcli.api.values import QuantityValue
+    from vibcli.api.variants import HomeworkVariants
     from vibcli.report.blocks import Document
     from vibcli.results.other_values import OtherValues
     from vibcli.results.problem import Problem
@@ -91,6 +92,12 @@ class Model:
 
         return swept(self._as_read, quantities, parameters)
 
+    def variants(self) -> "HomeworkVariants":
+        """All variants of the scene as homework, as its `variants:` says: solved, and passed through the gates."""
+        from vibcli.api.variants import variants_of
+
+        return variants_of(self._as_read, self._source, self._case, self._settings)
+
     @property
     def omega(self) -> "ndarray | list[SymbolicExpression]":
         """Natural angular frequencies [rad/s], an array of n ascending ones, the dampers left out; NaN of a mode that
@@ -121,8 +128,8 @@ class Model:
         """Mode shapes, the first coordinate that moves being 1: an array of n coordinates × m modes, complex where
         phases differ; in letters a list of modes, each a list of amplitudes."""
         if self._problem.numeric.has_free_symbols:
-            from vibcli.api.letters import GIVE_VALUES
             from vibcli.base.errors import NotInLetters
+            from vibcli.inverse.letters import GIVE_VALUES
 
             modes = self._closed_modes()
             if any(mode.shape is None for mode in modes):
@@ -209,7 +216,7 @@ class Model:
         return document if refusal is None else document._replace(refusal=Refusal(refusal.message, refusal.hint))
 
     def _closed_modes(self, stable=False):
-        from vibcli.api.letters import closed_modes
+        from vibcli.inverse.letters import closed_modes
 
         found = closed_modes(self._problem)
         growing = next((mode.index for mode in found if mode.unstable), None) if stable else None

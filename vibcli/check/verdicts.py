@@ -5,7 +5,7 @@ constant, at random states. A scene with symbols is checked at several sets of r
 """
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.check.comparison import compared
@@ -20,8 +20,10 @@ from vibcli.results.random_states import at_states, states
 
 if TYPE_CHECKING:
     from vibcli.language.document.nodes import Mapping
+    from vibcli.language.reader import Expression
     from vibcli.reader.sections.answer import Answer
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 ROUNDING = 1e-13
 
@@ -57,19 +59,20 @@ def check(problem: "Problem", root: "Mapping | None" = None) -> list[Verdict]:
 
 
 def verdicts_of(problem: "Problem", answers: "Iterable[Answer]", case: str | None = None,
-                root: "Mapping | None" = None) -> list[Verdict]:
-    """The Verdicts of some answers of a scene, or of a case of it; root: its document, that of the case."""
+                root: "Mapping | None" = None, remarks: bool = True) -> list[Verdict]:
+    """The Verdicts of some answers of a scene, or of a case of it; root: its document, that of the case; remarks: with
+    the known mistakes that lead to what differs."""
     instances = Instances(problem)
-    return [_verdict(instances, answer, case, root) for answer in answers]
+    return [_verdict(instances, answer, case, root, remarks) for answer in answers]
 
 
-def _verdict(instances, answer, case, root):
+def _verdict(instances, answer, case, root, remarks):
     """Compare at every instance, to the first that differs; of a scene with symbols, those of a regime that has no such
     answer are passed over."""
     verdict, count = None, 0
     for instance in instances:
         try:
-            found = _compare(instance, answer, root)
+            found = _compare(instance, answer, root, remarks)
         except PhysicsError as error:
             if verdict is None:
                 verdict = Verdict(answer, False, remark="no such answer: " + error.message,
@@ -81,7 +84,7 @@ def _verdict(instances, answer, case, root):
     return verdict._replace(case=case)
 
 
-def _worst(wanted, found, groups, rounding=0.0):
+def worst_place(wanted: Any, found: Any, groups: Any, rounding: float = 0.0) -> tuple[int, float, float] | None:
     """(index, difference, size of the group) where two functions differ; None where they agree in each group."""
     rounding = max(rounding, ROUNDING * max(abs(wanted).max(), abs(found).max()))
     for group in groups:
@@ -91,7 +94,13 @@ def _worst(wanted, found, groups, rounding=0.0):
     return None
 
 
-def _compare(problem, answer, root):
+def proportional(wanted: Any, found: Any, groups: Any) -> tuple[float, tuple[int, float, float] | None]:
+    """(the factor between two functions, 0 where one is empty; where they differ by more, None where they do not)."""
+    factor = float(wanted @ found / (found @ found)) if found.any() else 0.0
+    return factor, worst_place(wanted, factor * found, groups)
+
+
+def _compare(problem, answer, root, remarks):
     tree = answer.asked.tree
     kind = kind_of(problem.spec, tree)
     head = None if kind is None else tree.head
@@ -100,12 +109,12 @@ def _compare(problem, answer, root):
     if kind == TRUTH:
         wanted, found = answer.expected.text == "true", measure(problem, tree)[0]
         return Verdict(answer, found == wanted, wanted, found)
-    return _number(problem, answer, root)
+    return _number(problem, answer, root, remarks)
 
 
-def _number(problem, answer, root):
+def _number(problem, answer, root, remarks):
     found = compared(problem, answer)
-    differs = found.agrees is False and found.digits is None
+    differs = remarks and found.agrees is False and found.digits is None
     told = _remark(problem, answer, found, root) if differs else None
     verdict = Verdict(answer, found.agrees, found.expected, found.found, told, error=found.error, digits=found.digits,
                       estimated=_estimated(problem, answer.asked.tree))
@@ -143,7 +152,8 @@ def _advice(verdict):
     return "give " + tolerance if is_exact(verdict.answer) else "write fewer digits, or give " + tolerance
 
 
-def _expected_node(problem, expression):
+def expected_node(problem: "Problem", expression: "Expression") -> "Node":
+    """What is expected, in parameters, coordinates and the time; of an equation its left side less its right one."""
     scene = problem.scene
 
     def symbol(name, primes, part):
@@ -169,7 +179,7 @@ def _compare_function(problem, answer, head):
 
 def _at_states(problem, answer, head, ours):
     """Is an energy as expected at random states, V up to a constant?"""
-    expected = _expected_node(problem, answer.expected)
+    expected = expected_node(problem, answer.expected)
     at, groups = states(problem)
     wanted, found = at_states(problem, [expected, ours], at)
     rounding = 0.0
@@ -177,7 +187,7 @@ def _at_states(problem, answer, head, ours):
         first = [group.start for group in groups for _ in range(group.start, group.stop)]
         rounding = ROUNDING * max(abs(wanted).max(), abs(found).max())
         wanted, found = wanted - wanted[first], found - found[first]
-    worst = _worst(wanted, found, groups, rounding)
+    worst = worst_place(wanted, found, groups, rounding)
     i = worst[0] if worst else 0
     return Verdict(answer, worst is None, float(wanted[i]), float(found[i]),
                    "values at a random state of motion" if worst else None)
@@ -187,7 +197,7 @@ def _compare_equation(problem, answer, head):
     """Are the two left sides proportional at random states?"""
     scene = problem.scene
     i = equation_number(problem, answer.asked.tree.indices[0])
-    expected = _expected_node(problem, answer.expected)
+    expected = expected_node(problem, answer.expected)
     at, groups = states(problem)
     if head == "equation":
         at = {name: value - problem.numeric.drawn_floats.get(name, 0.0) for name, value in at.items()}
@@ -196,8 +206,7 @@ def _compare_equation(problem, answer, head):
         found = _small_oscillation(problem, i, at) - load
     else:
         wanted, found = at_states(problem, [expected, _symbolic(problem, answer)], at)
-    factor = float(wanted @ found / (found @ found)) if found.any() else 0.0
-    worst = _worst(wanted, factor * found, groups)
+    factor, worst = proportional(wanted, found, groups)
     agrees = factor != 0.0 and worst is None
     remark = f"not proportional: off by {worst[1] / worst[2]:.2g} of its size" if worst else "it is empty"
     return Verdict(answer, agrees, remark=None if agrees else remark)

@@ -25,9 +25,10 @@ COLUMNS = "id", "problem", "quantity", "answer", "points", "of", "verdict", "mis
 @click.option("--csv", "table", metavar="FILE", help="The answers of all: columns id, problem, one for each quantity.")
 @click.option("-o", "--output", metavar="FILE", type=FILE, help="Write the marks to a CSV file.")
 @click.option("--force", is_flag=True, help="Replace the file if it exists.")
+@click.option("--json", "as_json", is_flag=True, help="The marks as JSON.")
 @color_option
 def command(manifest: str, student: str | None, problem: str | None, answers: Sequence[str], table: str | None,
-            output: str | None, force: bool) -> int:
+            output: str | None, force: bool, as_json: bool) -> int:
     """Mark answers by the manifest of the sheets that `vibcli homework` handed out.
 
     The exit code is 0 whatever the marks are: vibcli explain homework.
@@ -39,6 +40,8 @@ def command(manifest: str, student: str | None, problem: str | None, answers: Se
     if (table is None) == (student is None):
         raise click.UsageError("give one student's answers, --student ID --answer 'omega[1]=20 rad/s', or a table, "
                                "--csv FILE")
+    if as_json and output is not None:
+        raise click.UsageError("--json prints the marks, and -o writes them as CSV: choose one")
     path = None if output is None else target(None, output, (".csv",), force)
     marker = Marker(read_manifest(manifest))
     marks = _of_one(marker, student, problem, answers) if table is None else _of_table(marker, table)
@@ -47,7 +50,7 @@ def command(manifest: str, student: str | None, problem: str | None, answers: Se
 
         write(path, _table(marks).encode(), force)
     else:
-        click.echo(_shown(marks) if table is None else _table(marks).rstrip())
+        click.echo(_data(marks) if as_json else _shown(marks) if table is None else _table(marks).rstrip())
     return 0
 
 
@@ -96,18 +99,31 @@ def _of_table(marker: "Marker", path: str) -> "list[AnswerMark]":
 
 def _table(marks: "Sequence[AnswerMark]") -> str:
     """The marks as CSV; texts of students that a spreadsheet would take for formulas have a quote before them."""
+    from vibcli.homework.tables import as_text
+
     text = io.StringIO()
     rows = csv.writer(text, lineterminator="\n")
     rows.writerow(COLUMNS)
     for one in marks:
-        answer = "'" + one.answer if one.answer[:1] in ("=", "+", "@", "\t") else one.answer
-        rows.writerow([one.student, one.problem, one.quantity, answer, f"{one.points:g}", f"{one.of:g}", one.verdict,
-                       one.mistake, one.said])
+        rows.writerow([one.student, one.problem, one.quantity, as_text(one.answer), f"{one.points:g}",
+                       f"{one.of:g}", one.verdict, one.mistake, one.said])
     return text.getvalue()
 
 
+def _data(marks: "Sequence[AnswerMark]") -> str:
+    """{marks: [a mapping by COLUMNS], points, of}, null for a text that is empty."""
+    import json
+
+    from vibcli.homework.marks import total
+
+    rows = [dict(zip(COLUMNS, (text if text != "" else None for text in one), strict=True)) for one in marks]
+    points, most = total(marks)
+    return json.dumps({"marks": rows, "points": points, "of": most}, ensure_ascii=False, allow_nan=False, indent=1)
+
+
 def _shown(marks: "Sequence[AnswerMark]") -> str:
-    from vibcli.homework.marks import RIGHT, total
+    from vibcli.homework import RIGHT
+    from vibcli.homework.marks import total
 
     lines = []
     for one in marks:

@@ -1,9 +1,7 @@
 """How far an answer may lie from its key: what rounding on the way to it does, and its own last figure."""
 
-from math import sqrt
+from math import floor, log10, sqrt
 from typing import NamedTuple
-
-from vibcli.homework.keys import half_a_unit
 
 FIGURES = 3, 4, 5       # that a sheet may ask for
 ROUNDED = 0.005         # of a key, by what is rounded on the way, where no line of its solution tells it
@@ -38,3 +36,8 @@ class KeyBand(NamedTuple):
             return Band(figures, ROUNDED * finer * abs(value) + last)
         total, squares = self.carried[0] * finer * abs(value), self.carried[1] * (finer * value)**2
         return Band(figures, max(last, min(total + last, TAIL * sqrt((squares + last**2) / 3))))
+
+
+def half_a_unit(value: float, figures: int) -> float:
+    """Half a unit of the last figure of a value that is written with so many."""
+    return 0.5 * 10.0**(floor(log10(abs(value))) - figures + 1) if value else 0.0

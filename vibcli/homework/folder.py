@@ -13,7 +13,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.homework.leaks import leak, text_of_page
 from vibcli.homework.manifest import Assigned, manifest
 from vibcli.homework.sheets import key_sheet, overview, student_sheet
-from vibcli.notation.numbers import in_figures
+from vibcli.homework.tables import as_text
 from vibcli.report.formats import html
 
 if TYPE_CHECKING:
@@ -49,10 +49,11 @@ def files(course: "Course", handouts: "Sequence[Handout]", assigned: Assigned, a
 
 
 def _require_no_leak(student, page, sheets, salt):
-    keys = [key.value for handout, variant in sheets for key in handout.variants[variant].keys]
+    keys = [key for handout, variant in sheets for key in handout.variants[variant].keys]
     comments = [line.partition("#")[2].strip() for handout, _ in sheets for line in handout.text.splitlines()
                 if line.lstrip().startswith("#")]
-    found = leak(text_of_page(page), keys, [salt, *(one for one in comments if len(one) > 3)])
+    found = leak(text_of_page(page), [key.value for key in keys if key.value is not None],
+                 [salt, *(one for one in comments if len(one) > 3)], [text for key in keys for text in key.hidden])
     if found is not None:
         raise Leak(f"the sheet of {student} would tell {found}", "nothing was written; take it out of the question or "
                    "of the figure, or vary the parameters otherwise")
@@ -66,9 +67,8 @@ def _table(assigned):
     for student, sheets in assigned:
         for handout, variant in sheets:
             for key, points, one in zip(handout.keys, handout.points, handout.variants[variant].keys, strict=True):
-                rows.writerow([student.id, handout.name, variant + 1, key.text,
-                               in_figures(one.value, one.band.figures), key.unit, one.band.figures,
-                               f"{one.band.width:.3g}", f"{points:g}"])
+                rows.writerow([student.id, handout.name, variant + 1, key.text, as_text(one.written), key.unit,
+                               one.figures, "" if one.band is None else f"{one.band.width:.3g}", f"{points:g}"])
     return text.getvalue().encode()
 
 

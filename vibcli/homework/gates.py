@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from operator import ge, gt, le, lt
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.homework.bands import FIGURES, WIDEST, Band, KeyBand
 from vibcli.notation.numbers import figure, in_figures, plainly
@@ -20,10 +20,11 @@ SAME = 1e-9                 # relative: a mistake that leads to the key itself
 
 
 class Wrong(NamedTuple):
-    """What a mistake gives for a key: its name and the value in the unit of the key, None where it has none."""
+    """What a mistake gives for a key: its name and the value in the unit of the key, None where it has none; of what is
+    no number its terms, or its text."""
 
     mistake: str
-    value: float | None
+    value: Any
 
 
 def failed(problem: "Problem", require: "Sequence[Requirement]") -> "Requirement | None":

@@ -4,14 +4,18 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.work import Work
+from vibcli.homework.asked_keys import key_of
 from vibcli.homework.bands import Band
 from vibcli.homework.course import Course, CoursePart, CourseProblem
 from vibcli.homework.document import SceneDocument
+from vibcli.homework.equation_keys import EquationValue
+from vibcli.homework.formula_keys import FormulaValue
 from vibcli.homework.gates import Wrong
 from vibcli.homework.handout import Handout
-from vibcli.homework.keys import key_of
+from vibcli.homework.keys import KeyValue
+from vibcli.homework.manifest import KEYS
 from vibcli.homework.roster import Student
-from vibcli.homework.variants import KeyValue, ProblemVariant
+from vibcli.homework.variants import ProblemVariant
 from vibcli.language.document.document import Scalar, read
 from vibcli.language.given_values import giver, number_and_unit
 from vibcli.language.reader import Expression
@@ -25,7 +29,7 @@ if TYPE_CHECKING:
 
 def handed_out(manifest: Mapping[str, Any], patience: int = 1) -> "tuple[Course, list[Handout], Assigned, int]":
     """(course, problems, who got what, attempt) of a manifest."""
-    handouts = [_handout(one, patience) for one in manifest["problems"]]
+    handouts = [handout_of(one, patience) for one in manifest["problems"]]
     by_name = {one.name: one for one in handouts}
     assigned = [(Student(one["id"], one["name"]), [(by_name[sheet["problem"]], sheet["variant"] - 1)
                                                    for sheet in one["sheets"]]) for one in manifest["students"]]
@@ -34,7 +38,8 @@ def handed_out(manifest: Mapping[str, Any], patience: int = 1) -> "tuple[Course,
     return course, handouts, assigned, manifest["attempt"]
 
 
-def _handout(one, patience):
+def handout_of(one: "Mapping[str, Any]", patience: int = 1) -> Handout:
+    """The Handout of a problem of a manifest."""
     node, diagnostics = read(one["scene"].encode(), one["file"])
     problem = Problem(read_spec(node, one["file"], diagnostics), work=Work(patience))
     problem = problem if one["case"] is None else problem.case(one["case"])
@@ -48,10 +53,17 @@ def _handout(one, patience):
 
 def _variant(found):
     values = {name: _value(name, text) for name, text in found["values"].items()}
-    keys = tuple(KeyValue(key["value"], key["error"], Band(key["figures"], key["band"]),
-                          tuple(Wrong(wrong["name"], wrong["value"]) for wrong in key["mistakes"]))
-                 for key in found["keys"])
-    return ProblemVariant((), values, keys)
+    return ProblemVariant((), values, tuple(map(_key, found["keys"])))
+
+
+def _key(key):
+    kind = next(kind for kind in KEYS if kind in key)
+    wrong = tuple(Wrong(one["name"], one[kind]) for one in key["mistakes"])
+    if kind == "formula":
+        return FormulaValue(key["formula"], wrong)
+    band = Band(key["figures"], key["band"])
+    return EquationValue(key["terms"], band, wrong) if kind == "terms" else KeyValue(key["value"], key["error"], band,
+                                                                                     wrong)
 
 
 def _value(name, text):

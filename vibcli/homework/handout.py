@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.homework.told import told
 from vibcli.homework.variants import ProblemVariant, SolvedVariants, read_anew
-from vibcli.notation.numbers import in_figures
 from vibcli.report.document import Report
 
 if TYPE_CHECKING:
@@ -89,18 +88,18 @@ class Handout:
     def data(self, number: int) -> dict[str, Any]:
         """What a manifest keeps of a variant: its values, keys, bands and mistakes."""
         variant = self.variants[number]
-        keys = [{"quantity": key.text, "unit": key.unit, "points": points, "value": one.value, "error": one.error,
-                 "figures": one.band.figures, "band": one.band.width,
-                 "mistakes": [{"name": wrong.mistake, "value": wrong.value} for wrong in one.wrong]}
+        keys = [{"quantity": key.text, "unit": key.unit, "points": points, **one.data()}
                 for key, points, one in zip(self.keys, self.points, variant.keys, strict=True)]
         return {"variant": number + 1, "values": {name: value.text for name, value in variant.values.items()},
                 "keys": keys}
 
 
 def _range(values):
-    """(least, largest) of keys, to the figures to which they are asked."""
+    """(least, largest) of keys, to the figures to which they are asked; none of what is no number."""
+    if any(one.value is None for one in values):
+        return "–", "–"
     low, high = (pick(values, key=lambda one: one.value) for pick in (min, max))
-    return tuple(in_figures(one.value, one.band.figures) for one in (low, high))
+    return low.written, high.written
 
 
 SOLUTION = ("given", "chosen", "coordinates", "equilibrium", "energies", "equations", "matrices", "frequencies",

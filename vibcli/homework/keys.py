@@ -1,10 +1,15 @@
-"""Keys: the quantities that are asked of a variant, in the units in which they are asked."""
+"""Keys: the quantities that are asked of a variant, in the units in which they are asked, and their values."""
 
-from math import floor, log10, tau
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Sequence
+from math import tau
+from typing import TYPE_CHECKING, Any, NamedTuple
 
+from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.base.units import Unit
+from vibcli.homework.bands import Band, KeyBand
+from vibcli.homework.gates import Wrong, is_same, told_apart
 from vibcli.language.given_values import unit_of_text
+from vibcli.notation.numbers import in_figures, plainly
 from vibcli.quantities.dimensions import unit_of
 from vibcli.quantities.expression import value_of
 from vibcli.quantities.quantity import quantity_of
@@ -12,8 +17,49 @@ from vibcli.quantities.quantity import quantity_of
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression
     from vibcli.language.spec import Spec
+    from vibcli.mistakes.known import KnownMistake
     from vibcli.reader.sections.variants import AskedQuantity
     from vibcli.results.problem import Problem
+
+ROUTES = 1e-9               # relative: by so much two ways to a key may differ
+SEEN = 1e-9                 # relative: what is no rounding
+
+
+class KeyValue(NamedTuple):
+    """The key of a variant that is a number: value and error bound in its unit, its Band, what mistakes give."""
+
+    value: float
+    error: float
+    band: Band
+    wrong: tuple[Wrong, ...]
+
+    @property
+    def written(self) -> str:
+        return self.said(self.value)
+
+    @property
+    def figures(self) -> str:
+        """To how many an answer is asked."""
+        return str(self.band.figures)
+
+    @property
+    def spread(self) -> str:
+        """How far an answer may be off."""
+        return f"± {plainly(self.band.width)}"
+
+    @property
+    def hidden(self) -> tuple[str, ...]:
+        """Texts that no sheet may tell."""
+        return ()
+
+    def said(self, value: float) -> str:
+        """The key, or what a mistake makes of it, to the figures that are asked."""
+        return in_figures(value, self.band.figures)
+
+    def data(self) -> dict[str, Any]:
+        """What a manifest keeps of it."""
+        return {"value": self.value, "error": self.error, "figures": self.band.figures, "band": self.band.width,
+                "mistakes": [{"name": one.mistake, "value": one.value} for one in self.wrong]}
 
 
 class AnswerKey(NamedTuple):
@@ -31,20 +77,64 @@ class AnswerKey(NamedTuple):
     def text(self) -> str:
         return self.asked.text
 
+    @property
+    def form(self) -> str:
+        """How an answer is written, in a sentence; '' where figures and unit say it."""
+        return ""
+
+    def printed(self, problem: "Problem", written: str) -> Any:
+        """The key, or what a mistake makes of it, as it is set in print."""
+        return written
+
     def value(self, problem: "Problem", expression: "Expression | None" = None) -> tuple[float, float]:
         """(value, absolute error bound) in its unit of what is asked, or of another expression, in a scene."""
         found, error = value_of(problem, expression or self.asked)
         return found / self.factor, abs(error * found / self.factor)
 
+    def found(self, problem: "Problem") -> Any:
+        """What a scene answers: (value, absolute error bound) in its unit."""
+        return self.value(problem)
 
-def key_of(spec: "Spec", one: "AskedQuantity") -> AnswerKey:
-    """The AnswerKey of a quantity that is asked."""
-    unit = one.unit or _si(spec, one.asked)
+    def hangs_on(self, problem: "Problem", name: str, moved: "Problem | None") -> bool:
+        """Does it change with a parameter, which has another value in the scene `moved`?"""
+        if moved is None:
+            return True
+        (value, error), (other, its) = self.value(problem), self.value(moved)
+        return abs(value - other) > SEEN * max(abs(value), abs(other)) + error + its
+
+    def mistaken(self, mistake: "KnownMistake", scene: "Problem", found: Any) -> Any:
+        """What a mistake gives, in the scene that it takes for the right one, None where it does not concern it or has
+        no such answer; found: the right answer."""
+        try:
+            return mistake.wrong(self.asked, self.unit, found[0], lambda expression: self.value(scene, expression)[0])
+        except (SpecError, PhysicsError):
+            return None
+
+    def equal(self, problem: "Problem", found: Any, wrong: Sequence[Any]) -> list[bool]:
+        """Does each of what mistakes give equal the key?"""
+        return [is_same(found[0], one) for one in wrong]
+
+    def settled(self, hangs_on: KeyBand, found: Any, wrong: tuple[Wrong, ...], equal: list[bool]) -> tuple[Any, Any]:
+        """(the key with what it allows, why mistakes are not told from it or None)."""
+        value, error = found
+        band, reason = told_apart(self, hangs_on, value, wrong)
+        return KeyValue(value, error, band, wrong), reason
+
+    def require_same(self, fresh: "Problem", one: Any, at: str) -> None:
+        """RuntimeError, a fault of ours, where a scene read anew does not give the key; at: the values in words."""
+        value, error = self.value(fresh)
+        if abs(value - one.value) > ROUTES * abs(value) + error + one.error:
+            raise RuntimeError(f"two ways to {self.text} differ, {value!r} and {one.value!r}, at {at}")
+
+
+def number_key(spec: "Spec", one: "AskedQuantity") -> AnswerKey:
+    """The AnswerKey of a number that is asked."""
+    unit = one.unit or si_unit(spec, one.asked)
     factor = _factor(spec, one.asked, unit_of_text(unit) if unit else None)
     return AnswerKey(one.asked, unit, factor, one.points, one.rtol)
 
 
-def _si(spec: "Spec", asked: "Expression") -> str:
+def si_unit(spec: "Spec", asked: "Expression") -> str:
     """The text of the SI unit of a quantity, '' of a pure number."""
     found = unit_of(spec, asked)
     return "" if found == "1" else found
@@ -57,9 +147,3 @@ def _factor(spec, asked, unit: Unit | None):
     quantity = quantity_of(spec, asked.tree)
     counted = quantity is not None and quantity.unit == "Hz"
     return unit.in_si(1) * (tau**unit.cycles if unit.cycles and not counted else 1.0)
-
-
-def half_a_unit(value: float, figures: int) -> float:
-    """Half a unit of the last figure of a value that is written with so many."""
-    return 0.5 * 10.0**(floor(log10(abs(value))) - figures + 1) if value else 0.0
-

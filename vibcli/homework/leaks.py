@@ -5,9 +5,13 @@ import unicodedata
 from collections.abc import Iterable, Iterator
 from html import parser
 
+from vibcli.notation.as_printed import as_printed
+
 NUMBER = re.compile(r"(?<![\w.,])[-−+]?\d+(?:[.,]\d+)?(?:\s*(?:e|×\s*10\^?)\s*[-−+]?\d+)?", re.IGNORECASE)
 READ = "alt", "title", "aria-label", "alttext", "content", "data-", "name", "id"
 FIGURES = 3
+TYPED = str.maketrans({"−": "-", "·": "*", "⋅": "*", "×": "*"})
+_SINGLE = re.compile(r"[-−]?[\w.]+")        # a letter or a number alone is no secret
 
 
 class _Read(parser.HTMLParser):
@@ -41,10 +45,15 @@ def text_of_page(page: str) -> str:
     return "\n".join(reader.found)
 
 
-def leak(text: str, keys: Iterable[float], hidden: Iterable[str]) -> str | None:
-    """What a text tells that it must not: a key at three or more figures, or one of the hidden texts; None of
-    nothing."""
+def leak(text: str, keys: Iterable[float], hidden: Iterable[str], formulas: Iterable[str] = ()) -> str | None:
+    """What a text tells that it must not: a key at three or more figures, one of the hidden texts, or one of the
+    formulas, in the language of scenes or as it is printed; None of nothing."""
     text = unicodedata.normalize("NFKC", text)
+    plain = _typed(text)
+    for formula in formulas:
+        side = formula.removesuffix(" = 0")
+        if not _SINGLE.fullmatch(side) and any(_stands(one, plain) for one in (side, as_printed(side, _names(side)))):
+            return f"the key {formula}"
     if any(word and word in text for word in hidden):
         return "the salt, or a comment of the scene"
     keys = list(keys)
@@ -52,6 +61,21 @@ def leak(text: str, keys: Iterable[float], hidden: Iterable[str]) -> str | None:
         if any(abs(abs(value) - abs(key)) <= half for key in keys):
             return f"the key {said}"
     return None
+
+
+def _typed(text):
+    """A text with its signs as they are typed."""
+    return unicodedata.normalize("NFKC", text).translate(TYPED).replace("\u221a", "sqrt")
+
+
+def _names(text):
+    return re.findall(r"[^\W\d]\w*", text)
+
+
+def _stands(formula, text):
+    """Does a formula stand in a text, whatever blanks are in it, as no part of a longer word or number?"""
+    signs = r"\s*".join(map(re.escape, re.sub(r"\s", "", _typed(formula))))
+    return re.search(rf"(?<![\w.]){signs}(?![\w.]*\w)", text) is not None
 
 
 def numbers_in(text: str) -> Iterator[tuple[float, float, str]]:

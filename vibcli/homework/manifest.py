@@ -3,7 +3,8 @@
     {version, title, course, due, attempt,
      problems: [{name, title, file, case, points, scene, hash, gates_off, accepted, ranges, mistakes: {name: sentence},
                  variants: [{variant, values: {parameter: text}, keys: [{quantity, unit, points, value, error, figures,
-                             band, mistakes: [{name, value}]}]}]}],
+                             band, mistakes: [{name, value}]}]}]}],     of equations `terms` instead of value and error,
+                                                                        of what is in letters `formula` alone
      students: [{id, name, sheets: [{problem, variant}]}]}
 """
 
@@ -24,13 +25,18 @@ MAX_BYTES = 200 * 2**20
 FORM = "vibcli homework 1"
 NUMBER = int, float
 NAMED: dict[Any, str] = {str: "text", int: "whole number", NUMBER: "number", dict: "mapping", list: "list"}
+KEY = {"quantity": str, "unit": str, "points": NUMBER}
+KEYS: dict[str, dict[str, Any]] = {     # by what tells the kind of a key
+    "formula": {**KEY, "formula": str, "mistakes": [{"name": str, "formula": str}]},
+    "terms": {**KEY, "terms": dict, "figures": int, "band": NUMBER, "mistakes": [{"name": str, "terms": dict}]},
+    "value": {**KEY, "value": NUMBER, "error": NUMBER, "figures": int, "band": NUMBER,
+              "mistakes": [{"name": str, "value": NUMBER}]},
+}
 SHAPE: dict[str, Any] = {
     "title": str, "course": str, "due": str, "attempt": int,
     "problems": [{
         "name": str, "title": str, "file": str, "scene": str, "accepted": int, "ranges": list, "mistakes": dict,
-        "variants": [{"variant": int, "values": dict, "keys": [{
-            "quantity": str, "unit": str, "points": NUMBER, "value": NUMBER, "error": NUMBER, "figures": int,
-            "band": NUMBER, "mistakes": [{"name": str, "value": NUMBER}]}]}]}],
+        "variants": [{"variant": int, "values": dict, "keys": [KEYS]}]}],
     "students": [{"id": str, "name": str, "sheets": [{"problem": str, "variant": int}]}],
 }
 Assigned = Sequence[tuple[Student, Sequence[tuple["Handout", int]]]]
@@ -80,6 +86,8 @@ def read_manifest(path: str) -> dict[str, Any]:
 
 def _unlike(value, shape, path):
     """Where a value has not the shape of a manifest, in words; None where it has."""
+    if shape is KEYS and isinstance(value, dict):
+        shape = KEYS[next((kind for kind in KEYS if kind in value), "value")]
     if isinstance(shape, dict) and isinstance(value, dict):
         return next((said for key, inner in shape.items()
                      if (said := _unlike(value.get(key), inner, f"{path}.{key}".lstrip("."))) is not None), None)

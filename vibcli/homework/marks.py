@@ -4,13 +4,13 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.spelling import nearest
+from vibcli.homework import MISSING, RIGHT, UNREADABLE, WRONG
 from vibcli.homework.given_answers import read_answer
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
 COARSE = 0.01           # of an answer: half of its last figure, beyond which it tells nothing
-RIGHT, WRONG, UNREADABLE, MISSING = "right", "wrong", "unreadable", "missing"
 
 
 class AnswerMark(NamedTuple):
@@ -35,6 +35,7 @@ class Marker:
         self._problems = {one["name"]: one for one in manifest["problems"]}
         self._keys = {(one["name"], variant["variant"]): variant["keys"] for one in manifest["problems"]
                       for variant in one["variants"]}
+        self._handouts: dict[str, Any] = {}
         self._sheets = {student["id"]: {one["problem"]: one["variant"] for one in student["sheets"]}
                         for student in manifest["students"]}
 
@@ -64,15 +65,21 @@ class Marker:
 
     def marks(self, student: str, problem: str, answers: Mapping[str, str]) -> "Iterator[AnswerMark]":
         """The AnswerMark of each quantity that a problem asks; answers: {quantity: text}."""
-        for key in self._keys[problem, self.sheet(student)[problem]]:
+        variant = self.sheet(student)[problem]
+        for key in self._keys[problem, variant]:
             text = answers.get(key["quantity"], "").strip()
-            yield AnswerMark(student, problem, key["quantity"], text, *self._marked(problem, key, text))
+            yield AnswerMark(student, problem, key["quantity"], text, *self._marked(problem, variant, key, text))
 
-    def _marked(self, problem, key, text):
+    def _marked(self, problem, variant, key, text):
         """(points, of, verdict, mistake, what to say) of an answer."""
         most = key["points"]
         if not text:
             return 0.0, most, MISSING
+        if "value" not in key:
+            from vibcli.homework.marked_expressions import marked
+
+            verdict, mistake, said = marked(self._scene(problem, variant), key, text)
+            return most * (verdict == RIGHT), most, verdict, mistake, said or self._sentence(problem, mistake)
         given = read_answer(text, key["unit"])
         if given.value is None:
             return 0.0, most, UNREADABLE, "", given.reason
@@ -82,7 +89,18 @@ class Marker:
         if is_within(given.value, key["value"], half):
             return 0.0, most, WRONG, "", f"right as far as it goes, but {key['figures']} figures are asked"
         mistake = _mistake(given.value, half, key)
-        return 0.0, most, WRONG, mistake or "", self._problems[problem]["mistakes"].get(mistake, "")
+        return 0.0, most, WRONG, mistake or "", self._sentence(problem, mistake)
+
+    def _sentence(self, problem, mistake):
+        return self._problems[problem]["mistakes"].get(mistake, "")
+
+    def _scene(self, name, variant):
+        """The scene of a variant, read anew from what is printed, once."""
+        from vibcli.homework.handed_out import handout_of
+
+        if name not in self._handouts:
+            self._handouts[name] = handout_of(self._problems[name])
+        return self._handouts[name].problem(variant - 1)
 
 
 def _unknown(message, word, words):

@@ -5,11 +5,10 @@ from typing import NamedTuple
 
 from vibcli.base.diagnostics import quoted
 from vibcli.base.errors import Diagnostic, SpecError, Where
-from vibcli.homework.tables import read_table
+from vibcli.homework.tables import FORMULA, read_table
 
 MOST = 100_000
 ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9._@-]{0,63}")
-FORMULA = "=+-@\t\r"
 
 
 class Student(NamedTuple):

@@ -6,7 +6,7 @@ from string import ascii_lowercase
 from typing import TYPE_CHECKING
 
 from vibcli.notation.as_printed import as_printed
-from vibcli.notation.numbers import figure, in_figures, plainly
+from vibcli.notation.numbers import figure
 from vibcli.notation.plain import plain
 from vibcli.quantities.quantity import quantity_of
 from vibcli.report.blocks import (
@@ -60,8 +60,9 @@ def _asked(handout, variant):
         quantity = quantity_of(handout.base.spec, key.asked.tree)
         about = _about(quantity, key.asked.tree) if quantity else "this expression"
         rows.append((f"({ascii_lowercase[number]})", about, key.text, as_printed(key.unit) or "–",
-                     str(one.band.figures), figure(points, digits=3)))
-    return section("Asked", TableBlock(("", "what", "written as", "unit", "figures", "points"), tuple(rows)))
+                     one.figures, figure(points, digits=3)))
+    table = TableBlock(("", "what", "written as", "unit", "figures", "points"), tuple(rows))
+    return section("Asked", table, *map(paragraph, dict.fromkeys(key.form for key in handout.keys if key.form)))
 
 
 def _about(quantity, tree):
@@ -78,12 +79,12 @@ def _about(quantity, tree):
 def key_sheet(handout: "Handout", number: int) -> Document:
     """The key of a variant with its worked solution: right answers, how far they may be off, what mistakes give."""
     variant = handout.variants[number]
-    rows = [(key.text, in_figures(one.value, one.band.figures), as_printed(key.unit) or "–",
-             f"± {plainly(one.band.width)}", figure(points, digits=3))
-            for key, points, one in zip(handout.keys, handout.points, variant.keys, strict=True)]
-    wrong = [(wrong.mistake, key.text, in_figures(wrong.value, one.band.figures), handout.sentences[wrong.mistake])
-             for key, one in zip(handout.keys, variant.keys, strict=True) for wrong in one.wrong]
     problem = handout.problem(number)
+    rows = [(key.text, key.printed(problem, one.written), as_printed(key.unit) or "–", one.spread,
+             figure(points, digits=3))
+            for key, points, one in zip(handout.keys, handout.points, variant.keys, strict=True)]
+    wrong = [(wrong.mistake, key.text, key.printed(problem, one.said(wrong.value)), handout.sentences[wrong.mistake])
+             for key, one in zip(handout.keys, variant.keys, strict=True) for wrong in one.wrong]
     mistakes = TableBlock(("mistake", "quantity", "gives", "what to say"), tuple(wrong)) if wrong else None
     return Document(f"{handout.title} — variant {number + 1}", problem.spec.get("source"),
                     Report(problem).document().question, (

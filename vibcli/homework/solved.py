@@ -1,7 +1,7 @@
 """Candidates with their solutions: those of which there is a scene with answers, of the kind that is required."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.homework.candidates import candidates
@@ -31,11 +31,11 @@ class Rejected(NamedTuple):
 
 
 class Candidate(NamedTuple):
-    """A candidate with a solution: what the sheet says, (value, error) of each key."""
+    """A candidate with a solution: what the sheet says, and what is found of each key."""
 
     problem: "Problem"
     values: dict[str, GivenValue]
-    found: list[tuple[float, float]]
+    found: list[Any]
 
 
 class SolvedCandidates(NamedTuple):
@@ -102,7 +102,7 @@ def _candidate(problem, rules, keys, kind, scene, values):
             its = regime(scene, kind.rests is not None)
             if its != kind:
                 return "regime", kind.told(its), 0.0
-        return Candidate(scene, {**values, **_printed(problem, scene)}, [key.value(scene) for key in keys])
+        return Candidate(scene, {**values, **_printed(problem, scene)}, [key.found(scene) for key in keys])
     except PhysicsError as error:
         return SOLVED, error.message, 0.0
 

@@ -2,11 +2,14 @@
 
 import csv
 import io
+import re
 from typing import NamedTuple
 
 from vibcli.base.errors import Diagnostic, SpecError, Where
 
 MAX_BYTES = 50 * 2**20
+FORMULA = "=+-@\t\r"          # what a formula of a spreadsheet begins with
+_NUMBER = re.compile(r"[-+]?[\d.,]+(?:[eE][-+]?\d+)?(?: \S+)?")
 WORDS = "id", "name", "problem"     # columns that are named in capitals, too
 
 
@@ -37,6 +40,11 @@ def read_table(path: str, what: str) -> tuple[list[str], list[TableRow]]:
     except csv.Error as error:
         raise _wrong(path, max(reader.line_num, 1), f"{what} cannot be read: {error}") from None
     return heading, rows
+
+
+def as_text(cell: str) -> str:
+    """A cell that no spreadsheet takes for a formula: what would be one has a quote before it; numbers are none."""
+    return "'" + cell if cell and cell[0] in FORMULA and not _NUMBER.fullmatch(cell) else cell
 
 
 def _text(path, what):

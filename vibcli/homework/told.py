@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from vibcli.homework.keys import AnswerKey
     from vibcli.results.problem import Problem
 
-STEP, SEEN = Fraction(1, 64), 1e-9      # relative: by so much a parameter is changed; what is no rounding
+STEP = Fraction(1, 64)      # relative: by so much a parameter is changed
 WORD = re.compile(r"[^\W\d_][^\W_]*")
 
 
@@ -59,15 +59,11 @@ def _matters(problem, keys, name):
     record = problem.spec.parameters[name]
     written = number_and_unit(record["value"]) if "value" in record else None
     if written is None:
-        return True
+        return any(key.hangs_on(problem, name, None) for key in keys)
     number, unit = written
     moved = giver(unit, name)(number * (1 + STEP) if number else STEP)
     try:
-        return any(_differ(key.value(problem), key.value(with_given(problem, {name: moved}))) for key in keys)
+        other = with_given(problem, {name: moved})
+        return any(key.hangs_on(problem, name, other) for key in keys)
     except (SpecError, PhysicsError):
         return True
-
-
-def _differ(one, other):
-    (value, error), (moved, its) = one, other
-    return abs(value - moved) > SEEN * max(abs(value), abs(moved)) + error + its

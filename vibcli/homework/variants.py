@@ -1,16 +1,18 @@
 """All variants of a problem: every candidate solved once, passed through the gates, and held against a second way."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError, SpecError
-from vibcli.homework.bands import Band, KeyBand
+from vibcli.homework.asked_keys import key_of
+from vibcli.homework.bands import KeyBand
 from vibcli.homework.candidates import candidates
-from vibcli.homework.gates import Wrong, is_same, told_apart, unreadable
-from vibcli.homework.keys import AnswerKey, key_of
+from vibcli.homework.gates import Wrong, unreadable
+from vibcli.homework.keys import AnswerKey
 from vibcli.homework.leaks import numbers_in
 from vibcli.homework.mistakes import mistakes_of
 from vibcli.homework.printed import with_given, with_printed
+from vibcli.homework.routes import hold_against_closed_forms
 from vibcli.homework.solved import SOLVED, Rejected, solve_candidates
 from vibcli.homework.told import untold
 from vibcli.language.given_values import GivenValue, number_and_unit
@@ -25,29 +27,21 @@ if TYPE_CHECKING:
     from vibcli.results.variants import Place
 
 REREAD = 20                 # variants that are held against the scene read anew
-ROUTES = 1e-9               # relative: by so much two ways to a key may differ
-
-
-class KeyValue(NamedTuple):
-    """The key of a variant: value and error bound in its unit, its Band, what mistakes give."""
-
-    value: float
-    error: float
-    band: Band
-    wrong: tuple[Wrong, ...]
 
 
 class ProblemVariant(NamedTuple):
-    """place in the grid; values: {parameter: what the sheet says}, printed ones among them; keys: one KeyValue each."""
+    """place in the grid; values: {parameter: what the sheet says}, printed ones among them; keys: what each is, what it
+    allows and what mistakes give."""
 
     place: "Place"
     values: dict[str, GivenValue]
-    keys: tuple[KeyValue, ...]
+    keys: tuple[Any, ...]
 
 
 class SolvedVariants(NamedTuple):
     """What is known of all candidates, in the order of the grid. same: (mistake, quantity) of mistakes that lead to the
-    key in every variant, which are left out; reread: how many were held against the scene read anew."""
+    key in every variant, which are left out; reread: how many were held against the scene read anew; closed: {quantity:
+    how many candidates its closed form was held against}."""
 
     problem: "Problem"
     rules: "VariantRules"
@@ -57,6 +51,7 @@ class SolvedVariants(NamedTuple):
     rejected: list[Rejected]
     same: list[tuple[str, str]]
     reread: int
+    closed: dict[str, int]
 
     @property
     def counts(self) -> dict[str, int]:
@@ -92,21 +87,25 @@ def solve_variants(problem: "Problem", document: "SceneDocument") -> SolvedVaria
     solved, rejected, base = solve_candidates(problem, rules, keys)
     bands = _bands(base, keys, solved)
     _look(problem, rules, keys, base, bands, solved, rejected)
+    closed = {} if "routes" in rules.without else hold_against_closed_forms(keys, list(solved.values()))
     wrong = _wrong(problem, rules, keys, mistakes, solved)
-    same = _same(keys, mistakes, solved, wrong)
-    accepted = _accept(keys, bands, solved, wrong, set(same), rejected, "apart" in rules.without)
+    equal = _equal(keys, mistakes, solved, wrong)
+    same = _same(keys, mistakes, solved, equal)
+    accepted = _accept(keys, bands, solved, wrong, equal, set(same), rejected, "apart" in rules.without)
     rejected.sort(key=lambda one: one.place)
     reread = 0 if "routes" in rules.without else _reread(document, keys, accepted)
-    return SolvedVariants(problem, rules, keys, mistakes, accepted, rejected, same, reread)
+    return SolvedVariants(problem, rules, keys, mistakes, accepted, rejected, same, reread, closed)
 
 
 def _bands(base, keys, solved) -> "dict[Place, list[KeyBand]]":
     """{place: the KeyBand of each key}."""
     if base is None or not solved:
         return {}
-    from vibcli.homework.rounding import shares_of
+    shares = [None] * len(keys)
+    if not base.numeric.has_free_symbols:
+        from vibcli.homework.rounding import shares_of
 
-    shares = shares_of(base, keys, [one.values for one in solved.values()])
+        shares = shares_of(base, keys, [one.values for one in solved.values()])
     return {place: [KeyBand(key.rtol, None if share is None else (float(share[0, i]), float(share[1, i])))
                     for key, share in zip(keys, shares, strict=True)] for i, place in enumerate(solved)}
 
@@ -133,18 +132,18 @@ def _of_keys(rules, keys, bands, one, told, given):
     """(gate, reason) of what keys with values fail; (None, None) of nothing. told: parameters that are not told; given:
     {what it is: number} of what all sheets tell."""
     numbers = {**given, **{name: float(value.number) for name, value in one.values.items()}}
-    if "readable" not in rules.without and (reason := unreadable(keys, bands, one.found, numbers)) is not None:
+    if "readable" not in rules.without and (reason := _unreadable(keys, bands, one, numbers)) is not None:
         return "readable", reason
     return ("told", f"neither question nor figure tells {', '.join(told)}") if told else (None, None)
 
 
-def _wrong(problem, rules, keys, mistakes, solved) -> "dict[tuple[str, Place], list[float | None]]":
+def _wrong(problem, rules, keys, mistakes, solved) -> "dict[tuple[str, Place], list[Any]]":
     """{(mistake, place): what it gives for each key, None where it does not concern it or has no solution}."""
     found: dict = {}
     for mistake in mistakes:
         for place, scene in _scenes(problem, rules, mistake, solved):
-            found[mistake.name, place] = [_value(mistake, scene, key, right)
-                                          for key, (right, _) in zip(keys, solved[place].found, strict=True)]
+            found[mistake.name, place] = [None if isinstance(scene, Exception) else key.mistaken(mistake, scene, right)
+                                          for key, right in zip(keys, solved[place].found, strict=True)]
     return found
 
 
@@ -162,37 +161,42 @@ def _scenes(problem, rules, mistake, solved):
         yield from candidates(mistake.problem, rules, lambda one: with_printed(one, rules), solved)
 
 
-def _value(mistake, scene, key, right):
-    if isinstance(scene, Exception):
-        return None
-    try:
-        return mistake.wrong(key.asked, key.unit, right, lambda expression: key.value(scene, expression)[0])
-    except (SpecError, PhysicsError):
-        return None
-
-
-def _same(keys, mistakes, solved, wrong):
-    """[(mistake, quantity)] of those that lead to the key in every variant."""
-    found = []
-    for mistake in mistakes:
+def _equal(keys, mistakes, solved, wrong) -> "dict[tuple[Place, int], dict[str, bool]]":
+    """{(place, number of a key): {mistake: does it lead to the key itself?}} of those that concern it."""
+    found = {}
+    for place, one in solved.items():
         for i, key in enumerate(keys):
-            pairs = [(one.found[i][0], wrong[mistake.name, place][i]) for place, one in solved.items()]
-            if pairs and all(value is not None and is_same(own, value) for own, value in pairs):
-                found.append((mistake.name, key.text))
+            given = {mistake.name: value for mistake in mistakes
+                     if (value := wrong[mistake.name, place][i]) is not None}
+            flags = key.equal(one.problem, one.found[i], list(given.values()))
+            found[place, i] = dict(zip(given, flags, strict=True))
     return found
 
 
-def _accept(keys, bands, solved, wrong, same, rejected, all_pass):
+def _same(keys, mistakes, solved, equal):
+    """[(mistake, quantity)] of those that lead to the key in every variant."""
+    return [(mistake.name, key.text) for mistake in mistakes for i, key in enumerate(keys)
+            if solved and all(equal[place, i].get(mistake.name, False) for place in solved)]
+
+
+def _unreadable(keys, bands, one, numbers):
+    """Why keys that are numbers can not be asked for; None where they can."""
+    known = [i for i, found in enumerate(one.found) if isinstance(found, tuple)]
+    of_numbers = [[all_of[i] for i in known] for all_of in (keys, bands, one.found)]
+    return unreadable(of_numbers[0], of_numbers[1], of_numbers[2], numbers)
+
+
+def _accept(keys, bands, solved, wrong, equal, same, rejected, all_pass):
     """The Variants that pass the gate of mistakes."""
     accepted, names = [], list(dict.fromkeys(name for name, _ in wrong))
     for place, one in solved.items():
         values, reason = [], None
-        for i, (key, (value, error)) in enumerate(zip(keys, one.found, strict=True)):
+        for i, (key, found) in enumerate(zip(keys, one.found, strict=True)):
             given = tuple(Wrong(name, wrong[name, place][i]) for name in names
                           if (name, key.text) not in same and wrong[name, place][i] is not None)
-            found, why = told_apart(key, bands[place][i], value, given)
+            value, why = key.settled(bands[place][i], found, given, [equal[place, i][each.mistake] for each in given])
             reason = reason or why
-            values.append(KeyValue(value, error, found, given))
+            values.append(value)
         if reason and not all_pass:
             rejected.append(Rejected(place, one.values, "apart", reason))
         else:
@@ -214,10 +218,7 @@ def read_anew(document: "SceneDocument", keys: Sequence[AnswerKey], variant: Pro
     """The Problem of a variant, read anew from what is printed; RuntimeError, a fault of ours, where a key is not
     the one that was found."""
     fresh = document.anew(variant.values)
+    at = ", ".join(one.text for one in variant.values.values())
     for key, one in zip(keys, variant.keys, strict=True):
-        value, error = key.value(fresh)
-        if abs(value - one.value) > ROUTES * abs(value) + error + one.error:
-            raise RuntimeError(f"two ways to {key.text} differ, {value!r} and {one.value!r}, at "
-                               + ", ".join(one.text for one in variant.values.values()))
+        key.require_same(fresh, one, at)
     return fresh
-

@@ -20,7 +20,14 @@ HOMEWORK = [
          "between the ends. A parameter without a value may be varied too, so that a scene in letters has numbers."),
         ("chosen parameters", "What is not asked is rounded as `printed` says, to three figures unless given, and the "
          "scene is solved again from the printed values: keys are those of what the student reads."),
-        ("ask", "what is asked, in which unit, for how many points; what `answers` ask that is a number unless given"),
+        ("ask", "what is asked, in which unit, for how many points; what `answers` ask that is a number unless given, "
+         "and where letters are left all that they ask"),
+        ("letters", "Where parameters are left without value, keys are expressions of these, with the numbers of the "
+         "others: any that is equal is right, as `check` compares them, and nothing else; a mistake must be unequal. "
+         "Energies and equations may be asked there, too."),
+        ("equations", "Of a scene with numbers `equation[x]` and `motion[x]` may be asked: an answer is right up to a "
+         "factor where each coefficient lies in its band, 1 % at three figures, and it has no other terms. An equation "
+         "with numbers within its functions is not asked."),
         ("figures", "An answer is asked to three figures; where the band of a mistake would meet that of the key, to "
          "four, then to five. A variant in which that does not help is rejected."),
         ("bands", "how far a right answer may lie from its key: what rounding to these figures does along the lines of "
@@ -39,20 +46,23 @@ HOMEWORK = [
     "HTML pages.",
     [
         ("set.yaml", "`{title: Week 3, course: Dynamics, due: Friday, problems: [lever.yaml, {file: shafts.yaml, case: "
-         "stiff, points: 4}, {file: more, pick: 2}]}`: of a folder each student gets so many problems"),
+         "stiff, points: 4}, {file: more, pick: 2}]}`: of a folder each student gets so many problems. Its schema for "
+         "editors: `vibcli schema --set`"),
         ("roster", "a CSV file with a heading: `id`, and perhaps `name`"),
         ("who gets what", "In the order of the roster each the first variant still free in a permutation of their own, "
          "made of hashes of the salt, the problem, the id and `--attempt`: none share while variants last, and who is "
          "added at the end changes nobody's sheet. `--distinct` refuses where students would share."),
-        ("leaks", "No student's file tells a key at three or more figures, the salt or a comment of the scene: else "
-         "nothing is written."),
+        ("leaks", "No student's file tells a key at three or more figures, the text of one that is an expression or "
+         "equation, the salt or a comment of the scene: else nothing is written."),
         ("again", "The same input gives the same bytes; `--from-manifest` writes the sheets of a manifest again, "
          "whatever became of the files."),
     ],
     "`vibcli grade manifest.json` marks answers: `--student s1 --answer 'omega[1]=21.9 rad/s'` those of one, "
     "`--csv answers.csv -o marks.csv` those of all (columns `id`, `problem`, one for each quantity). Without a unit "
-    "the one that was asked is meant; decimal commas are read; a mistake that is known is named. The exit code is 0 "
-    "whatever the marks are.",
+    "the one that was asked is meant; decimal commas are read; a mistake that is known is named. Expressions and "
+    "equations are read as those of scenes are, also with ẍ, · and ²: `--answer 'omega[1]=sqrt(k/m)'`, `--answer "
+    "\"equation[x]=2*x'' + 800*x = 0\"`. `--json` prints `marks` "
+    "with the columns of the table, `points` and `of`. The exit code is 0 whatever the marks are.",
     "Cases do not inherit variants; a case may have its own (`--case`). All variants share one derivation where no "
     "sign of the drawing hangs on their values; twenty are held against the scene read anew from the printed values.",
 ]

@@ -27,6 +27,9 @@ PYTHON = [
         ("p.sweep(\"omega[1]\", \"zeta[1]\", k=array)", "quantities over ascending values of a parameter, or over the "
          "grid of two, in the unit of the file: `.over`, `.values` and `.units` by name, `.branches` of natural modes, "
          "`.meetings`, `.gaps`"),
+        ("p.variants()", "the variants of a scene as homework: `.accepted`, each with `.values` as they are printed, "
+         "`.keys` in the unit asked (expressions and equations as texts), `.bands` and `.mistakes` by quantity; "
+         "`.counts` by gate, `.units`, `.rejected` with their reasons"),
         ("p.draw()", "the figure; `p.draw(mode=1, both=True)` a mode shape on it. `.save(\"scene.png\")` writes it, "
          "`.data(\"svg\")` gives its bytes; `.title` and `.about` say in words what it is and shows"),
         ("p.diagrams()", "forces and moments along members in equilibrium; `p.diagrams(mode=2)`, `p.diagrams(at=0.04)` "

@@ -8,7 +8,7 @@ from vibcli.base.spelling import nearest
 from vibcli.language.document.document import Scalar
 from vibcli.language.given_values import GivenValue, converted, giver, number_and_unit, unit_of_text
 from vibcli.language.reader import Expression, Reader, Record
-from vibcli.quantities.quantity import OF_STATE, TRUTH, kind_of
+from vibcli.quantities.quantity import FUNCTION, OF_STATE, TRUTH, kind_of
 from vibcli.reader.answer_check import as_quantity, check_question, checked
 from vibcli.reader.choices import check_sides, finished_sides
 from vibcli.reader.quantity_check import can_be_asked
@@ -61,6 +61,12 @@ def preferred(series: str, low: Fraction, high: Fraction) -> list[Fraction]:
     return [number for number in every if low <= number <= high]
 
 
+def stays_in_letters(spec: "Spec", axes: "list[dict[str, list[GivenValue]]]") -> bool:
+    """Are there parameters left that no variant gives a value, so that keys are expressions?"""
+    given = {name for axis in axes for name in axis} | set(spec.choices)
+    return any("value" not in record and name not in given for name, record in spec.parameters.items())
+
+
 def varied(spec: "Spec") -> Iterator[tuple[Expression, str]]:
     """(value as written, its parameter) of all that a file gives to vary."""
     record = spec.get("variants")
@@ -88,18 +94,20 @@ def with_variants(spec: "Spec", reader: Reader) -> "Spec":
         if name not in spec.named.get("choose", ()):
             reader.report(record.place("printed"), f"'{name}' is not chosen: `printed` says how chosen parameters are "
                           "rounded", nearest(name, spec.choices) if spec.choices else "this scene chooses none")
-    ask = [found for one in record.get("ask", ()) if (found := _asked(spec, reader, one)) is not None]
+    letters = stays_in_letters(spec, axes)
+    ask = [found for one in record.get("ask", ()) if (found := _asked(spec, reader, one, letters)) is not None]
     for one in ask:
         if one.asked.text in record.get("printed", {}):
             reader.report(one.asked.where, f"'{one.asked.text}' is asked: it cannot be printed in the question",
                           "take it out of `printed` or of `ask`")
     if len(reader.diagnostics) > before:
         return spec
-    rules = VariantRules(axes, require, record.get("printed", {}), ask or _from_answers(spec),
+    rules = VariantRules(axes, require, record.get("printed", {}), ask or _from_answers(spec, letters),
                          record.get("mistakes", {}), record.get("sample"), tuple(record.get("without", ())),
                          record.where)
     if not rules.ask:
-        reader.report(record.where, "nothing is asked: no quantity of `answers` is a number",
+        reader.report(record.where, "nothing is asked: " + ("there are no `answers`" if letters else
+                                                            "no quantity of `answers` is a number"),
                       "name quantities under `ask`, as in omega[1]: {unit: rad/s}")
     elif rules.candidates > MOST_CANDIDATES and rules.sample is None:
         reader.report(record.place("parameters"), f"{rules.candidates} candidates; the limit is {MOST_CANDIDATES}",
@@ -231,11 +239,23 @@ def _comparison(spec, reader, one):
     return one._replace(left=left, right=right)
 
 
-def _asked(spec, reader, one):
-    """An AskedQuantity that can be asked, in a unit that it can have; None where something is wrong with it."""
+def _asked(spec, reader, one, letters):
+    """An AskedQuantity that can be asked, in a unit that it can have; None where something is wrong with it. letters:
+    are parameters left without value?"""
     asked, before = as_quantity(spec, one.asked), len(reader.diagnostics)
-    if kind_of(spec, asked.tree) in (TRUTH, *OF_STATE):
-        return reader.report(asked.where, f"'{asked.text}' is no number: variants ask for numbers")
+    kind = kind_of(spec, asked.tree)
+    if kind == TRUTH:
+        return reader.report(asked.where, f"'{asked.text}' is true or false: variants ask for numbers, equations and "
+                             "expressions")
+    if kind == FUNCTION and not letters:
+        return reader.report(asked.where, f"'{asked.text}' has numbers here, and is asked where letters are left alone",
+                             "ask for its value in a motion, or for equation[…]")
+    if one.unit and (letters or kind in OF_STATE):
+        return reader.report(asked.where, f"'{asked.text}' is " + ("an equation" if kind in OF_STATE else "an "
+                             "expression in letters") + ": it is asked in no unit", "leave the unit out")
+    if one.rtol is not None and letters:
+        return reader.report(one.rtol.where, f"'{asked.text}' is an expression in letters, which is exact",
+                             "leave rtol out")
     if one.unit:
         text = f"1 {one.unit}"
         checked(spec, reader, Answer(asked, Expression(Scalar(text, asked.where), parse(text)), None))
@@ -253,14 +273,15 @@ def _share(expression):
     return float(number) * (unit_of_text(unit).in_si(1) if unit else 1.0)
 
 
-def _from_answers(spec):
-    """What `answers` say that is a number once the parameters have values, in the units written there."""
+def _from_answers(spec, letters):
+    """What `answers` say that is a number once the parameters have values, in the units written there; where letters
+    are left, all that is expected in them."""
     found = []
     for answer in spec.answers:
-        tree = answer.asked.tree
-        if kind_of(spec, tree) in (*OF_STATE, TRUTH):
+        kind = kind_of(spec, answer.asked.tree)
+        if kind == TRUTH or (kind in OF_STATE and not letters):
             continue
-        written = number_and_unit(answer.expected)
+        written = None if letters else number_and_unit(answer.expected)
         found.append(AskedQuantity(answer.asked, written[1] if written else "", 1, None))
     return found
 

@@ -78,7 +78,7 @@ class Variants:
 
     def _shared(self):
         """{place: (Problem whose expressions it shares, what of it is known)}."""
-        if self.problem.spec.choices:
+        if self.problem.spec.choices or self._has_letters:
             return {}
         from vibcli.results.shared_solutions import shared_solutions
 
@@ -88,6 +88,13 @@ class Variants:
             known = shared_solutions(base, corners, blocks, {place: self._exact(place) for place in places})
             found |= {place: (base, known.get(place, ())) for place in places}
         return found
+
+    @property
+    def _has_letters(self):
+        """Are there parameters that no place gives a value?"""
+        given = {name for axis in self.axes for name in axis} | self.problem.numeric.given.keys()
+        return any("value" not in record and name not in given
+                   for name, record in self.problem.spec.parameters.items())
 
     def _groups(self):
         """[(Problem, blocks, places)] of the blocks, ((low, high) on each axis), whose corners all have the same

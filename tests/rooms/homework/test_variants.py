@@ -1,5 +1,6 @@
 """Variants of a problem: keys against scenes read anew and closed forms, each gate, mistakes, printed values."""
 
+from fractions import Fraction
 from math import pi, sqrt
 from pathlib import Path
 
@@ -251,3 +252,41 @@ def test_bands_hold_what_students_round():
         assert len(shares) >= 1500
         assert 0.75 <= np.percentile(shares, 99) <= 1.0
         assert np.mean(np.array(shares) <= 1) >= 0.98
+
+
+CAR = """parameters: {m: 1000 kg, kf: 18 kN/m, kr: 20 kN/m}
+bodies: {front: {mass: m, slide: x}, rear: {mass: 300 kg, slide: y}}
+springs: {f: {k: kf, stretch: x}, r: {k: kr, stretch: y - x}}
+answers: {"omega[1]": 4.099 rad/s}
+variants:
+  parameters: {m: {from: 500 kg, to: 1500 kg, step: 10 kg}, kf: [16 kN/m, 18 kN/m, 20 kN/m]}
+  ask: {"omega[1]": rad/s, "omega[2]": Hz, "mode[1][y]": }
+  without: [told, apart]
+"""
+
+
+def test_closed_forms_are_held_against_all_variants():
+    found = solved(CAR.replace("Hz", "rad/s"))
+    assert found.closed == {"omega[1]": 303, "omega[2]": 303, "mode[1][y]": 303}
+    for one in found.accepted[::30]:
+        m, kf = number(one, "m"), number(one, "kf")
+        squares = np.linalg.eigvals([[(kf + 20e3) / m, -20e3 / m], [-20e3 / 300, 20e3 / 300]])
+        assert [key.value for key in one.keys[:2]] == pytest.approx(np.sqrt(np.sort(squares)), rel=1e-12)
+
+
+def test_a_closed_form_that_differs_is_a_fault(monkeypatch):
+    from vibcli.homework import routes
+
+    right = routes._closed
+    monkeypatch.setattr(routes, "_closed", lambda problem, key: right(problem, key) * (1 + Fraction(1, 10**8)))
+    with pytest.raises(RuntimeError, match=r"two ways to omega_d\[1\] differ, .* and in closed form"):
+        solved(BLOCK + GRID)
+
+
+def test_where_the_form_of_another_variant_does_not_agree_its_own_is_found_to_more_digits(monkeypatch):
+    from vibcli.homework import routes
+
+    derived, right, closed = [], routes._at, routes._closed
+    monkeypatch.setattr(routes, "_at", lambda *given: right(*given) * (1 + 1e-6))
+    monkeypatch.setattr(routes, "_closed", lambda problem, key: derived.append(key.text) or closed(problem, key))
+    assert solved(BLOCK + GRID).closed == {"omega_d[1]": 15} and len(derived) == 16

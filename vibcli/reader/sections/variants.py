@@ -24,7 +24,7 @@ GATES = {
     "readable": "keys between 0.001 and 100000 in their unit, none within its band of a given value or another key",
     "told": "every parameter on which a key depends is quoted in the question or lettered in the figure",
     "apart": "no mistake leads into the band of its key",
-    "routes": "the key found by a shared derivation is the one of the scene read anew",
+    "routes": "the key found by a shared derivation is the one of the scene read anew, and of its closed form",
 }
 OFF = "off"         # of a known mistake that is not looked for
 SIGNS = re.compile(r"<=|>=|<|>")
@@ -173,7 +173,8 @@ ELEMENT = Element(
         "printed": Field(Named(Choice("2", "3", "4", "5", "6", *SERIES), "a mapping from parameters to figures"),
                          "to how many figures, or in which series, a parameter that is chosen is printed: the scene is "
                          "solved again with that"),
-        "ask": Field(_Asked(), "the quantities that are asked; those of `answers` that are numbers unless given"),
+        "ask": Field(_Asked(), "the quantities that are asked; those of `answers` that are numbers, or in letters, "
+                               "unless given"),
         "mistakes": Field(_Mistakes(), "known mistakes: parts of the scene, merged over it as cases are, and wrong "
                                        "values by quantities, as in {answers: {\"omega_d[1]\": \"omega[1]\"}}; `off` "
                                        "where one that `vibcli explain mistakes` lists is not looked for"),

@@ -1,7 +1,7 @@
 """Variants of a problem: how many passed which gate, their keys, the mistakes that come nearest, all of them."""
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.numbers import in_figures, plainly
 from vibcli.reader.sections.variants import GATES
@@ -9,7 +9,7 @@ from vibcli.report.blocks import Name, Section, TableBlock, maths, paragraph, se
 from vibcli.report.keys import Key
 
 if TYPE_CHECKING:
-    from vibcli.homework.variants import KeyValue, SolvedVariants
+    from vibcli.homework.variants import SolvedVariants
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
 
@@ -37,7 +37,7 @@ def variant_table(problem: "Problem", report: "Report") -> Iterator[Section]:
     head = ("no.", *(maths(Name(name)) for name in names), *(_named(key) for key in found.keys))
     yield from section("Accepted", TableBlock(head, tuple(
         (str(number), *(_printed(one.values[name].text) for name in names),
-         *(in_figures(key.value, key.band.figures) for key in one.keys))
+         *(key.written for key in one.keys))
         for number, one in enumerate(found.accepted, 1))))
 
 
@@ -80,18 +80,22 @@ def _gates(found):
 def _remarks(found):
     if found.reread:
         yield f"{_count(found.reread, 'variant')} read anew from the printed values: the same keys."
+    if found.closed:
+        yield f"Closed forms give the same: {', '.join(f'{text} in {count}' for text, count in found.closed.items())}."
 
 
 def _keys(found):
     rows = []
     for i, key in enumerate(found.keys):
         values = [one.keys[i] for one in found.accepted]
-        texts = {in_figures(one.value, one.band.figures) for one in values}
+        texts = str(len({one.written for one in values}))
+        if values[0].value is None:
+            rows.append((key.text, "–", values[0].written, "", texts, values[0].figures, values[0].spread))
+            continue
         low, high = (pick(values, key=lambda one: one.value) for pick in (min, max))
         widest = max(one.band.width / abs(one.value) for one in values if one.value) if any(
             one.value for one in values) else 0.0
-        rows.append((key.text, _printed(key.unit) or "–", in_figures(low.value, low.band.figures),
-                     in_figures(high.value, high.band.figures), str(len(texts)), _figures(values),
+        rows.append((key.text, _printed(key.unit) or "–", low.written, high.written, texts, _figures(values),
                      f"{plainly(100 * widest)} %"))
     return TableBlock(("quantity", "unit", "least", "largest", "distinct", "figures", "widest band"), tuple(rows))
 
@@ -105,6 +109,9 @@ def _mistakes(found):
     """Of each mistake and key, the variant in which they come nearest."""
     rows = []
     for i, key in enumerate(found.keys):
+        if found.accepted[0].keys[i].value is None:
+            rows += _unequal(found, i, key)
+            continue
         for mistake in found.mistakes:
             pairs = [(abs(wrong.value - one.keys[i].value) / abs(one.keys[i].value), one.keys[i], wrong.value)
                      for one in found.accepted for wrong in one.keys[i].wrong if wrong.mistake == mistake.name]
@@ -117,6 +124,15 @@ def _mistakes(found):
     return TableBlock(head, tuple(row for _, row in rows)) if rows else None
 
 
+def _unequal(found, i, key):
+    """(1, row) of each mistake about a key that is no number, in the first variant that it concerns."""
+    first: dict = {}
+    for one in found.accepted:
+        for wrong in one.keys[i].wrong:
+            first.setdefault(wrong.mistake, (one.keys[i].written, one.keys[i].said(wrong.value)))
+    return [(1.0, (name, key.text, *texts, "unequal")) for name, texts in first.items()]
+
+
 def variants_data(found: "SolvedVariants") -> dict:
     """The variants with the keys of --json."""
     asked = [{"name": key.text, "unit": key.unit or None, "points": key.points} for key in found.keys]
@@ -125,17 +141,21 @@ def variants_data(found: "SolvedVariants") -> dict:
     same = [{"mistake": name, "name": text} for name, text in found.same]
     counts = [{"gate": gate, "rejected": count} for gate, count in found.counts.items()]
     return KEY.row(len(accepted) + len(rejected), counts, list(found.rules.without), asked, accepted, rejected, same,
-                   found.reread)
+                   found.reread, [{"name": text, "variants": count} for text, count in found.closed.items()])
 
 
 def _given_data(one):
     return [{"name": name, "value": value.text} for name, value in one.values.items()]
 
 
-def _key_data(key: "KeyValue"):
-    wrong = [{"mistake": one.mistake, "value": one.value} for one in key.wrong]
-    return {"value": key.value, "error": key.error, "figures": key.band.figures, "band": key.band.width,
-            "mistakes": wrong}
+def _key_data(key: Any):
+    if key.value is None:
+        wrong = [{"mistake": one.mistake, "value": None, "text": key.said(one.value)} for one in key.wrong]
+        return {"value": None, "error": None, "text": key.written, "figures": key.band and key.band.figures,
+                "band": key.band and key.band.width, "mistakes": wrong}
+    wrong = [{"mistake": one.mistake, "value": one.value, "text": None} for one in key.wrong]
+    return {"value": key.value, "error": key.error, "text": None, "figures": key.band.figures,
+            "band": key.band.width, "mistakes": wrong}
 
 
 GIVEN = (Key("name", "the parameter"), Key("value", "its value as text"))
@@ -150,13 +170,19 @@ KEY = Key("variants", "the variants of a problem", of=(
     Key("accepted", "the variants, a list", each=(
         Key("given", "the values of parameters, a list", each=GIVEN),
         Key("keys", "in the order of `asked`, in its units, a list", each=(
-            Key("value", "the key"), Key("error", "an absolute bound of its error"),
-            Key("figures", "to how many it is asked"), Key("band", "how far a right answer may lie from it"),
+            Key("value", "the key; null of an equation or expression"),
+            Key("error", "an absolute bound of its error; null of these"),
+            Key("text", "an equation or expression as text; null of a number"),
+            Key("figures", "to how many it is asked; null of what is exact"),
+            Key("band", "how far a right answer may lie from it, of coefficients relative; null of what is exact"),
             Key("mistakes", "what known mistakes give, a list", each=(
-                Key("mistake", "its name"), Key("value", "what it gives"))))))),
+                Key("mistake", "its name"), Key("value", "what it gives; null of what is no number"),
+                Key("text", "the equation or expression that it gives; null of a number"))))))),
     Key("rejected", "the other candidates, a list", each=(
         Key("given", "the values of parameters, a list", each=GIVEN), Key("gate", "the first that it failed"),
         Key("reason", "why"))),
     Key("same", "mistakes that lead to the key in every variant, a list", each=(
         Key("mistake", "its name"), Key("name", "the quantity"))),
-    Key("reread", "how many were held against the scene read anew")))
+    Key("reread", "how many were held against the scene read anew"),
+    Key("closed", "quantities that have a closed form, which gives the same keys, a list", each=(
+        Key("name", "the quantity"), Key("variants", "in how many candidates")))))

@@ -1,0 +1,59 @@
+"""Variants of a scene as homework, for Python."""
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from vibcli.base.errors import Diagnostic, SpecError, Where
+from vibcli.homework.document import SceneDocument
+from vibcli.homework.variants import solve_variants
+
+if TYPE_CHECKING:
+    from vibcli.api.source import SceneSource
+    from vibcli.results.problem import Problem
+
+
+class HomeworkVariant(NamedTuple):
+    """values: {parameter: its value as it is printed}; keys: {quantity: its value in the unit asked, or an expression
+    or equation as text}; bands: {quantity: how far a right answer may be off, of coefficients relative, None where it
+    is exact}; mistakes: {quantity: {mistake: what it gives}}."""
+
+    values: dict[str, str]
+    keys: dict[str, float | str]
+    bands: dict[str, float | None]
+    mistakes: dict[str, dict[str, float | str]]
+
+
+class HomeworkVariants(NamedTuple):
+    """accepted: the variants that pass all gates; counts: {gate: how many candidates failed it first}; units:
+    {quantity: in which unit it is asked, '' of none}; rejected: [(values, gate, reason)] of the other candidates."""
+
+    accepted: list[HomeworkVariant]
+    counts: dict[str, int]
+    units: dict[str, str]
+    rejected: list[tuple[dict[str, str], str, str]]
+
+
+def variants_of(problem: "Problem", source: "SceneSource", case: str | None,
+                settings: dict[str, Any]) -> HomeworkVariants:
+    """The HomeworkVariants of a scene; SpecError where it says nothing of variants."""
+    if problem.spec.get("variants") is None or source.node is None:
+        raise SpecError([Diagnostic(Where(source.file, 1, 1, 0), "this scene says nothing of variants",
+                                    "give values under variants: parameters")])
+    found = solve_variants(problem, SceneDocument.of(source.node, source.file, case, settings))
+    texts = [key.text for key in found.keys]
+    rejected = [(_texts(one.values), one.gate, one.reason) for one in found.rejected]
+    return HomeworkVariants([_variant(texts, one) for one in found.accepted], found.counts,
+                            {key.text: key.unit for key in found.keys}, rejected)
+
+
+def _variant(texts, one):
+    keys, bands, mistakes = {}, {}, {}
+    for text, key in zip(texts, one.keys, strict=True):
+        is_number = key.value is not None
+        keys[text] = key.value if is_number else key.written
+        bands[text] = None if key.band is None else key.band.width
+        mistakes[text] = {wrong.mistake: wrong.value if is_number else key.said(wrong.value) for wrong in key.wrong}
+    return HomeworkVariant(_texts(one.values), keys, bands, mistakes)
+
+
+def _texts(values):
+    return {name: value.text for name, value in values.items()}
