@@ -41,5 +41,5 @@ def tell_chosen(problem: "Problem", sheet: WorkedSolution) -> None:
         left += f"   (the first of the solutions; others: {', '.join(more)})" if more else ""
         uses = [line.number for line in sheet.steps if line.settles and line.settles in condition]
         told = f"so that {WORDS.get(condition, condition)}:  "
-        sheet.write(Words(told), *parts, Words(left), settles=name, node=form, uses=uses or [len(sheet.steps)],
+        sheet.write(Words(told), *parts, Words(left), settles=name, node=form, uses=uses or [sheet.last],
                     value=None if value is None else float(value), unit=unit.strip())
