@@ -13,7 +13,7 @@ from vibcli.report.steps.from_modes import tell_from_modes
 from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number, of_time, told
-from vibcli.report.steps.two_degrees import TwoDegrees
+from vibcli.report.steps.two_degrees import NOTHING, TwoDegrees
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
@@ -88,7 +88,8 @@ class SeveralDegrees:
     def _frequency(self, mode, shape, uses):
         """The line of a mode: with two degrees by the formula of the roots, else with the ratios."""
         names = self.about.scene.coordinates
-        amplitudes = " : ".join(map(_complex, shape))
+        size = max(map(abs, shape))
+        amplitudes = " : ".join(_complex(0j if abs(x) <= NOTHING * size else x) for x in shape)
         ratio = [*[part for name in names for part in (" : ", Name(name))][1:], " = " + amplitudes]
         if mode.omega is None:
             return self.sheet.write(Words(f"mode {mode.index} grows as exp(s·t) with "), "s = " + told(
