@@ -1,6 +1,6 @@
 """The worked solution: numbered lines from the figure to what is asked."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.report import blocks
@@ -9,19 +9,24 @@ from vibcli.report.keys import Key
 
 if TYPE_CHECKING:
     from vibcli.report.document import Report
+    from vibcli.report.steps.step import WorkedLine
     from vibcli.results.problem import Problem
 
 
 def steps(problem: "Problem", _: "Report") -> Iterator[Section]:
     from vibcli.report.steps.worked import worked
 
-    found = worked(problem)
+    yield from section_of(worked(problem))
+
+
+def section_of(found: "Sequence[WorkedLine]") -> tuple[Section, ...]:
+    """The lines as a section."""
     told: dict = {}
     for one in found:
         told[one.number] = [*told[one.number], Words(",  "), *one.parts] if one.number in told else one.parts
     digits = len(str(len(told)))
     heads = {number: Words(f"{number:\u00a0>{digits}}\u00a0\u00a0") for number in told}
-    yield from section("Steps", blocks.equations(
+    return section("Steps", blocks.equations(
         line(heads[number], *parts, hang=digits + 2) for number, parts in told.items()))
 
 
