@@ -128,6 +128,12 @@ class Member(NamedTuple):
 
         return signals_along(scene, self._moving(scene, part), part, at)
 
+    def loaded_along(self, scene: Any) -> bool:
+        """Does a weight or load act on it at rest between its stations?"""
+        part = "along" if self.kind is LENGTHWISE else self.kind.motion
+        pieces = self.signals_along(scene, part, scene.table.zero)
+        return any(piece.uneven(scene) or not piece.weight(scene).is_zero for piece in pieces)
+
     def _moving(self, scene, part):
         """The member whose motions tell a part of its signals: of beams as they stretch another."""
         return scene.members[f"{self.name}.along"] if self.stretching and part in ("along", "force") else self

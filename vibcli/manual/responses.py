@@ -159,13 +159,14 @@ STEPS = [
          "them, and where small oscillations are not told element by element: places, speeds, T, V, Φ, virtual "
          "work and Lagrange's derivatives unexpanded, of closed loops with multipliers; then the equations to the "
          "first order from rest"),
-        ("frequencies", "ω² and ω with numbers put in, δ, ζ, ω_d; of two coordinates det(K − ω²M) = 0 with its "
-         "coefficients and roots, ratios of amplitudes, modal masses and normal coordinates; whether damping is "
-         "proportional; roots with damping"),
+        ("frequencies", "ω² and ω with numbers put in, δ, ζ, ω_d; of two coordinates det(K − ω²M) = 0, with iωG where "
+         "frames turn, its coefficients and roots, ratios of amplitudes, modal masses and normal coordinates; whether "
+         "damping is proportional; roots with damping"),
         ("motion", "of one coordinate the constants from `initial`, and what loads bring about: X and θ under one "
          "harmonic or several, from the complex equation; the first harmonics of a square or sawtooth wave; steps, "
-         "ramps and impulses piece by piece from rest; what follows a growing load. Of two coordinates the "
-         "amplitudes under one harmonic."),
+         "ramps and impulses piece by piece from rest; what follows a growing load. Of several the amplitudes under "
+         "one harmonic; of two or three, undamped or with modes that damping leaves apart, what each mode starts with "
+         "and their sum, beats as a product."),
         ("members", "differential equation, standing waves and their general solution, what holds at each station, "
          "what the ends leave, the frequency equation, its first roots and their frequencies; where it has no closed "
          "form the equations, and frequencies by a search"),

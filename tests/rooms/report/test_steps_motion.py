@@ -243,3 +243,72 @@ def test_modes_that_whirl_are_complex():
         ratio = complex(line.rpartition("1 : ")[2].replace("·i", "j"))
         assert (k1 - m * Omega**2 - m * omega**2) + 1j * omega * (-2 * m * Omega) * ratio == pytest.approx(
             0, abs=2e-5 * abs(m * omega**2))
+
+
+def read(line, known):
+    """The number behind the first `=` of a line, its letters by these values."""
+    text = line.partition(" = ")[2].partition(",  its")[0].replace("\u00a0", " ")
+    for sign, plainly in (("−", "-"), ("·", "*"), ("₁", "1"), ("₂", "2")):
+        text = text.replace(sign, plainly)
+    names = {"cos": math.cos, "sin": math.sin, "exp": math.exp}
+    return eval(text, {"__builtins__": {}}, {**names, **known})
+
+
+@pytest.mark.parametrize("path", ["vibcli/examples/beats.yaml",
+                                  "problems/6_two_degrees/pendulums_beat_in_oiled_bearings.yaml"])
+def test_several_degrees_move_from_their_start_as_the_sum_of_their_modes(path):
+    """Each coordinate by its line with the numbers of the lines before, as the engine has it."""
+    p = vibcli.load(path)
+    lines = worked(p._problem)
+    known = {}
+    for line in lines:
+        for name, value in re.findall(r"([ωδ](?:_d)?[₁₂12]) = (?:√\(.*\) = )?([\d.]+)", formula(line.parts, plain)):
+            known[name.translate({ord("₁"): "1", ord("₂"): "2"})] = float(value)
+    count = 0
+    for line in lines:
+        if line.settles.startswith(("motion of ", "beat_period(")):
+            name = line.settles.removeprefix("motion of ").removeprefix("beat_period(").rstrip(")")
+            text = formula(line.parts, plain)
+            for t in (0.3, 2.1):
+                count += 1
+                moved = p[f"{name}({t} s)"].value
+                assert read(text, {**known, "t": t}) == pytest.approx(moved, rel=2e-3, abs=2e-6), text
+    assert count >= 4
+
+
+def test_coupled_pendulums_beat_in_letters():
+    """Two pendulums with a weak spring, one of them drawn aside: θ₁ = A cos ½(ω₂ − ω₁)t cos ½(ω₁ + ω₂)t, θ₂ the product
+    of the sines (Thomson, Theory of Vibration, Example 5.2-2)."""
+    lines = {line.settles: line for line in worked(problem("""
+parameters: {m: , L: , a: , k: , g: , A: }
+gravity: g
+points: {P: {body: left, at: [0, -a]}, Q: {body: right, at: [1 m, -a]}}
+bodies:
+  left: {mass: m, at: [0, -L], pin: {at: [0, 0], by: x}}
+  right: {mass: m, at: [1 m, -L], pin: {at: [1 m, 0], by: y}}
+springs: {s: {k: k, between: [P, Q]}}
+initial: {x: A, y: 0}
+"""))}
+    told = {name: formula(line.parts, plain).replace("\u00a0", " ") for name, line in lines.items()}
+    assert "p₁ = A/2" in told["start of mode 1"] and "p₂ = A/2" in told["start of mode 2"], told
+    assert told["motion of x"] == "so  x = A·cos(ω₁·t)/2 + A·cos(ω₂·t)/2"
+    assert told["motion of y"] == "so  y = A·cos(ω₁·t)/2 − A·cos(ω₂·t)/2"
+    assert told["beats of x"].endswith("x = A·cos((ω₂ − ω₁)·t/2)·cos((ω₁ + ω₂)·t/2)")
+    assert told["beats of y"].endswith("y = A·sin((ω₂ − ω₁)·t/2)·sin((ω₁ + ω₂)·t/2)")
+
+
+@pytest.mark.parametrize("path", ["vibcli/examples/given_matrices.yaml", "problems/6_two_degrees/unround_shaft.yaml"])
+def test_the_determinant_with_gyroscopic_terms(path):
+    """a₂ ω⁴ − a₁ ω² + a₀ of the lines vanishes at the frequencies of the engine, and is det(K + iωG − ω²M) of its
+    matrices."""
+    p = vibcli.load(path)
+    lines = {line.settles: line for line in worked(p._problem)}
+    M, _, G, K = p._problem.configuration.linear_system.matrices()
+    a2, a1, a0 = (lines[name].value for name in ("a2", "a1", "a0"))
+    for omega in (3.0, p["omega[1]"].value, p["omega[2]"].value):
+        D = [[K.get((i, j), 0) + 1j * omega * G.get((i, j), 0) - omega**2 * M.get((i, j), 0) for j in range(2)]
+             for i in range(2)]
+        found = D[0][0] * D[1][1] - D[0][1] * D[1][0]
+        assert a2 * omega**4 - a1 * omega**2 + a0 == pytest.approx(found.real, abs=1e-9 * a0), omega
+    assert abs(a2 * omega**4 - a1 * omega**2 + a0) < 1e-9 * a0
+    assert lines["omega[1]"].value == pytest.approx(p["omega[1]"].value) and lines["omega[1]"].node is not None

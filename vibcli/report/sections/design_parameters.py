@@ -1,5 +1,6 @@
 """The parameters that a scene chose: as a section of a report, and as data."""
 
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
@@ -12,13 +13,14 @@ if TYPE_CHECKING:
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
 
+QUANTITY = re.compile(r"-?[\d.]+(e[+-]?\d+)? [^\W\d]")      # a number with a unit
 WORDS = {BALANCE: "the drawn position is an equilibrium", LIMIT: "the equilibrium is at its limit of stability"}
 
 
 def chosen(problem: "Problem", _: "Report") -> Iterator[Section]:
     """Conditions, solutions with closed form and number, and how well they hold."""
     found = problem.choice
-    texts = dict.fromkeys(WORDS.get(text, text) for text in found.conditions.values())
+    texts = dict.fromkeys(map(condition_told, found.conditions.values()))
     told = paragraph(*separated(maths(Name(name)) for name in found.conditions), f" so that {', '.join(texts)}")
     several = len(found.solutions) > 1
     residual = figure(max(solution.residual for solution in found.solutions), digits=2)
@@ -29,6 +31,14 @@ def chosen(problem: "Problem", _: "Report") -> Iterator[Section]:
         checked += "; closed forms in SI units"
     yield from section("Chosen", told, equations(_lines(problem, several)), paragraph(checked, hang=None),
                        paragraph("what follows is with the first solution", hang=None) if several else None)
+
+
+def condition_told(text: str) -> str:
+    """A condition in words, or as it was typed, a quantity on its right as it is printed: c = 0.2 N·s/m."""
+    from vibcli.notation.as_printed import as_printed
+
+    head, sign, value = text.rpartition(" = ")
+    return WORDS.get(text) or (f"{head}{sign}{as_printed(value)}" if QUANTITY.match(value) else text)
 
 
 def _lines(problem, several):

@@ -11,6 +11,7 @@ from vibcli.report.blocks import Heading, Name, Paragraph, Section, line, maths,
 from vibcli.report.keys import Key
 from vibcli.report.sections.equilibrium import held
 from vibcli.report.sections.members import member_energies, member_equations
+from vibcli.report.sections.named_drives import named_drives
 from vibcli.report.sections.too_long import brief
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
@@ -25,12 +26,17 @@ WRITTEN_OUT = 16        # coordinates of a scene whose equations are printed in 
 
 
 def energies(problem: "Problem", report: "Report") -> Iterator[Section]:
+    drives, untold = named_drives(problem), True
     for key, symbol, title in ENERGIES:
-        (shown,), lengths = abbreviated([problem.symbolic.energies[key]], report.roots)
+        node = problem.symbolic.energies[key] if drives is None else drives.energy(key)
+        (shown,), lengths = abbreviated([node], report.roots)
+        stands = drives.stands if drives is not None and untold and not {s for s, _ in drives.stands}.isdisjoint(
+            reachable([node])) else []
+        untold &= not stands
         further = member_energies(problem, key) if problem.scene.pieces else []
         if not shown.is_zero:
             yield from section(title, blocks.equations([line(f"{symbol} = ", brief(shown), *further, hang=2)]),
-                               *with_lengths(lengths), *with_numbers(problem, [shown]))
+                               *with_lengths([*lengths, *stands]), *with_numbers(problem, [shown]))
         elif further:
             yield from section(title, blocks.equations([line(f"{symbol} = ", further[0].lstrip(" +"), *further[1:],
                                                              hang=2)]))
@@ -116,10 +122,16 @@ def _full(problem, report):
         return
     shown, lengths = abbreviated([*(found.from_rest or found.full), *found.conditions], report.roots)
     labels = [*map(Name, found.names), *[None] * len(found.conditions)]
-    lines = []
+    lines, told_nodes = [], []
     for label, node in zip(labels, shown, strict=True):
-        left, right = sides(loose, node)
-        lines.append(line(brief(left), " = ", brief(right), label=label))
+        both = [brief(side) for side in sides(loose, node)]
+        told_nodes += [side for side in both if hasattr(side, "op")]
+        lines.append(line(both[0], " = ", both[1], label=label))
+    new = {symbol for symbol, _ in lengths}
+    if new.isdisjoint(reachable(told_nodes)):
+        lengths = []
+        for root in [root for root, symbol in report.roots.items() if symbol in new]:
+            del report.roots[root]
     told = []
     for symbol, name in found.multipliers.items():
         told += [", "] * bool(told) + [maths(symbol), f": the multiplier of '{name}'"]

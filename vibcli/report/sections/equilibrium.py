@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from math import inf, isfinite
 from typing import TYPE_CHECKING
 
+from vibcli.base.enumeration import listed
 from vibcli.base.errors import Kinked, PhysicsError
 from vibcli.notation.numbers import figure, quantity
 from vibcli.report.blocks import Name, Paragraph, Words, equations, line, maths, paragraph, section, separated
@@ -50,6 +51,9 @@ def _in_numbers(problem):
         told = [*told, f", … ({len(values)} in all)"]
     stays = found.drawn or (found.jumps and found.values == problem.numeric.drawn_floats)
     where = "the drawn position" if stays else "shifted from the drawn position"
+    bent = [name for name, member in problem.scene.members.items() if stays and member.loaded_along(problem.scene)]
+    if bent:
+        where += f"; {listed(bent)} {'deflects' if len(bent) == 1 else 'deflect'} from it under what acts along"
     warning = None if stable.startswith("a kink") else bifurcation_warning(stiffness_condition(problem.modal))
     where += "; without friction" if problem.system.sticking is not None else ""
     return [paragraph(*told, f"   ({where})"), _from_start(problem),

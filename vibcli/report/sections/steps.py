@@ -1,6 +1,6 @@
 """The worked solution: numbered lines from the figure to what is asked."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.report import blocks
@@ -9,16 +9,25 @@ from vibcli.report.keys import Key
 
 if TYPE_CHECKING:
     from vibcli.report.document import Report
+    from vibcli.report.steps.step import WorkedLine
     from vibcli.results.problem import Problem
 
 
 def steps(problem: "Problem", _: "Report") -> Iterator[Section]:
     from vibcli.report.steps.worked import worked
 
-    found = worked(problem)
-    digits = len(str(len(found)))
-    yield from section("Steps", blocks.equations(
-        line(Words(f"{one.number:\u00a0>{digits}}\u00a0\u00a0"), *one.parts, hang=digits + 2) for one in found))
+    yield from section_of(worked(problem))
+
+
+def section_of(found: "Sequence[WorkedLine]") -> tuple[Section, ...]:
+    """The lines as a section."""
+    told: dict = {}
+    for one in found:
+        told[one.number] = [*told[one.number], Words(",  "), *one.parts] if one.number in told else one.parts
+    digits = len(str(len(told)))
+    heads = {number: Words(f"{number:\u00a0>{digits}}\u00a0\u00a0") for number in told}
+    return section("Steps", blocks.equations(
+        line(heads[number], *parts, hang=digits + 2) for number, parts in told.items()))
 
 
 def _data(problem):
@@ -33,8 +42,8 @@ def _data(problem):
             for one in worked(problem)]
 
 
-KEY = Key("steps", "the worked solution, a list, one entry to each line", _data, each=(
-    Key("number", "of the line"),
+KEY = Key("steps", "the worked solution, a list, an entry to each thing that a line settles", _data, each=(
+    Key("number", "of the line; several entries of one line have the same"),
     Key("settles", "the quantity or letter that it tells, empty of words alone"),
     Key("uses", "numbers of the lines that it follows from"),
     Key("text", "what it says"),

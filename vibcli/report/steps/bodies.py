@@ -35,14 +35,20 @@ class Bodies:
         self.about, self.sheet, self.scene, self._apart = about, sheet, about.scene, apart
         self._told: dict = {}
         self._lines: dict = {}
+        self._parts: dict = {}
+        self._at_once: set = set()
+        self._likened = -1
+        self._places: dict = {}
         self._several = others or sum(1 for body in self.scene.bodies.values() if self._counts(body)) > 1
 
     def _counts(self, body):
         return any(term.owner == body.name for term in (*self.scene.inertias, *self.scene.weights))
 
     def mass_matrix(self) -> "dict[tuple[int, int], Node]":
-        """M = Σ w ∇s ∇sᵀ."""
-        return self.about.sum_of_squares([(term.weight, self.about.small(term.s)) for term in self.scene.inertias])
+        """M = Σ w ∇s ∇sᵀ of what was told of each, and of what has no line."""
+        untold = [(term.weight, self.about.small(term.s)) for term in self.scene.inertias
+                  if term.owner not in self._parts]
+        return self.about.sum_of_squares([*(part for parts in self._parts.values() for part in parts), *untold])
 
     def kinetic(self) -> Iterator[EnergyPart]:
         """T of each body that moves."""
@@ -63,11 +69,14 @@ class Bodies:
         node = self.about.half_squares([(term.weight, self.about.small(term.s)) for term in terms], rates=True)
         of = (body.mass, body.inertia, body.frame.angle.mask != 0, node)
         first = self._told.setdefault(of, body.name)
-        if first == body.name or (node.op == "product" and len(node.args) <= SHORT):
+        if first == body.name or (node.op == "product" and len(node.args) <= SHORT and first in self._at_once):
             return None
+        self._parts[body.name] = self._parts[first]
         letter = self._letter(body.name)
         line = self.sheet.write(Words(f"{body.name}, like {first}:  "), Name(letter), " = ", Name(self._letter(first)),
-                                settles=letter, node=node, uses=[self._lines[first]])
+                                settles=letter, node=node, uses=[self._lines[first]],
+                                joined=self._likened == self.sheet.last)
+        self._likened = line
         return EnergyPart(letter, node, line)
 
     def _of_body(self, body, terms):
@@ -115,11 +124,18 @@ class Bodies:
         if not turns and len(speeds) == 1 and speeds[0][1].op != "symbol" and self._goes_straight(moves):
             return self._energy(body.name, parts, None, [body.mass * v ** 2 / 2], before=[v, " = ", speeds[0][1], Words(
                 ",  ")])
+        if (there := self._places.setdefault((textbook(x), textbook(y)), body.name)) != body.name and not turns:
+            return self._energy(body.name, parts, None, [body.mass * v ** 2 / 2], before=[
+                Words(f"{body.name} is at the mass centre of {there}:  "), v, " = ", about.letter(
+                    self.sheet.letter("v", there)), Words(",  ")], lines=[self._lines[there]])
         lines = [None if self._goes_straight(moves) else self._placed(body, x, y)]
         told = [part for axis, node in speeds for part in (Words(",  "), Name(f"{axis}_C'"), " = ", node)][1:]
         if speeds and not _is_plain(speeds, omega):
             told += [Words(",  "), v ** 2, " = ", about.square([node for _, node in speeds])]
         told += [Words(",  " * bool(told)), turn, " = ", omega] if turns else []
+        if omega is None and len(speeds) == 1 and speeds[0][1].op != "symbol":
+            return self._energy(body.name, parts, lines[-1], [body.mass * v ** 2 / 2], lines=lines, before=[
+                v, " = ", speeds[0][1], Words(",  ")])
         if told and not _is_plain(speeds, omega):
             lines.append(self.sheet.write(Words(f"speeds of {body.name}{about.order_of_speeds}:  "), *told, uses=lines))
         formula = [body.mass * v ** 2 / 2] * bool(speeds and body.mass) + [body.inertia * turn ** 2 / 2] * bool(turns)
@@ -155,7 +171,9 @@ class Bodies:
             SumOfTerms(tuple(formula)), " = ")
         written = self.sheet.write(*before, Name(letter), " = ", *head, node, settles=letter, node=node,
                                    uses=[line, *lines])
-        self._lines[name] = written
+        self._lines[name], self._parts[name] = written, parts
+        if not any((line, *lines)):
+            self._at_once.add(name)
         return EnergyPart(letter, node, written)
 
     def _number(self, node):

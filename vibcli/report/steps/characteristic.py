@@ -1,6 +1,8 @@
 """det(K − ω²M) = 0 of two and three degrees of freedom, written out by powers of ω², and its roots in letters.
 
     det(K − λM) = Σ (−λ)ᵏ aₖ,   aₖ = Σ det of K with k of its rows those of M
+
+and of two with gyroscopic terms, where det(K + iωG − ω²M) has G₁₂² ω² less.
 """
 
 from collections.abc import Sequence
@@ -23,8 +25,10 @@ def coefficients(about: AboutRest, found: SmallEquations) -> "list[Node]":
     """[aₙ, …, a₀]."""
     n, zero = len(about.scene.q), about.table.zero
     rows = [[[part.get((i, j), zero) for j in range(n)] for i in range(n)] for part in (found.K, found.M)]
-    return [about.tidy(about.table.total([_determinant([rows[i in of_M][i] for i in range(n)])
-                                          for of_M in combinations(range(n), k)])) for k in range(n, -1, -1)]
+    turned = found.G.get((0, 1), zero) ** 2
+    return [about.tidy(about.table.total([turned if k == 1 else zero, *(
+        _determinant([rows[i in of_M][i] for i in range(n)]) for of_M in combinations(range(n), k))]))
+        for k in range(n, -1, -1)]
 
 
 def _determinant(rows: "Sequence[Sequence[Node]]") -> "Node":
@@ -43,8 +47,9 @@ def tell_polynomial(about: AboutRest, sheet: WorkedSolution, found: SmallEquatio
     omega, of_M, of_K = about.letter(sheet.letter("omega")), sheet.matrix("M"), sheet.matrix("K")
     sign = (-1) ** n
     polynomial = table.total([a * omega ** (2 * (n - k)) * (-1) ** k for k, a in enumerate(names)])
-    head = sheet.write(*["−"] * (sign < 0), "det(", Name(of_K), " − ", omega ** 2, "·", Name(of_M), ") = ", polynomial,
-                       " = 0", settles="det(K - omega^2*M)", uses=uses)
+    turned = [" + i·", omega, "·", Name(sheet.matrix("G"))] if found.G else []
+    head = sheet.write(*["−"] * (sign < 0), "det(", Name(of_K), *turned, " − ", omega ** 2, "·", Name(of_M), ") = ",
+                       polynomial, " = 0", settles="det(K - omega^2*M)", uses=uses)
     known = coefficients(about, found)
     lines = [head]
     for letter, node in zip(names, known, strict=True):

@@ -17,11 +17,12 @@ from vibcli.report.steps.small import AboutRest, Small
 from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.nested_form import letters
-from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.normal_form import is_zero, textbook
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
+AT_ONCE = 4         # letters of a stretch or speed, up to which its energy stands in the same line
 FIRST = "   (first order: it bears nothing at rest)"
 SECOND = "   (second order: its force at rest counts)"
 
@@ -50,6 +51,7 @@ class Connections:
         acting = [{term.owner for term in terms} for terms in (self.scene.weights, self.scene.forces)]
         self._several = others or len(springs) + sum(map(len, acting)) > 1
         self._damping: list | None = None
+        self._stretched: list = []
 
     def _letter(self, letter, owner):
         """That of an element, its name with it where there are several."""
@@ -81,30 +83,45 @@ class Connections:
 
     def _spring(self, term, k):
         about, sheet = self.about, self.sheet
-        small, tension = about.small(term.s), about.rest(term.force(self.scene))
+        small, tension = about.small(term.s), about.tension(term.force(self.scene))
         loaded = not tension.is_zero
+        if (like := self._like_another(term, small, tension, k)) is not None:
+            return like
         delta, V, N = (self._letter(letter, self._of(term)) for letter in ("Delta", "V", "N"))
         shown = self.scene.table.parameter(N, positive=False) if loaded else tension
         moves = about.moves(small) + (about.bent(small) if loaded else self.scene.table.zero)
-        told = self._told(term, small, moves, delta, loaded)
+        told, exact = self._told(term, small, moves, delta, loaded)
         square = about.half_squares([(k, small)], rates=False)
         node = shown * moves + square
         letter = about.letter(delta)
         formula = shown * letter + k * letter ** 2 / 2
         line = sheet.write(Name(V), *([] if formula.is_zero else [" = ", formula]), " = ", node, settles=V, node=node,
-                           uses=[told])
+                           uses=[told], joined=exact and letters(moves) <= AT_ONCE)
         kept = shown if loaded and about.know(shown, about.value(tension)) else tension
-        return EnergyPart(V, node, line), Acting(term.owner, tension, shown, k, small, line, hasattr(term, "weight"),
-                                                 kept)
+        found = EnergyPart(V, node, line), Acting(term.owner, tension, shown, k, small, line, hasattr(term, "weight"),
+                                                  kept)
+        self._stretched.append((term, *found))
+        return found
+
+    def _like_another(self, term, small, tension, k):
+        """V of a spring that is stretched like one before it, and as stiff; None of others."""
+        for first, energy, acting in self._stretched:
+            if (acting.k, acting.tension, acting.linear) == (k, tension, hasattr(term, "weight")) and is_zero(
+                    first.s - term.s):
+                V = self._letter("V", self._of(term))
+                line = self.sheet.write(Words(f"{term.owner}, like {first.owner}:  "), Name(V), " = ", Name(
+                    energy.letter), settles=V, node=energy.node, uses=[energy.line])
+                return EnergyPart(V, energy.node, line), acting._replace(name=term.owner, s=small, line=line)
+        return None
 
     def _told(self, term, small, moves, letter, loaded):
-        """The line of a stretch, counted from rest."""
-        s = textbook(self.about.shifted(term.s) - small.at_rest)
-        exact = not small.second and plain(s) == plain(textbook(moves))
+        """The line of a stretch, counted from rest, and whether it is told exactly."""
+        s = textbook(self.about.shifted(term.s) - self.about.rest(term.s, named=False))
+        exact = not small.bends and plain(s) == plain(textbook(moves))
         parts = [] if exact or letters(s) > LONG else [s, " = "]
         more = () if exact else (" + …", Words(SECOND if loaded else FIRST))
         return self.sheet.write(Words(f"stretch of {term.owner}, from rest:  "), Name(letter), " = ", *parts,
-                                moves, *more, settles=letter, node=moves)
+                                moves, *more, settles=letter, node=moves), exact
 
     def _turns(self, s):
         """Does what moves along s turn in time, so that a weight is a load in time there?"""
@@ -125,7 +142,7 @@ class Connections:
         words = "weight of" if len(terms) == 1 else "weights of"
         node = total(list(terms.values()))
         line = self.sheet.write(Words(f"{words} {listed(terms)}, counted from rest:  "), Name(V), " = ", SumOfTerms(
-            tuple(terms.values())), *((" + …", Words(SECOND)) if any(one.s.second for one in acting) else ()),
+            tuple(terms.values())), *((" + …", Words(SECOND)) if any(one.s.bends for one in acting) else ()),
             settles=V, node=node)
         for i, one in enumerate(acting):
             yield EnergyPart(V, node if not i else None, line), one._replace(line=line)
@@ -147,12 +164,12 @@ class Connections:
             rate = self.about.rate(small)
             letter = self.sheet.letter("Phi", self._of(term) if several else "")
             u = self.sheet.letter("u", self._of(term))
-            first = "   (first order)" if small.second else ""
+            first = "   (first order)" if small.bends else ""
             told = self.sheet.write(Words(f"speed across {term.owner}:  "), Name(u + "'"), " = ", rate, Words(first),
                                     settles=u, node=rate)
             node = self.about.half_squares([(c, small)], rates=True)
             line = self.sheet.write(Name(letter), " = ", c * self.about.letter(u + "'") ** 2 / 2, " = ", node,
-                                    settles=letter, node=node, uses=[told])
+                                    settles=letter, node=node, uses=[told], joined=letters(rate) <= AT_ONCE)
             yield EnergyPart(letter, node, line)
 
     def loads(self) -> "Iterator[tuple[EnergyPart, Acting]]":
@@ -163,7 +180,7 @@ class Connections:
                 continue
             V = self._letter("V", term.owner)
             moves = self.about.first(small, self.scene.q) + self.about.bent(small)
-            more = (" + …", Words(SECOND)) if small.second else ()
+            more = (" + …", Words(SECOND)) if small.bends else ()
             line = self.sheet.write(Words(f"potential −F·s of the steady load {term.owner}, from rest:  "), Name(V),
                                     " = ", -force * moves, *more, settles=V, node=-force * moves)
             yield EnergyPart(V, -force * moves, line), Acting(term.owner, -force, -force, None, small, line)

@@ -7,8 +7,9 @@ from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.in_motion import short_form
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.nested_form import letters
-from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.normal_form import is_zero, textbook
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
@@ -41,22 +42,30 @@ def tell_constraints(scene: "Scene", sheet: WorkedSolution) -> None:
 
 
 def tell_conditions(problem: "Problem", sheet: WorkedSolution) -> list[int]:
-    """The conditions of closed loops, those of a constraint in a line; the numbers of their lines."""
+    """The conditions of closed loops, those of a constraint in a line, without those that were told as what they
+    leave of a coordinate; the numbers of their lines."""
     if problem.scene.loops is None:
         return []
     found: dict = {}
+    scene = problem.scene
+    known = {scene.symbol(name): node for name, node in scene.dependent.items() if name not in scene.loops.names}
     for constraint in problem.system.scene_with_multipliers.constraints:
-        found.setdefault(constraint.whole, []).append(textbook(constraint.node))
+        if not is_zero(substitute([constraint.node], known)[0]):
+            found.setdefault(constraint.whole, []).append(textbook(constraint.node))
     return [sheet.write(Words(f"'{whole}' holds:  "), *[part for node in nodes for part in (
         Words(",  "), node, " = 0")][1:], settles=f"condition {whole}") for whole, nodes in found.items()]
 
 
 def tell_loops(about: AboutRest, sheet: WorkedSolution, conditions: Iterable[int]) -> None:
     """What closed loops leave of their coordinates, to the second order from rest, and their rates."""
-    scene = about.scene
-    for name in scene.loops.names if scene.loops is not None else ():
-        small = about.small(scene.dependent[name])
-        rate, moves = about.first(small, scene.v), about.first(small, scene.q)
-        sheet.write(Words("so from rest  "), Name(name), " = ", moves + about.bent(small), " + …",
-                    Words("   (second order),  "), Name(name + "'"), " = ", rate, settles=name, uses=list(conditions),
-                    node=moves)
+    scene, before = about.scene, 0
+    looped = scene.loops.names if scene.loops is not None else ()
+    found = {name: about.small(scene.dependent[name]) for name in looped}
+    sums = {name: about.first(small, scene.q) + about.bent(small) for name, small in found.items()}
+    for name, node in sums.items():
+        rate, moves = about.first(found[name], scene.v), about.first(found[name], scene.q)
+        joined = letters(node) <= SHORT and before == sheet.last
+        line = sheet.write(*([] if joined else [Words("so from rest, to the second order  ")]), Name(name), " = ", node,
+                           " + …", Words(",  "), Name(name + "'"), " = ", rate, settles=name, uses=list(conditions),
+                           node=moves, joined=joined)
+        before = line if letters(node) <= SHORT else 0

@@ -194,7 +194,7 @@ def _series(degree, wave, argument, F):
         letter: Any = degree.about.letter(sheet.letter(f"X{1 + k * step}"))
         if degree.about.value(node) is not None:
             degree.settled([letter], node, degree.unit, f"harmonic[{1 + k * step}]({degree.name})", [general],
-                           letters=False)
+                           letters=False, joined=k > 0)
 
 
 def _size_of(node: "Node") -> "Node":

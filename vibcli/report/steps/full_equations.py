@@ -69,7 +69,7 @@ class FullEquations:
         left, right = map(self._short, sides(scene, equations.full[i]))
         head = () if len(scene.q) == 1 else (Name(name), Words(":  "))
         return self.sheet.write(*head, left, " = ", right, settles=f"motion[{name}]", node=equations.full[i],
-                                uses=[*uses, len(self.sheet.steps)])
+                                uses=[*uses, self.sheet.last])
 
     def _short(self, node):
         return self.energies.short(node)[0]

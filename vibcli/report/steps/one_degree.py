@@ -64,7 +64,7 @@ class OneDegree:
                                   self.delta], delta, "1/s", self.delta.name, self.found.lines)
         zeta = self.C / (2 * self.degree.root(self.K) * self.degree.root(self.M))
         value = self.about.value(zeta)
-        if is_zero(self.C * self.C - 4 * self.M * self.K) or (value is not None and abs(value - 1) <= ROUNDING):
+        if self._is_critical():
             value = 1.0
         kind = () if value is None else (Words(
             ": under-damped" if value < 1 else ": critically damped" if value == 1 else ": over-damped"),)
@@ -74,6 +74,11 @@ class OneDegree:
         if value is None or value < 1:
             return self._damped_frequency(delta, [of_omega, of_delta, line])
         return line
+
+    def _is_critical(self):
+        """Is ζ one, in letters or but for rounding?"""
+        value = self.about.value(self.C / (2 * self.degree.root(self.K) * self.degree.root(self.M)))
+        return is_zero(self.C * self.C - 4 * self.M * self.K) or (value is not None and abs(value - 1) <= ROUNDING)
 
     def _damped_frequency(self, delta, uses):
         from vibcli.analyses.closed_form.one_degree import damped_frequency
@@ -101,7 +106,7 @@ class OneDegree:
         """How it is damped, None where letters decide."""
         if self.C.is_zero:
             return UNDAMPED
-        if is_zero(self.C * self.C - 4 * self.M * self.K):
+        if self._is_critical():
             return CRITICAL
         values = [self.about.value(node) for node in (self.M, self.C, self.K)]
         return None if None in values else regime_at(*values)
@@ -162,7 +167,8 @@ class OneDegree:
             constants += [Words(",  " * bool(constants)), letter, *shown, *(
                 () if known is None else number(known, unit + per))]
         of_start: list = []
-        for which, letter, node in ((name, x0, start[0]), (name + "'", v0, start[1])):
-            of_start += [Words(",  " * bool(of_start)), Name(which), " = ", *([letter, " = "] if letter is not node
-                                                                            else []), node]
+        for which, letter, node, per in ((name, x0, start[0], ""), (name + "'", v0, start[1], "/s")):
+            known = self.about.value(node) if node.op == "number" else None
+            of_start += [Words(",  " * bool(of_start)), Name(which), *([" = ", letter] if letter is not node else []),
+                         *(number(known, unit + per) if known else (" = ", node))]
         self.sheet.write(Words("at t = 0  "), *of_start, Words(":  "), *constants, uses=[line], settles="free motion")

@@ -92,17 +92,17 @@ def _tell_balance(problem, sheet, found, wanted, moves):
                                                                        for one in wanted)}
     lines = [sheet.write(Words("balance along "), Name(name), Words(":  "), node, " = 0", settles=f"balance[{name}]")
              for name, node in shown.conditions.items() if any(symbol.name in _names(node) for symbol in symbols)]
-    lines += [sheet.write(Words(signal), " = ", node, settles=f"balance[{signal}]")
-              for signal, node in shown.supports.items()
-              if signal in wanted and not is_zero(node - found.values[signal])]
-    _tell_values(problem, sheet, found, wanted, lines)
+    balances = {signal: node for signal, node in shown.supports.items() if signal in wanted and not is_zero(
+        node - found.values[signal])}
+    _tell_values(problem, sheet, found, wanted, lines, balances)
 
 
 def _names(node):
     return {part.name for part in reachable([node]) if part.op == "symbol"}
 
 
-def _tell_values(problem, sheet, found, wanted, lines):
+def _tell_values(problem, sheet, found, wanted, lines, balances=None):
+    """The value of each force, that of a support by its balance first."""
     symbols = {signal: symbol for symbol, signal in found.forces.items()}
     values = _values(problem, found, wanted)
     for signal, value in values.items():
@@ -110,6 +110,7 @@ def _tell_values(problem, sheet, found, wanted, lines):
             continue
         node, unit = found.values[signal], "N·m" if "moment" in signal else "N"
         shown = [] if value is not None and letters(node) > READABLE else [" = ", brief(node)]
+        shown = [*([" = ", balances[signal]] if signal in (balances or {}) else []), *shown]
         parts = [*([symbols[signal]] if signal in symbols else []), *shown, *(() if value is None else number(
             value, unit))]
         head = Words(f"{signal}:  " if signal in symbols else signal)

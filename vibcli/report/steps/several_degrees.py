@@ -9,10 +9,11 @@ from vibcli.notation.plain import lowered
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.characteristic import tell_polynomial, tell_roots
 from vibcli.report.steps.damped_degrees import stay_apart, tell_damped
+from vibcli.report.steps.from_modes import tell_from_modes
 from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number, of_time, told
-from vibcli.report.steps.two_degrees import TwoDegrees
+from vibcli.report.steps.two_degrees import NOTHING, TwoDegrees
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
@@ -25,7 +26,7 @@ class SeveralDegrees:
 
     def __init__(self, about: AboutRest, sheet: WorkedSolution, found: SmallEquations):
         self.about, self.sheet, self.found, self.problem = about, sheet, found, about.problem
-        two = len(about.scene.q) == 2 and not found.G and not about.problem.symbolic.configuration.falls
+        two = len(about.scene.q) == 2 and not (found.G and found.C) and not about.problem.symbolic.configuration.falls
         self.two = TwoDegrees(about, sheet, found) if two else None
 
     def write(self) -> None:
@@ -43,6 +44,7 @@ class SeveralDegrees:
         else:
             tell_roots(self.about, self.sheet, lines)
         tell_damped(self.about, self.sheet, self.found, lines)
+        tell_from_modes(self.about, self.sheet, self.found, lines)
         self._steady_state()
 
     def _matrix(self, words, letter, entries: "Mapping[tuple[int, int], Node]"):
@@ -73,7 +75,7 @@ class SeveralDegrees:
 
     def _has_ratio(self, found):
         """Do two coordinates have a ratio of amplitudes that a row gives in both modes?"""
-        if self.two is None or len(found) != 2 or any(
+        if self.two is None or self.found.G or len(found) != 2 or any(
                 mode.omega is None or shape[0] != 1 or shape[1].imag for mode, shape in found):
             return False
         return self.two.fits([[x.real for x in shape] for _, shape in found], [float(mode.omega) for mode, _ in found])
@@ -86,7 +88,8 @@ class SeveralDegrees:
     def _frequency(self, mode, shape, uses):
         """The line of a mode: with two degrees by the formula of the roots, else with the ratios."""
         names = self.about.scene.coordinates
-        amplitudes = " : ".join(map(_complex, shape))
+        size = max(map(abs, shape))
+        amplitudes = " : ".join(_complex(0j if abs(x) <= NOTHING * size else x) for x in shape)
         ratio = [*[part for name in names for part in (" : ", Name(name))][1:], " = " + amplitudes]
         if mode.omega is None:
             return self.sheet.write(Words(f"mode {mode.index} grows as exp(s·t) with "), "s = " + told(

@@ -5,9 +5,10 @@ against what it came from:
 """
 
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from math import isnan
 from random import Random
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.language.parameter_samples import sample_values
 from vibcli.mechanics.linearise import row_of, slopes_of
@@ -27,19 +28,51 @@ if TYPE_CHECKING:
 
 READABLE, SHOWN, TOO_LONG = 8, 40, 50        # letters of a coefficient: at a searched place, written out, elsewhere
 ALIKE = 1e-9            # relative: of an expression and its simpler form at values of the letters
+ROUNDING = 1e-13        # relative: of a sum that is zero where a search found the place
 LEFT = 1e-7             # relative: of forces at rest, whose place may be known in numbers
 SAMPLES, STATES = (60, 61, 62), 3
 SIZES = (1, 0.1, 0.01)      # of a state of motion, in SI units
 
 
-class Small(NamedTuple):
-    """A function about rest: its value there, {i: aᵢ} and {(i, j): bᵢⱼ}, zeros left out; drive: what of it is a
-    function of the time, counted from t = 0."""
+class Small:
+    """A function s about rest, each part found where it is first asked for: so no coefficient has a letter that no
+    line needs."""
 
-    at_rest: Any
-    slopes: "dict[int, Node]"
-    second: "dict[tuple[int, int], Node]"
-    drive: Any
+    def __init__(self, about: "AboutRest", s: "Node"):
+        self._about, self.s = about, s
+
+    @cached_property
+    def at_rest(self) -> "Node":
+        """Its value there."""
+        return self._about.rest(self.s)
+
+    @cached_property
+    def slopes(self) -> "dict[int, Node]":
+        """{i: aᵢ}, zeros left out."""
+        return self._about.entries(self._row)
+
+    @cached_property
+    def second(self) -> "dict[tuple[int, int], Node]":
+        """{(i, j): bᵢⱼ}, zeros left out."""
+        return self._about.entries(self._bends)
+
+    @cached_property
+    def bends(self) -> bool:
+        """Has it a term of the second order?"""
+        return any(not self._about.rest(node, named=False).is_zero for node in self._bends.values())
+
+    @cached_property
+    def drive(self) -> "Node":
+        """What of it is a function of the time, counted from t = 0."""
+        return self._about.driven(self.s)
+
+    @cached_property
+    def _row(self):
+        return row_of(self.s, self._about.index)
+
+    @cached_property
+    def _bends(self):
+        return slopes_of(self._row, self._about.index)
 
 
 class AboutRest:
@@ -54,52 +87,68 @@ class AboutRest:
         self.problem, self.scene, self.table = problem, problem.scene, problem.scene.table
         self.place = {**place, **dict.fromkeys((*self.scene.v, *self.scene.a), self.table.zero)}
         self._known, self._sheet, self._named = dict(values), sheet, {}
-        self._searched = bool(values)
-        self._index = {q: i for i, q in enumerate(self.scene.q)}
+        self._searched, self._of_letters = bool(values), 0
+        self.index = {q: i for i, q in enumerate(self.scene.q)}
         self.samples = samples_of(problem, self._known)
 
     def small(self, s: "Node") -> Small:
         """A function of the coordinates about rest."""
-        row = row_of(s, self._index)
-        second = slopes_of(row, self._index)
-        return Small(self.rest(s), self._entries(row), self._entries(second), self._drive(s))
+        return Small(self, s)
 
     def shifted(self, node: "Node") -> "Node":
         """A function of the coordinates with these counted from rest."""
         moved = {q: self.place[q] + q for q in self.scene.q if not self.place[q].is_zero and q in gradient(node)}
         return textbook(substitute([node], moved)[0] if moved else node)
 
-    def _drive(self, s):
+    def driven(self, s: "Node") -> "Node":
         """s(q₀, t) − s(q₀, 0)."""
         if self.scene.time not in gradient(s):
             return self.table.zero
         still = {symbol: node for symbol, node in self.place.items() if symbol is not self.scene.time}
         return textbook(substitute([s], still)[0] - self.rest(s))
 
-    def _entries(self, found):
+    def entries(self, found: "Mapping[Any, Node]") -> "dict[Any, Node]":
+        """Those at rest that are not zero."""
         entries = {key: self.rest(node) for key, node in found.items()}
         return {key: node for key, node in entries.items() if not node.is_zero}
 
-    def rest(self, node: "Node") -> "Node":
-        """An expression at rest, in its simplest form; a letter for a long one that has a number, at a place that a
-        search found for one that is not short."""
+    def rest(self, node: "Node", named: bool = True) -> "Node":
+        """An expression at rest, in its simplest form; where `named` a letter for a long one that has a number, at a
+        place that a search found for one that is not short."""
         found = self.tidy(substitute([node], self.place)[0])
         most = READABLE if self._searched else TOO_LONG
-        return found if self.problem.numeric.has_free_symbols or letters(found) <= most else self._letter_for(found)
+        if not named or self.problem.numeric.has_free_symbols or letters(found) <= most:
+            return found
+        return self._letter_for(found)
+
+    def tension(self, node: "Node") -> "Node":
+        """A force at rest, which has a letter of its own where a search found the place."""
+        return self.rest(node, named=not self._searched)
 
     def _letter_for(self, node):
-        """A letter for a number, told with what it stands for."""
+        """A letter for a number, told with what it stands for; zero for what rounding leaves at a searched place."""
         if self._sheet is None or node.op == "symbol":
             return node
+        if self._searched and self._rounded_away(node):
+            return self.table.zero
         if node not in self._named:
+            other = textbook(-node)
+            if other in self._named:
+                return -self._named[other]
             name, value = self._sheet.letter(f"b{len(self._named) + 1}"), self.value(node)
             shown = [" = ", node] if letters(node) <= SHOWN else []
-            words = "at that place the coefficient  " if self._searched else "for short  "
-            self._sheet.write(Words(words), Name(name), *shown, " = " + told(value),
-                              settles=name, node=node, value=value)
+            words = "coefficients at that place:  " if self._searched else "for short:  "
+            joined = self._sheet.last == self._of_letters
+            self._of_letters = self._sheet.write(*([] if joined else [Words(words)]), Name(name), *shown, " = " + told(
+                value), settles=name, node=node, value=value, joined=joined)
             self._named[node] = self.table.parameter(name, positive=False)
             self.know(self._named[node], value)
         return self._named[node]
+
+    def _rounded_away(self, node):
+        terms = [part * c for part, c in node.args] if node.op == "sum" else [node]
+        found = evaluate(terms, Floats, self.samples[0])
+        return abs(sum(found)) <= ROUNDING * sum(map(abs, found))
 
     @property
     def abbreviates(self) -> bool:

@@ -97,9 +97,8 @@ class Derivation:
             if terms:
                 line = self.sheet.write(Words("at rest  "), *slope_by(self.sheet, "V", name), " = ", SumOfTerms(
                     tuple(terms)), " = 0", uses=[one.line for one in loaded])
-        for one in loaded:
-            if one.k is not None:
-                self._tension(one, line)
+        for shown in dict.fromkeys(one.shown for one in loaded if one.k is not None):
+            self._tension(next(one for one in loaded if one.shown is shown), line)
         return line
 
     def _tension(self, one, line):

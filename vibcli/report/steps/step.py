@@ -15,9 +15,10 @@ MATRICES = {"M": "DHN", "C": "BRW", "G": "YXU", "K": "SEZ", "P": "QLJ"}       # 
 
 
 class WorkedLine(NamedTuple):
-    """A numbered line. settles: the quantity or letter that it tells, '' of words alone; uses: numbers of the lines
-    that it follows from; parts: what it says, as mathematics; node: the expression that it settles, None of words;
-    value: that in SI units, None in letters; unit: of the value."""
+    """What a numbered line tells; what is joined to it has the same number. settles: the quantity or letter that it
+    tells, '' of words alone; uses: numbers of the lines that it follows from; parts: what it says, as mathematics;
+    node: the expression that it settles, None of words; value: that in SI units, None in letters; unit: of the
+    value."""
 
     number: int
     settles: str
@@ -35,6 +36,11 @@ class WorkedSolution:
         self.steps: list[WorkedLine] = []
         self._taken = set(taken)
         self._letters: dict[str, str] = {}
+
+    @property
+    def last(self) -> int:
+        """The number of the last line."""
+        return self.steps[-1].number if self.steps else 0
 
     def letter(self, wanted: str, of: str = "") -> str:
         """The name of a new letter, with that of the element that it belongs to, primed where the scene has it."""
@@ -57,10 +63,10 @@ class WorkedSolution:
         return found
 
     def write(self, *parts: Any, settles: str = "", uses: Sequence[int | None] = (), node: "Node | None" = None,
-              value: float | None = None, unit: str = "") -> int:
-        """Write a line, and give its number."""
-        number = len(self.steps) + 1
-        known = tuple(sorted({use for use in uses if use}))
+              value: float | None = None, unit: str = "", joined: bool = False) -> int:
+        """Write a line, or what is `joined` to the last one, and give its number."""
+        number = self.last if joined else self.last + 1
+        known = tuple(sorted({use for use in uses if use and use < number}))
         self.steps.append(WorkedLine(number, settles, known, parts, node, value, unit))
         return number
 

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.report.blocks import Either, Factor, Name, Words
 from vibcli.report.steps.characteristic import tell_polynomial, tell_roots
+from vibcli.report.steps.from_modes import tell_in_letters
 from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number, told
@@ -23,7 +24,7 @@ NOTHING = 1e-9          # of a ratio of amplitudes: it is zero but for rounding
 
 
 class TwoDegrees:
-    """M q̈ + K q = 0 of two coordinates."""
+    """M q̈ + G q̇ + K q = 0 of two coordinates."""
 
     def __init__(self, about: AboutRest, sheet: WorkedSolution, found: SmallEquations):
         self.about, self.sheet, self.found, self.table = about, sheet, found, about.table
@@ -79,17 +80,20 @@ class TwoDegrees:
         if not found:
             tell_roots(self.about, self.sheet, uses)
         lines = [self._root_in_letters(k, node, uses) for k, node in enumerate(found, 1)]
-        if self.row is None or self._stiffened(self.row, 0).is_zero:
+        if self.found.G or self.row is None or self._stiffened(self.row, 0).is_zero:
             return
-        ratio = self.ratio([*uses, *lines])
+        ratio, shapes = self.ratio([*uses, *lines]), []
         for k, node in enumerate(found, 1):
             x, y = map(Name, self.names)
             below = self.about.tidy(substitute([self._stiffened(self.row, 1)], {self.omega: self.table.sqrt(node)})[0])
             if not below.is_zero:
                 above, = substitute([self._stiffened(self.row, 0)], {self.omega: self.table.sqrt(node)})
                 shape = self.about.tidy(-above / below)
-                self.sheet.write(Words(f"in mode {k}  "), y, "/", x, " = ", shape, node=shape, uses=[
+                shapes.append(shape)
+                last = self.sheet.write(Words(f"in mode {k}  "), y, "/", x, " = ", shape, node=shape, uses=[
                     ratio, lines[k - 1]], settles=f"mode[{k}][{self.names[1]}]")
+        if len(shapes) == 2:
+            tell_in_letters(self.about, self.sheet, self.found, shapes, [*lines, last])
 
     def _root_in_letters(self, k, node, uses):
         omega, letter = root(node, self.about.samples), self.about.letter(self.sheet.letter(f"omega{k}"))

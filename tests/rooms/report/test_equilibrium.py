@@ -1,0 +1,39 @@
+"""What a report tells of rest: members that bend between their stations, which are no coordinates, and conditions with
+quantities as they are set in print."""
+
+import pytest
+from support.scenes import problem
+
+from vibcli.api.reports import report, solution
+from vibcli.report.formats import text
+from vibcli.report.sections.design_parameters import condition_told
+
+STRING = """
+parameters: {L: 1 m, T: 100 N, mu: 0.01 kg/m, q: 20 N/m}
+strings: {s: {length: L, preload: T, mass_per_length: mu, left: clamped, right: clamped}}
+"""
+HUNG = """
+parameters: {L: 1 m, T: 100 N, mu: 0.01 kg/m, g: 9.81 m/s^2}
+gravity: g
+strings: {s: {from: [0, 0], to: TO, preload: T, mass_per_length: mu, left: clamped, right: clamped}}
+"""
+
+
+@pytest.mark.parametrize(("scene", "deflects"), [
+    (STRING.replace(", q: 20 N/m", ""), False), (STRING + "forces: {f: {body: s, per_length: -q}}\n", True),
+    (STRING + "forces: {f: {body: s, per_length: q*sin(2*pi*x/L)}}\n", True),
+    (HUNG.replace("TO", "[L, 0]"), True), (HUNG.replace("TO", "[0, -L]"), False)])
+def test_members_that_deflect_at_rest_are_said_to(scene, deflects):
+    """By its weight, an even and an uneven load; not as it hangs along its weight."""
+    found = problem(scene)
+    told = text.render([report(found, solution(found)).document()], None)
+    assert "the drawn position" in told
+    assert ("; s deflects from it under what acts along)" in told) is deflects
+
+
+@pytest.mark.parametrize(("typed", "printed"), [
+    ("c = 0.2 N*s/m", "c = 0.2 N·s/m"), ("re(eigenvalue[1]) = -5 s^-1", "re(eigenvalue[1]) = −5 s⁻¹"),
+    ("theta = 25 deg", "theta = 25°"), ("amplitude(y) = 1 mm", "amplitude(y) = 1 mm"),
+    ("omega[2] = 3*omega[1]", "omega[2] = 3*omega[1]"), ("zeta[1] = 0.6", "zeta[1] = 0.6")])
+def test_conditions_have_quantities_as_printed(typed, printed):
+    assert condition_told(typed) == printed

@@ -1,0 +1,91 @@
+"""What is wrong with a document as it is written in a format: lines too long, rounding, units as they were typed,
+elements, braces and environments that are not closed."""
+
+import re
+from collections.abc import Iterable, Iterator
+from html.parser import HTMLParser
+from types import ModuleType
+from typing import Any
+
+from vibcli.notation.numbers import width
+from vibcli.report.blocks import Document, Equations, Paragraph, TableBlock
+from vibcli.report.formats import asciidoc, html, latex, markdown, text, typst
+
+WIDEST = 102
+FORMATS = (text, markdown, latex, html, asciidoc, typst)
+TYPED = re.compile(r"\bN\*|\*s/m\b|\bkg\*m|\bm/s\^2|\d deg\b")
+NOTHING = re.compile(r"\b(None|nan|NaN)\b(?! [a-z])")
+ROUNDING = re.compile(r"(?<![\d.])\d(?:\.\d+)?e-1[3-9]")
+BOUNDS = re.compile("error|what is left|residual|left of")    # heads of numbers that tell how small something is
+BOUNDED = re.compile("what is left|by a search|holds to|agrees to|stay closed|±")
+VOID = {"meta", "br", "img", "link", "hr", "input"}
+
+
+class Balanced(HTMLParser):
+    """HTML in which every element is closed where it should be."""
+
+    def __init__(self):
+        super().__init__()
+        self.open, self.wrong = [], []
+
+    def handle_starttag(self, tag, attrs):
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attrs):
+        pass
+
+    def handle_endtag(self, tag):
+        if not self.open or self.open.pop() != tag:
+            self.wrong.append(tag)
+
+
+def numbers_in(block: Any) -> Iterator[str]:
+    """Texts in which a number so small would be rounding."""
+    if isinstance(block, Equations):
+        told = [text.formula(line.parts, text.plain) for line in block.lines]
+        yield from (one for one in told if not BOUNDED.search(one))
+    elif isinstance(block, Paragraph):
+        told = text.running(block.parts)
+        yield "" if BOUNDED.search(told) else told
+    elif isinstance(block, TableBlock):
+        kept = [i for i, head in enumerate(block.head) if not BOUNDS.search(text.running((head,)))]
+        for row in block.rows:
+            yield from (cell for i in kept if "±" not in (cell := text.running((row[i],))))
+
+
+TEX = re.compile(r"\\\\|\\[{}]|[{}]|\\(?:begin|end)\{(\w+\*?)\}|\\(?:left|right)(?![a-zA-Z])")
+
+
+def unbalanced(shown: str) -> list[str]:
+    """Braces, environments and \\left of LaTeX that are not closed as they were opened."""
+    opened: list[str] = []
+    for mark in TEX.finditer(shown):
+        one = mark.group()
+        if mark.group(1):
+            one = one[:4].rstrip("{") + mark.group(1)
+        if one in ("{", "\\left") or one.startswith("\\beg"):
+            opened.append({"{": "}", "\\left": "\\right"}.get(one) or "\\end" + one.removeprefix("\\beg"))
+        elif (one in ("}", "\\right") or one.startswith("\\end")) and (not opened or opened.pop() != one):
+            return [f"latex: {one} closes nothing"]
+    return [f"latex: {opened[-1]} is missing"] if opened else []
+
+
+def faults(document: Document, formats: Iterable[ModuleType]) -> list[str]:
+    """What is wrong with a document in any of the formats."""
+    found = []
+    for section in document.sections:
+        small = [told for block in section.blocks for told in numbers_in(block) if ROUNDING.search(told)]
+        found += [f"{section.title}: {told}" for told in small]
+    for kind in formats:
+        shown = kind.render([document], None)
+        found += [f"{kind.__name__}: {one.group()}" for wrong in (TYPED, NOTHING) for one in wrong.finditer(shown)]
+        if kind is text:
+            found += [line for line in shown.split("\n") if width(line) > WIDEST]
+        elif kind is html:
+            page = Balanced()
+            page.feed(shown)
+            found += [f"html: {page.wrong or page.open}"] * bool(page.wrong or page.open)
+        elif kind is latex:
+            found += ["latex: not ASCII"] * (not shown.isascii()) + unbalanced(shown)
+    return found

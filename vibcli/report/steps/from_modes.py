@@ -1,0 +1,230 @@
+"""The free motion of several degrees of freedom from a given start, as the sum of its modes,
+
+    q = Σ uₖ pₖ,   pₖ = e^{−δₖt} (Aₖ cos ωₖt + Bₖ sin ωₖt),   mₖ = uₖᵀM uₖ,   pₖ(0) = uₖᵀM q(0)/mₖ,
+
+where nothing damps or what damps leaves the modes apart; and beats, where two modes of one amplitude are close."""
+
+from math import pi, sqrt
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.given_damping_in_letters import proportional
+from vibcli.report.blocks import Factor, Name, Words
+from vibcli.report.steps.held import SmallEquations
+from vibcli.report.steps.small import AboutRest
+from vibcli.report.steps.step import WorkedSolution, number, told
+from vibcli.symbolic.normal_form import is_zero
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from vibcli.symbolic.node import Node
+
+ALIKE = 1e-9            # relative: of sums that vanish, and of amplitudes that are the same
+CLOSE = 0.2             # of the difference of two frequencies over their sum, up to which they beat
+START = "at t = 0 of mode {}, its shape by M by the start over its modal mass:  "
+MOST = 3                # coordinates whose motion is a line to read
+
+
+class ModeFromStart(NamedTuple):
+    """A mode from its start: its shape, frequency and δ, and p(0), ṗ(0), B."""
+
+    order: int
+    shape: "Sequence[float]"
+    omega: float
+    delta: float
+    place: float
+    speed: float
+
+    @property
+    def rate(self) -> float:
+        """ω_d."""
+        return sqrt(self.omega**2 - self.delta**2)
+
+    @property
+    def B(self) -> float:
+        """The amplitude of the sine."""
+        return (self.speed + self.delta * self.place) / self.rate
+
+
+def tell_from_modes(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, uses: "Sequence[int]") -> None:
+    """Write down the motion from the start that the file gives; nothing where it has none or is not such a sum."""
+    problem = about.problem
+    if (problem.spec.get("initial") is None or problem.numeric.has_free_symbols or found.drive or found.G
+            or problem.spec.in_full or not proportional(problem.spec) or len(about.scene.q) > MOST):
+        return
+    modes = _modes(problem)
+    if modes:
+        _write(about, sheet, modes, uses)
+
+
+def _modes(problem):
+    """All modes with their start; none where they do not oscillate, or are coupled by damping."""
+    configuration, names = problem.configuration, problem.scene.coordinates
+    try:
+        place, speed = problem.initial.start
+        rest = configuration.equilibrium.values
+    except PhysicsError:
+        return []
+    M, C, _, K = configuration.linear_system.matrices()
+    start = [[place[name] - rest[name] for name in names], [speed[name] for name in names]]
+    found = []
+    for mode in problem.modal.modes:
+        u = [complex(x).real for x in problem.modal.shape(mode)]
+        mass, damps = _form(M, u, u), _form(C, u, u)
+        if not mode.omega or damps / (2 * mass) >= mode.omega or _left(M, K, u, float(mode.omega)) > ALIKE:
+            return []
+        found.append(ModeFromStart(mode.index, u, float(mode.omega), damps / (2 * mass), *(
+            _form(M, u, x) / mass for x in start)))
+    return found if len(found) == len(names) and _apart(C, found) and _complete(found, start) else []
+
+
+def _form(matrix: "Mapping[tuple[int, int], float]", one, other):
+    return sum(value * one[i] * other[j] for (i, j), value in matrix.items())
+
+
+def _left(M, K, u, omega):
+    """How much of (K − ω²M) u is left, relative to its terms."""
+    rows = {i for i, _ in (*M, *K)}
+    size = max(sum(abs(value * u[j]) for (k, j), value in K.items() if k == i) for i in rows)
+    return max(abs(sum(value * u[j] for (k, j), value in K.items() if k == i) - omega**2 * sum(
+        value * u[j] for (k, j), value in M.items() if k == i)) for i in rows) / size
+
+
+def _apart(C, modes):
+    """Does what damps leave the modes apart?"""
+    return all(abs(_form(C, one.shape, other.shape)) <= ALIKE * sqrt(
+        _form(C, one.shape, one.shape) * _form(C, other.shape, other.shape)) for one in modes for other in modes
+        if one is not other)
+
+
+def _complete(modes, start):
+    """Do the modes add up to the start?"""
+    return all(abs(sum(mode.shape[i] * value for mode, value in zip(modes, values, strict=True)) - x) <= ALIKE * sum(
+        map(abs, column)) for values, column in zip(
+            ([mode.place for mode in modes], [mode.speed for mode in modes]), start, strict=True)
+        for i, x in enumerate(column))
+
+
+def _write(about, sheet, modes, uses):
+    names = about.scene.coordinates
+    unit = "m" if about.problem.system.dimension(names[0]) else "rad"
+    lines = [_start_of(about, sheet, mode, unit, uses) for mode in modes]
+    moved = [mode for mode in modes if abs(mode.place) + abs(mode.B) > ALIKE * max(
+        abs(one.place) + abs(one.B) for one in modes)]
+    for i, name in enumerate(names):
+        terms = [part for mode in moved for part in _terms(about, sheet, mode, mode.shape[i])]
+        if terms:
+            line = sheet.write(Words("so  "), Name(name), " = ", *terms[1:] if terms[0] == " + " else ["−", *terms[1:]],
+                               settles=f"motion of {name}", uses=lines)
+            _beats(about, sheet, name, [(mode, mode.shape[i]) for mode in moved], line)
+
+
+def _start_of(about, sheet, mode, unit, uses):
+    """The line of p(0) and ṗ(0) of a mode, and of δ and ω_d where it is damped."""
+    p = Name(sheet.letter(f"p{mode.order}"))
+    damped: list[Any] = []
+    if mode.delta:
+        delta, rate = (sheet.letter(f"{letter}{mode.order}") for letter in ("delta", "omega_d"))
+        damped = [Words(",  "), Name(delta), *number(mode.delta, "1/s"), Words(",  "), Name(rate), " = ",
+                  about.table.sqrt(_letter(about, sheet, "omega", mode) ** 2 - about.letter(delta) ** 2),
+                  *number(mode.rate, "rad/s")]
+    return sheet.write(Words(START.format(mode.order)), p,
+                       *number(_cleared(mode.place, mode.speed / mode.omega), unit), Words(",  "),
+                       Name(sheet.letter(f"p{mode.order}") + "'"),
+                       *number(_cleared(mode.speed, mode.place * mode.omega), f"{unit}/s"), *damped,
+                       settles=f"start of mode {mode.order}", value=mode.place, unit=unit, uses=uses)
+
+
+def _cleared(value, beside):
+    """A value, zero where rounding alone is left beside another."""
+    return 0.0 if abs(value) <= ALIKE * abs(beside) else value
+
+
+def _letter(about, sheet, letter, mode):
+    return about.letter(sheet.letter(f"{letter}{mode.order}"))
+
+
+def _terms(about, sheet, mode, u):
+    """[sign, part, …] of u pₖ."""
+    table, t = about.table, about.scene.time
+    rate = _letter(about, sheet, "omega_d" if mode.delta else "omega", mode) * t
+    size = abs(mode.place) + abs(mode.B)
+    waves = [(u * value, table.call(wave, rate)) for wave, value in (("cos", mode.place), ("sin", mode.B))
+             if abs(u * value) > ALIKE * size]
+    if not waves:
+        return []
+    if not mode.delta:
+        return [part for value, wave in waves for part in (" − " if value < 0 else " + ", f"{told(abs(value))}·", wave)]
+    decay = table.call("exp", -(_letter(about, sheet, "delta", mode) * t))
+    if len(waves) == 1:
+        value, wave = waves[0]
+        return [" − " if value < 0 else " + ", f"{told(abs(value))}·", wave, "·", decay]
+    (one, cosine), (other, sine) = waves
+    sign = " − " if one < 0 else " + "
+    inner = [f"({told(abs(one))}·", cosine, " + " if one * other > 0 else " − ", f"{told(abs(other))}·", sine, ")"]
+    return [sign, *inner, "·", decay]
+
+
+def _beats(about, sheet, name, parts, line):
+    """The product of a slow and a fast wave that two cosines of one amplitude are."""
+    if len(parts) != 2 or any(mode.delta or abs(mode.B) > ALIKE * abs(mode.place) for mode, _ in parts):
+        return
+    (one, u), (two, v) = parts
+    a, b = u * one.place, v * two.place
+    slow = abs(two.omega - one.omega)
+    if abs(abs(a) - abs(b)) > ALIKE * abs(a) or slow > CLOSE * (one.omega + two.omega):
+        return
+    first, second = (_letter(about, sheet, "omega", mode) for mode in (one, two))
+    waves = _product("cos" if a * b > 0 else "sin", first, second, about.scene.time)
+    sheet.write(Words("which beats:  "), Name(name), f" = {'−' * (a < 0)}{told(2 * abs(a))}·", *waves, Words(
+        ",  its amplitude comes back after  "), "2·π/(", second, " − ", first, ")", *number(2 * pi / slow, "s"),
+        settles=f"beat_period({name})", node=2 * about.table.pi / (second - first), value=2 * pi / slow, unit="s",
+        uses=[line])
+
+
+def _product(wave, first, second, t):
+    """Parts of cos ½(ω₂ − ω₁)t cos ½(ω₁ + ω₂)t, or of the sines."""
+    return [f"{wave}((", second, " − ", first, ")·", t, f"/2)·{wave}((", first, " + ", second, ")·", t, "/2)"]
+
+
+def tell_in_letters(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, shapes: "Sequence[Node]",
+                    uses: "Sequence[int]") -> None:
+    """The same of two undamped coordinates with letters; `shapes`: the ratio of amplitudes of each mode."""
+    start = _start_in_letters(about)
+    if start is None or found.C or found.G or found.drive or about.problem.spec.in_full:
+        return
+    table, t, zero = about.table, about.scene.time, about.table.zero
+    omegas = [about.letter(sheet.letter(f"omega{k}")) for k in (1, 2)]
+    weights, lines = [], []
+    for k, ratio in enumerate(shapes, 1):
+        u = (table.one, ratio)
+        mass = table.total([node * u[i] * u[j] for (i, j), node in found.M.items()])
+        p, v = (about.tidy(table.total([node * u[i] * x[j] for (i, j), node in found.M.items()]) / mass) for x in start)
+        letter = sheet.letter(f"p{k}")
+        told = [Name(letter), " = ", p, Words(",  "), Name(letter + "'"), " = ", v]
+        lines.append(sheet.write(Words(START.format(k)), *told, settles=f"start of mode {k}", node=p, uses=uses))
+        weights.append([(p * r, v * r) for r in u])
+    for i, name in enumerate(about.scene.coordinates):
+        cosines = [about.tidy(weight[i][0]) for weight in weights]
+        sines = [about.tidy(weight[i][1] / omega) for weight, omega in zip(weights, omegas, strict=True)]
+        node = table.total([a * table.call("cos", omega * t) + b * table.call("sin", omega * t)
+                            for a, b, omega in zip(cosines, sines, omegas, strict=True)])
+        line = sheet.write(Words("so  "), Name(name), " = ", node, settles=f"motion of {name}", node=node, uses=lines)
+        alike = [sign for sign in (1, -1) if is_zero(cosines[0] - sign * cosines[1])]
+        if alike and not cosines[0].is_zero and all(sine is zero for sine in sines):
+            sheet.write(Words("which beats where the frequencies are near each other:  "), Name(name), " = ", Factor(
+                2 * cosines[0]), "·", *_product("cos" if alike == [1] else "sin", *omegas, t),
+                settles=f"beats of {name}", uses=[line])
+
+
+def _start_in_letters(about):
+    """[the places, the speeds] at t = 0 from rest, None where the file gives none or rest is not as drawn."""
+    record, scene = about.problem.spec.get("initial"), about.scene
+    names = {name + mark for name in scene.coordinates for mark in ("", "'")}
+    if record is None or not about.problem.symbolic.balanced_as_drawn or any(key not in names for key in record):
+        return None
+    rest = [scene.drawn[scene.symbol(name)] for name in scene.coordinates]
+    lowered = {key: scene.lower(record[key]) for key in record}
+    return ([lowered.get(name, at) - at for name, at in zip(scene.coordinates, rest, strict=True)],
+            [lowered.get(name + "'", about.table.zero) for name in scene.coordinates])
