@@ -6,6 +6,8 @@ BIN := .venv/bin
 INSTALL := $(BIN)/python -m pip install --no-compile --quiet --disable-pip-version-check
 PROBLEM ?= problems/6_two_degrees/cart_with_pendulum.yaml
 
+export PYTHONDONTWRITEBYTECODE :=       # what is compiled is kept: commands that tests run and their own files begin with it
+
 .PHONY: solve quick test lint chosen all bench clean
 
 $(BIN)/vibcli: pyproject.toml

@@ -25,25 +25,25 @@ COMMAND = re.compile(r"\bvibcli ([a-z]+)\b([^`;,]*)")
 PROSE = {"derives", "alone", "itself"}        # vibcli derives …, which is no command line
 
 
-def texts_of_keys(path):
-    """The lines on which keys of --json are described: the manual alone prints what they say."""
-    calls = [node for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-             if isinstance(node, ast.Call) and getattr(node.func, "id", None) == "Key"]
-    return {text.lineno for call in calls for text in call.args[:2]}
-
-
 @cache
-def texts(path):
-    """(line, text) of every string of a file, {…} standing for what is filled in."""
-    found, parts = [], set()
+def read(path):
+    """((line, text) of every string of a file, {…} standing for what is filled in; the lines on which keys of --json
+    are described: the manual alone prints what they say)."""
+    found, parts, described = [], set(), set()
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.JoinedStr):
+        if isinstance(node, ast.Call) and getattr(node.func, "id", None) == "Key":
+            described |= {text.lineno for text in node.args[:2]}
+        elif isinstance(node, ast.JoinedStr):
             parts.update(map(id, node.values))
             found.append((node.lineno, "".join(part.value if isinstance(part, ast.Constant) else "{…}"
                                                for part in node.values)))
         elif isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in parts:
             found.append((node.lineno, node.value))
-    return found
+    return found, described
+
+
+def texts(path):
+    return read(path)[0]
 
 
 def options(command):
@@ -94,8 +94,8 @@ def test_hints_from_within_can_be_followed_in_every_command():
     for path in FILES:
         if {"cli", "manual"}.intersection(path.parts) or path.name == "page.py":
             continue
-        described = texts_of_keys(path)
-        for line, text in texts(path):
+        found, described = read(path)
+        for line, text in found:
             bare = "" if line in described else COMMAND.sub("", text)
             assert set(OPTION.findall(bare)) <= OPTIONS["check"] | REPORTED, f"{path.name}:{line}: {text}"
 

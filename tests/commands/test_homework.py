@@ -78,6 +78,7 @@ def test_sheets_keys_and_marks(course, capsys):
     assert found[3]["answer"] == "'=2"
 
 
+@pytest.mark.sweep
 def test_the_same_bytes_again_and_from_the_manifest_after_an_edit(course):
     assert homework("--force") == 0 and homework(out="again") == 0
     assert files(course / "out") == files(course / "again")
@@ -87,6 +88,7 @@ def test_the_same_bytes_again_and_from_the_manifest_after_an_edit(course):
     assert files(course / "out") == files(course / "third")
 
 
+@pytest.mark.sweep
 def test_a_student_who_comes_later_changes_nobody(course):
     assert homework() == 0
     with (course / "roster.csv").open("a", encoding="utf-8") as stream:
@@ -96,6 +98,7 @@ def test_a_student_who_comes_later_changes_nobody(course):
     assert all(after[name] == data for name, data in before.items() if name.startswith("student"))
 
 
+@pytest.mark.sweep
 def test_a_set_with_parts(course, capsys):
     (course / "more").mkdir()
     for name in ("one", "two", "three"):
@@ -209,6 +212,7 @@ def test_a_table_is_read_whole_or_not_at_all(course, capsys, monkeypatch):
     assert "longer than 20 bytes" in capsys.readouterr().err
 
 
+@pytest.mark.sweep
 def test_paper(course):
     """PDF: read back, its pages, no key in it, the same bytes again."""
     pytest.importorskip("typst")

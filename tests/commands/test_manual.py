@@ -218,6 +218,7 @@ def test_tables_of_texts_match_what_runs():
     assert set(topics.FUNCTIONS) == set(FUNCTIONS)
 
 
+@pytest.mark.sweep
 def test_json_keys_are_those_that_are_printed(capsys, tmp_path):
     printed = set()
     for name, *options in (("mass_spring_damper", "--insight"), ("given_matrices",), ("bead_on_a_rail",),

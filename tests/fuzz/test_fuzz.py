@@ -24,7 +24,7 @@ from vibcli.language.document.document import Mapping, Scalar, Sequence, read
 from vibcli.reader.read import read_spec
 from vibcli.report.keys import data
 from vibcli.report.sections.equations_of_motion import EQUATIONS
-from vibcli.report.sections.spectrum import frequencies_data
+from vibcli.report.sections.spectrum_data import frequencies_data
 from vibcli.results.problem import Problem
 from vibcli.symbolic.evaluation import Floats, evaluate, evaluate_rational
 from vibcli.symbolic.expression import Table

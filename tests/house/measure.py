@@ -51,6 +51,7 @@ class House:
         self.nodes = {module: list(ast.walk(tree)) for module, tree in self.trees.items()}
         self.written = {module: self._imports(module) for module in self.trees}
         self.imports = {module: sorted(found | self._dispatched(module)) for module, found in self.written.items()}
+        self._unused = None
 
     def _imports(self, module):
         """{(module imported, line)}, at any depth of the file, those of types alone left out; relative imports are none
@@ -211,8 +212,11 @@ class House:
 
     def unused(self):
         """{(module, name): lines} of what nothing in the package uses."""
-        page = self.package / "manual" / "python.py"
-        return Uses(self.package.name, self.trees, page.read_text(encoding="utf-8") if page.exists() else "").unused()
+        if self._unused is None:
+            page = self.package / "manual" / "python.py"
+            told = page.read_text(encoding="utf-8") if page.exists() else ""
+            self._unused = Uses(self.package.name, self.trees, told).unused()
+        return self._unused
 
     def lines(self):
         return sum(path.read_text(encoding="utf-8").count("\n") for path in self.package.rglob("*.py"))
@@ -260,12 +264,11 @@ def walked(args):
     return {name for name in rooms if FLOOR.get(name, GROUND) >= GROUND}, moves
 
 
-def main():
+def main(house):
     import contextlib
     import io
     import tempfile
 
-    house = House()
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "scene.yaml"
         path.write_text("parameters: {m: 2 kg, k: 800 N/m}\nbodies: {b: {mass: m, slide: x}}\n"
@@ -296,4 +299,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    main(House())

@@ -1,11 +1,8 @@
 """The figures of the house: each at most as it stands here, to be lowered whenever it falls."""
 
-import subprocess
-import sys
-
 import pytest
 
-from house.measure import PACKAGE
+from house.measure import main
 
 MOST = {        # methods of House that list or count something
     "arrows": 118,
@@ -42,8 +39,6 @@ def test_a_subscript_of_a_tree_is_seen(planted):
         "vibcli.scene.a:2"]
 
 
-def test_the_figures_are_printed():
-    done = subprocess.run([sys.executable, PACKAGE.parent / "tests" / "house" / "measure.py"],
-                          capture_output=True, text=True, timeout=120)
-    assert done.returncode == 0, done.stderr
-    assert "import circles of files" in done.stdout
+def test_the_figures_are_printed(house, capsys):
+    main(house)
+    assert "import circles of files" in capsys.readouterr().out

@@ -153,7 +153,7 @@ def _insight(problem, words, sections):
 def _frequencies(problem, parts, normalise, digits, sections, wanted):
     """Equilibrium, matrices and modes; null with a remark where the other parts stand without them."""
     from vibcli.report import keys
-    from vibcli.report.sections.spectrum import frequencies_data
+    from vibcli.report.sections.spectrum_data import frequencies_data
 
     try:
         return frequencies_data(problem, normalise, digits, wanted)
@@ -220,7 +220,7 @@ def report(problem: "Problem", sections: Sequence[str], normalise: str = "first"
 
 
 def _digits(made, problem, digits):
-    from vibcli.report.sections.spectrum import frequencies_data
+    from vibcli.report.sections.spectrum_data import frequencies_data
 
     _require_numbers(problem)
     found = frequencies_data(problem, digits=digits, wanted=made.wanted)

@@ -62,10 +62,7 @@ def print_scenes(problems: "Sequence[tuple[str | None, Problem]]", sections: Cal
             show_refusal(error, problem.spec.file + (f", case {case}" if case else ""))
             found[case] = ({"error": error.message} if output.kind == "json" else
                            _refused(found.get(case), problem.spec, case, error))
-    if output.kind == "json":
-        _print_json(found, output)
-    elif not _at_once(output):
-        write_documents(list(found.values()), output)
+    _print_all(found, output)
     if timings:
         show_timings(solved)
     if any(problem.work.interrupted for _, problem in problems):
@@ -125,6 +122,14 @@ def _settled(problem, thorough, digits):
         raise PhysicsError(f"--digits {digits} needs a closed form of what is chosen, and none was found",
                            f"ask for at most {FLOAT_DIGITS} digits")
     return found
+
+
+def _print_all(found, output):
+    """What was not printed at once."""
+    if output.kind == "json":
+        _print_json(found, output)
+    elif not _at_once(output):
+        write_documents(list(found.values()), output)
 
 
 def _print_json(found, output):

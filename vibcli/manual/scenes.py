@@ -3,6 +3,7 @@
 import os
 import re
 from collections.abc import Sequence
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 import vibcli
@@ -19,6 +20,7 @@ def folder(which: str) -> str:
     return os.path.join(os.path.dirname(vibcli.__file__), which)
 
 
+@cache
 def names(which: str) -> list[str]:
     """Names of the scenes in a folder of the package, sorted."""
     return sorted(name.removesuffix(".yaml") for name in os.listdir(folder(which)) if name.endswith(".yaml"))
@@ -30,6 +32,7 @@ def path(name: str) -> str:
     return places[0] if places else None
 
 
+@cache
 def text(name: Any) -> str:
     """The text of a template or example."""
     with open(path(name), encoding="utf-8") as file:
@@ -48,8 +51,9 @@ def title(name: str) -> str:
     return document(name).entries["title"][1].text
 
 
+@cache
 def document(name: str):
-    """The document of a template or example."""
+    """The document of a template or example, which nobody changes."""
     return read_file(path(name))[0]
 
 

@@ -7,7 +7,7 @@ from vibcli.language.dimension_check import check, check_whole_literal
 from vibcli.language.named_place import NamedPlace
 from vibcli.language.reader import Reader, Record
 from vibcli.language.record_calls import own
-from vibcli.language.sections.initial import FIELDS, RELEASED
+from vibcli.language.sections.initial import RELEASED
 from vibcli.language.spec import MEMBERS
 from vibcli.quantities.dimensions import asked_dimension
 from vibcli.reader.references import check_references
@@ -33,7 +33,9 @@ def settle(spec: "Spec", reader: Reader) -> "Spec":
     _named_places(spec, reader)
     _units_of_symbols(spec)
     if reader.members and reader.sound:
-        _of_members(spec, reader)
+        from vibcli.reader.member_names import name_motions
+
+        name_motions(spec, reader)
     expected = {answer.expected.scalar for answer in spec.answers}
     apart = expected | {answer.rtol.scalar for answer in spec.answers if answer.rtol is not None}
     apart |= {side.scalar for record in (spec.get("choose") or {}).values() for side in record["so"].sides}
@@ -87,22 +89,6 @@ def _asked(spec, reader, before):
 
         spec = with_variants(spec, reader)
     return spec
-
-
-def _of_members(spec, reader):
-    """What the motions of members measure, which are coordinates without being named."""
-    from vibcli.elements.member_places import motions_of
-    from vibcli.language.member_signals import start_mistake
-
-    for name, angle in motions_of(spec):
-        spec.dimensions.equate(spec.dimensions.unknown(name), units.NONE if angle else units.LENGTH)
-    for name in spec.members:
-        for part, measured in (("u", units.LENGTH), ("phi", units.NONE)):
-            spec.dimensions.equate(spec.dimensions.unknown(f"{name}.{part}"), measured)
-    for signal in spec.get(FIELDS) or ():
-        found = start_mistake(spec, signal)
-        if found is not None:
-            reader.report(spec.get("initial").place(signal.text), *found)
 
 
 def _cycles(spec, reader, apart):

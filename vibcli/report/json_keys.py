@@ -15,7 +15,7 @@ from vibcli.report.sections.frequency_response import FREQUENCY_RESPONSE
 from vibcli.report.sections.member_modes import COUNT, MEMBERS
 from vibcli.report.sections.phase_plane import KEY as PHASE_PLANE
 from vibcli.report.sections.response import MOTION
-from vibcli.report.sections.spectrum import DAMPED_MODES, MODES, POLYNOMIAL
+from vibcli.report.sections.spectrum_data import DAMPED_MODES, MODES, POLYNOMIAL
 from vibcli.report.sections.statics import REACTIONS
 from vibcli.report.sections.sweep import KEY as SWEEP
 from vibcli.report.sections.variants import KEY as VARIANTS

@@ -4,7 +4,8 @@ without damping, as many as are counted, beside what loads do exactly."""
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from vibcli.results.modal_response import ModalResponse, NotByModes
+from vibcli.results.modal_response import ModalResponse
+from vibcli.results.not_by_modes import NotByModes
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.modal_motion import ModalMotion

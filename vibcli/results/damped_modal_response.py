@@ -4,7 +4,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
-from vibcli.results.modal_response import FEWEST, ModalResponse, NotByModes
+from vibcli.results.modal_response import FEWEST, ModalResponse
+from vibcli.results.not_by_modes import NotByModes
 from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:

@@ -36,7 +36,8 @@ def members_in_time(problem: "Problem") -> "SmallResponse":
 def _by_modes(problem, waves=None):
     """The ModalResponse, beside waves that are followed for a while, or a response of which steady states alone are
     found."""
-    from vibcli.results.modal_response import CoupledModes, ModalResponse, NotByModes, ShakenSupports
+    from vibcli.results.modal_response import ModalResponse
+    from vibcli.results.not_by_modes import CoupledModes, NotByModes, ShakenSupports
 
     modes: ModalResponse = ModalResponse(problem, waves)
     try:

@@ -4,9 +4,10 @@ strings whose waves are not followed."""
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 from vibcli.base.errors import PhysicsError
-from vibcli.results.response_of_members import CHECKED, SAME, ResponseOfMembers
+from vibcli.results.not_by_modes import CoupledModes, NotByModes, ShakenSupports
+from vibcli.results.response_of_members import ResponseOfMembers
+from vibcli.results.resting_shape import quartic_at_rest
 from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
@@ -21,7 +22,6 @@ if TYPE_CHECKING:
 FIRST = 128         # modes
 FEWEST = 32
 MOST = {True: 2048, False: 512}     # modes of a uniform member by itself, and of others
-SHARES = 0.0, 0.25, 0.5, 0.75, 1.0      # of a piece
 CLOSE = 1e-10       # of the largest value: a remainder that is small enough
 
 
@@ -154,8 +154,7 @@ class ModalResponse(ResponseOfMembers):
 
         from vibcli.analyses.continuous.exact_transfer import ExactTransfer
 
-        M, C, K = self.matrices
-        linear = self.linear
+        (M, C, K), linear = self.matrices, self.linear
         if linear.G:
             raise NotByModes("gyroscopic terms couple the modes of members", "ask for steady(…)")
         pieces = [one._replace(piece=one.piece._make(float(x) for x in one.piece)) for one in linear.pieces]
@@ -203,8 +202,9 @@ class ModalResponse(ResponseOfMembers):
         """c of each mode: given, or of drag c/μ that is the same everywhere, which damps each by itself."""
         import numpy as np
 
-        if self.problem.modal.member_damping is not None:
-            return self._given_damping(basis)
+        given = self.problem.modal.member_damping
+        if given is not None:
+            return np.array([float(given.rate(mode)) for mode in self.natural.first(len(basis.squares))])
         rates = {placed.piece.drag / placed.piece.inertia for placed in self._transfer.pieces}
         most = max(rates)
         if any(placed.retardation for placed in self.linear.pieces):
@@ -216,20 +216,11 @@ class ModalResponse(ResponseOfMembers):
                                "ask for steady(…), or give all the same drag by mass")
         return np.full(len(basis.squares), most)
 
-    def _given_damping(self, basis):
-        """Those of `damping:`."""
-        import numpy as np
-
-        damping = self.problem.modal.member_damping
-        modes = self.natural.first(len(basis.squares))
-        return np.array([float(damping.rate(mode)) for mode in modes])
-
     def _start(self, basis):
         """η and η̇ at t = 0."""
         from vibcli.analyses.continuous.modal_start import of_field
 
-        q, v = self.deviations
-        M = self.matrices[0]
+        (q, v), M = self.deviations, self.matrices[0]
         eta, rate = basis.shapes.T @ (M @ q), basis.shapes.T @ (M @ v)
         for number, (_, speed) in enumerate(self.fields):
             eta = eta + self._displaced(basis, number)
@@ -263,29 +254,11 @@ class ModalResponse(ResponseOfMembers):
             u = substitute([given.displacement], place)[0] - self._resting(self.configuration, piece)
         if given is not None and given.rate is not None:
             rate = substitute([given.rate], place)[0]
-        return self._over_place(piece, u, piece.piece.order), self._over_place(piece, rate, 0)
-
-    def _over_place(self, piece, node, order):
-        return None if node is None else self.over_place(piece, {0: node}, [order])
+        return tuple(None if node is None else self.over_place(piece, {0: node}, [order])
+                     for node, order in ((u, piece.piece.order), (rate, 0)))
 
     def _resting(self, configuration, piece):
-        """u of a piece in the equilibrium of a Configuration, of the fourth degree as an even load bends it."""
-        import numpy as np
-
-        from vibcli.mechanics.inputs_outputs.displacements import resting
-        from vibcli.symbolic.evaluation import Floats, evaluate
-
-        scene, start, length = configuration.scene.resting, float(piece.start), float(piece.piece.length)
-        signal = scene.members[piece.owner].signal_stem
-        nodes = [resting(scene, f"{signal}({start + share * length!r} m)") for share in (*SHARES, CHECKED)]
-        *values, other = evaluate(nodes, Floats, configuration.at_rest)
-        powers = np.linalg.solve(np.vander(SHARES, increasing=True), values)
-        if abs(np.polynomial.polynomial.polyval(CHECKED, powers) - other) > SAME * max(map(abs, values)):
-            raise NotByModes(f"'{piece.owner}' rests in a shape that is no polynomial of the fourth degree",
-                             "take its tension or what varies along it out")
-        table = self.problem.scene.table
-        xi = self.problem.scene.time / table.number(fraction_of(length))
-        return sum((table.number(fraction_of(float(c))) * xi**k for k, c in enumerate(powers) if c), table.zero)
+        return quartic_at_rest(configuration, piece, self.problem.scene)
 
     def moved(self, direct: Any = ()):
         """The same motion, read with nodes of the time on further channels."""
@@ -325,15 +298,3 @@ class ModalResponse(ResponseOfMembers):
         if self._closing(node) is not None:
             raise PhysicsError("signals of loops that close are not found by modes", "ask for coordinates")
         return ComposedOfModes(node, signals, self.values, self.problem.scene.time, self.problem.work, source)
-
-
-class NotByModes(NotByWaves):
-    """A system whose motion is not followed by modes, with the reason."""
-
-
-class ShakenSupports(NotByModes):
-    """A system whose modes are damped beside driven supports."""
-
-
-class CoupledModes(NotByModes):
-    """A system whose modes do not move each by itself."""

@@ -3,7 +3,8 @@
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from vibcli.results.modal_response import ModalResponse, NotByModes
+from vibcli.results.modal_response import ModalResponse
+from vibcli.results.not_by_modes import NotByModes
 from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:

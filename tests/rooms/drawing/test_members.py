@@ -158,6 +158,7 @@ DRIVEN = """
 """
 
 
+@pytest.mark.sweep
 def test_oscillators_move_in_time_and_lumped_bodies_are_tied_to_points():
     found = problem(DRIVEN % CARRIERS["beam"])
     frames, _, _ = animation.of_response(found)

@@ -12,7 +12,7 @@ from vibcli.drawing import vibration
 from vibcli.drawing.canvas.primitives import Polygon, Polyline
 from vibcli.drawing.layout import compose, plane
 from vibcli.drawing.symbols import mode_shape
-from vibcli.report.sections.spectrum import frequencies_data
+from vibcli.report.sections.spectrum_data import frequencies_data
 
 ROOT = Path(__file__).parents[3]
 FILES = sorted([*(ROOT / "problems").glob("*/*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml"),

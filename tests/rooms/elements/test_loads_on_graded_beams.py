@@ -70,6 +70,7 @@ def test_diagrams_of_a_mast_on_a_bed_in_the_wind(load, q, k):
         assert values == pytest.approx([EI * u[x][order] for x in places], rel=1e-9, abs=1e-9 * force.largest)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("load", ["q0*sqrt(x/H)", "q0*abs(sin(7*x/H))"])
 def test_diagrams_under_rough_loads_agree_with_pieces_that_are_cut(load, monkeypatch):
     model, places = mast(load, "H"), np.array([0.0, 3.3, 17.0, H])

@@ -78,6 +78,7 @@ def test_motion_with_an_inner_equilibrium():
         150 * (0.2 - _inner(0.2)) ** 2 + 100 * _inner(0.2) ** 2 + 1.25e4 * _inner(0.2) ** 4, rel=1e-14)
 
 
+@pytest.mark.sweep
 def test_dampers_linear_and_quadratic_in_series():
     def rate(v):
         """Of the quadratic one: c₁ (v − u) = c₂ u |u|."""
@@ -230,6 +231,7 @@ def test_a_snap_to_another_inner_equilibrium():
     assert f"±{total(d)[top]:.6g} m: they have several inner equilibria between" in str(caught.value)
 
 
+@pytest.mark.sweep
 def test_a_bend_of_a_part():
     """Below e the second part has k₂, above it k₂ + b more: pieces of sines."""
     model = _let_go([{"k": "k1"}, {"law": "k2*d + b*max(d - e, 0)"}], "5 cm", b="800 N/m", e="1 cm")

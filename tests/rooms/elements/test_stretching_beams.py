@@ -88,6 +88,7 @@ forces: {f: {at: q, force: [0, P*cos(w*t)]}, g: {at: r, force: [P*cos(w*t), 0]}}
     assert one.at(1j * omegas)[0] == pytest.approx(other.at(1j * omegas)[0], rel=1e-9)
 
 
+@pytest.mark.sweep
 def test_the_tension_of_a_beam_that_stretches_is_that_of_statics():
     column = """
 parameters: {{L: 10 m, EI: 3e5 N*m^2, mu: 20 kg/m, g: 9.81 m/s^2, M: 50 kg}}
@@ -103,6 +104,7 @@ bars: {post: {length: L, EA: 1 MN, mass_per_length: mu, left: clamped, attached:
     assert squares(column.format(EA="EA: 1 MN, "), 8) == pytest.approx(sorted(parts)[:8], rel=1e-11)
 
 
+@pytest.mark.sweep
 def test_motions_of_one_beam_are_those_of_a_bar_and_those_of_a_beam():
     """Pulled aslant at a place and let go: along it moves by waves alone, across by its own modes."""
     head = "parameters: {{P: 5 N, c: 0.8, s: 0.6}}\n" \

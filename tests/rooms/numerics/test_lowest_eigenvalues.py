@@ -139,6 +139,7 @@ def test_negative_springs_and_entries():
     assert errors.max() < 1e-12
 
 
+@pytest.mark.sweep
 def test_a_mass_matrix_that_is_not_diagonal():
     n = 400
     shifted = sparse.diags([np.ones(n), 0.5 * np.ones(n - 1)], [0, 1], format="csr")

@@ -58,6 +58,7 @@ def test_where_friction_brings_a_block_to_rest():
         assert float(numbers[2].replace("−", "-")) == pytest.approx(place, rel=1e-5, abs=1e-9)
 
 
+@pytest.mark.sweep
 def test_a_motion_that_hardly_rubs_is_given_up():
     assert re.search(r"it still moves after \S+ s and \d+ half cycles",
                      told(BLOCK.format(m=1.0, k=400.0, F=0.01, x0=1.0), "Motion under dry friction"))

@@ -366,6 +366,7 @@ FALL_BACK = {"pump_turned_by_a_motor", "bent_lever_in_balance", "double_atwood_f
              "garland_of_power_springs", "two_wells", "weight_on_a_square_root_spring"}
 
 
+@pytest.mark.sweep
 def test_which_small_oscillations_are_not_told_apart():
     """All others go element by element, unless more is asked."""
     found = {path.stem for path in PROBLEMS if not asks_in_full(kept_problem_of(path)) and _in_full(path)}

@@ -12,7 +12,8 @@ import numpy as np
 
 from vibcli.analyses.continuous.argument_count import fades, zeros_aside, zeros_within
 from vibcli.analyses.continuous.damped_estimates import half_turns, inner_estimates, where_waves_turn
-from vibcli.analyses.continuous.damped_series import SECTIONS, Divisions, approached, distinct, polished
+from vibcli.analyses.continuous.damped_series import SECTIONS
+from vibcli.analyses.continuous.newton_of_members import Divisions, approached, distinct, polished
 from vibcli.base.errors import PhysicsError
 from vibcli.numerics.pieces.held_count import held_count
 

@@ -14,8 +14,9 @@ import numpy as np
 from vibcli.analyses.continuous.argument_count import zeros_within
 from vibcli.analyses.continuous.damped_estimates import estimates, half_turns, inner_estimates
 from vibcli.analyses.continuous.damped_roots import ALIKE, DampedRoot, Whole, approached, roots_at
-from vibcli.analyses.continuous.damped_series import Divisions, RootsOfPart, ShapesOf, distinct, polished, settled_from
+from vibcli.analyses.continuous.damped_series import RootsOfPart
 from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix, dynamic_matrix
+from vibcli.analyses.continuous.newton_of_members import Divisions, ShapesOf, distinct, polished, settled_from
 from vibcli.analyses.continuous.trial_eigenvalues import trial_eigenvalues
 from vibcli.analyses.continuous.uncoupled_parts import tied_parts
 from vibcli.analyses.modal.mode_sequence import Modes

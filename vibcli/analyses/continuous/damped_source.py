@@ -15,8 +15,8 @@ from vibcli.analyses.continuous.damped_estimates import half_turns
 from vibcli.analyses.continuous.damped_far import FarModes
 from vibcli.analyses.continuous.damped_parts import SURE, cleaned, damped_parts
 from vibcli.analyses.continuous.damped_roots import DampedRoot, Whole, roots_at
-from vibcli.analyses.continuous.damped_series import distinct
 from vibcli.analyses.continuous.dynamic_matrix import dynamic_matrix
+from vibcli.analyses.continuous.newton_of_members import distinct
 from vibcli.analyses.modal.damped_modes import DampedMode
 from vibcli.analyses.modal.mode_sequence import NoMoreTold
 from vibcli.base.errors import PhysicsError

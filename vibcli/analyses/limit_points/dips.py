@@ -7,7 +7,8 @@ has a least value over some steps it is sought there, and a step that holds two 
 from collections.abc import Iterable, Iterator
 from itertools import pairwise
 
-from vibcli.analyses.limit_points.path import EquilibriumPath, PathStep
+from vibcli.analyses.limit_points.path import EquilibriumPath
+from vibcli.analyses.limit_points.path_step import PathStep
 
 PARTS, TRIALS, NARROW, GOLDEN = 8, 24, 1e-4, 0.3819660112501051
 

@@ -16,7 +16,8 @@ import numpy as np
 
 from vibcli.analyses.limit_points.dips import cut_at_dips
 from vibcli.analyses.limit_points.equations import UNDEFINED, ParametricEquilibrium
-from vibcli.analyses.limit_points.path import EquilibriumPath, PathPoint, PathStep
+from vibcli.analyses.limit_points.path import EquilibriumPath
+from vibcli.analyses.limit_points.path_step import PathPoint, PathStep
 
 GUARD, SURE, ROUNDS, RENEWED, FASTER = 25, 8, 60, 6, 0.1     # digits beyond those asked; steps; how they fall
 STRAYED, TRANSVERSE, REGULAR = 0.3, 1e-9, 1e14      # relative: how far from where it was met; of w·∂r/∂p; condition

@@ -6,11 +6,11 @@ another one, or a step has come upon another one, which is told by halving it.
 """
 
 from collections.abc import Callable, Iterator
-from typing import NamedTuple
 
 import numpy as np
 
 from vibcli.analyses.limit_points.equations import ParametricEquilibrium
+from vibcli.analyses.limit_points.path_step import PathPoint, PathStep
 from vibcli.base.errors import PhysicsError
 
 CORRECTIONS, CONTRACTS, CONVERGED, GOOD = 8, 0.5, 1e-13, 1e-9
@@ -22,30 +22,6 @@ BEYOND, CLIMB, GONE = 1e6, 0.5, 1e-5         # of the size of p: followed so far
 ASIDE = 0.03                # of a bracket
 LEVEL, CLOSE = 1e-7, 1e-7      # of p′, of a step: a limit point or branching is met
 FLAT, RIGID, HALVINGS, APART, AWAY, LEAST, CHANGED = 1e-3, 1e-12, 60, 4.0, 0.3, 1e-4, 0.5
-
-
-class PathPoint(NamedTuple):
-    """An equilibrium of the path: y = (q, p) in units of the metric, {coordinate: float}, the tangent, the sign of
-    det [K ∂r/∂p; tangent], how many eigenvalues of K are negative, K, how far Newton's method moved."""
-
-    y: np.ndarray
-    position: dict
-    tangent: np.ndarray
-    sense: int
-    unstable: int
-    K: np.ndarray
-    moved: float = 0.0
-
-
-class PathStep(NamedTuple):
-    """A step from one point to another. `branching`: do other paths cross it? `corner`: does it bend sharply, as
-    forces do?"""
-
-    start: PathPoint
-    end: PathPoint
-    step: float
-    branching: bool
-    corner: bool = False
 
 
 class EquilibriumPath:

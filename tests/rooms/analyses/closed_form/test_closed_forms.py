@@ -14,7 +14,7 @@ from vibcli.check.instances import Instances
 from vibcli.check.verdicts import check
 from vibcli.report.document import Report
 from vibcli.report.formats.text import section_lines, shown
-from vibcli.report.sections.spectrum import frequencies_data
+from vibcli.report.sections.spectrum_data import frequencies_data
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.syntax import Sum
 

@@ -83,6 +83,7 @@ def test_a_damper_that_is_nearly_matched(r):
         assert 1e-16 / abs(1 - r) / abs(value) <= mode.error <= 4e-16 / abs(1 - r) / abs(value) + 1e-14
 
 
+@pytest.mark.sweep
 def test_a_damper_inside_matched_to_both_sides():
     """2 = e^{-2as} + e^{-2(1-a)s}: at a = 1/2 s = 2πin; at 0.3 the roots of z³ + z⁷ = 2, z = e^{−0.2s}."""
     def inside(a):

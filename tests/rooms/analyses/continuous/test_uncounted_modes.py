@@ -36,6 +36,7 @@ def exact(x):
         j / 2 * math.sqrt(G / LENGTH))**3) for j in zeros) / (MU * LENGTH))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("x", [0.9, 1.6])
 def test_sums_within_a_hanging_chain_are_bounded_closely(uncounted, x):
     assert exact(x) <= reach(uncounted, x) <= 1.2 * exact(x)

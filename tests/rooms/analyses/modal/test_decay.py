@@ -7,7 +7,7 @@ from support.scenes import kept_problem_of, problem
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.quantities.expression import measure
-from vibcli.report.sections.spectrum import frequencies_data
+from vibcli.report.sections.spectrum_data import frequencies_data
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.semantics import lower

@@ -88,6 +88,7 @@ def test_repeated_frequencies_keep_a_bound_that_holds():
     assert (off <= found.errors[mine] * np.sqrt(abs(values)) * (1 + 1e-9) + 2 * UNIT * np.sqrt(abs(values))).all()
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("n", [100, 130])
 def test_a_pendulum_of_many_links(n):
     """ω² = (g/L) times the roots of the Laguerre polynomial; no wider bounds on either side of what integers reach."""

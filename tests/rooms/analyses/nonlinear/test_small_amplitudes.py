@@ -39,6 +39,7 @@ def kappa_of(V, m, k):
         return float((4 * found[0] - found[1]) / 3)
 
 
+@pytest.mark.sweep
 def test_kappa_with_uneven_inertia_and_all_terms_of_the_energies():
     model = loads("""
 parameters: {m: 2 kg, k: 300 N/m, b: 500 N/m^2, c: 900 N/m^3, a: 2 kg/m, e: 5 kg/m^2}
@@ -51,6 +52,7 @@ coordinates: [x]
     assert found.error < 1e-13 * abs(found.value)
 
 
+@pytest.mark.sweep
 def test_kappa_of_a_mass_that_hangs_on_a_duffing_spring():
     model = loads("""
 parameters: {m: 2 kg, k: 300 N/m, c: 9 kN/m^3, g: 9.81 m/s^2}

@@ -50,6 +50,7 @@ def counts(monkeypatch):
     return found
 
 
+@pytest.mark.sweep
 def test_what_is_asked_holds_and_less_is_less_work(counts):
     one, spent = problem(SWINGING), []
     for asked in ASKED:
@@ -66,6 +67,7 @@ def test_what_is_asked_holds_and_less_is_less_work(counts):
     assert spent[0]["steps"] < 0.65 * spent[1]["steps"] and spent[2]["windows"] <= spent[3]["windows"]
 
 
+@pytest.mark.sweep
 def test_more_than_floats_have_ends_the_motion_where_it_is_held(scene, capsys):
     file = scene(SWINGING)
     assert run(["response", file, "--accuracy", "1e-12", "--at", "100"]) == 4
@@ -75,6 +77,7 @@ def test_more_than_floats_have_ends_the_motion_where_it_is_held(scene, capsys):
     assert run(["response", file, "--accuracy", "1e-9", "--at", "100"]) == 0
 
 
+@pytest.mark.sweep
 def test_where_neighbours_part_steps_are_tightened_before_the_motion_ends():
     """Of 1e-6 steps of 1e-9 would be enough for a motion that is not chaotic."""
     one = problem(FAR_UP)
@@ -164,6 +167,7 @@ def test_of_peaks_that_are_alike_the_first_is_the_largest(asked):
         assert abs(value - sense * float(2 * mpmath.asin(k))) <= signal.error(t)
 
 
+@pytest.mark.sweep
 def test_what_goes_by_collocation_is_as_accurate_whatever_is_asked():
     """Errors of coarse steps by its two rules may be alike, so that their difference tells less than they are."""
     one = problem("""
