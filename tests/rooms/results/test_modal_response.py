@@ -7,6 +7,7 @@ import pytest
 from scipy.optimize import brentq
 from support.scenes import problem
 
+from vibcli.analyses.continuous import modal_motion, modal_states
 from vibcli.analyses.continuous.mode_basis import ModeBasis
 from vibcli.base.errors import NoBound, PhysicsError
 from vibcli.language.signals_of_places import with_places
@@ -263,3 +264,22 @@ def test_the_bound_of_modes_that_creep_holds(load):
         bounds = np.array([few.bound(many.reads, t, order) for t in times])
         assert (off <= bounds + 1e-13).all()
         assert off.max() >= bounds.max() / 1e5
+
+
+def test_what_a_load_does_to_each_mode_is_found_once(monkeypatch):
+    """However often the motion is looked at: once of each load, and the same numbers."""
+    found = []
+
+    def counted(states, stroke):
+        found.append(stroke)
+        return modal_states.parts(states, stroke)
+
+    monkeypatch.setattr(modal_motion, "parts", counted)
+    scene = problem(CANTILEVER + PULLED.replace("1 N}", "1 N*sin(3 rad/s*t)}").split("initial")[0])
+    tip = signal(scene, "arm.u(L)")
+    first = tip.values(TIMES)
+    strokes = len(found)
+    assert strokes
+    assert (tip.values(TIMES) == first).all()
+    tip.values(0.5 * TIMES)
+    assert len(found) == strokes

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vibcli.analyses.continuous.disturbances import left_to_creep
-from vibcli.analyses.continuous.modal_states import FreeStretch, followed, moved, next_to, parts
+from vibcli.analyses.continuous.modal_states import FreeStretch, Stroke, followed, moved, next_to, parts
 from vibcli.analyses.continuous.remainder import remainder
 from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Work
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 EPSILON = 2.0**-52
 POINTS, INSIDE = 24, 8.0        # of the circle, and how far inside the poles that are left it lies
 AT_ONCE = 2_000_000             # exponentials at a time
+KEPT = 8                        # strokes whose parts are remembered
 
 
 class Read:
@@ -60,6 +61,7 @@ class ModalMotion:
         self.slowest = float(np.abs(self.states.rates).min(initial=self.fastest, where=self.states.rates != 0))
         self._rows: dict[Any, tuple[np.ndarray, np.ndarray]] = {}
         self._taylor: dict[Any, np.ndarray] = {}
+        self._known: dict[int, tuple[Stroke, list]] = {}        # {id: (stroke, its parts)}, the oldest first
         self._until, self._stretches = -1.0, []
         self._disturbances: Disturbances | None = None
 
@@ -124,12 +126,21 @@ class ModalMotion:
             taylor = self._remaining(read, stroke.exponent, k) @ stroke.force
             g = np.array([comb(k, i) * factorial(k - i) * taylor[k - i] for i in range(k + 1)])
             found += np.real(np.exp(stroke.exponent * tau) * np.polynomial.polynomial.polyval(tau, g))
-            for s, own, at, a in parts(self.states, stroke):
+            for s, own, at, a in self._parts(stroke):
                 sums = own @ read.states
                 found += np.real(np.exp(s * tau) * np.polynomial.polynomial.polyval(tau, sums))
                 for j, x in zip(at, a, strict=True):
                     found += np.real(read.states[j] * x * next_to(self.states.rates[j], s, k, tau))
         return found
+
+    def _parts(self, stroke):
+        """Those of a stroke, which does not hang on what is read, nor when."""
+        entry = self._known.get(id(stroke))
+        if entry is None:
+            entry = self._known[id(stroke)] = stroke, list(parts(self.states, stroke))
+            if len(self._known) > KEPT:
+                self._known.pop(next(iter(self._known)))
+        return entry[1]
 
     def _remaining(self, read, s, power):
         """(power + 1, channels): the coefficients of Taylor's series of R about s."""
@@ -230,7 +241,7 @@ class ModalMotion:
                 found[number] += self.bound(output, times[number], order) + early
                 found[number] += late * (times[number] - stretch.start)
                 found[number] += float(lost @ np.exp(states.rates.real * times[number]))
-            driven = sum(abs(complex(part)) for stroke in stretch.strokes for _, g, _, _ in parts(states, stroke)
+            driven = sum(abs(complex(part)) for stroke in stretch.strokes for _, g, _, _ in self._parts(stroke)
                          for part in g @ read.states)
             found[at] += 16 * EPSILON * driven
         return found
