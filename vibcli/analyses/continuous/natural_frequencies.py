@@ -115,7 +115,7 @@ def _beside_poles(system, brackets):
     """The roots of brackets with one frequency and a pole in or near them, all at a time: a node within the pieces
     parts them."""
     found: dict[int, NaturalFrequency] = {}
-    if len(brackets) < MANY or not system.n:
+    if len(brackets) < MANY:
         return found
     for part in PARTS:
         low, high = (system.numbers(getattr(one, end) for one in brackets.values()) for end in ("low", "high"))

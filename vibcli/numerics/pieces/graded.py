@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from vibcli.numerics.pieces.arithmetic import Arithmetic
     from vibcli.numerics.pieces.piece import Piece
 
-AT_ONCE = 4_000        # parts times values of κ
+AT_ONCE, HELD = 4_000, 2**21        # parts times values of κ, and times places
 STEP = 25e-6            # steps of work for each entry of the stiffness of a part at one κ
 LIKE = 2.0              # times as many parts at most as the lowest of them needs, |κ|^(1/order)
 
@@ -110,10 +110,21 @@ def graded_fields(piece: "Piece", kappa: np.ndarray, ends: np.ndarray, x: np.nda
         return found * numbers.array([1, -1])
     found = np.empty((len(x), piece.order), np.result_type(kappa, ends, x))
     real = numbers.is_real(kappa) and numbers.is_real(ends)
-    for chosen in _runs(piece, kappa):
+    for chosen in _together(piece, kappa):
         some = _fields(piece, kappa[chosen], ends[chosen], x[chosen], numbers)
         found[chosen] = numbers.real(some) if real else some
     return found
+
+
+def _together(piece, kappa):
+    """Numbers of values in groups of those whose κ are the same or alike, as many as are worth being held at once."""
+    at, own = _distinct(kappa)
+    order = np.argsort(own, kind="stable")
+    edges = np.searchsorted(own[order], np.arange(len(at) + 1))
+    for run in _runs(piece, kappa[at]):
+        chosen = np.concatenate([order[edges[k]:edges[k + 1]] for k in run])
+        most = max(1, HELD // len(parts_of(piece, max(float(abs(value)) for value in kappa[at[run]]))))
+        yield from (chosen[i:i + most] for i in range(0, len(chosen), most))
 
 
 def _runs(piece, kappa):

@@ -58,6 +58,27 @@ def test_a_light_cantilever_is_a_spring():
     assert found == pytest.approx([math.sqrt(3 * 7.0 / 2.0**3 / 3.0)], rel=1e-12)
 
 
+@pytest.mark.parametrize("tension", [-3.0, 40.0])
+def test_a_member_whose_ends_are_held_has_all_its_modes_at_a_time(tension):
+    beam = Piece(1.7, 3.0, tension, 0.0, 2.3, 0.0, 0.0)
+    held, joined = (NaturalModes(one).numbered(1, 40) for one in (
+        FactoredSystem(0, pieces=[placed(beam, {}, {}, {}, {})]),
+        FactoredSystem(2, pieces=[placed(beam._replace(length=0.6), {}, {}, {0: 1.0}, {1: 1.0}),
+                                  placed(beam._replace(length=1.1), {0: 1.0}, {1: 1.0}, {}, {})])))
+    assert len({id(mode.motion.system) for mode in held}) == 1
+    assert max(abs(one.omega / two.omega - 1) / (one.error + two.error)
+               for one, two in zip(held, joined, strict=True)) <= 1
+
+
+def test_many_modes_of_a_chain_without_a_mass_have_the_zeros_of_bessel():
+    chain = Piece(3.0, 0.0, 2.0 * 9.81 * 3.0, -2.0 * 9.81, 2.0, 0.0, 0.0)
+    found = NaturalModes(FactoredSystem(0, pieces=[placed(chain, {}, {})])).numbered(1, 60)
+    assert len({id(mode.motion.system) for mode in found}) == 1
+    for mode in found:
+        exact = mpmath.besseljzero(0, mode.index) / 2 * mpmath.sqrt(mpmath.mpf(9.81) / 3)
+        assert abs(mode.omega / exact - 1) <= mode.error < 1e-14
+
+
 def test_a_hanging_chain_has_the_zeros_of_bessel():
     chain = Piece(1.7, 0.0, 2.3 * 9.81 * 1.7, -2.3 * 9.81, 2.3, 0.0, 0.0)
     found = frequencies(FactoredSystem(1, pieces=[placed(chain, {}, {0: 1.0})]), 6)
