@@ -43,11 +43,17 @@ def mirrored(piece: "Piece") -> "Piece":
     return piece._replace(tension=piece.tension + piece.gradient * piece.length, gradient=-piece.gradient)
 
 
+def _settled(piece):
+    """With no tension where that is a rounding of none: waves that are as slow there would feel it."""
+    return piece._replace(tension=0 * piece.tension) if piece.order == 2 and is_slack(piece) else piece
+
+
 def graded_stiffness(piece: "Piece", kappa: np.ndarray, numbers: "Arithmetic") -> tuple[np.ndarray, np.ndarray]:
     """(d, ∂d/∂κ), (κ, m, m), of one piece over flat κ. An end without tension of what is no beam bears no force."""
     if piece.order == 2 and piece.gradient < 0:
         d, slope = graded_stiffness(mirrored(piece), kappa, numbers)
         return d[..., ::-1, ::-1], slope[..., ::-1, ::-1]
+    piece = _settled(piece)
     real = numbers.is_real(kappa)
     parted = np.array([real and depth_of(piece, x, numbers) + depth_of(mirrored(piece), x, numbers) < piece.length
                        for x in kappa], bool)
@@ -94,7 +100,7 @@ def graded_count(piece: "Piece", kappa: np.ndarray, numbers: "Arithmetic") -> np
     joints, two parts at a time."""
     if piece.order == 2 and piece.gradient < 0:
         return graded_count(mirrored(piece), kappa, numbers)
-    found = []
+    piece, found = _settled(piece), []
     order, portions = _portions(piece, kappa)
     for some in portions:
         tree = _tree(piece, some, numbers)
@@ -108,6 +114,7 @@ def graded_fields(piece: "Piece", kappa: np.ndarray, ends: np.ndarray, x: np.nda
     if piece.order == 2 and piece.gradient < 0:
         found = graded_fields(mirrored(piece), kappa, ends[:, ::-1], piece.length - x, numbers)
         return found * numbers.array([1, -1])
+    piece = _settled(piece)
     found = np.empty((len(x), piece.order), np.result_type(kappa, ends, x))
     real = numbers.is_real(kappa) and numbers.is_real(ends)
     for chosen in _together(piece, kappa):

@@ -8,6 +8,7 @@ import pytest
 
 from tests.support.random_members import at_rest, random_members
 from vibcli.analyses.continuous.mode_source import NaturalModes
+from vibcli.analyses.continuous.refinement import divided
 from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
 from vibcli.numerics.pieces.piece import Piece
 
@@ -76,6 +77,18 @@ def test_many_modes_of_a_chain_without_a_mass_have_the_zeros_of_bessel():
     assert len({id(mode.motion.system) for mode in found}) == 1
     for mode in found:
         exact = mpmath.besseljzero(0, mode.index) / 2 * mpmath.sqrt(mpmath.mpf(9.81) / 3)
+        assert abs(mode.omega / exact - 1) <= mode.error < 1e-14
+
+
+@pytest.mark.parametrize(("size", "inertia", "part"), [(4.268775, 3.83788, 0.4375), (4.793647, 4.75004, 0.390625),
+                                                       (4.793647, 4.75004, 0.234375), (4.793647, 4.75004, 0.5)])
+def test_high_modes_of_a_chain_keep_their_bounds_wherever_it_is_divided(size, inertia, part):
+    weight = inertia * 9.81
+    whole = Piece(size, 0.0, weight * size, -weight, inertia, 0.0, 0.0)
+    one, two = divided(whole, part)
+    chain = FactoredSystem(1, pieces=[placed(one, {}, {0: 1.0}), placed(two, {0: 1.0}, {})])
+    for mode in NaturalModes(chain).numbered(55, 72):
+        exact = mpmath.besseljzero(0, mode.index) / 2 * mpmath.sqrt(mpmath.mpf(weight) / inertia / size)
         assert abs(mode.omega / exact - 1) <= mode.error < 1e-14
 
 
