@@ -80,6 +80,23 @@ def test_many_modes_of_a_chain_without_a_mass_have_the_zeros_of_bessel():
         assert abs(mode.omega / exact - 1) <= mode.error < 1e-14
 
 
+@pytest.mark.parametrize("mass", [1e-10, 1e-4, 1.0])
+def test_high_modes_of_a_chain_with_a_small_mass_keep_their_bounds_wherever_it_is_divided(mass):
+    """Whose tension at the mass is but the difference of rounded ones."""
+    size, inertia = 4.268775, 3.83788
+    whole = Piece(size, 0.0, (inertia * size + mass) * 9.81, -inertia * 9.81, inertia, 0.0, 0.0)
+
+    def modes(part):
+        one, two = divided(whole, part)
+        return NaturalModes(FactoredSystem(2, [(mass, {1: 1.0})], pieces=[
+            placed(one, {}, {0: 1.0}), placed(two, {0: 1.0}, {1: 1.0})])).numbered(40, 48)
+
+    known = modes(0.5)
+    for part in (0.390625, 0.359375):
+        for one, two in zip(known, modes(part), strict=True):
+            assert abs(one.omega / two.omega - 1) <= one.error + two.error < 4e-14
+
+
 @pytest.mark.parametrize(("size", "inertia", "part"), [(4.268775, 3.83788, 0.4375), (4.793647, 4.75004, 0.390625),
                                                        (4.793647, 4.75004, 0.234375), (4.793647, 4.75004, 0.5)])
 def test_high_modes_of_a_chain_keep_their_bounds_wherever_it_is_divided(size, inertia, part):
