@@ -9,6 +9,7 @@ from click.testing import CliRunner
 
 from vibcli import bench
 from vibcli.bench import __main__ as command
+from vibcli.bench import members_counted
 from vibcli.bench.processes import answer, costs, python
 from vibcli.bench.rows import HEAD, Failure, Timing, aligned, exponent
 
@@ -78,3 +79,12 @@ def test_whole_processes_are_measured_by_turns():
 def test_columns_are_aligned():
     lines = aligned([HEAD, Timing("a", 1.0, "ms", None).cells(), Failure("part", "why" * 99).cells()]).splitlines()
     assert len(lines) == 3 and lines[2].endswith("failed") and len(lines[2]) < 200
+
+
+def test_missed_and_spurious_frequencies_of_members_are_seen(monkeypatch):
+    found, seeds = members_counted.counted(4, 49), [49, 50, 51, 52]
+    assert not found.wrong and len(found.ratios) == members_counted.MODES and max(found.ratios) <= 1
+    agree = members_counted.agree
+    for planted in (lambda squares: [*squares[1:], 2 * squares[-1]], lambda squares: [*squares[:3], *squares[2:-1]]):
+        monkeypatch.setattr(members_counted, "agree", lambda found, row, planted=planted: agree(planted(found), row))
+        assert members_counted.counted(4, 49).wrong == seeds

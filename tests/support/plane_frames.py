@@ -3,7 +3,8 @@
 import random
 
 import numpy as np
-from support.random_members import bar_element, beam_element
+
+from vibcli.bench.random_members import bar_element, beam_element
 
 
 def random_frame(seed):

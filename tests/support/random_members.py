@@ -4,27 +4,9 @@ import random
 
 import numpy as np
 
+from vibcli.bench.random_members import bar_element, beam_element
 from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
 from vibcli.numerics.pieces.piece import Piece
-
-
-def beam_element(length, bending, tension, inertia, foundation):
-    """K and M of a Hermite element."""
-    a = length
-    k = bending / a**3 * np.array([[12, 6*a, -12, 6*a], [6*a, 4*a*a, -6*a, 2*a*a],
-                                   [-12, -6*a, 12, -6*a], [6*a, 2*a*a, -6*a, 4*a*a]])
-    g = tension / (30*a) * np.array([[36, 3*a, -36, 3*a], [3*a, 4*a*a, -3*a, -a*a],
-                                     [-36, -3*a, 36, -3*a], [3*a, -a*a, -3*a, 4*a*a]])
-    m = a / 420 * np.array([[156, 22*a, 54, -13*a], [22*a, 4*a*a, 13*a, -3*a*a],
-                            [54, 13*a, 156, -22*a], [-13*a, -3*a*a, -22*a, 4*a*a]])
-    return k + g + foundation * m, inertia * m
-
-
-def bar_element(length, tension, inertia, foundation):
-    """K and M of a quadratic element: left end, right end, middle."""
-    k = tension / (3*length) * np.array([[7, 1, -8], [1, 7, -8], [-8, -8, 16]])
-    m = length / 30 * np.array([[4, -1, 2], [-1, 4, 2], [2, 2, 16]])
-    return k + foundation * m, inertia * m
 
 
 def at_rest(piece, rows):

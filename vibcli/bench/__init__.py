@@ -20,6 +20,7 @@ PARTS = {
     "events_and_loops": "full motions with events, and with a closed loop",
     "extremes": "extremes of full motions",
     "members": "beams, their frequencies and frequency responses",
+    "members_counted": "random members counted against finite elements",
     "sweeps": "quantities over a parameter",
     "homework": "variants of a problem with all gates, and sheets for students",
 }

@@ -4,6 +4,7 @@ without damping, as many as are counted, beside what loads do exactly."""
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from vibcli.mechanics.factored_system import summed
 from vibcli.results.modal_response import ModalResponse
 from vibcli.results.not_by_modes import NotByModes
 
@@ -11,6 +12,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.modal_motion import ModalMotion
 
 FEWEST, MOST = 32, 256      # modes
+ALIKE = 1e-14       # relative difference of rates that are one
 NOISE = 1e-8        # rounding of eigenvalues, of the lowest: a sum over all modes is not better
 EPSILON = 2.0**-52
 
@@ -48,13 +50,21 @@ class CoupledModalResponse(ModalResponse):
             raise NotByModes("gyroscopic terms couple the modes of members", "ask for steady(…)")
         if found.circulatory:
             raise NotByModes("forces that no potential gives couple the modes of members", "ask for steady(…)")
-        if any(placed.piece.drag for placed in found.pieces):
-            raise NotByModes("damping in proportion to stiffness stands beside drag of members: modes without end "
-                             "creep", "ask for steady(…), or write `proportional: [alpha, 0 s]`")
         if self._inputs:
             raise NotByModes("supports are driven beside dampers and `damping:` of members",
                              "ask for steady(…), or write `proportional: [alpha, 0 s]`")
-        return found
+        return _without_drag(found, self._drag) if self._drag else found
+
+    @cached_property
+    def _drag(self):
+        """c/μ of all members: drag in proportion to their mass."""
+        pieces = self.configuration.without_given_damping().pieces
+        rates = [float(placed.piece.drag / placed.piece.inertia) if placed.piece.inertia else 0.0 for placed in pieces]
+        if max(rates) - min(rates) > ALIKE * max(rates):
+            raise NotByModes("damping in proportion to stiffness stands beside drag that is not everywhere in "
+                             "proportion to the mass of members: modes without end creep",
+                             "ask for steady(…), or write `proportional: [alpha, 0 s]`")
+        return max(rates)
 
     @cached_property
     def _exact(self):
@@ -76,11 +86,12 @@ class CoupledModalResponse(ModalResponse):
 
     @cached_property
     def _given(self):
-        """The MemberDamping."""
+        """The MemberDamping, drag among what is in proportion to mass."""
         from vibcli.analyses.continuous.member_damping import member_damping
         from vibcli.symbolic.evaluation import Floats
 
-        return member_damping(self.configuration, self.problem.modal.modes, Floats)
+        found = member_damping(self.configuration, self.problem.modal.modes, Floats)
+        return found._replace(series=(found.series[0] + self._drag, *found.series[1:])) if self._drag else found
 
     @cached_property
     def _transfer(self):
@@ -109,3 +120,11 @@ class CoupledModalResponse(ModalResponse):
         damping = np.array([float(given.rate(mode)) for mode in modes])
         following = FollowingShapes(basis, inputs, self._exact, self._dampers)
         return TiedModes(basis, inputs, self._start(basis), (damping, given.of_squares), following, given.creeps)
+
+
+def _without_drag(elements, rate):
+    """Element data whose members do not drag, where all mass does at this rate: dampers of masses take theirs back."""
+    pieces = [placed._replace(piece=placed.piece._replace(drag=0.0)) for placed in elements.pieces]
+    taken = [(-rate * mass, row) for mass, row in elements.inertias]
+    C = summed(elements.C, {pair: -rate * mass for pair, mass in elements.M.items()})
+    return elements.with_parts(pieces=pieces, dampers=(*elements.dampers, *taken), C=C)

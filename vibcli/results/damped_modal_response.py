@@ -104,8 +104,6 @@ class DampedModalResponse(ModalResponse):
                 found = found + placed.piece.drag / placed.piece.inertia * self._displaced(basis, number)
         return found
 
-    def lasting(self) -> float:
-        from vibcli.analyses.transient.duration import duration
-
-        modal = self.problem.modal
-        return duration(modal.modes.shown(), modal.damped.shown(), 0.0, [])
+    @property
+    def _dying(self):
+        return self.problem.modal.damped.shown()

@@ -42,6 +42,10 @@ class PartedResponse(ResponseOfMembers):
         """The motion of all by modes."""
         return self.whole.alone
 
+    @property
+    def _last_change(self):
+        return self.whole._last_change
+
     def reach(self, until: float) -> None:
         """Follow the waves up to an instant; NotByWaves where fronts are too many."""
         self.parts[0][0].reach(until)

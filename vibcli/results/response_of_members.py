@@ -235,7 +235,21 @@ class ResponseOfMembers(SmallResponse):
     def lasting(self):
         from vibcli.analyses.transient.duration import duration
 
-        return duration(self.problem.modal.modes.shown(), None, 0.0, [])
+        return duration(self.problem.modal.modes.shown(), self._dying, self._last_change, [])
+
+    @property
+    def _dying(self):
+        """The damped modes that tell when it has died out; None where those without dampers tell how long it lasts."""
+
+    @property
+    def _last_change(self) -> float:
+        """The last instant at which loads change their form."""
+        return self._forces.last.start if self._forces.listed else 0.0
+
+    @cached_property
+    def _forces(self) -> "Forcing":
+        """The Forcing of all channels."""
+        raise NotImplementedError
 
     def _part(self, parts, name, primes, part):
         from vibcli.mechanics.inputs_outputs.place_signals import place_output

@@ -35,13 +35,22 @@ class WaveResponse(ResponseOfMembers):
             raise NotByWaves("damping that is given of modes acts on modes, not on travelling waves")
         if self.spread_forces:
             raise NotByWaves("loads along members in time are followed by modes")
-        channels = iter(range(len(self.matrices[0]), len(self.matrices[0]) + len(self.ends_of_pieces)))
-        numbered = [(row, None if node is None else next(channels), node) for row, node in self.ends_of_pieces]
+        numbered = self._numbered_ends
         pieces = [wave_piece(placed, *(end[:2] for end in numbered[2 * k:2 * k + 2]))
                   for k, placed in enumerate(self.placed)]
-        nodes = self.loads | {channel: node for _, channel, node in numbered if channel is not None}
-        return wave_motion(*self.matrices, pieces, self._forcing_of(nodes), *self.deviations, self.fields,
-                           self.problem.work)
+        return wave_motion(*self.matrices, pieces, self._forces, *self.deviations, self.fields, self.problem.work)
+
+    @property
+    def _numbered_ends(self):
+        """[(row, channel of what the time moves it by, its node)] of ends of pieces, None where it does not."""
+        channels = iter(range(len(self.matrices[0]), len(self.matrices[0]) + len(self.ends_of_pieces)))
+        return [(row, None if node is None else next(channels), node) for row, node in self.ends_of_pieces]
+
+    @cached_property
+    def _forces(self):
+        """The Forcing of all channels."""
+        return self._forcing_of(self.loads | {
+            channel: node for _, channel, node in self._numbered_ends if channel is not None})
 
     def reach(self, until: float) -> None:
         """Follow the waves up to an instant; NotByWaves where their fronts are too many."""

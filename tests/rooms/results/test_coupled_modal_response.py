@@ -57,10 +57,10 @@ def bar(s, x, held):
     return u + D * mpmath.sinh(k * (x - 1 + rest)) * (x > 1 - rest)
 
 
-def arm(s):
-    """(u at the end, moment at the clamp) of ARM for a unit load."""
+def arm(s, drag=0):
+    """(u at the end, moment at the clamp) of ARM for a unit load, with a drag per length."""
     E, inertia = 2400 * (1 + s / 2000), s * s + 3 * s
-    b = mpmath.root(-3 * inertia / E, 4)
+    b = mpmath.root(-(3 * inertia + drag * s) / E, 4)
     x = b * mpmath.mpf("1.2")
     ch, sh, co, si = mpmath.cosh(x), mpmath.sinh(x), mpmath.cos(x), mpmath.sin(x)
     z = 1000 * (1 + s / 2000) + 2 * inertia + 20 * s
@@ -86,15 +86,36 @@ def test_a_bar_whose_modes_without_end_creep(held):
         assert abs(value - expected) <= error < 5e-8
 
 
+@pytest.mark.parametrize("drag", [0, 6, 90])
 @pytest.mark.parametrize("name", ["arm.u(L)", "arm.moment(0 m)"])
-def test_a_cantilever_with_a_mass_a_spring_and_a_damper_at_its_end(name):
-    found, moment = signal(ARM.replace("10 N", "10 N*step(t)"), name), name != "arm.u(L)"
+def test_a_cantilever_with_a_mass_a_spring_and_a_damper_at_its_end(name, drag):
+    scene = ARM.replace("10 N", "10 N*step(t)").replace("EI: EI", f"EI: EI, drag: {drag} Pa*s")
+    found, moment = signal(scene, name), name != "arm.u(L)"
     size = 13.0 if moment else 2.6e-3
     for t, places in ((0.02, 120), (0.1, 200)):
-        expected = inverse(lambda s: 10 * arm(s)[moment] / s, t, places)
+        expected = inverse(lambda s: 10 * arm(s, drag)[moment] / s, t, places)
         value, error = found.values(np.array([t]))[0], found.error(t)
         assert abs(value - expected) <= error + 1e-13 * size
         assert error <= 1e-8 * size
+
+
+def test_drag_in_proportion_to_mass_is_what_damping_gives():
+    """Also where nothing but members has mass, and no damper stands beside them."""
+    cord = ("strings: {cord: {length: 2 m, preload: 200 N, mass_per_length: 0.5 kg/m, left: clamped, right: clamped"
+            "%s}}\ndamping: {proportional: [%s s^-1, 2 ms]}\ninitial: {cord.u: 1 cm*sin(pi*x/(2 m))}\n")
+    times = np.array([0.0, 0.01, 0.3])
+    dragged = signal(cord % (", drag: 0.4 N*s/m^2", 1), "cord.u(0.7 m)")
+    given = members_in_time(problem(cord % ("", 1.8))).signal(with_places(parse("cord.u(0.7 m)"), ("cord",)))
+    assert dragged.values(times) == pytest.approx(given.values(times), rel=1e-12)
+    exact = 0.01 * np.sin(0.35 * np.pi) * _decayed(np.pi / 2 * 20, 1.8, 0.002, times)
+    assert dragged.values(times) == pytest.approx(exact, rel=1e-12)
+
+
+def _decayed(omega, alpha, beta, t):
+    """One mode that is let go."""
+    decay = (alpha + beta * omega**2) / 2
+    turn = np.sqrt(omega**2 - decay**2)
+    return np.exp(-decay * t) * (np.cos(turn * t) + decay / turn * np.sin(turn * t))
 
 
 def test_a_cantilever_let_go_is_at_rest_less_what_a_step_brings():

@@ -37,7 +37,7 @@ class FollowingShapes:
         highest = float(np.sqrt(np.abs(basis.squares).max(initial=0.0)))
         self.s = highest / INSIDE * np.exp(2j * np.pi * (np.arange(POINTS) + 0.5) / POINTS)
         self._shares = (basis.shapes.T @ dampers.rows)[:, :, None] / (basis.squares[:, None] + self.s**2)[:, None]
-        whole = np.array([still.at(one, self.s) for one in dampers.outputs])
+        whole = np.array([still.at(one, self.s) for one in dampers.outputs] or np.zeros((0, inputs.shape[1], POINTS)))
         left = whole - np.einsum("nks,nc->kcs", self._shares, inputs)
         to_dampers = np.einsum("kis,il->kls", left[:, :len(dampers.rows)], dampers.rows)
         R0, R2 = to_dampers.mean(axis=-1).real, -(to_dampers / self.s**2).mean(axis=-1).real

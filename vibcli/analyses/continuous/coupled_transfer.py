@@ -40,6 +40,8 @@ class CoupledTransfer:
         """(channels, number of s): the output, its constant and channels left out, for a unit e^{st} on each."""
         s, rows, rates = np.asarray(s, complex), self.dampers.rows, self.dampers.rates
         own = self.given.at(output, s)
+        if not len(rates):
+            return own
         stretch = np.array([self.given.at(one, s) for one in self.dampers.outputs])
         n = len(rows)
         between = np.einsum("kis,il->skl", stretch[:, :n], rows) * s[:, None, None] * rates

@@ -34,6 +34,7 @@ WIDTHS = 1.3, 1.04, 1.001       # of z: from where on a Rayleigh quotient is tri
 NEAR_POLE = 0.02    # of the spacing of high frequencies, where a pole lies between
 MANY = 4            # brackets by a pole that are worth being served together
 TIGHT = 1 + 1e-6    # where there are several
+NIL = 2.0**-50      # of the largest tension: an end with less has none
 
 
 class NaturalFrequency(NamedTuple):
@@ -115,7 +116,7 @@ def _beside_poles(system, brackets):
     """The roots of brackets with one frequency and a pole in or near them, all at a time: a node within the pieces
     parts them."""
     found: dict[int, NaturalFrequency] = {}
-    if len(brackets) < MANY or not system.n:
+    if len(brackets) < MANY:
         return found
     for part in PARTS:
         low, high = (system.numbers(getattr(one, end) for one in brackets.values()) for end in ("low", "high"))
@@ -149,7 +150,7 @@ def certified(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, indices:
     room = (abs(x) ** 2 * rounding(system, sizes, scale)).sum(axis=0)
     felt = abs(x) * scale
     x = np.where(felt > NOTHING * system.unit * felt.max(axis=0, initial=0), x, 0 * x)
-    error = np.maximum(system.fine, SLACK * room / (inertia * abs(z)))
+    error = np.maximum(system.fine + _rounded_tension(system, z), SLACK * room / (inertia * abs(z)))
     proved, left = np.zeros(len(numbers), bool), np.flatnonzero(sound & (z != 0))
     while len(left := left[error[left] < WIDEST]):
         away = 2 * error[left] * abs(z[left])
@@ -163,6 +164,18 @@ def certified(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, indices:
     return {number: NaturalFrequency(number, z[at], float(bounds[at]), system.in_scene(shapes[:, at]), system,
                                      relative=None if system.near is None else shapes[:, at])
             for at, number in enumerate(numbers.tolist())}
+
+
+def _rounded_tension(system, z):
+    """What the rounding of the largest tension along a piece is of √z where it nearly vanishes at an end: waves, whose
+    u′² there goes with N^(−3/2), feel it by √(N₁/N₀), as long as there is one of them between."""
+    found = np.zeros(len(z))
+    for piece in (placed.piece for placed in system.pieces if placed.piece.order == 2 and placed.piece.gradient):
+        least, most = sorted(abs(float(x)) for x in (piece.tension, piece.tension + piece.gradient * piece.length))
+        if least > NIL * most:
+            waves = 2 * np.sqrt(abs(z).astype(float) * float(piece.inertia) * most) / abs(float(piece.gradient))
+            found = np.maximum(found, np.minimum(np.sqrt(most / least), waves))
+    return system.unit * found
 
 
 def _local(counts, bracket, members):

@@ -18,6 +18,8 @@ from vibcli.analyses.continuous.uncounted_modes import POWERS, begins_at, left_o
 from vibcli.analyses.continuous.unit_responses import UnitLoads, overlaps
 from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
 from vibcli.analyses.excitation.load_forms import load_form
+from vibcli.numerics.pieces.graded import mirrored
+from vibcli.numerics.pieces.graded_parts import is_slack
 from vibcli.numerics.pieces.stiffness import stiffness_and_slope
 
 if TYPE_CHECKING:
@@ -89,7 +91,8 @@ def start_of_field(uncounted: "UncountedModes", given: "Sequence[Forcing | None]
         if one.u is not None or not resting:
             u, u_size = (0 * moved, 0 * moved) if one.u is None else (one.u, one.u_size)
             rounded = np.tile(np.maximum(*np.split(u_size + np.abs(moved), 2)), 2)     # on the whole stretch
-            gaps = np.where(np.abs(u - moved) > ROUNDING * rounded, u - moved, 0.0)
+            apart = (np.abs(u - moved) > ROUNDING * rounded) & ~_loose(one.placed.piece)
+            gaps = np.where(apart, u - moved, 0.0)
             ends |= {(k, end): gap for end, gap in enumerate(gaps.tolist()) if gap}
     forces = np.where(np.abs(forces) > ROUNDING * sizes, forces, 0.0)
     held[:n], forces[:n] = forces[:n], 0.0
@@ -102,6 +105,13 @@ def start_of_field(uncounted: "UncountedModes", given: "Sequence[Forcing | None]
     along, spread, norm = _spread(uncounted, given, channel, let_go)
     return FieldStart(held, at_corners + along, inputs @ held + pointed + spread,
                       np.abs(inputs) @ rounded + np.abs(pointed) + norm)
+
+
+def _loose(piece):
+    """Which ends have no tension, so that nothing holds them to a node, (order,)."""
+    if piece.order != 2 or not piece.gradient:
+        return np.zeros(piece.order, bool)
+    return np.array([is_slack(piece), is_slack(mirrored(piece))])
 
 
 def _stretches(placed, number, forcing, channel, nodes):

@@ -67,9 +67,9 @@ class UniformMember(NamedTuple):
 
 
 def uniform_member(elements: Any) -> UniformMember | None:
-    """The UniformMember that a FactoredSystem is; None where it is more or something else."""
-    extra = (elements.inertias, elements.springs, elements.M, elements.K, elements.G)
-    if len(elements.pieces) != 1 or any(any(part) for part in extra):
+    """The UniformMember that a FactoredSystem is, without what nothing moves; None where it is something else."""
+    lumped = any(any(row.values()) for _, row in (*elements.inertias, *elements.springs))
+    if len(elements.pieces) != 1 or lumped or elements.M or elements.K or elements.G:
         return None
     piece, rows = elements.pieces[0].piece, elements.pieces[0].rows
     touched = [i for row in rows for i, x in row.items() if x]

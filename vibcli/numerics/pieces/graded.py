@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from vibcli.numerics.pieces.arithmetic import Arithmetic
     from vibcli.numerics.pieces.piece import Piece
 
-AT_ONCE = 4_000        # parts times values of κ
+AT_ONCE, HELD = 4_000, 2**21        # parts times values of κ, and times places
 STEP = 25e-6            # steps of work for each entry of the stiffness of a part at one κ
 LIKE = 2.0              # times as many parts at most as the lowest of them needs, |κ|^(1/order)
 
@@ -43,11 +43,17 @@ def mirrored(piece: "Piece") -> "Piece":
     return piece._replace(tension=piece.tension + piece.gradient * piece.length, gradient=-piece.gradient)
 
 
+def _settled(piece):
+    """With no tension where that is a rounding of none: waves that are as slow there would feel it."""
+    return piece._replace(tension=0 * piece.tension) if piece.order == 2 and is_slack(piece) else piece
+
+
 def graded_stiffness(piece: "Piece", kappa: np.ndarray, numbers: "Arithmetic") -> tuple[np.ndarray, np.ndarray]:
     """(d, ∂d/∂κ), (κ, m, m), of one piece over flat κ. An end without tension of what is no beam bears no force."""
     if piece.order == 2 and piece.gradient < 0:
         d, slope = graded_stiffness(mirrored(piece), kappa, numbers)
         return d[..., ::-1, ::-1], slope[..., ::-1, ::-1]
+    piece = _settled(piece)
     real = numbers.is_real(kappa)
     parted = np.array([real and depth_of(piece, x, numbers) + depth_of(mirrored(piece), x, numbers) < piece.length
                        for x in kappa], bool)
@@ -94,7 +100,7 @@ def graded_count(piece: "Piece", kappa: np.ndarray, numbers: "Arithmetic") -> np
     joints, two parts at a time."""
     if piece.order == 2 and piece.gradient < 0:
         return graded_count(mirrored(piece), kappa, numbers)
-    found = []
+    piece, found = _settled(piece), []
     order, portions = _portions(piece, kappa)
     for some in portions:
         tree = _tree(piece, some, numbers)
@@ -108,12 +114,24 @@ def graded_fields(piece: "Piece", kappa: np.ndarray, ends: np.ndarray, x: np.nda
     if piece.order == 2 and piece.gradient < 0:
         found = graded_fields(mirrored(piece), kappa, ends[:, ::-1], piece.length - x, numbers)
         return found * numbers.array([1, -1])
+    piece = _settled(piece)
     found = np.empty((len(x), piece.order), np.result_type(kappa, ends, x))
     real = numbers.is_real(kappa) and numbers.is_real(ends)
-    for chosen in _runs(piece, kappa):
+    for chosen in _together(piece, kappa):
         some = _fields(piece, kappa[chosen], ends[chosen], x[chosen], numbers)
         found[chosen] = numbers.real(some) if real else some
     return found
+
+
+def _together(piece, kappa):
+    """Numbers of values in groups of those whose κ are the same or alike, as many as are worth being held at once."""
+    at, own = _distinct(kappa)
+    order = np.argsort(own, kind="stable")
+    edges = np.searchsorted(own[order], np.arange(len(at) + 1))
+    for run in _runs(piece, kappa[at]):
+        chosen = np.concatenate([order[edges[k]:edges[k + 1]] for k in run])
+        most = max(1, HELD // len(parts_of(piece, max(float(abs(value)) for value in kappa[at[run]]))))
+        yield from (chosen[i:i + most] for i in range(0, len(chosen), most))
 
 
 def _runs(piece, kappa):

@@ -8,6 +8,7 @@ import pytest
 
 from tests.support.random_members import at_rest, random_members
 from vibcli.analyses.continuous.mode_source import NaturalModes
+from vibcli.analyses.continuous.refinement import divided
 from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
 from vibcli.numerics.pieces.piece import Piece
 
@@ -56,6 +57,56 @@ def test_a_light_cantilever_is_a_spring():
     rows = ({}, {}, {0: 1.0}, {1: 1.0})
     found = frequencies(FactoredSystem(2, [(3.0, {0: 1.0})], pieces=[placed(beam, *rows)]), 1)
     assert found == pytest.approx([math.sqrt(3 * 7.0 / 2.0**3 / 3.0)], rel=1e-12)
+
+
+@pytest.mark.parametrize("tension", [-3.0, 40.0])
+def test_a_member_whose_ends_are_held_has_all_its_modes_at_a_time(tension):
+    beam = Piece(1.7, 3.0, tension, 0.0, 2.3, 0.0, 0.0)
+    held, joined = (NaturalModes(one).numbered(1, 40) for one in (
+        FactoredSystem(0, pieces=[placed(beam, {}, {}, {}, {})]),
+        FactoredSystem(2, pieces=[placed(beam._replace(length=0.6), {}, {}, {0: 1.0}, {1: 1.0}),
+                                  placed(beam._replace(length=1.1), {0: 1.0}, {1: 1.0}, {}, {})])))
+    assert len({id(mode.motion.system) for mode in held}) == 1
+    assert max(abs(one.omega / two.omega - 1) / (one.error + two.error)
+               for one, two in zip(held, joined, strict=True)) <= 1
+
+
+def test_many_modes_of_a_chain_without_a_mass_have_the_zeros_of_bessel():
+    chain = Piece(3.0, 0.0, 2.0 * 9.81 * 3.0, -2.0 * 9.81, 2.0, 0.0, 0.0)
+    found = NaturalModes(FactoredSystem(0, pieces=[placed(chain, {}, {})])).numbered(1, 60)
+    assert len({id(mode.motion.system) for mode in found}) == 1
+    for mode in found:
+        exact = mpmath.besseljzero(0, mode.index) / 2 * mpmath.sqrt(mpmath.mpf(9.81) / 3)
+        assert abs(mode.omega / exact - 1) <= mode.error < 1e-14
+
+
+@pytest.mark.parametrize("mass", [1e-10, 1e-4, 1.0])
+def test_high_modes_of_a_chain_with_a_small_mass_keep_their_bounds_wherever_it_is_divided(mass):
+    """Whose tension at the mass is but the difference of rounded ones."""
+    size, inertia = 4.268775, 3.83788
+    whole = Piece(size, 0.0, (inertia * size + mass) * 9.81, -inertia * 9.81, inertia, 0.0, 0.0)
+
+    def modes(part):
+        one, two = divided(whole, part)
+        return NaturalModes(FactoredSystem(2, [(mass, {1: 1.0})], pieces=[
+            placed(one, {}, {0: 1.0}), placed(two, {0: 1.0}, {1: 1.0})])).numbered(40, 48)
+
+    known = modes(0.5)
+    for part in (0.390625, 0.359375):
+        for one, two in zip(known, modes(part), strict=True):
+            assert abs(one.omega / two.omega - 1) <= one.error + two.error < 4e-14
+
+
+@pytest.mark.parametrize(("size", "inertia", "part"), [(4.268775, 3.83788, 0.4375), (4.793647, 4.75004, 0.390625),
+                                                       (4.793647, 4.75004, 0.234375), (4.793647, 4.75004, 0.5)])
+def test_high_modes_of_a_chain_keep_their_bounds_wherever_it_is_divided(size, inertia, part):
+    weight = inertia * 9.81
+    whole = Piece(size, 0.0, weight * size, -weight, inertia, 0.0, 0.0)
+    one, two = divided(whole, part)
+    chain = FactoredSystem(1, pieces=[placed(one, {}, {0: 1.0}), placed(two, {0: 1.0}, {})])
+    for mode in NaturalModes(chain).numbered(55, 72):
+        exact = mpmath.besseljzero(0, mode.index) / 2 * mpmath.sqrt(mpmath.mpf(weight) / inertia / size)
+        assert abs(mode.omega / exact - 1) <= mode.error < 1e-14
 
 
 def test_a_hanging_chain_has_the_zeros_of_bessel():

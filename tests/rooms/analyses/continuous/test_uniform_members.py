@@ -13,7 +13,7 @@ from tests.support.random_members import at_rest
 from vibcli.analyses.continuous.mode_fields import ModeFields
 from vibcli.analyses.continuous.mode_source import NaturalModes
 from vibcli.analyses.continuous.shapes import shape_along
-from vibcli.analyses.continuous.uniform_members import GUIDED, PINNED, UniformMember
+from vibcli.analyses.continuous.uniform_members import GUIDED, PINNED, UniformMember, uniform_member
 from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
 from vibcli.numerics.pieces.piece import Piece
 from vibcli.quantities.modal import SHAPE
@@ -48,6 +48,18 @@ def test_a_thousand_frequencies_of_beams_to_the_last_digits(ends):
             exact = mpmath.findroot(EQUATIONS[ends], float(phases[n - 1]))
         assert round((exact - phases[0]) / math.pi) == n - 1
         assert abs(found[n - 1] / (exact * exact) - 1) < 1e-15
+
+
+def test_masses_that_nothing_moves_leave_the_closed_form():
+    shaken = problem("beams: {arm: {length: 1 m, EI: 100 N*m^2, mass_per_length: 2 kg/m, left: {clamped: base}}}\n"
+                     "bodies: {base: {mass: 1 kg, slide: 'sin(50 rad/s*t)*1 m'}}\n")
+    elements = shaken.configuration.linear_system
+    assert elements.inertias and uniform_member(elements) == UniformMember(elements.pieces[0].piece, (CLAMPED, FREE))
+    alone = problem("beams: {arm: {length: 1 m, EI: 100 N*m^2, mass_per_length: 2 kg/m, left: clamped}}\n")
+    assert [mode.omega for mode in shaken.modal.modes.first(9)] == [mode.omega for mode in alone.modal.modes.first(9)]
+    carried = problem("beams: {arm: {length: 1 m, EI: 100 N*m^2, mass_per_length: 2 kg/m, left: clamped, "
+                      "attached: [{at: 1 m, mass: 1 kg}]}}\n")
+    assert uniform_member(carried.configuration.linear_system) is None
 
 
 @pytest.mark.parametrize("order", [2, 4])

@@ -121,3 +121,23 @@ def test_no_array_is_written_out(piece, monkeypatch):
         precise = Piece(*map(mpmath.mpf, piece))
         d, _ = stiffness_and_slope(precise, np.array([mpmath.mpf(-k) for k in (1, 7, 40)], object))
     assert d == pytest.approx(stiffness_and_slope(piece, np.array([-1.0, -7.0, -40.0]))[0].astype(object), rel=1e-11)
+
+
+@pytest.mark.parametrize("piece", [Piece(3.0, 0.0, 58.86, -19.62, 2.0, 0.0, 0.0),
+                                   Piece(3.0, 50.0, 100.0, -19.62, 2.0, 0.0, 1.0)])
+def test_many_places_of_a_few_shapes_need_no_more_trees_than_one(piece, monkeypatch):
+    from vibcli.numerics.pieces import graded as module
+
+    trees, tree = [], module._tree
+    monkeypatch.setattr(module, "_tree", lambda *args: trees.append(args) or tree(*args))
+    random = np.random.default_rng(1)
+    kappa, ends = -random.uniform(0, 1e4, 30), random.normal(size=(30, piece.order))
+    one = fields(piece, kappa, ends, np.array([[1.1]]))
+    alone, places = len(trees), np.linspace(0.0, 3.0, 401)[:, None]
+    trees.clear()
+    many = fields(piece, kappa, ends, np.vstack([places, [[1.1]]]))
+    assert alone == len(trees) and many.shape == (402, 30, piece.order)
+    assert many[-1] == pytest.approx(one[0], rel=1e-13)
+    assert many[200] == pytest.approx(fields(piece, kappa, ends, np.array([[1.5]]))[0], rel=1e-13)
+    monkeypatch.setattr(module, "HELD", 500)        # fewer places at once
+    assert fields(piece, kappa, ends, places) == pytest.approx(many[:-1], rel=1e-10, abs=1e-10 * abs(many).max())

@@ -1,0 +1,107 @@
+"""Frequencies of random members, attachments and oscillators, counted against dense finite elements: what is missed or
+spurious, and how near errors come to their bounds, against 25 digits.
+
+    python -m vibcli.bench.members_counted COUNT SEED
+
+counts others than the table, and prints what disagrees.
+"""
+
+import sys
+from statistics import median
+from time import process_time
+from typing import TYPE_CHECKING, NamedTuple
+
+from vibcli.bench.rows import Timing
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    import numpy as np
+
+    from vibcli.analyses.modal.undamped import Mode
+    from vibcli.bench.random_members import RowOfMembers
+
+SYSTEMS, FEWER = 10_000, 300        # FEWER with few runs
+MANY_RUNS = 5
+MODES, EVERY, DIGITS = 6, 50, 25        # of each system; every how many its bounds are looked at, by so many
+MESHES = 20, 10, 6      # elements a piece; fine ones lose digits where stiffnesses are far apart
+HIGHER, NOISE = 0.04, 1e-6      # by which ω² of meshes is off, as a part and of the last
+
+
+class CountedSystems(NamedTuple):
+    """wrong: seeds whose frequencies disagree; ratios: error/bound of those looked at; seconds of ours and of all
+    meshes."""
+
+    wrong: list[int]
+    ratios: list[float]
+    ours: float
+    meshes: float
+
+
+def rows(runs: int) -> "Iterator[Timing]":
+    """The count of random systems."""
+    systems = SYSTEMS if runs >= MANY_RUNS else FEWER
+    found = counted(systems, 0)
+    yield Timing(f"{systems:,} random systems of members, with missed or spurious frequencies", len(found.wrong), "", 0,
+                 absolute=True)
+    yield Timing("  largest error/bound of a frequency", max(found.ratios), "", 1.0, absolute=True)
+    yield Timing(f"  {MODES} frequencies of one", found.ours / systems * 1e3, "ms", None, "finite elements of one",
+                 found.meshes / systems * 1e3)
+
+
+def counted(count: int, seed: int) -> CountedSystems:
+    """The CountedSystems of so many systems from a seed on."""
+    from vibcli.api.source import problem_of, text_source
+    from vibcli.bench.random_members import random_row, scene
+
+    wrong, ratios, ours, meshes = [], [], 0.0, 0.0
+    for number in range(seed, seed + count):
+        row = random_row(number)
+        problem = problem_of(text_source(scene(row)))
+        _ = problem.configuration.linear_system
+        begun = process_time()
+        modes = problem.modal.modes.first(MODES)
+        found = process_time()
+        if not agree([_square(mode) for mode in modes], row):
+            wrong.append(number)
+        ours, meshes = ours + found - begun, meshes + process_time() - found
+        if number % EVERY == 0:
+            ratios += _ratios(problem, modes)
+    return CountedSystems(wrong, ratios, ours, meshes)
+
+
+def agree(found: "list[float] | np.ndarray", row: "RowOfMembers") -> bool:
+    """Are these ω² as many as some mesh has, each close to its own?"""
+    import numpy as np
+
+    from vibcli.bench.random_members import squares_by_finite_elements
+
+    for parts in MESHES:
+        meshed = squares_by_finite_elements(row, len(found), parts)
+        if (np.abs(found - meshed) <= HIGHER * np.abs(meshed) + NOISE * meshed[-1]).all():
+            return True
+    return False
+
+
+def _ratios(problem, modes):
+    """error/bound of each mode that is not rigid."""
+    sharp = problem.modal.modes_to(DIGITS).first(MODES)
+    return [abs(float(_square(mode) / _square(other) - 1)) / (2 * mode.error)
+            for mode, other in zip(modes, sharp, strict=True) if not mode.rigid]
+
+
+def _square(mode: "Mode"):
+    """ω², negative where it grows."""
+    return 0.0 if mode.rigid else mode.omega**2 if mode.growth_rate is None else -(mode.growth_rate**2)
+
+
+def main(count: int, seed: int) -> None:
+    """Prints what disagrees, and how near errors come to their bounds."""
+    found = counted(count, seed)
+    print(f"{count} systems: {len(found.wrong)} with missed or spurious frequencies {found.wrong}; error/bound at most "
+          f"{max(found.ratios, default=0):.4g}, median {median(found.ratios or [0]):.2g}; "
+          f"{found.ours / count * 1e3:.0f} ms a system, {found.meshes / count * 1e3:.0f} of finite elements")
+
+
+if __name__ == "__main__":
+    main(*map(int, sys.argv[1:]))
