@@ -19,10 +19,10 @@ class EstimatedMotion(ModalMotion):
 
     def __init__(self, modes: "TiedModes", *parts: Any, fewer: ModalMotion):
         super().__init__(modes, *parts)
-        self.tied, self.fewer, self._parts = modes, fewer, parts
+        self.tied, self.fewer, self._built_of = modes, fewer, parts
 
     def under(self, forcing: "Forcing") -> "EstimatedMotion":
-        return EstimatedMotion(self.tied, *self._parts[:3], forcing, fewer=self.fewer.under(forcing))
+        return EstimatedMotion(self.tied, *self._built_of[:3], forcing, fewer=self.fewer.under(forcing))
 
     def bound(self, output: "LinearOutput", t: float, order: int = 0, modes: int | None = None) -> float:
         """What modes beyond those counted add, and how far half as many are off about that instant."""

@@ -127,11 +127,10 @@ def _full(problem, report):
         both = [brief(side) for side in sides(loose, node)]
         told_nodes += [side for side in both if hasattr(side, "op")]
         lines.append(line(both[0], " = ", both[1], label=label))
-    new = {symbol for symbol, _ in lengths}
-    if new.isdisjoint(reachable(told_nodes)):
-        lengths = []
-        for root in [root for root, symbol in report.roots.items() if symbol in new]:
+    if {symbol for symbol, _ in lengths}.isdisjoint(reachable(told_nodes)):
+        for root in [root for root, one in report.roots.items() if one in dict(lengths)]:
             del report.roots[root]
+        lengths = []
     told = []
     for symbol, name in found.multipliers.items():
         told += [", "] * bool(told) + [maths(symbol), f": the multiplier of '{name}'"]
