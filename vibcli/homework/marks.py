@@ -10,6 +10,7 @@ from vibcli.homework.given_answers import read_answer
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+CYCLES, RADIANS = "Hz", "rad"       # are read as numbers of the unit that is asked: one for the other is a mistake
 COARSE = 0.01           # of an answer: half of its last figure, beyond which it tells nothing
 
 
@@ -84,6 +85,8 @@ class Marker:
         if given.value is None:
             return 0.0, most, UNREADABLE, "", given.reason
         if is_within(given.value, key["value"], key["band"]):
+            if _counts(given.unit) | _counts(key["unit"]) == {CYCLES, RADIANS}:
+                return 0.0, most, WRONG, "", f"the number is right in {key['unit']}, but {given.unit} is written"
             return most, most, RIGHT
         half = given.half if given.half <= COARSE * abs(given.value) else 0.0
         if is_within(given.value, key["value"], half):
@@ -101,6 +104,11 @@ class Marker:
         if name not in self._handouts:
             self._handouts[name] = handout_of(self._problems[name])
         return self._handouts[name].problem(variant - 1)
+
+
+def _counts(unit):
+    """What a unit of frequency counts: nothing where it does not say so, as 1/s."""
+    return {what for what in (CYCLES, RADIANS) if what in unit}
 
 
 def _unknown(message, word, words):

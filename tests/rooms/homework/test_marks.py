@@ -57,6 +57,12 @@ def test_marks():
     assert marks(omega="-21.9")[0][:2] == ("wrong", 0)
 
 
+def test_cycles_are_no_radians():
+    """Their number is not right where the unit is not."""
+    assert marks(omega="21.9 Hz")[0] == ("wrong", 0, "", "the number is right in rad/s, but Hz is written")
+    assert marks(omega="21.9 1/s")[0][0] == marks(omega="21.9")[0][0] == marks(omega="209.2 rpm")[0][0] == "right"
+
+
 def test_answers_of_fewer_figures_than_are_asked():
     """They are told so where they are right, and their mistake where they are not, as far as their last figure goes."""
     assert marks(zeta="12.5 %")[1] == ("wrong", 0, "", "right as far as it goes, but 4 figures are asked")
