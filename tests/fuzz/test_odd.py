@@ -17,7 +17,8 @@ APART = {"body.clamp", "clamp.at", "clamp.carrier", "scene.inerters", "inerter.b
          "damper.series", "damper.parallel", "spring_part.k", "spring_part.law", "spring_part.torsion",
          "spring_part.series", "spring_part.parallel", "damper_part.c", "damper_part.law", "damper_part.torsion",
          "damper_part.series", "damper_part.parallel"}     # not drawn
-HOMEWORK = "variants.", "set of variants.", "range.", "asked quantity.", "scene.variants"        # changes no answer
+UNASKED = ("variants.", "set of variants.", "range.", "asked quantity.", "scene.variants",
+           "body.looks")        # homework and figures: no answer hangs on them
 
 
 @pytest.fixture(scope="module")
@@ -35,7 +36,7 @@ def test_every_number_agrees(sweep):
 def test_few_are_refused_and_all_is_drawn(sweep):
     assert sweep.refused < MOST_REFUSED, sweep.refusals
     assert sweep.drawn <= SCENES
-    assert {what for what in sweep.never if not what.startswith(HOMEWORK)} <= RARE | APART
+    assert {what for what in sweep.never if not what.startswith(UNASKED)} <= RARE | APART
 
 
 def test_no_code_is_shared():
