@@ -2,6 +2,9 @@
 
 import subprocess
 import sys
+import tomllib
+from importlib import import_module
+from pathlib import Path
 
 import pytest
 
@@ -26,8 +29,8 @@ def course(pytester):
 
 
 def ran(course, *args):
-    """In a process of its own, as users run it."""
-    return course.runpytest_subprocess("-p", "vibcli.testing.plugin", *args)
+    """In a process of its own, as users run it; by its module, as the tree at hand may be another than is installed."""
+    return course.runpytest_subprocess("-p", "no:vibcli", "-p", "vibcli.testing.plugin", *args)
 
 
 def test_each_answer_is_a_test(course):
@@ -63,3 +66,9 @@ def test_pytest_of_others_imports_nothing_of_it(pytester):
             "print(sorted(name for name in sys.modules if name.partition('.')[0] in ('vibcli', 'click', 'yaml')))")
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
     assert found.strip() == "['vibcli', 'vibcli.testing', 'vibcli.testing.plugin']"
+
+
+def test_pytest_finds_it_by_its_entry():
+    project = tomllib.loads((Path(__file__).parents[2] / "pyproject.toml").read_text())["project"]
+    plugin = import_module(project["entry-points"]["pytest11"]["vibcli"])
+    assert callable(plugin.pytest_collect_file) and "pytest" in project["optional-dependencies"]

@@ -43,18 +43,15 @@ def factors_of(name: str) -> list[str]:
 
 
 def split_name(name: str) -> tuple[str, str, str]:
-    """('φ', '1', "'") of phi1': letter, subscript, primes; ('k', 't1', '') of kt1; a word such as length stays
-    whole."""
+    """('φ', '1', "'") of phi1': letter, subscript, primes; ('k', 't1', '') of kt1; words as length stay whole."""
     bare = name.rstrip("'")
     primes = name[len(bare):]
     letter = max((word for word in GREEK if bare.startswith(word)), key=len, default=bare[:1])
     rest = bare[len(letter):]
     if letter != "ℓ" and not (letter.isascii() and letter.isalpha()):
         return bare, "", primes
-    if not rest or rest.isdigit() or rest.startswith("_") or len(bare) == 2 or (letter in GREEK and len(rest) <= 2) or (
-            TYPED.fullmatch(bare)):
-        return letter, rest, primes
-    return bare, "", primes
+    short = len(bare) == 2 or (letter in GREEK and len(rest) <= 2) or TYPED.fullmatch(bare)
+    return (letter, rest, primes) if short or rest.isdigit() or rest[:1] in ("", "_") else (bare, "", primes)
 
 
 def split_marks(name: str) -> tuple[str, int]:
@@ -202,8 +199,7 @@ class Notation:
         if base.op == "sum" and exponent.denominator == 1 and exponent.numerator % 2 == 0:
             leading = min(base.args, key=term_rank)
             base = -base if leading[1] < 0 and not base.table.squares_at_sample else base
-        text = self.write(base, 2)
-        bracketed = base.op == "symbol" and factors_of(base.name)
+        text, bracketed = self.write(base, 2), base.op == "symbol" and factors_of(base.name)
         return self.power(self.brackets(text) if bracketed else text, self.number(exponent))
 
 
