@@ -1,5 +1,6 @@
-"""Worked solutions beside solved examples of the literature: what each source tells on its way, in its order, is in a
-line of ours, and its numbers are ours. Beside each scene stands where its example is from."""
+"""Worked solutions of examples of the literature: the steps on the way to what each asks are in lines of ours, in
+order, in our form. Beside each scene stands where its example is from; of several sources the statement alone was at
+hand, and of others an excerpt: the numbers of these are ours where the source's are not quoted."""
 
 import re
 from typing import NamedTuple
@@ -13,7 +14,7 @@ from vibcli.report.steps.worked import worked
 
 
 class Source(NamedTuple):
-    """A solved example: where it is from, the scene, and what its steps tell, as they stand in our lines."""
+    """An example: where it is from, the scene, and the steps to what it asks, as they stand in our lines."""
 
     of: str
     scene: str
@@ -131,7 +132,7 @@ energies:
 """, ("T_given = ", "V_given = k·x²/2", "x:  (m + M)·ẍ + M·z̈ + k·x = 0", "z:  M·ẍ + 3·M·z̈/2 = 0", "ω₁ = 0",
       "ω₂ = √(3·k/(3·m + M))")),
     "machine_on_its_mounts": Source(
-        "TutorsGlobe, solved: 70 kg, 30 kN/m, ζ = 0.2, 450 N at 13 rad/s",
+        "TutorsGlobe, statement: 70 kg, 30 kN/m, ζ = 0.2, 450 N at 13 rad/s",
         DAMPED % "m: 70 kg, k: 30000 N/m, c: 0.4*sqrt(m*k), F: 450 N, w: 13 rad/s"
         + "forces: {f: {at: b, force: F*sin(w*t)}}\n", (
             "ω = √(30000/70) = 20.702 rad/s", "ζ = δ/ω", "0.2: under-damped", "x = X·sin(w·t − θ)", "X = F/√(",
