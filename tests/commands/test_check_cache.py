@@ -8,16 +8,11 @@ import time
 from pathlib import Path
 
 import pytest
+from support.checked import SCENE
 
 from vibcli.cli import run
 from vibcli.cli.checking import cache as caching
 
-SCENE = """
-bodies: {a: {mass: MASS kg, slide: x}}
-springs: {s: {k: 4 N/m, between: [ground, a]}}
-answers:
-  omega[1]: 2 rad/s
-"""
 RECORD = """
 bodies: {a: {mass: 1 kg, slide: x}}
 springs: {s: {k: 4 N/m, between: [ground, a]}}

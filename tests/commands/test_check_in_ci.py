@@ -10,6 +10,7 @@ from types import SimpleNamespace
 
 import pytest
 import yaml
+from support.checked import SCENE
 
 from vibcli.base.rules import RULES
 from vibcli.check import comparison
@@ -17,12 +18,6 @@ from vibcli.cli import run
 
 junitparser = pytest.importorskip("junitparser")
 ROOT = Path(__file__).parents[2]
-SCENE = """
-bodies: {a: {mass: MASS kg, slide: x}}
-springs: {s: {k: 4 N/m, between: [ground, a]}}
-answers:
-  omega[1]: 2 rad/s
-"""
 SCENES = {"agrees.yaml": SCENE.replace("MASS", "1"), "differs.yaml": SCENE.replace("MASS", "2"),
           "uncertain.yaml": SCENE.replace("MASS", "1") + "  2*omega[1]: 4.000 rad/s\n",
           "slip, 100 %: a.yaml": "bodies: {a: {mas: 1 kg}}\n", "loose.yaml": SCENE.replace("MASS", "0"),

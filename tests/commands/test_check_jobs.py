@@ -9,17 +9,12 @@ import time
 from pathlib import Path
 
 import pytest
+from support.checked import SCENE
 
 from vibcli.cli import progress, run
 from vibcli.cli.checking import work
 
 ROOT = Path(__file__).parents[2]
-SCENE = """
-bodies: {a: {mass: MASS kg, slide: x}}
-springs: {s: {k: 4 N/m, between: [ground, a]}}
-answers:
-  omega[1]: 2 rad/s
-"""
 
 
 @pytest.fixture
