@@ -29,13 +29,17 @@ class KeyBand(NamedTuple):
 
             |Δ| ≤ min(Σ a, 2.576 √(Σ a²/3))     in 99 of 100 cases or more
         """
+        return Band(figures, self.width(value, figures))
+
+    def width(self, value: float, figures: int) -> float:
+        """That of the Band."""
         if self.rtol is not None:
-            return Band(figures, self.rtol * abs(value))
+            return self.rtol * abs(value)
         last, finer = half_a_unit(value, figures), 10.0**(FIGURES[0] - figures)
         if self.carried is None:
-            return Band(figures, ROUNDED * finer * abs(value) + last)
+            return ROUNDED * finer * abs(value) + last
         total, squares = self.carried[0] * finer * abs(value), self.carried[1] * (finer * value)**2
-        return Band(figures, max(last, min(total + last, TAIL * sqrt((squares + last**2) / 3))))
+        return max(last, min(total + last, TAIL * sqrt((squares + last**2) / 3)))
 
 
 def half_a_unit(value: float, figures: int) -> float:

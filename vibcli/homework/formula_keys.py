@@ -77,6 +77,7 @@ class FormulaKey(AnswerKey):
     """What is asked of a scene in which letters are left: found as a text in the language of scenes."""
 
     __slots__ = ()
+    in_letters = True
 
     @property
     def form(self) -> str:

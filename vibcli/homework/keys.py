@@ -72,6 +72,7 @@ class AnswerKey(NamedTuple):
     factor: float
     points: int
     rtol: float | None = None
+    in_letters = False      # is it compared in a scene?
 
     @property
     def text(self) -> str:

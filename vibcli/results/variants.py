@@ -46,8 +46,9 @@ class Variants:
         shared = self._shared()
         for place in self.places:
             if place in shared and place not in self._drawn:
-                base, known = shared[place]
-                yield place, base.sharing(self._exact(place), *known)
+                base, solutions = shared[place]
+                known = None if solutions is None else solutions.at(place)
+                yield place, base.sharing(self._exact(place), *(known or ()))
             else:
                 yield place, self.alone(place)
 
@@ -77,7 +78,7 @@ class Variants:
         return {name: value.exact for name, value in self.values_at(place).items()}
 
     def _shared(self):
-        """{place: (Problem whose expressions it shares, what of it is known)}."""
+        """{place: (Problem whose expressions it shares, the SharedSolutions or None)}."""
         if self.problem.spec.choices or self._has_letters:
             return {}
         from vibcli.results.shared_solutions import shared_solutions
@@ -86,7 +87,7 @@ class Variants:
         for base, blocks, places in self._groups():
             corners = {corner: self._drawn[corner] for block in blocks for corner in product(*block)}
             known = shared_solutions(base, corners, blocks, {place: self._exact(place) for place in places})
-            found |= {place: (base, known.get(place, ())) for place in places}
+            found |= dict.fromkeys(places, (base, known))
         return found
 
     @property
