@@ -77,7 +77,11 @@ class FormulaKey(AnswerKey):
     """What is asked of a scene in which letters are left: found as a text in the language of scenes."""
 
     __slots__ = ()
-    in_letters = True
+
+    @property
+    def in_letters(self) -> bool:
+        """Answers are compared in a scene."""
+        return True
 
     @property
     def form(self) -> str:

@@ -72,11 +72,15 @@ class AnswerKey(NamedTuple):
     factor: float
     points: int
     rtol: float | None = None
-    in_letters = False      # is it compared in a scene?
 
     @property
     def text(self) -> str:
         return self.asked.text
+
+    @property
+    def in_letters(self) -> bool:
+        """Are answers compared in a scene?"""
+        return False
 
     @property
     def form(self) -> str:

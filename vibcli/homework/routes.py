@@ -22,7 +22,7 @@ DIGITS = 40         # of a closed form where floats do not agree: terms in it ma
 
 
 def hold_against_closed_forms(keys: "Sequence[AnswerKey]", base: "Problem", solved: "Mapping[Place, Candidate]",
-                              scene_at: "Callable[[Place], Problem]") -> dict[str, int]:
+                              scene_at: "Callable[[Place], Any]") -> dict[str, int]:
     """{quantity: in how many candidates its closed form gives the key}, those without one left out. The form is derived
     from the scene `base`, and anew from one with which it does not agree. RuntimeError, a fault of ours, where that is
     not its key."""

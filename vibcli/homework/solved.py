@@ -48,7 +48,7 @@ class SolvedCandidates(NamedTuple):
     candidates: "dict[Place, Candidate]"
     rejected: list[Rejected]
     base: "Problem | None"
-    scene_at: "Callable[[Place], Problem | SpecError | PhysicsError]"
+    scene_at: "Callable[[Place], Any]"
 
 
 def solve_candidates(problem: "Problem", rules: "VariantRules", keys: "Sequence[AnswerKey]",
@@ -68,11 +68,11 @@ def solve_candidates(problem: "Problem", rules: "VariantRules", keys: "Sequence[
             task.step(number / count)
             values = variants.values_at(place)
             one = _candidate(problem, rules, keys, kind, scene, values, concerned)
-            if isinstance(one, Candidate):
+            if isinstance(scene, Exception) or not isinstance(one, Candidate):
+                rejected.append(Rejected(place, values, *one))
+            else:
                 kind, base = kind or regime(scene, counts_rests(problem)), base or scene
                 found[place] = one
-            else:
-                rejected.append(Rejected(place, values, *one))
     return SolvedCandidates(found, rejected, base, variants.alone)
 
 

@@ -88,7 +88,8 @@ def solve_variants(problem: "Problem", document: "SceneDocument") -> SolvedVaria
                                                         [one for one in mistakes if one.problem is None])
     bands = _bands(base, keys, solved)
     _look(problem, rules, keys, base, bands, solved, rejected)
-    closed = {} if "routes" in rules.without or base is None else hold_against_closed_forms(keys, base, solved, scene_at)
+    alone = "routes" in rules.without or base is None
+    closed = {} if alone else hold_against_closed_forms(keys, base, solved, scene_at)
     _model_mistakes(problem, rules, keys, mistakes, solved)
     equal = _equal(keys, solved)
     same = set.intersection(*equal.values()) if equal else set()

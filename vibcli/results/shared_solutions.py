@@ -42,8 +42,8 @@ class SharedSolution(NamedTuple):
 
 
 class SharedSolutions(NamedTuple):
-    """What arrays find at places, {place: its number}: modes, and where each rests; balanced: do they rest there? linear:
-    have those modes, too, that do not?"""
+    """What arrays find at places, {place: its number}: modes, and where each rests; balanced: does it rest there?
+    linear: have those modes, too, that do not?"""
 
     numbers: dict[Place, int]
     natural: StackedModes
