@@ -148,6 +148,10 @@ class FormulaKey(AnswerKey):
         same = next((one.mistake for one, is_same in zip(wrong, equal, strict=True) if is_same), None)
         return FormulaValue(found, wrong), same and f"'{same}' gives {self.text} itself"
 
+    def same_mistake(self, key: FormulaValue, one: str, other: str) -> bool:
+        """Are what a mistake gives, found in two ways, the same?"""
+        return one == other
+
     def require_same(self, fresh: "Problem", one: FormulaValue, at: str) -> None:
         """RuntimeError, a fault of ours, where numbers in place of the letters of a scene read anew give another key;
         at: the values in words."""

@@ -15,6 +15,7 @@ from vibcli.homework.printed import with_given, with_printed
 from vibcli.homework.routes import hold_against_closed_forms
 from vibcli.homework.solved import SOLVED, Rejected, mistaken, solve_candidates
 from vibcli.homework.told import untold
+from vibcli.inverse import settled
 from vibcli.language.given_values import GivenValue, number_and_unit
 from vibcli.mistakes.known import KnownMistake
 from vibcli.reader.read import QUOTE
@@ -96,7 +97,7 @@ def solve_variants(problem: "Problem", document: "SceneDocument") -> SolvedVaria
     accepted = _accept(keys, mistakes, bands, solved, equal, same, rejected, "apart" in rules.without)
     in_order = [(mistake.name, key.text) for mistake in mistakes for key in keys if (mistake.name, key.text) in same]
     rejected.sort(key=lambda one: one.place)
-    reread = 0 if "routes" in rules.without else _reread(document, keys, accepted)
+    reread = 0 if "routes" in rules.without else _reread(document, rules, keys, accepted)
     return SolvedVariants(problem, rules, keys, mistakes, accepted, rejected, in_order, reread, closed)
 
 
@@ -109,7 +110,7 @@ def _bands(base, keys, solved) -> "dict[Place, list[KeyBand]]":
         from vibcli.homework.rounding import shares_of
 
         shares = shares_of(base, keys, [one.values for one in solved.values()])
-    return {place: [KeyBand(key.rtol, None if share is None else (float(share[0, i]), float(share[1, i])))
+    return {place: [KeyBand(key.rtol, None if share is None else tuple(share[:, i].tolist()))
                     for key, share in zip(keys, shares, strict=True)] for i, place in enumerate(solved)}
 
 
@@ -200,14 +201,30 @@ def _accept(keys, mistakes, bands, solved, equal, same, rejected, all_pass):
     return accepted
 
 
-def _reread(document, keys, accepted: Sequence[ProblemVariant]) -> int:
-    """Hold some variants against the scene read anew from the values that are printed; RuntimeError, a fault of ours,
-    where one differs."""
+def _reread(document, rules, keys, accepted: Sequence[ProblemVariant]) -> int:
+    """Hold some variants, keys and mistakes, against the scene read anew from the values that are printed;
+    RuntimeError, a fault of ours, where one differs."""
     step = max(1, len(accepted) // REREAD)
     chosen = accepted[::step][:REREAD]
     for variant in chosen:
-        read_anew(document, keys, variant)
+        fresh = read_anew(document, keys, variant)
+        mistakes = mistakes_of(fresh, rules, document.with_values(variant.values), keys)
+        _require_same_mistakes({one.name: one for one in mistakes}, keys, variant, fresh)
     return len(chosen)
+
+
+def _require_same_mistakes(mistakes, keys, variant, fresh):
+    """RuntimeError where one of {name: mistake} in a scene read anew does not give what it gave."""
+    for key, value in zip(keys, variant.keys, strict=True):
+        found = key.found(fresh)
+        for wrong in value.wrong:
+            mistake = mistakes.get(wrong.mistake)
+            scene = fresh if mistake is None or mistake.problem is None else settled(mistake.problem)
+            other = None if mistake is None else key.mistaken(mistake, scene, found)
+            if other is None or not key.same_mistake(value, wrong.value, other):
+                at = ", ".join(one.text for one in variant.values.values())
+                raise RuntimeError(f"two ways to '{wrong.mistake}' of {key.text} differ, {wrong.value!r} and "
+                                   f"{other!r}, at {at}")
 
 
 def read_anew(document: "SceneDocument", keys: Sequence[AnswerKey], variant: ProblemVariant) -> "Problem":
