@@ -71,7 +71,7 @@ def test_what_changes_is_checked_anew(folder, capfd, monkeypatch):
     assert checked(capfd)[1] == 4
     assert checked(capfd, "--patience", "2")[1] == 0
     assert checked(capfd)[1] == 5
-    monkeypatch.setattr(caching, "_machinery", lambda: "another version")
+    monkeypatch.setattr(caching, "_machinery", lambda folder: "another version")
     assert checked(capfd)[1] == 0
 
 
@@ -169,3 +169,41 @@ def test_last_times_are_known(folder, capfd):
     kept = caching.Cache(folder / ".vibcli_cache", [[], 1])
     assert 0 < kept.seconds("sets/a.yaml") <= time.process_time() - start
     assert kept.seconds("sets/unknown.yaml") == 0
+
+
+def test_sources_are_read_anew_where_they_look_changed(tmp_path, monkeypatch):
+    (tmp_path / "room").mkdir()
+    source, kept = tmp_path / "room" / "a.py", tmp_path / "kept"
+    source.write_text("one = 1\n")
+    monkeypatch.setattr(caching, "ROOT", tmp_path)
+    first = caching._sources(kept)
+    read = []
+    monkeypatch.setattr(caching.Path, "read_bytes", lambda path: read.append(path) or b"")
+    assert caching._sources(kept) == first and not read
+    monkeypatch.undo()
+    monkeypatch.setattr(caching, "ROOT", tmp_path)
+    kept.write_text(kept.read_text().replace(first, first[::-1]))       # damaged: read anew
+    assert caching._sources(kept) == first
+    source.write_text("one = 11\n")
+    changed = caching._sources(kept)
+    assert changed != first
+    (tmp_path / "room" / "b.py").write_text("")
+    assert caching._sources(kept) not in (first, changed)
+
+
+def test_of_an_installed_wheel_its_record_tells(tmp_path, monkeypatch):
+    import importlib.metadata
+
+    class Wheel:
+        def read_text(self, name):
+            return "vibcli/__init__.py,sha256=x,1\nvibcli/cli/checking/cache.py,sha256=y,2\n"
+
+        def locate_file(self, name):
+            return caching.ROOT.parent / name
+
+    monkeypatch.setattr(importlib.metadata, "distribution", lambda name: Wheel())
+    assert caching._installed() == Wheel().read_text("RECORD")
+    monkeypatch.setattr(Wheel, "locate_file", lambda self, name: tmp_path / name)       # another copy than this one
+    assert caching._installed() is None
+    monkeypatch.undo()
+    assert caching._installed() is None or caching.ROOT.parent.name == "site-packages"

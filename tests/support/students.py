@@ -29,7 +29,7 @@ class Students:
 
     def __init__(self, problem, variant, count):
         self.scene = settled(with_given(problem, variant.values))
-        self.rounding, self.count = Rounding(self.scene), count
+        self.rounding, self.count, self.at = Rounding(self.scene), count, variant.values
         self.values, slopes = self.rounding._slopes({name: np.array([float(one.exact)])
                                                      for name, one in variant.values.items()})
         self.weights = [_weights(slopes[i], [slopes[j] for j in uses]) for i, uses in enumerate(self.rounding._uses)]
@@ -39,22 +39,42 @@ class Students:
 
     def answers(self, key, figures):
         """(relative error of each one's answer to so many figures, how many lines were evaluated by their letters);
-        None where no line tells the key."""
+        None where no line tells the key, nor what it is the root of."""
         end = self.rounding.line(key)
-        if end is None:
+        root = None if end is not None else self.rounding.root(key, [self.at])
+        if end is None and root is None:
             return None
+        last = end if end is not None else max(root)
         found, letters, by_letters = [], {}, 0
-        for i, (line, _) in enumerate(self.rounding._lines[:end + 1]):
+        for i, (line, _) in enumerate(self.rounding._lines[:last + 1]):
             value = self._by_letters(line, letters, float(self.values[i][0]))
             by_letters += value is not None
             if value is None:
                 value = np.full(self.count, float(self.values[i][0]))
                 for j, weight in zip(self.rounding._uses[i], self.weights[i], strict=True):
                     value = value * (found[j] / float(self.values[j][0])) ** float(weight[0])
-            rounds = self.draw.random(self.count) < 0.5 if i < end else True
+            rounds = self.draw.random(self.count) < 0.5 if i != end else True
             found.append(np.where(rounds, rounded(value, figures), value))
             letters |= dict.fromkeys(_head(line), found[-1])
-        return found[end] / float(self.values[end][0]) - 1, by_letters
+        if end is not None:
+            return found[end] / float(self.values[end][0]) - 1, by_letters
+        right = key.value(self.scene)[0]
+        return rounded(right * self._root(key, root, found), figures) / right - 1, by_letters
+
+    def _root(self, key, root, found):
+        """What each one's root is beside the right one: ω of a polynomial in ω² with their coefficients, else by the
+        powers with which it hangs on the lines."""
+        names = {self.rounding._lines[j][0].settles: j for j in root}
+        right = {j: float(self.values[j][0]) for j in root}
+        if set(names) != {f"a{power}" for power in range(len(names))} or len(names) < 3:
+            return np.prod([(found[j] / right[j]) ** power for j, power in root.items()], axis=0)
+        signs = {f"a{power}": (-1) ** power for power in range(len(names))}
+        number = int(key.asked.tree.indices[0]) - 1
+
+        def omega(row):
+            return np.sqrt(np.sort(np.roots([signs[name] * row[names[name]] for name in sorted(names)[::-1]]).real)[number])
+
+        return np.array([omega({j: found[j][k] for j in root}) for k in range(self.count)]) / omega(right)
 
     def _by_letters(self, line, letters, right):
         """What the first side of a line gives that earlier letters stand in; None where none does."""

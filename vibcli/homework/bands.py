@@ -5,7 +5,8 @@ from typing import NamedTuple
 
 FIGURES = 3, 4, 5       # that a sheet may ask for
 ROUNDED = 0.005         # of a key, by what is rounded on the way, where no line of its solution tells it
-TAIL = 2.576            # standard deviations: 99 of 100 of a normal distribution
+TAIL = 2.807            # standard deviations: 199 of 200 of a normal distribution, as errors of one variant are no draws
+FLATTER = (TAIL**3 - 3 * TAIL) / 24     # by so many more for an excess kurtosis of 1 (Cornish & Fisher 1938)
 WIDEST = 0.02           # of a key
 
 
@@ -17,25 +18,37 @@ class Band(NamedTuple):
 
 
 class KeyBand(NamedTuple):
-    """What the Bands of a key hang on: the relative tolerance that the file gives, None where it gives none; Σ a and
-    Σ a² of what lines of its solution with three figures carry to it, relative to it, None where none tells it."""
+    """What the Bands of a key hang on: the relative tolerance that the file gives, None where it gives none; Σ a, Σ a²,
+    Σ a⁴ and the largest a of what lines of its solution with three figures carry to it, relative to it, None where none
+    tells it."""
 
     rtol: float | None
-    carried: tuple[float, float] | None
+    carried: tuple[float, ...] | None
 
     def band(self, value: float, figures: int) -> Band:
         """The Band of a key, or of what a mistake makes of it, for answers with so many figures, lines being rounded to
-        as many: of independent errors, even within ±a each,
+        as many: of independent errors, even within ±a each of a line that every other student rounds, and within ±b of
+        the answer,
 
-            |Δ| ≤ min(Σ a, 2.576 √(Σ a²/3))     in 99 of 100 cases or more
+            σ² = Σ a²/6 + b²/3      κ σ⁴ = Σ a⁴/60 − 2 b⁴/15      |Δ| ≤ min(Σ a + b, (2.807 + 0.57 κ) σ)
+
+        in 99 of 100 cases and more; and as half of the students round the line with the largest a, not less than a + b.
         """
+        return Band(figures, self.width(value, figures))
+
+    def width(self, value: float, figures: int) -> float:
+        """That of the Band."""
         if self.rtol is not None:
-            return Band(figures, self.rtol * abs(value))
+            return self.rtol * abs(value)
         last, finer = half_a_unit(value, figures), 10.0**(FIGURES[0] - figures)
         if self.carried is None:
-            return Band(figures, ROUNDED * finer * abs(value) + last)
-        total, squares = self.carried[0] * finer * abs(value), self.carried[1] * (finer * value)**2
-        return Band(figures, max(last, min(total + last, TAIL * sqrt((squares + last**2) / 3))))
+            return ROUNDED * finer * abs(value) + last
+        size = finer * abs(value)
+        total, squares, fourths, most = (part * size**power
+                                         for part, power in zip(self.carried, (1, 2, 4, 1), strict=True))
+        variance = squares / 6 + last**2 / 3
+        kurtosis = (fourths / 60 - 2 * last**4 / 15) / variance**2 if variance else 0.0
+        return min(total + last, max(most + last, (TAIL + FLATTER * kurtosis) * sqrt(variance)))
 
 
 def half_a_unit(value: float, figures: int) -> float:

@@ -30,7 +30,11 @@ class SceneDocument(NamedTuple):
         """The Spec with a part merged over it; SpecError with this remark where that is none."""
         return read_changed(self.root, part, self.file, remark, self.settings)
 
+    def with_values(self, values: "Given[str, GivenValue]") -> "SceneDocument":
+        """The document with values for parameters."""
+        given = {name: (value.expression.tree, value.expression.scalar) for name, value in values.items()}
+        return self._replace(settings={**self.settings, **given})
+
     def anew(self, values: "Given[str, GivenValue]") -> "Problem":
         """The Problem that is read with values for parameters, those that it would choose among them."""
-        given = {name: (value.expression.tree, value.expression.scalar) for name, value in values.items()}
-        return settled(Problem(read_spec(self.root, self.file, (), {**self.settings, **given})))
+        return settled(Problem(read_spec(self.root, self.file, (), self.with_values(values).settings)))

@@ -117,6 +117,10 @@ class EquationKey(AnswerKey):
                 break
         return EquationValue(found, band, wrong), reason
 
+    def same_mistake(self, key: Any, one: "Terms", other: "Terms") -> bool:
+        """Are what a mistake gives, found in two ways, the same?"""
+        return alike(one, other, ROUTES)
+
     def require_same(self, fresh: "Problem", one: EquationValue, at: str) -> None:
         """RuntimeError, a fault of ours, where a scene read anew does not give the key, or `check` does not agree; at:
         the values in words."""

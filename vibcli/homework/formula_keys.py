@@ -79,6 +79,11 @@ class FormulaKey(AnswerKey):
     __slots__ = ()
 
     @property
+    def in_letters(self) -> bool:
+        """Answers are compared in a scene."""
+        return True
+
+    @property
     def form(self) -> str:
         """How an answer is written, in a sentence."""
         tree = self.asked.tree
@@ -142,6 +147,10 @@ class FormulaKey(AnswerKey):
         """(the key, which mistake leads to it or None)."""
         same = next((one.mistake for one, is_same in zip(wrong, equal, strict=True) if is_same), None)
         return FormulaValue(found, wrong), same and f"'{same}' gives {self.text} itself"
+
+    def same_mistake(self, key: FormulaValue, one: str, other: str) -> bool:
+        """Are what a mistake gives, found in two ways, the same?"""
+        return one == other
 
     def require_same(self, fresh: "Problem", one: FormulaValue, at: str) -> None:
         """RuntimeError, a fault of ours, where numbers in place of the letters of a scene read anew give another key;

@@ -46,7 +46,7 @@ def unreadable(keys: "Sequence[AnswerKey]", bands: Sequence[KeyBand], found: Seq
     for key, hangs_on, (value, error) in zip(keys, bands, found, strict=True):
         if not LEAST <= abs(value) <= MOST:
             return f"{key.text} is {figure(value)} {key.unit}".rstrip() + ": write it in another unit"
-        width = hangs_on.band(value, FIGURES[0]).width
+        width = hangs_on.width(value, FIGURES[0])
         if error > BOUND * width:
             return f"{key.text} is known to {plainly(error)} {key.unit} only"
         for name, number in given.items():
@@ -54,7 +54,7 @@ def unreadable(keys: "Sequence[AnswerKey]", bands: Sequence[KeyBand], found: Seq
                 return f"{key.text} is the given {name}"
     for i, (key, (value, _)) in enumerate(zip(keys, found, strict=True)):
         for other, (its, _) in zip(keys[:i], found, strict=False):
-            if other.unit == key.unit and abs(its - value) <= bands[i].band(value, FIGURES[0]).width:
+            if other.unit == key.unit and abs(its - value) <= bands[i].width(value, FIGURES[0]):
                 return f"{key.text} is {other.text}"
     return None
 
@@ -78,7 +78,7 @@ def told_apart(key: "AnswerKey", hangs_on: KeyBand, value: float,
 
 def _meet(hangs_on, value, found, wrong):
     """Does the band of a mistake, rounded likewise, meet that of the key?"""
-    return abs(wrong - value) <= found.width + hangs_on.band(wrong, found.figures).width
+    return abs(wrong - value) <= found.width + hangs_on.width(wrong, found.figures)
 
 
 def is_same(value: float, wrong: float) -> bool:

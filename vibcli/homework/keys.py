@@ -78,6 +78,11 @@ class AnswerKey(NamedTuple):
         return self.asked.text
 
     @property
+    def in_letters(self) -> bool:
+        """Are answers compared in a scene?"""
+        return False
+
+    @property
     def form(self) -> str:
         """How an answer is written, in a sentence; '' where figures and unit say it."""
         return ""
@@ -119,6 +124,10 @@ class AnswerKey(NamedTuple):
         value, error = found
         band, reason = told_apart(self, hangs_on, value, wrong)
         return KeyValue(value, error, band, wrong), reason
+
+    def same_mistake(self, key: Any, one: Any, other: Any) -> bool:
+        """Are what a mistake gives, found in two ways, the same, of a key with its value?"""
+        return abs(one - other) <= max(ROUTES, key.error / abs(key.value)) * abs(other)
 
     def require_same(self, fresh: "Problem", one: Any, at: str) -> None:
         """RuntimeError, a fault of ours, where a scene read anew does not give the key; at: the values in words."""

@@ -2,18 +2,25 @@
 
 A student rounds what the lines tell to three figures. Of a line v = F(u, p), which follows from earlier lines u and
 given values p, the lines themselves are known as expressions of p: the slopes ∂ln F/∂ln u are those with which the
-slopes of ln u along the given values make up that of ln v; of lines u that hang on one another the first count. One
-sweep backwards over the lines then gives the error a within which each is carried to the key.
+slopes of ln u along the given values make up that of ln v; of lines u that hang on one another the first count. A key
+that is a root, found from lines, counts by these likewise, its slopes being those of solutions. One sweep backwards
+over the lines then gives the error a within which each is carried to the key; what three figures hold exactly is not
+rounded.
 """
 
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from math import log
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.homework.printed import with_given
+from vibcli.language.given_values import giver, number_and_unit
 from vibcli.symbolic.array_arithmetic import Arrays
 from vibcli.symbolic.evaluation import evaluate
+from vibcli.symbolic.syntax import QuantityRef
 
 if TYPE_CHECKING:
     from vibcli.homework.keys import AnswerKey
@@ -23,47 +30,107 @@ if TYPE_CHECKING:
 
 FIGURES = 3                                     # to which lines are rounded
 STEP = 1e-5                                     # relative: of differences
+MADE_UP = 1e-3                                  # relative: what the lines before a root leave of its slopes
+EXACT = 1e-9                                    # relative: what is no rounding
+FROM = {"frequency": "omega", "period": "omega", "zeta": "eigenvalue", "omega_d": "eigenvalue",
+        "period_d": "eigenvalue", "decrement": "eigenvalue"}       # {quantity of a mode: by which line it is told too}
 ALIKE = 1e-6                                    # of slopes in logarithms
 POWERS = 0.5, 1.0, 1.5, 2.0, 3.0                # of a line in a formula that other values enter as well
 
 
 def shares_of(problem: "Problem", keys: "Sequence[AnswerKey]",
               values: "Sequence[Mapping[str, GivenValue]]") -> "list[np.ndarray | None]":
-    """Of each key Σ a and Σ a² of what lines of its solution carry to it, relative to it, in variants with these values
-    of the parameters of a scene with numbers, as an array 2 × variants; None of a key that no line tells."""
-    given = {name: np.array([float(one[name].exact) for one in values]) for name in values[0]}
-    return Rounding(problem).shares(keys, given)
+    """Of each key Σ a, Σ a², Σ a⁴ and the largest a of what lines of its solution carry to it, relative to it, in
+    variants with these values of the parameters of a scene with numbers, as an array 4 × variants; None of a key that no
+    line tells."""
+    rounding = Rounding(problem)
+    looked_at = [values[i] for i in sorted({0, len(values) // 2, len(values) - 1})]
+    return rounding.shares(keys, _arrays(values), [rounding.root(key, looked_at) for key in keys])
+
+
+def _arrays(values):
+    """{parameter: array over the variants, in SI units}."""
+    return {name: np.array([float(one[name].exact) for one in values]) for name in values[0]}
 
 
 class Rounding:
     """The lines with numbers of a scene's worked solution, as expressions of what is given; none where it has none."""
 
     def __init__(self, problem: "Problem"):
-        self._problem, self._lines = problem, _lines(problem)
+        self._problem = problem
+        self._lines, self._roots = _lines(problem)
         numbers = {line.number: i for i, (line, _) in enumerate(self._lines)}
         self._uses = [[numbers[one] for one in uses] for _, uses in self._lines]
+        self._roots = {settles: [numbers[one] for one in uses] for settles, uses in self._roots.items()}
 
     def line(self, key: "AnswerKey") -> int | None:
         """The number among the lines of that which tells a key; None where none does."""
         return next((i for i, (line, _) in enumerate(self._lines) if line.settles == key.text), None)
 
-    def shares(self, keys: "Sequence[AnswerKey]", given: "Mapping[str, np.ndarray]") -> "list[np.ndarray | None]":
-        """The same over arrays of given values, {parameter: SI}."""
+    def root(self, key: "AnswerKey", looked_at: "Sequence[Mapping[str, GivenValue]]") -> "dict[int, float] | None":
+        """{line: the largest slope ∂ln key/∂ln line at some variants} of the lines from which a key is found that none
+        tells by itself; None where there are none, or they do not make it up."""
+        uses = next((self._roots[name] for name in _names(key) if name in self._roots), [])
+        if self.line(key) is not None or not uses:
+            return None
+        _, slopes = self._slopes(_arrays(looked_at))
+        try:
+            own = np.array([self._slopes_of(key, values) for values in looked_at])
+        except (PhysicsError, SpecError):
+            return None
+        weights = _weights(own, [slopes[j] for j in uses])
+        left = own - sum(weight[:, None] * slopes[j] for j, weight in zip(uses, weights, strict=True))
+        if np.abs(left).max() > MADE_UP * max(1.0, np.abs(own).max()):
+            return None
+        return {j: float(weight[np.abs(weight).argmax()]) for j, weight in zip(uses, weights, strict=True)}
+
+    def shares(self, keys: "Sequence[AnswerKey]", given: "Mapping[str, np.ndarray]",
+               roots: "Sequence[dict[int, float] | None]") -> "list[np.ndarray | None]":
+        """The same over arrays of given values, {parameter: SI}; roots: what `root` gives of each key."""
         ends = [self.line(key) for key in keys]
-        if not self._lines or all(end is None for end in ends):
+        if not self._lines or all(end is None and not root for end, root in zip(ends, roots, strict=True)):
             return [None] * len(keys)
         values, slopes = self._slopes(given)
         weights = [_weights(slopes[i], [slopes[j] for j in uses]) for i, uses in enumerate(self._uses)]
-        rounded = [_half_a_unit(value) for value in values]
-        return [None if end is None else _carried(end, self._uses, weights, rounded) for end in ends]
+        rounded = self._rounded(values)
+        found = []
+        for end, root in zip(ends, roots, strict=True):
+            if end is not None:
+                root = dict(zip(self._uses[end], weights[end], strict=True))
+            found.append(None if root is None else _carried(root, self._uses, weights, rounded))
+        return found
+
+    def _rounded(self, values):
+        """Half a unit of the third figure of each line, relative to it; 0 where it, and what it is found from, has no
+        more figures."""
+        inexact: list[np.ndarray] = []
+        for value, uses in zip(values, self._uses, strict=True):
+            unit = 2 * _half_a_unit(value) * np.abs(value)
+            with np.errstate(all="ignore"):
+                off = np.nan_to_num(np.abs(np.round(value / unit) * unit - value)) > EXACT * np.abs(value)
+            inexact.append(np.logical_or.reduce([off, *(inexact[j] for j in uses)]))
+        return [_half_a_unit(value) * off for value, off in zip(values, inexact, strict=True)]
+
+    def _slopes_of(self, key, values):
+        """∂ln key/∂ln p of a variant along the parameters, by solutions."""
+        at = with_given(self._problem, values)
+        found = []
+        for name in self._free(values):
+            number, unit = number_and_unit(at.spec.parameters[name]["value"])
+            up, down = (key.value(with_given(at, {name: giver(unit, name)(number * (1 + step))}))[0]
+                        for step in (Fraction(STEP), -Fraction(STEP)))
+            found.append(log(abs(up / down)) / (2 * STEP) if up and down else 0.0)
+        return found
+
+    def _free(self, given):
+        return [name for name in self._problem.spec.independent_parameters
+                if name in given or name in self._problem.numeric.floats]
 
     def _slopes(self, given):
         """(values of the lines, ∂ln|v|/∂ln p of each as an array variants × parameters)."""
-        free = [name for name in self._problem.spec.independent_parameters
-                if name in given or name in self._problem.numeric.floats]
         values = self._values(given)
         slopes = []
-        for name in free:
+        for name in self._free(given):
             at = given.get(name, self._problem.numeric.floats[name] if name not in given else None)
             up, down = (self._values({**given, name: at * (1 + sign * STEP)}) for sign in (1, -1))
             with np.errstate(all="ignore"):
@@ -81,17 +148,25 @@ class Rounding:
         return [np.broadcast_to(np.asarray(value, dtype=float), (count,)) for value in found]
 
 
-def _lines(problem: "Problem") -> "list[tuple[WorkedLine, list[int]]]":
-    """(line, numbers of the lines with numbers that it follows from, by others without numbers too)."""
+def _names(key):
+    """What the line settles that tells a key, or from which it is read off."""
+    tree = key.asked.tree
+    head = FROM.get(tree.head) if isinstance(tree, QuantityRef) and len(tree.indices) == 1 else None
+    return [key.text] if head is None else [key.text, f"{head}[{tree.indices[0]}]"]
+
+
+def _lines(problem: "Problem") -> "tuple[list[tuple[WorkedLine, list[int]]], dict[str, list[int]]]":
+    """[(line, numbers of the lines with numbers that it follows from, by others without numbers too)]; {what a line
+    settles that is no expression of the parameters, or may be read off: such numbers}."""
     from vibcli.report.steps.worked import worked
 
     try:
         told = worked(problem)
     except (PhysicsError, SpecError):
-        return []
+        return [], {}
     valued = {line.number: line for line in told if line.value and line.node is not None and _known(problem, line.node)}
     reach: dict[int, dict[int, None]] = {}
-    found = []
+    found, roots = [], {}
     for line in told:
         uses: dict[int, None] = {}
         for one in line.uses:
@@ -99,7 +174,8 @@ def _lines(problem: "Problem") -> "list[tuple[WorkedLine, list[int]]]":
         reach[line.number] = uses
         if line.number in valued:
             found.append((line, list(uses)))
-    return found
+        roots[line.settles] = [line.number] if line.number in valued else list(uses)
+    return found, {settles: uses for settles, uses in roots.items() if settles and uses}
 
 
 def _known(problem: "Problem", node: Any) -> bool:
@@ -154,13 +230,13 @@ def _half_a_unit(value: np.ndarray) -> np.ndarray:
     return np.nan_to_num(found, nan=0.0, posinf=0.0)
 
 
-def _carried(end: int, uses: "list[list[int]]", weights: "list[list[np.ndarray]]",
+def _carried(ends: "Mapping[int, float | np.ndarray]", uses: "list[list[int]]", weights: "list[list[np.ndarray]]",
              rounded: "list[np.ndarray]") -> np.ndarray:
-    """Σ a and Σ a² of what the lines before carry to the line `end`, relative to it: an array 2 × variants."""
-    carry = [np.zeros_like(one) for one in rounded]
-    carry[end] = np.ones_like(rounded[end])
-    for i in range(end, -1, -1):
+    """Σ a, Σ a², Σ a⁴ and the largest a of what the lines carry to what hangs on some of them, {line: slope}, relative
+    to it: an array 4 × variants."""
+    carry = [np.zeros_like(one) + ends.get(i, 0.0) for i, one in enumerate(rounded)]
+    for i in reversed(range(len(carry))):
         for j, weight in zip(uses[i], weights[i], strict=True):
             carry[j] = carry[j] + carry[i] * weight
-    parts = np.array([np.abs(carry[j]) * rounded[j] for j in range(end)]) if end else np.zeros((1, len(carry[end])))
-    return np.array([parts.sum(0), (parts**2).sum(0)])
+    parts = np.abs(np.array(carry)) * np.array(rounded)
+    return np.array([parts.sum(0), (parts**2).sum(0), (parts**4).sum(0), parts.max(0)])

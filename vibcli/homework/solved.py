@@ -1,6 +1,6 @@
 """Candidates with their solutions: those of which there is a scene with answers, of the kind that is required."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
@@ -12,6 +12,7 @@ from vibcli.language.given_values import GivenValue, giver, number_and_unit
 
 if TYPE_CHECKING:
     from vibcli.homework.keys import AnswerKey
+    from vibcli.mistakes.known import KnownMistake
     from vibcli.reader.variants import VariantRules
     from vibcli.results.problem import Problem
     from vibcli.results.variants import Place
@@ -31,43 +32,48 @@ class Rejected(NamedTuple):
 
 
 class Candidate(NamedTuple):
-    """A candidate with a solution: what the sheet says, and what is found of each key."""
+    """A candidate with a solution: its scene where keys are in letters; what the sheet says; what is found of each key;
+    wrong: {mistake: what it gives for each, None where it does not concern it or has no solution}."""
 
-    problem: "Problem"
+    problem: "Problem | None"
     values: dict[str, GivenValue]
     found: list[Any]
+    wrong: dict[str, list[Any]]
 
 
 class SolvedCandidates(NamedTuple):
     """{place: Candidate} of those that are solved; the others; the scene of the file with its numbers, or that of the
-    first of them, None where there is none."""
+    first of them, None where there is none; scene_at(place): that of a place, drawn anew."""
 
     candidates: "dict[Place, Candidate]"
     rejected: list[Rejected]
     base: "Problem | None"
+    scene_at: "Callable[[Place], Any]"
 
 
-def solve_candidates(problem: "Problem", rules: "VariantRules", keys: "Sequence[AnswerKey]") -> SolvedCandidates:
+def solve_candidates(problem: "Problem", rules: "VariantRules", keys: "Sequence[AnswerKey]",
+                     slips: "Sequence[KnownMistake]") -> SolvedCandidates:
     """Those that fulfil what is required and are of the kind of the scene itself; SpecError where this does not fulfil
-    it."""
+    it. slips: the mistakes that are made in the scene as it is."""
     own = _own(problem, rules)
     kind: Regime | None = None if own is None else own[1]
     found: dict[Place, Candidate] = {}
     rejected: list[Rejected] = []
+    base = None if own is None else own[0]
+    concerned = [(slip, [slip.concerns(key.asked) for key in keys]) for slip in slips]
     variants = candidates(problem, rules, lambda one: with_printed(one, rules))
     count = rules.candidates if rules.sample is None else min(rules.sample, rules.candidates)
     with problem.work.task("the variants") as task:
         for number, (place, scene) in enumerate(variants, 1):
             task.step(number / count)
             values = variants.values_at(place)
-            one = _candidate(problem, rules, keys, kind, scene, values)
-            if isinstance(one, Candidate):
-                kind = kind or regime(one.problem, counts_rests(problem))
-                found[place] = one
-            else:
+            one = _candidate(problem, rules, keys, kind, scene, values, concerned)
+            if isinstance(scene, Exception) or not isinstance(one, Candidate):
                 rejected.append(Rejected(place, values, *one))
-    base = own[0] if own is not None else next((one.problem for one in found.values()), None)
-    return SolvedCandidates(found, rejected, base)
+            else:
+                kind, base = kind or regime(scene, counts_rests(problem)), base or scene
+                found[place] = one
+    return SolvedCandidates(found, rejected, base, variants.alone)
 
 
 def counts_rests(problem: "Problem") -> bool:
@@ -89,7 +95,7 @@ def _own(problem, rules):
     return found, regime(found, counts_rests(problem))
 
 
-def _candidate(problem, rules, keys, kind, scene, values):
+def _candidate(problem, rules, keys, kind, scene, values, slips):
     """The Candidate; (gate, reason, by how much) of what it fails before its keys are looked at."""
     if isinstance(scene, SpecError):
         return SOLVED, scene.diagnostics[0].message, 0.0
@@ -102,9 +108,22 @@ def _candidate(problem, rules, keys, kind, scene, values):
             its = regime(scene, kind.rests is not None)
             if its != kind:
                 return "regime", kind.told(its), 0.0
-        return Candidate(scene, {**values, **_printed(problem, scene)}, [key.found(scene) for key in keys])
+        found = [key.found(scene) for key in keys]
+        kept = scene if any(key.in_letters for key in keys) else None
+        wrong = {slip.name: mistaken(keys, slip, concerns, scene, found) for slip, concerns in slips}
+        return Candidate(kept, {**values, **_printed(problem, scene)}, found, wrong)
     except PhysicsError as error:
         return SOLVED, error.message, 0.0
+
+
+def mistaken(keys: "Sequence[AnswerKey]", mistake: "KnownMistake", concerns: Sequence[bool],
+             scene: "Problem | SpecError | PhysicsError", found: Sequence[Any]) -> list[Any]:
+    """What a mistake gives for each key in the scene that it takes for the right one, None where it does not concern it
+    or has no solution; found: the right answers."""
+    if isinstance(scene, Exception):
+        return [None] * len(keys)
+    return [key.mistaken(mistake, scene, right) if concerned else None
+            for key, right, concerned in zip(keys, found, concerns, strict=True)]
 
 
 def _printed(problem, found):

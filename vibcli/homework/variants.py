@@ -13,8 +13,9 @@ from vibcli.homework.leaks import numbers_in
 from vibcli.homework.mistakes import mistakes_of
 from vibcli.homework.printed import with_given, with_printed
 from vibcli.homework.routes import hold_against_closed_forms
-from vibcli.homework.solved import SOLVED, Rejected, solve_candidates
+from vibcli.homework.solved import SOLVED, Rejected, mistaken, solve_candidates
 from vibcli.homework.told import untold
+from vibcli.inverse import settled
 from vibcli.language.given_values import GivenValue, number_and_unit
 from vibcli.mistakes.known import KnownMistake
 from vibcli.reader.read import QUOTE
@@ -84,17 +85,20 @@ def solve_variants(problem: "Problem", document: "SceneDocument") -> SolvedVaria
     rules = problem.spec.get("variants")
     keys = [key_of(problem.spec, one) for one in rules.ask]
     mistakes = mistakes_of(problem, rules, document, keys)
-    solved, rejected, base = solve_candidates(problem, rules, keys)
+    solved, rejected, base, scene_at = solve_candidates(problem, rules, keys,
+                                                        [one for one in mistakes if one.problem is None])
     bands = _bands(base, keys, solved)
     _look(problem, rules, keys, base, bands, solved, rejected)
-    closed = {} if "routes" in rules.without else hold_against_closed_forms(keys, list(solved.values()))
-    wrong = _wrong(problem, rules, keys, mistakes, solved)
-    equal = _equal(keys, mistakes, solved, wrong)
-    same = _same(keys, mistakes, solved, equal)
-    accepted = _accept(keys, bands, solved, wrong, equal, set(same), rejected, "apart" in rules.without)
+    alone = "routes" in rules.without or base is None
+    closed = {} if alone else hold_against_closed_forms(keys, base, solved, scene_at)
+    _model_mistakes(problem, rules, keys, mistakes, solved)
+    equal = _equal(keys, solved)
+    same = set.intersection(*equal.values()) if equal else set()
+    accepted = _accept(keys, mistakes, bands, solved, equal, same, rejected, "apart" in rules.without)
+    in_order = [(mistake.name, key.text) for mistake in mistakes for key in keys if (mistake.name, key.text) in same]
     rejected.sort(key=lambda one: one.place)
-    reread = 0 if "routes" in rules.without else _reread(document, keys, accepted)
-    return SolvedVariants(problem, rules, keys, mistakes, accepted, rejected, same, reread, closed)
+    reread = 0 if "routes" in rules.without else _reread(document, rules, keys, accepted)
+    return SolvedVariants(problem, rules, keys, mistakes, accepted, rejected, in_order, reread, closed)
 
 
 def _bands(base, keys, solved) -> "dict[Place, list[KeyBand]]":
@@ -106,7 +110,7 @@ def _bands(base, keys, solved) -> "dict[Place, list[KeyBand]]":
         from vibcli.homework.rounding import shares_of
 
         shares = shares_of(base, keys, [one.values for one in solved.values()])
-    return {place: [KeyBand(key.rtol, None if share is None else (float(share[0, i]), float(share[1, i])))
+    return {place: [KeyBand(key.rtol, None if share is None else tuple(share[:, i].tolist()))
                     for key, share in zip(keys, shares, strict=True)] for i, place in enumerate(solved)}
 
 
@@ -137,21 +141,19 @@ def _of_keys(rules, keys, bands, one, told, given):
     return ("told", f"neither question nor figure tells {', '.join(told)}") if told else (None, None)
 
 
-def _wrong(problem, rules, keys, mistakes, solved) -> "dict[tuple[str, Place], list[Any]]":
-    """{(mistake, place): what it gives for each key, None where it does not concern it or has no solution}."""
-    found: dict = {}
+def _model_mistakes(problem, rules, keys, mistakes, solved):
+    """Add to what is solved what mistakes give that change the scene."""
     for mistake in mistakes:
-        for place, scene in _scenes(problem, rules, mistake, solved):
-            found[mistake.name, place] = [None if isinstance(scene, Exception) else key.mistaken(mistake, scene, right)
-                                          for key, right in zip(keys, solved[place].found, strict=True)]
-    return found
+        if mistake.problem is not None:
+            concerns = [mistake.concerns(key.asked) for key in keys]
+            for place, scene in _scenes(problem, rules, mistake, solved):
+                one = solved[place]
+                one.wrong[mistake.name] = mistaken(keys, mistake, concerns, scene, one.found)
 
 
 def _scenes(problem, rules, mistake, solved):
     """(place, the scene that a mistake takes for the right one) of all candidates that are solved."""
-    if mistake.problem is None:
-        yield from ((place, one.problem) for place, one in solved.items())
-    elif problem.spec.choices:
+    if problem.spec.choices:
         for place, one in solved.items():
             try:
                 yield place, with_printed(with_given(mistake.problem, one.values), rules)
@@ -161,22 +163,16 @@ def _scenes(problem, rules, mistake, solved):
         yield from candidates(mistake.problem, rules, lambda one: with_printed(one, rules), solved)
 
 
-def _equal(keys, mistakes, solved, wrong) -> "dict[tuple[Place, int], dict[str, bool]]":
-    """{(place, number of a key): {mistake: does it lead to the key itself?}} of those that concern it."""
+def _equal(keys, solved) -> "dict[Place, set[tuple[str, str]]]":
+    """{place: the (mistake, quantity) that lead to the key itself}."""
     found = {}
     for place, one in solved.items():
+        found[place] = here = set()
         for i, key in enumerate(keys):
-            given = {mistake.name: value for mistake in mistakes
-                     if (value := wrong[mistake.name, place][i]) is not None}
+            given = {name: values[i] for name, values in one.wrong.items() if values[i] is not None}
             flags = key.equal(one.problem, one.found[i], list(given.values()))
-            found[place, i] = dict(zip(given, flags, strict=True))
+            here.update((name, key.text) for name, flag in zip(given, flags, strict=True) if flag)
     return found
-
-
-def _same(keys, mistakes, solved, equal):
-    """[(mistake, quantity)] of those that lead to the key in every variant."""
-    return [(mistake.name, key.text) for mistake in mistakes for i, key in enumerate(keys)
-            if solved and all(equal[place, i].get(mistake.name, False) for place in solved)]
 
 
 def _unreadable(keys, bands, one, numbers):
@@ -186,15 +182,16 @@ def _unreadable(keys, bands, one, numbers):
     return unreadable(of_numbers[0], of_numbers[1], of_numbers[2], numbers)
 
 
-def _accept(keys, bands, solved, wrong, equal, same, rejected, all_pass):
+def _accept(keys, mistakes, bands, solved, equal, same, rejected, all_pass):
     """The Variants that pass the gate of mistakes."""
-    accepted, names = [], list(dict.fromkeys(name for name, _ in wrong))
+    accepted, names = [], [mistake.name for mistake in mistakes]
     for place, one in solved.items():
         values, reason = [], None
         for i, (key, found) in enumerate(zip(keys, one.found, strict=True)):
-            given = tuple(Wrong(name, wrong[name, place][i]) for name in names
-                          if (name, key.text) not in same and wrong[name, place][i] is not None)
-            value, why = key.settled(bands[place][i], found, given, [equal[place, i][each.mistake] for each in given])
+            given = tuple(Wrong(name, one.wrong[name][i]) for name in names
+                          if (name, key.text) not in same and one.wrong[name][i] is not None)
+            flags = [(each.mistake, key.text) in equal[place] for each in given]
+            value, why = key.settled(bands[place][i], found, given, flags)
             reason = reason or why
             values.append(value)
         if reason and not all_pass:
@@ -204,14 +201,30 @@ def _accept(keys, bands, solved, wrong, equal, same, rejected, all_pass):
     return accepted
 
 
-def _reread(document, keys, accepted: Sequence[ProblemVariant]) -> int:
-    """Hold some variants against the scene read anew from the values that are printed; RuntimeError, a fault of ours,
-    where one differs."""
+def _reread(document, rules, keys, accepted: Sequence[ProblemVariant]) -> int:
+    """Hold some variants, keys and mistakes, against the scene read anew from the values that are printed;
+    RuntimeError, a fault of ours, where one differs."""
     step = max(1, len(accepted) // REREAD)
     chosen = accepted[::step][:REREAD]
     for variant in chosen:
-        read_anew(document, keys, variant)
+        fresh = read_anew(document, keys, variant)
+        mistakes = mistakes_of(fresh, rules, document.with_values(variant.values), keys)
+        _require_same_mistakes({one.name: one for one in mistakes}, keys, variant, fresh)
     return len(chosen)
+
+
+def _require_same_mistakes(mistakes, keys, variant, fresh):
+    """RuntimeError where one of {name: mistake} in a scene read anew does not give what it gave."""
+    for key, value in zip(keys, variant.keys, strict=True):
+        found = key.found(fresh)
+        for wrong in value.wrong:
+            mistake = mistakes.get(wrong.mistake)
+            scene = fresh if mistake is None or mistake.problem is None else settled(mistake.problem)
+            other = None if mistake is None else key.mistaken(mistake, scene, found)
+            if other is None or not key.same_mistake(value, wrong.value, other):
+                at = ", ".join(one.text for one in variant.values.values())
+                raise RuntimeError(f"two ways to '{wrong.mistake}' of {key.text} differ, {wrong.value!r} and "
+                                   f"{other!r}, at {at}")
 
 
 def read_anew(document: "SceneDocument", keys: Sequence[AnswerKey], variant: ProblemVariant) -> "Problem":

@@ -31,13 +31,17 @@ class KnownMistake(NamedTuple):
     instead: "dict[str, Expression]" = {}
     reading: "Callable[[float, str, str], float | None] | None" = None
 
+    def concerns(self, asked: Expression) -> bool:
+        """May it give something else for what is asked?"""
+        return self.reading is not None or self.problem is not None or asked.text in self.instead
+
     def wrong(self, asked: Expression, unit: str, right: float,
               value: Callable[[Expression], float]) -> float | None:
         """What it gives for what is asked, None where it does not concern it; right: the right value in a unit; value:
         that of any expression in the scene that it takes for the right one, in the same unit."""
         if self.reading is not None:
             return self.reading(right, asked.tree.head if isinstance(asked.tree, QuantityRef) else "", unit)
-        if self.problem is None and asked.text not in self.instead:
+        if not self.concerns(asked):
             return None
         return value(self.instead.get(asked.text, asked))
 

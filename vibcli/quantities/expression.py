@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping
 from math import inf, isfinite, tau
 from typing import TYPE_CHECKING, Any
+from weakref import WeakKeyDictionary
 
 from vibcli.base.errors import Diagnostic, NotInLetters, PhysicsError, SpecError
 from vibcli.quantities.cycle_count import counts_cycles
@@ -15,18 +16,23 @@ from vibcli.symbolic.syntax import ExpressionError, QuantityRef, parts_of
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression
     from vibcli.results.problem import Problem
+    from vibcli.scene.scene import Scene
     from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
 
 GUARD = 15      # digits beyond those asked, for what cancels in an expression
+NODES: "WeakKeyDictionary[Scene, dict[Any, Node]]" = WeakKeyDictionary()    # of expressions that were asked of a scene
 
 
 def measure(problem: "Problem", tree: QuantityRef) -> tuple[float, float]:
     """(value, relative error bound) of a quantity tree."""
     if not tree.args and is_choice(problem.spec, tree) and problem.choice is not None:
         return problem.choice.value(tree.head, int(tree.indices[0])), ROUNDING
-    quantity, (tree, number) = declared(tree), about_which(tree)
+    quantity = declared(tree)
+    if not tree.args and not quantity.several:
+        return quantity.value(problem, tree, [])
+    tree, number = about_which(tree)
     if number is not None:
         from vibcli.quantities.equilibrium import about
 
@@ -44,6 +50,9 @@ def _argument(problem, kind, arg):
 
 def value_of(problem: "Problem", expression: "Expression") -> tuple[float, float]:
     """(value, the largest relative error bound of its quantities) of an expression of parameters and quantities."""
+    if isinstance(expression.tree, QuantityRef):
+        value, error = measure(problem, expression.tree)
+        return _real(value, expression, isfinite), error
     values, worst = dict(problem.numeric.floats), 0.0
     for quantity in expression.parts.quantities:
         values[quantity.text], error = measure(problem, quantity)
@@ -86,7 +95,11 @@ def _real(value, expression, finite):
 
 def evaluated(problem: "Problem", expression: "Expression", values: Mapping[str, float]) -> float:
     """An expression, given {parameter, or quantity as it is written: value}."""
-    return evaluate([lowered(expression, problem.scene.table, _symbols(problem.scene))], Floats, values)[0]
+    known = NODES.setdefault(problem.scene, {})
+    node = known.get(expression.tree)
+    if node is None:
+        node = known[expression.tree] = lowered(expression, problem.scene.table, _symbols(problem.scene))
+    return evaluate([node], Floats, values)[0]
 
 
 def argument_in(problem: "Problem", tree: Any, arithmetic: Any, values: Mapping[str, Any]) -> Any:

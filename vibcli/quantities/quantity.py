@@ -4,6 +4,7 @@ Reading a scene loads declarations alone: what values are found by is imported w
 """
 
 from collections.abc import Callable, Sequence
+from functools import lru_cache
 from importlib import import_module
 from math import tau
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -120,9 +121,13 @@ def named(form: str) -> Declaration:
 
 def declared(tree: QuantityRef) -> Declaration:
     """The Declaration of a tree; None where there is none."""
-    head = tree.head
-    forms = [head + "[]" * bool(tree.indices), head + "()" * bool(tree.args)]
-    forms += [f"{head}({arg.head})" for arg in tree.args if isinstance(arg, QuantityRef)]
+    return _of_form(tree.head, bool(tree.indices), bool(tree.args),
+                    tuple(arg.head for arg in tree.args if isinstance(arg, QuantityRef)))
+
+
+@lru_cache(maxsize=1000)
+def _of_form(head, indexed, called, within):
+    forms = [head + "[]" * indexed, head + "()" * called, *(f"{head}({arg})" for arg in within)]
     return named(next((form for form in forms if form in FORMS), head))
 
 

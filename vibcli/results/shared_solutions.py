@@ -41,30 +41,55 @@ class SharedSolution(NamedTuple):
     equilibrium: Equilibrium | None
 
 
+class SharedSolutions(NamedTuple):
+    """What arrays find at places, {place: its number}: modes, and where each rests; balanced: does it rest there?
+    linear: have those modes, too, that do not?"""
+
+    numbers: dict[Place, int]
+    natural: StackedModes
+    damped: StackedDamped
+    rests: "Sequence[Equilibrium | None]"
+    balanced: np.ndarray
+    linear: bool
+
+    def at(self, place: Place) -> SharedSolution | None:
+        """That of one place; None where arrays do not settle it."""
+        i = self.numbers[place]
+        if not self.natural.settled[i] or not (self.balanced[i] or self.linear):
+            return None
+        modes = self.natural.modes(i)
+        if not self.balanced[i] and not all(mode.omega for mode in modes):      # it rests nowhere
+            return None
+        return SharedSolution((modes, self.damped.modes(i) if self.damped.settled[i] else None), self.rests[i])
+
+
 def shared_solutions(base: "Problem", corners: "Mapping[Place, Problem]", blocks: Sequence[Block],
-                     given: "Mapping[Place, Mapping[str, Fraction]]") -> dict[Place, SharedSolution]:
-    """{place: what is known} of a grid, {place: exact values}, that shares the expressions of `base`; corners: those of
-    its blocks, solved by themselves."""
+                     given: "Mapping[Place, Mapping[str, Fraction]]") -> SharedSolutions | None:
+    """What is known of a grid, {place: exact values}, that shares the expressions of `base`; corners: those of its
+    blocks, solved by themselves. None where arrays find something else there, or nothing."""
     try:
         free, rest = _free(corners), _rest(corners)
         form = None if free is None else _form(base, rest)
     except PhysicsError:
-        return {}
+        return None
     if form is None:
-        return {}
+        return None
     places = list(given)
     values = _values(base, {name: np.array([float(given[place][name]) for place in places])
                             for name in given[places[0]]})
-    rests = [None] * len(places)
     if rest:
         found = _at_rest(base, form, values, rest, blocks, places)
         if found is None:
-            return {}
+            return None
         matrices, rests = found
+        balanced = np.array([one is not None for one in rests])
     else:
-        matrices = stacked_matrices(form, values, len(places))
-    solutions = _modes(base, matrices, free, places, rests, bool(rest))
-    return solutions if all(_agrees(problem, solutions.get(corner)) for corner, problem in corners.items()) else {}
+        matrices, rests = stacked_matrices(form, values, len(places)), [None] * len(places)
+        balanced = matrices.balanced
+    natural = StackedModes(matrices, bool(free))
+    known = SharedSolutions({place: i for i, place in enumerate(places)}, natural, StackedDamped(matrices, natural),
+                            rests, balanced, base.system.is_linear)
+    return known if all(_agrees(problem, known.at(corner)) for corner, problem in corners.items()) else None
 
 
 def _free(corners):
@@ -125,20 +150,6 @@ def _between(place, rest, blocks, names):
         share = prod(part if side else 1 - part for part, side in zip(parts, sides, strict=True))
         total += share * np.array([rest[corner][name] for name in names])
     return total
-
-
-def _modes(base, matrices, free, places, rests, shifted) -> dict[Place, SharedSolution]:
-    """The modes of places, those that arrays settle."""
-    stacked, linear = StackedModes(matrices, free), base.system.is_linear
-    damped = StackedDamped(matrices, stacked)
-    found = {}
-    for i, place in enumerate(places):
-        balanced = rests[i] is not None if shifted else matrices.balanced[i]
-        if stacked.settled[i] and (balanced or linear):
-            modes = stacked.modes(i)
-            if balanced or all(mode.omega for mode in modes):       # it rests somewhere
-                found[place] = SharedSolution((modes, damped.modes(i) if damped.settled[i] else None), rests[i])
-    return found
 
 
 def _agrees(problem, known):

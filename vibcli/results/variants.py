@@ -1,8 +1,8 @@
 """A scene at many values of its parameters, with one derivation for all between which nothing in its drawing turns.
 
 The values are a grid, one axis a parameter. At the corners of its blocks the scene is drawn anew; where all corners of
-a block have the same expressions, those within share them, and their equilibria and modes are found by arrays. What
-arrays do not settle, and what lies between unlike corners, is found as a scene by itself.
+a block have the same expressions, those within share them, and their equilibria and modes are found by arrays. A block
+whose corners are unlike is halved. What arrays do not settle is found as a scene by itself.
 """
 
 from bisect import bisect_right
@@ -19,7 +19,8 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.scene.scene import Scene
 
-CORNERS = 9, 4, 3          # along each axis of one, two, more of them
+CORNERS = 9, 4, 3, 2       # along each axis of one, two, three, more of them
+LARGE = 8                  # corners of a block that is looked at in the middle too
 
 Place = tuple[int, ...]
 
@@ -46,8 +47,9 @@ class Variants:
         shared = self._shared()
         for place in self.places:
             if place in shared and place not in self._drawn:
-                base, known = shared[place]
-                yield place, base.sharing(self._exact(place), *known)
+                base, solutions = shared[place]
+                known = None if solutions is None else solutions.at(place)
+                yield place, base.sharing(self._exact(place), *(known or ()))
             else:
                 yield place, self.alone(place)
 
@@ -77,7 +79,7 @@ class Variants:
         return {name: value.exact for name, value in self.values_at(place).items()}
 
     def _shared(self):
-        """{place: (Problem whose expressions it shares, what of it is known)}."""
+        """{place: (Problem whose expressions it shares, the SharedSolutions or None)}."""
         if self.problem.spec.choices or self._has_letters:
             return {}
         from vibcli.results.shared_solutions import shared_solutions
@@ -86,7 +88,7 @@ class Variants:
         for base, blocks, places in self._groups():
             corners = {corner: self._drawn[corner] for block in blocks for corner in product(*block)}
             known = shared_solutions(base, corners, blocks, {place: self._exact(place) for place in places})
-            found |= {place: (base, known.get(place, ())) for place in places}
+            found |= dict.fromkeys(places, (base, known))
         return found
 
     @property
@@ -97,23 +99,45 @@ class Variants:
                    for name, record in self.problem.spec.parameters.items())
 
     def _groups(self):
-        """[(Problem, blocks, places)] of the blocks, ((low, high) on each axis), whose corners all have the same
-        expressions."""
+        """[(Problem, blocks, places)] of the blocks, ((low, high) on each axis), that have the same expressions."""
         count = CORNERS[min(len(self.axes), len(CORNERS)) - 1]
         cuts = [_corners(length, count) for length in self.lengths]
         groups: dict = {}
-        for block, places in self._by_block(cuts).items():
-            corners = list(dict.fromkeys(product(*block)))
-            if len(places) < len(corners):
-                continue        # sooner drawn by themselves
-            structure = self._structure(corners[0])
-            if structure is None or any(self._structure(corner) != structure for corner in corners):
-                continue
-            base = self._drawn[corners[0]]
-            found = groups.setdefault(structure, (base, [], {}))
-            found[1].append(block)
-            found[2].update(dict.fromkeys((*corners, *places)))
+        for whole, all_of in self._by_block(cuts).items():
+            for block, places in self._alike(whole, all_of):
+                corner = next(product(*block))
+                found = groups.setdefault(self._structure(corner), (self._drawn[corner], [], {}))
+                found[1].append(block)
+                found[2].update(dict.fromkeys((*product(*block), *places)))
         return groups.values()
+
+    def _alike(self, block, places):
+        """(block, places in it) of the parts of a block that have the same expressions at their corners, in large ones
+        in the middle too; halved where they turn."""
+        corners = list(dict.fromkeys(product(*block)))
+        if len(places) < len(corners):
+            return              # sooner drawn by themselves
+        middle = [tuple(sum(ends) // 2 for ends in block)] if len(corners) > LARGE else []
+        structures = [self._structure(place) for place in (*corners, *middle)]
+        if None not in structures and len(set(structures)) == 1:
+            yield block, places
+        elif len(places) > len(corners):
+            _, _, axis = max((self._turns(axis, corners, block), high - low, axis)
+                             for axis, (low, high) in enumerate(block))
+            low, high = block[axis]
+            cut = (low + high) // 2
+            for part in ((low, cut), (cut + 1, high)):
+                within = [place for place in places if part[0] <= place[axis] <= part[1]]
+                if within:
+                    yield from self._alike((*block[:axis], part, *block[axis + 1:]), within)
+
+    def _turns(self, axis, corners, block):
+        """How many pairs of corners along an axis differ; −1 where it cannot be halved."""
+        low, high = block[axis]
+        if low == high:
+            return -1
+        return sum(self._structure(one) != self._structure((*one[:axis], high, *one[axis + 1:]))
+                   for one in corners if one[axis] == low)
 
     def _by_block(self, cuts):
         """{block: places in it}."""

@@ -85,6 +85,26 @@ springs: {s: {k: k, between: [[0.3 m, 0], e]}}
         assert problem.configuration.linear_system.springs[0][1][0] == pytest.approx(np.sign(stretch), abs=1e-15), i
 
 
+def test_blocks_are_halved_where_the_drawing_turns():
+    """A bead that passes the other end of its spring, over five parameters: on either side the scene is shared."""
+    p = vibcli.loads("""
+parameters: {k: 100 N/m, a: 1 m, m: 1 kg, b: 0.3 m, K: 50 N/m}
+points: {e: {body: bead, at: [a, 0]}}
+bodies: {bead: {mass: m, at: [0, 0], slide: x}}
+springs: {s: {k: k, between: [[b, 0], e]}, S: {k: K, stretch: x}}
+""")
+    numbers = {"k": [80, 90, 100], "a": [0.1, 0.2, 0.4, 0.5, 0.6, 0.7], "m": [1, 2, 3], "b": [0.27, 0.3, 0.33],
+               "K": [40, 50, 60]}
+    grid = Variants(p._as_read, [{name: of_numbers(p._as_read.spec, name, values).values}
+                                 for name, values in numbers.items()])
+    for _, problem in grid:
+        known = problem.numeric.floats
+        assert problem.configuration.linear_system.springs[0][1][0] == np.sign(known["a"] - known["b"])
+        mode, = problem.modal.modes
+        assert mode.omega == pytest.approx(((known["k"] + known["K"]) / known["m"])**0.5, rel=1e-14)
+    assert len(grid._drawn) <= 3 * 2**5 < 486
+
+
 def test_two_parameters():
     p = vibcli.loads(CAR)
     found = p.sweep("omega[1]", kf=np.linspace(9, 40, 6), kr=np.linspace(10, 30, 7))

@@ -19,7 +19,8 @@ from vibcli.base.decoding import MAX_BYTES
 from vibcli.base.errors import PhysicsError
 from vibcli.cli.checking.found import CheckedAnswer, CheckedFile, Trouble
 
-NAME, FORM = ".vibcli_cache", 1
+NAME, FORM, SOURCES = ".vibcli_cache", 1, "sources"
+ROOT = Path(__file__).parents[2]
 COMPUTES_WITH = "numpy", "scipy", "sympy", "mpmath", "PyYAML"
 TAG = "Signature: 8a477f597d28d172789f06886806bc55\n# Results of `vibcli check`; they may be deleted.\n"
 BESIDE = {"CACHEDIR.TAG": TAG, ".gitignore": "*\n"}
@@ -55,7 +56,7 @@ class Cache:
             raise Unusable(getattr(error, "strerror", None) or str(error)) from None
         if not os.access(folder, os.W_OK | os.X_OK):
             raise Unusable("it may not be written to")
-        self._machinery = _machinery()
+        self._machinery = _machinery(folder)
 
     def find(self, file: str) -> CheckedFile | None:
         """What was found of a file when it was as it is now; None where that is not known."""
@@ -125,7 +126,7 @@ def _lasts(found):
     return found.code != 101 and not any(one.message.startswith(ABSENT) for one in found.troubles)
 
 
-def _machinery():
+def _machinery(folder):
     """The hash of what computes: the sources of vibcli, Python, and the packages by their versions."""
     from importlib.metadata import PackageNotFoundError, version
 
@@ -135,10 +136,48 @@ def _machinery():
         except PackageNotFoundError:
             return "–"
 
-    root = Path(__file__).parents[2]
-    sources = sorted(root.rglob("*.py"))
-    parts = [part for path in sources for part in (str(path.relative_to(root)), path.read_bytes())]
-    return _digest(sys.version, *map(known, COMPUTES_WITH), *parts)
+    return _digest(sys.version, *map(known, COMPUTES_WITH), _installed() or _sources(folder / SOURCES))
+
+
+def _installed():
+    """The list of the files of an installed wheel, with their hashes; None of sources that can be edited."""
+    from importlib.metadata import PackageNotFoundError, distribution
+
+    try:
+        found = distribution("vibcli")
+    except PackageNotFoundError:
+        return None
+    record = found.read_text("RECORD") or ""
+    here = os.path.relpath(__file__, ROOT.parent).replace(os.sep, "/")
+    is_this = os.path.realpath(str(found.locate_file("vibcli"))) == os.path.realpath(ROOT)
+    return record if is_this and f"\n{here}," in f"\n{record}" else None
+
+
+def _sources(kept):
+    """The hash of the sources, read anew where a name, size or instant of change is another one than in a file."""
+    files = sorted((os.path.relpath(path, ROOT), path) for path in _files(ROOT))
+    looks = _digest(*(f"{name} {(known := os.stat(path)).st_size} {known.st_mtime_ns}" for name, path in files))
+    try:
+        before, found, own = kept.read_text().split()
+        if before == looks and own == _digest(before, found):
+            return found
+    except (OSError, ValueError):
+        pass
+    found = _digest(*(part for name, path in files for part in (name, Path(path).read_bytes())))
+    with suppress(PhysicsError):
+        _write(kept, f"{looks} {found} {_digest(looks, found)}\n".encode())
+    return found
+
+
+def _files(folder):
+    """The paths of Python files in a folder and all below it."""
+    with os.scandir(folder) as entries:
+        for entry in entries:
+            if entry.is_dir(follow_symlinks=False):
+                if entry.name != "__pycache__":
+                    yield from _files(entry.path)
+            elif entry.name.endswith(".py"):
+                yield entry.path
 
 
 def _digest(*parts):

@@ -1,0 +1,127 @@
+"""Planted faults of ours in what is found of variants: each is seen by a gate, or by the reading anew of what is handed
+out."""
+
+import random
+from pathlib import Path
+
+import pytest
+
+from vibcli.api.source import file_source, problem_of
+from vibcli.homework import solved as solving
+from vibcli.homework import variants
+from vibcli.homework.candidates import candidates
+from vibcli.homework.document import SceneDocument
+from vibcli.homework.keys import AnswerKey
+from vibcli.homework.variants import read_anew, solve_variants
+from vibcli.language.document.mapping import document_of
+from vibcli.quantities.expression import value_of
+from vibcli.reader.read import read_changed
+
+PROBLEMS = Path(__file__).parents[3] / "problems"
+WITH_VARIANTS = [path for path in sorted(PROBLEMS.glob("*/*.yaml"))
+                 if "\nvariants:" in path.read_text(encoding="utf-8")]
+FEW = 6
+DOUBLED = {"springs": "k", "dampers": "c", "forces": "force"}
+
+
+class Scene:
+    """A problem with so many of its variants."""
+
+    def __init__(self, path, count=FEW):
+        source = file_source(path)
+        problem = problem_of(source)
+        self.document = SceneDocument.of(source.node, source.file, None)
+        rules = problem.spec.get("variants")._replace(sample=count)
+        self.problem = problem.with_spec(problem.spec.with_sections(variants=rules))
+
+    def solve(self):
+        return solve_variants(self.problem, self.document)
+
+    def doubled(self):
+        """[(section, name)] of what may be twice as large."""
+        return [(section, name) for section, key in DOUBLED.items()
+                for name, record in (self.problem.spec.get(section) or {}).items() if key in record]
+
+    def with_doubled(self, section, name):
+        """The problem with one spring, damper or force twice as large."""
+        written = self.problem.spec.get(section)[name][DOUBLED[section]]
+        twice = [f"2*({part.text})" for part in written] if isinstance(written, list) else f"2*({written.text})"
+        part, _ = document_of({section: {name: {DOUBLED[section]: twice}}})
+        return self.problem.with_spec(read_changed(self.document.root, part, "scene.yaml", "", {}))
+
+
+def key_off(scene, monkeypatch, draw):
+    """A key, of the shared evaluation alone, is off by two bands: seen where it is held, or when it is handed out."""
+    right = scene.solve()
+    number = draw.randrange(len(right.keys))
+    one = draw.choice(right.accepted)
+    value, sign = one.keys[number], draw.choice((-1, 1))
+    wrong = value._replace(value=value.value + sign * 2 * value.band.width)
+    off = one._replace(keys=(*one.keys[:number], wrong, *one.keys[number + 1:]))
+    with pytest.raises(RuntimeError, match="two ways"):
+        read_anew(scene.document, right.keys, off)
+
+
+def all_keys_off(scene, monkeypatch, draw):
+    """The keys of a quantity are off in all variants as the shared evaluation finds them."""
+    asked = draw.choice(scene.problem.spec.get("variants").ask).asked.text
+    real, share = AnswerKey.found, draw.choice((-0.03, 0.03))
+
+    def found(key, problem):
+        value = real(key, problem)
+        return (value[0] * (1 + share), value[1]) if key.text == asked else value
+
+    monkeypatch.setattr(AnswerKey, "found", found)
+    with pytest.raises(RuntimeError, match="two ways"):
+        scene.solve()
+
+
+def mistakes_swapped(scene, monkeypatch, draw):
+    """Two mistakes give each other's numbers."""
+    wrong = {one.mistake: one.value for value in scene.solve().accepted[0].keys for one in value.wrong}
+    pairs = [(a, b) for a in wrong for b in wrong if abs(wrong[a] - wrong[b]) > 1e-6 * abs(wrong[a])]
+    one, other = draw.choice(pairs)
+    real = variants._equal
+
+    def equal(keys, candidates):
+        for each in candidates.values():
+            each.wrong[one], each.wrong[other] = each.wrong[other], each.wrong[one]
+        return real(keys, candidates)
+
+    monkeypatch.setattr(variants, "_equal", equal)
+    with pytest.raises(RuntimeError, match="two ways"):
+        scene.solve()
+
+
+def doubled(scene, monkeypatch, draw):
+    """What is solved for all has a spring, damper or force that is twice as large as in the scene."""
+    section, name = draw.choice(scene.doubled())
+    other = scene.with_doubled(section, name)
+    monkeypatch.setattr(solving, "candidates", lambda problem, *args: candidates(
+        other if problem is scene.problem else problem, *args))
+    try:
+        found = scene.solve()
+    except RuntimeError as error:
+        assert "two ways" in str(error)
+        return
+    assert not found.accepted or not _matters(scene, other), (section, name)
+
+
+def _matters(scene, other):
+    """Does any key of the scene change with it?"""
+    keys = scene.problem.spec.get("variants").ask
+    return any(abs(value_of(scene.problem, one.asked)[0] / value_of(other, one.asked)[0] - 1) > 1e-9 for one in keys)
+
+
+FAULTS = key_off, all_keys_off, mistakes_swapped, doubled
+
+
+@pytest.mark.parametrize("fault", FAULTS, ids=lambda one: one.__name__)
+@pytest.mark.parametrize("name", ["bell_crank_dashpot", "quarter_car_damped", "inerter_under_a_machine"])
+def test_a_planted_fault_is_seen(fault, name, monkeypatch):
+    path = next(path for path in WITH_VARIANTS if path.stem == name)
+    fault(Scene(path), monkeypatch, random.Random(f"{name} {fault.__name__}"))
+
+
+def test_nothing_is_seen_where_nothing_is_planted():
+    assert Scene(WITH_VARIANTS[0]).solve().reread == FEW
