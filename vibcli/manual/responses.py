@@ -56,7 +56,9 @@ RESPONSE = [
         ("end", "`find: {response: {until: 2 s}}`, or `--until`. Unless given: until what decays slowest has fallen to "
          "1/1000, between 2 and 60 of the longest periods; where something grows, until it is 1000 times as large, at "
          "most 10 periods; without either 10 periods, or two beats if that is more, at most 60 periods. That is "
-         "counted from where the loads last change their form; where nothing vibrates nor decays, as long again."),
+         "counted from where the loads last change their form; where nothing vibrates nor decays, as long again. "
+         "Periods are those of the modes that are shown and of the loads; loads that die out are followed until they "
+         "have fallen to 1/1000. With `motion: full` periods and decays are those of the modes alone."),
         ("digits", "Every value of a small motion has a bound of its error, and only digits that this supports are "
          "printed. Where the bound exceeds 1e-9 of the largest value up to there, as after millions of cycles, the "
          "value, extreme, zero or number of the steady state is found anew from the exact data, to 25 digits, if that "

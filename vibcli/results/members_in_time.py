@@ -25,7 +25,7 @@ def members_in_time(problem: "Problem") -> "SmallResponse":
     except NotByWaves:
         return _by_modes(problem)
     try:
-        if waves.ends:
+        if waves.ends or waves.drawn_out:
             waves.reach(waves.until)
     except NotByWaves:      # fronts are too many up to the end
         found = _by_modes(problem, waves)

@@ -43,8 +43,8 @@ class PartedResponse(ResponseOfMembers):
         return self.whole.alone
 
     @property
-    def _last_change(self):
-        return self.whole._last_change
+    def _forces(self):
+        return self.whole._forces
 
     def reach(self, until: float) -> None:
         """Follow the waves up to an instant; NotByWaves where fronts are too many."""

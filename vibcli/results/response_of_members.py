@@ -233,18 +233,22 @@ class ResponseOfMembers(SmallResponse):
         return super()._one(part, source)
 
     def lasting(self):
-        from vibcli.analyses.transient.duration import duration
+        from vibcli.analyses.transient.duration import duration, fading
 
-        return duration(self.problem.modal.modes.shown(), self._dying, self._last_change, [])
+        forces = self._forces
+        last = forces.last.start if forces.listed else 0.0
+        return duration(self.problem.modal.modes.shown(), self._dying, last, sorted(forces.speeds), fading(forces))
+
+    @property
+    def drawn_out(self) -> bool:
+        """Do loads swing or die out, so that they may last longer than what vibrates?"""
+        from vibcli.analyses.transient.duration import fading
+
+        return bool(self._forces.speeds or fading(self._forces))
 
     @property
     def _dying(self):
         """The damped modes that tell when it has died out; None where those without dampers tell how long it lasts."""
-
-    @property
-    def _last_change(self) -> float:
-        """The last instant at which loads change their form."""
-        return self._forces.last.start if self._forces.listed else 0.0
 
     @cached_property
     def _forces(self) -> "Forcing":

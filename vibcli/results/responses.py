@@ -141,13 +141,13 @@ class SmallResponse(Response):
         return self.moved()
 
     def lasting(self):
-        from vibcli.analyses.transient.duration import duration
+        from vibcli.analyses.transient.duration import duration, fading
 
         problem, forcing = self.problem, self.alone.forcing
         last = forcing.last.start if forcing.listed else 0.0
         modes = () if problem.modal.damped or not self.alone.blocks else problem.modal.modes.shown()
         damped = problem.modal.damped and problem.modal.damped.shown()
-        return duration(modes, damped, last, sorted(forcing.speeds))
+        return duration(modes, damped, last, sorted(forcing.speeds), fading(forcing))
 
     def signal(self, tree: NameRef | Power | Sum):
         """The signal of a tree."""

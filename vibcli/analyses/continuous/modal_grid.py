@@ -9,15 +9,18 @@ import numpy as np
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.modal_motion import ModalMotion
     from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.base.work import Task
 
 TURN = 0.4          # of the fastest state that is felt, from place to place
 FELT = 1e-15        # of all amplitudes: what is felt
 FEWEST = 16         # cells
+AT_ONCE = 100_000   # values of one mode each in a step
 
 
-def divided(cells: np.ndarray, motion: "ModalMotion", output: "LinearOutput", count: int) -> np.ndarray:
+def divided(cells: np.ndarray, motion: "ModalMotion", output: "LinearOutput", count: int,
+            task: "Task | None" = None) -> np.ndarray:
     """Cells of time (…, 2), in order, in parts as narrow as the first modes need; none reaches over a jump or bend of
-    the loads."""
+    the loads. task: what counts their values before there are any."""
     edges, steps = _steps(motion, output, cells[0, 0], cells[-1, 1], count)
     places = np.unique(np.concatenate([cells.ravel(), edges[(edges > cells[0, 0]) & (edges < cells[-1, 1])]]))
     low, high = places[:-1], places[1:]
@@ -25,6 +28,8 @@ def divided(cells: np.ndarray, motion: "ModalMotion", output: "LinearOutput", co
     within = middle < cells[np.searchsorted(cells[:, 0], middle, side="right") - 1, 1]
     low, high, middle = low[within], high[within], middle[within]
     parts = np.ceil((high - low) / steps[np.searchsorted(edges, middle, side="right") - 1]).astype(int)
+    if task is not None:
+        task.step(steps=float(parts.sum()) * max(count, 1) / AT_ONCE)
     number = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
     low, width = np.repeat(low, parts), np.repeat((high - low) / parts, parts)
     last = number + 1 == np.repeat(parts, parts)

@@ -14,7 +14,8 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.modal_motion import ModalMotion
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
-LEVELS = 12, 48, 192, 768       # modes
+LEVELS = 0, 1, 3, 12, 48, 192, 768      # modes
+FEW = 48                        # modes on a window
 MOST = 2_000                    # steps of 100,000 values
 BENT = 0.5                      # of the largest second difference beside it: how far a value rises between places
 NARROW = 40                     # sections of the last search
@@ -128,8 +129,7 @@ def _searched(motion, output, start, end, chosen):
     cells, total = np.array([[start, end]]), motion.count
     with motion.work.task("the search along a motion by modes", MOST) as task:
         for count in [*(level for level in LEVELS if level < total), total]:
-            cells = divided(cells, motion, output, count)
-            task.step(steps=len(cells) * count / 1e5)
+            cells = divided(cells, motion, output, count, task)
             values = motion.values(output, cells, modes=count)
             rest = max(motion.bound(output, t, modes=count) for t in _beginnings(motion, end))
             cells = cells[chosen(cells, values, rest)]
@@ -156,7 +156,7 @@ def _lifted(motion, output, stretch, window, enough, top):
 
 def _reached(motion, output, stretch, window, top):
     """The same between two instants of a stretch, by its first modes on a grid."""
-    count, (sense, value) = min(LEVELS[1], motion.count), top
+    count, (sense, value) = min(FEW, motion.count), top
     cells = divided(np.array([window]), motion, output, count)
     values = sense * motion.values(output, cells, modes=count)
     rest = motion.bound(output, window[0]) + motion.left(output, stretch, window[0], count)

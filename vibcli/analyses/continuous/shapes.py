@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 CLOSE = 1e-6        # part of a piece by which one stays away from its ends
 FINE = 8            # places for each half-wave
-STEPS, SETTLED = 60, 4e-16
+STEPS, SETTLED = 60, 2.0**-27      # of the distance of places: a step as short leaves its square, which is rounding
 BESIDE, MOVES, ROUNDING = 1e-3, 1e-9, 1e-12     # of the way to the next turning place; of |u|, of the largest one
 
 
@@ -63,7 +63,7 @@ def resting_and_turning(pieces: Sequence[Moved]) -> tuple[list[float], list[floa
     held = [not which and any(places[at] < place < places[at + 1] for place in supports)
             for which, at in zip(of, turns, strict=True)]
     of, turns = of[np.logical_not(held)], turns[np.logical_not(held)]
-    found = _narrowed(pieces, of, places[turns], places[turns + 1], values[turns, of])
+    found = _narrowed(pieces, of, places[[turns, turns + 1]], values[[turns, turns + 1], of])
     return found[of == 0].tolist(), found[of == 1].tolist()
 
 
@@ -80,10 +80,11 @@ def antinodes(pieces: Sequence[Moved], turning: Sequence[float]) -> list[float]:
     return places[moves & above[0] & above[1]].tolist()
 
 
-def _narrowed(pieces, of, low, high, below):
-    """The zeros of u, of = 0, and of u′, 1, between places, by Newton steps that stay between them; below: the values
-    at `low`."""
-    found, moving = (low + high) / 2, np.arange(len(of))
+def _narrowed(pieces, of, ends, values):
+    """The zeros of u, of = 0, and of u′, 1, between two ends each, (2, zeros), with these values there, by Newton steps
+    that stay between them, from where a straight line is zero."""
+    (low, high), (below, above) = ends, values
+    found, short, moving = low + (high - low) * (below / (below - above)), SETTLED * (high - low), np.arange(len(of))
     for _ in range(STEPS):
         if not len(moving):
             break
@@ -95,8 +96,8 @@ def _narrowed(pieces, of, low, high, below):
         with np.errstate(all="ignore"):
             step = place - value / slope
         found[moving] = np.where((step >= low) & (step <= high), step, (low + high) / 2)
-        on = abs(found[moving] - place) > SETTLED * abs(place)
-        moving, of, low, high, below = (kept[on] for kept in (moving, of, low, high, below))
+        on = abs(found[moving] - place) > short
+        moving, of, low, high, below, short = (kept[on] for kept in (moving, of, low, high, below, short))
     return found
 
 

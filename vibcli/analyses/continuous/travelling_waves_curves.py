@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 
 LEVELS = 3          # a function, its rate, the rate of that
 EVEN = 8 * 2.0**-52 # of the largest rate: how far a rate that is constant may stray
+MOST_POWERS = 24    # of the time: what is left of e^{sτ} for |sτ| ≤ 1 is far below rounding
 SAME = 1e-12        # relative distance of instants that are one
 
 
@@ -121,7 +122,11 @@ class Loads:
         """(channels, instants): the order-th rates of a piece at instants after `start`, also beyond its ends."""
         found = np.zeros((self.channels, len(later)))
         since = float(start - Fraction(float(self.starts[number])))
-        for wave in self.pieces[number].waves if self.pieces else ():
+        waves = self.pieces[number].waves if self.pieces else ()
+        fastest = max((abs(complex(wave.exponent)) for wave in waves), default=0.0)
+        if 0 < fastest * np.abs(since + later).max(initial=0.0) <= 1:
+            return _in_powers(waves, found, since + later, order)
+        for wave in waves:
             terms = {wave.power: complex(wave.coefficient)}
             for _ in range(order):
                 terms = _differentiated(terms, wave.exponent)
@@ -133,6 +138,19 @@ class Loads:
     def used(self, number: int) -> set[int]:
         """The channels on which a piece has waves."""
         return {wave.channel for wave in self.pieces[number].waves} if self.pieces else set()
+
+
+def _in_powers(waves, found, tau, order):
+    """The same while no wave has turned far, in powers of the time, of which those that cancel leave nothing."""
+    sums = np.zeros((len(found), MOST_POWERS))
+    for wave in waves:
+        s, factor = complex(wave.exponent), complex(wave.coefficient)
+        for power in range(wave.power, MOST_POWERS):
+            sums[wave.channel, power] += factor.real
+            factor *= s / (power - wave.power + 1)
+    for channel, row in enumerate(sums):
+        found[channel] = np.polynomial.polynomial.polyval(tau, np.polynomial.polynomial.polyder(row, order))
+    return found
 
 
 def _differentiated(terms, exponent):

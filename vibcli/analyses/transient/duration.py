@@ -6,16 +6,32 @@ from math import log, tau
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from vibcli.analyses.excitation.forcing import Forcing
     from vibcli.analyses.modal.damped_modes import DampedMode
     from vibcli.analyses.modal.undamped import Mode
 
 DYING, PERIODS, MOST = log(1000), 10, 60
+LATER = 3           # e-foldings more for each power of the time
 GONE = 2.5          # of those times: what is left after twice as long is below rounding
 
 
 def duration(modes: "Sequence[Mode]", damped: "Sequence[DampedMode] | None", last: float,
-             speeds: Sequence[float]) -> float:
-    """Seconds: `last` is the last instant at which the forcing changes its form, `speeds` its angular frequencies."""
+             speeds: Sequence[float], fading: float = 0.0) -> float:
+    """Seconds: `last` is the last instant at which the forcing changes its form, `speeds` its angular frequencies,
+    `fading` how long it takes from then on to die out."""
+    return last + max(_moving(modes, damped, last, speeds), fading)
+
+
+def fading(forcing: "Forcing") -> float:
+    """Seconds from its last change on in which what dies out of a Forcing, e^{-at} or tᵏe^{-at}, has fallen to 1/1000
+    of its largest value or less; 0 where nothing does."""
+    waves = forcing.last.waves if forcing.listed else ()
+    return max(((DYING + LATER * wave.power) / -float(wave.exponent.real)
+                for wave in waves if wave.exponent.real < 0 and wave.coefficient), default=0.0)
+
+
+def _moving(modes, damped, last, speeds):
+    """That from `last` on, as far as the motion and what swings in the forcing tell."""
     frequencies = [mode.omega for mode in modes if mode.omega]
     decays = []
     if damped is not None:
@@ -24,13 +40,13 @@ def duration(modes: "Sequence[Mode]", damped: "Sequence[DampedMode] | None", las
     growths = [mode.growth_rate for mode in (damped or modes) if mode.growth_rate]
     longest = max((tau / float(omega) for omega in (*frequencies, *speeds)), default=0.0)
     if growths:
-        return last + min(DYING / float(max(growths)), PERIODS * longest or float("inf"))
+        return min(DYING / float(max(growths)), PERIODS * longest or float("inf"))
     if decays:
         dying = DYING / float(min(decays))
-        return last + (min(max(dying, 2 * longest), MOST * longest) if longest else dying)
+        return min(max(dying, 2 * longest), MOST * longest) if longest else dying
     if longest:
-        return last + max(PERIODS * longest, min(2 * _beat(frequencies), MOST * longest))
-    return 2 * last or 1.0
+        return max(PERIODS * longest, min(2 * _beat(frequencies), MOST * longest))
+    return last or 1.0
 
 
 def _seen(mode):
