@@ -55,7 +55,7 @@ def annotations(stage: Any, found: Any,
         put(parts)
         words.append((item[0], places, item[1]))
     for strip in stage.strips:
-        for parts, runs, places, role in member_words.of(strip, sketch):
+        for parts, runs, places, role in member_words.of(strip, sketch, space):
             put(parts)
             if runs:
                 words.append((runs, places, role))

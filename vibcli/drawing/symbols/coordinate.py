@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from vibcli.drawing.symbols.look import Look
 
 LENGTH, TICK, WIDE = 26.0, 5.0, 60.0
+ROUND, AROUND = (22.0, 32.0, 44.0), (2, 6, 14, 10, 1, 7, 15, 9, 3, 5, 13, 11, 0, 4, 8, 12)
 LINES, ARCS = (5.0, 11.0, 18.0, 27.0, 38.0), (0.55, 0.7, 0.85, 0.4, 1.0)
 
 
@@ -120,7 +121,7 @@ def draw(item: "tuple[tuple[Run, ...], str, BodyMotion]", sketch: Sketch, looks:
     """The primitives of an arrow where it fits best, and the places beside which its name may stand."""
     _, role, motion = item
     paths = _straight(motion, sketch, looks) if motion.direction else _round(motion, sketch, looks)
-    path, make = min(enumerate(paths), key=lambda item: space.path(item[1][0]) + 1.5 * item[0])[1]
+    path, make = min(enumerate(paths), key=lambda item: space.arrow(item[1][0]) + 1.5 * item[0])[1]
     return make(role), [path[-1], path[len(path) // 2]]
 
 
@@ -144,7 +145,13 @@ def _straight(motion, sketch, looks):
         shifted = [_ticked(plane.plus(plane.plus(centre, e, front + gap), n, shift), e, n) for shift in (20.0, -20.0)]
         found += [ahead, *shifted, *beside] if wide else [*beside, ahead]
         found += close if looks[motion.body].kind in ("rod", "arm", "bob", "bar") else []
-    return found
+    return found + _about(centre, max(*map(abs, reach), front), e, n)
+
+
+def _about(centre, far, e, n):
+    """Further candidates: arrows about a body, the nearer ones first."""
+    middles = [plane.polar(centre, far + gap, k * pi / 8) for gap in ROUND for k in AROUND]
+    return [_ticked(plane.plus(middle, e, -LENGTH / 2), e, n) for middle in middles]
 
 
 def _ticked(start, e, n):
