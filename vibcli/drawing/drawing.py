@@ -27,7 +27,7 @@ def draw(problem: Any) -> list[Any]:
 
 
 def annotations(stage: Any, found: Any,
-                where: Mapping[str, tuple[tuple[float, float], tuple[float, float]]]) -> list[Any]:
+                where: Mapping[str, tuple[Any, ...]]) -> list[Any]:
     """Arrows of coordinates, motions and loads, the names of everything, gravity and notes."""
     sketch, space, made = stage.sketch, Space(found), []
 
@@ -65,8 +65,8 @@ def annotations(stage: Any, found: Any,
         put(parts)
         if runs:
             made.append(space.put(runs, places, "driven"))
-    for name, (middle, normal) in where.items():
-        beside = [plane.plus(middle, normal, side) for side in (7.0, -7.0)]
+    for name, (middle, normal, *sides) in where.items():
+        beside = [plane.plus(middle, normal, 7.0 * side) for side in sides or (1.0, -1.0)]
         made.append(space.put(_element(name, sketch), beside))
     made += _lengths(stage, space)
     put(_gravity(sketch, extent(found + made)))

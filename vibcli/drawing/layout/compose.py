@@ -41,7 +41,8 @@ class Scenery:
         box = extent(primitives(self, self.sketch)[0])
         left, top = (box[0], box[1] - BELOW) if box else (0.0, 0.0)
         held = _held_alone(scene)
-        self.rows = lumped.layouts([row for row in rows.rows(scene) if not _only(row, held)], scene, left, top)
+        self.rows = lumped.layouts([row for row in rows.rows(scene) if not _only(row, held)], self.sketch, left,
+                                   top)
         if self.rows:
             top = min(layout.y - max(place.height for place in layout.places.values()) for layout in self.rows) - BELOW
         self.strips = strips(self.sketch, left, top)
@@ -54,7 +55,7 @@ class Scenery:
 
 def figure(stage: Scenery, sketch: Any, unit: Any = 1.0,
            room: Any = None,
-           bends: Any = None) -> tuple[list[Any], dict[str, tuple[tuple[Any, ...], tuple[Any, ...]]]]:
+           bends: Any = None) -> tuple[list[Any], dict[str, tuple[Any, ...]]]:
     """Everything of a scene but its words and arrows, and where its elements are, as {name: (middle, normal)};
     lumped bodies are displaced by `unit` points for one metre; `room`: that in which bodies slide on the ground;
     `bends`: {member: Bend} of members in motion."""
@@ -113,7 +114,7 @@ def _only(row, held):
 
 
 def primitives(stage: Scenery, sketch: Any,
-               room: Any = None) -> tuple[list[Any], dict[str, tuple[tuple[Any, ...], tuple[Any, ...]]]]:
+               room: Any = None) -> tuple[list[Any], dict[str, tuple[Any, ...]]]:
     """What has a place, without words and arrows."""
     looks, ties = stage.looks, stage.ties
     found = _surfaces(sketch, looks)

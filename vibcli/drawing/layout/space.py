@@ -6,7 +6,7 @@ from math import ceil, cos, floor, hypot, pi, sin
 from typing import Any
 
 from vibcli.drawing.canvas.primitives import ARROW, BODY, Circle, LetterRuns, Polygon, Run
-from vibcli.drawing.layout import lettering, plane
+from vibcli.drawing.layout import lettering
 
 CELL, TAKEN, FILLED, CLEAR = 2.5, 1000.0, 0.02, 1.6
 REACHES = (2.0, 4.0, 7.0, 11.0, 16.0, 22.0, 30.0, 40.0, 55.0, 75.0, 100.0, 140.0, 200.0, 280.0)
@@ -69,9 +69,16 @@ class Space:
         get = self.cells.get
         return sum(get(key, 0.0) for key in _cells_of(points))
 
-    def arrow(self, points: Sequence[tuple[float, float]]) -> float:
-        """The cost of an arrow along a path, which is to cross no spring, damper, body or other arrow."""
-        return self.path(points) + CROSSED * sum(key in self.barred for key in _cells_of(points))
+    def arrow(self, points: Sequence[tuple[float, float]], within: float = FILLED) -> float:
+        """The cost of an arrow along a path, which is to cross nothing that is kept clear; `within`: that of a cell
+        inside an outline."""
+        get = self.cells.get
+        return self.crossings(points) + sum(within if (cost := get(key, 0.0)) == FILLED else cost
+                                            for key in _cells_of(points))
+
+    def crossings(self, points: Sequence[tuple[float, float]]) -> float:
+        """The cost of what a path crosses of springs, dampers, bodies and arrows."""
+        return CROSSED * sum(key in self.barred for key in _cells_of(points))
 
     def put(self, runs: Sequence[Run], anchors: Sequence[tuple[float, float]], role: str = "ink",
             inside: Sequence[tuple[float, float]] = (), most: float | None = None) -> LetterRuns:

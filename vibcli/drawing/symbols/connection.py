@@ -76,7 +76,7 @@ def _edge(end, other, looks):
     return Attachment(end.carrier, edge, True) if near else end
 
 
-def draw(bunch: Bunch, sketch: Sketch) -> tuple[list[Any], dict[str, tuple[tuple[Any, ...], tuple[Any, ...]]]]:
+def draw(bunch: Bunch, sketch: Sketch) -> tuple[list[Any], dict[str, tuple[Any, ...]]]:
     """The primitives of a Bunch, and where each member is: {name: (middle, normal)}."""
     a, b = sketch.now(bunch.one), sketch.now(bunch.two)
     length, at = plane.distance(a, b), plane.along(a, b)
@@ -89,7 +89,7 @@ def draw(bunch: Bunch, sketch: Sketch) -> tuple[list[Any], dict[str, tuple[tuple
     for record, t in zip(bunch.members, sides, strict=True):
         start, end = at(bridge, t), at(length - bridge, t)
         found += symbol(record).between(record, start, end, drawn - 2 * bridge)
-        where[record.name] = plane.middle(start, end), plane.left(plane.unit(plane.minus(b, a)))
+        where[record.name] = plane.middle(start, end), plane.left(plane.unit(plane.minus(b, a))), *parts.sides(t, sides)
     for end, place in ((bunch.one, a), (bunch.two, b)):
         if end.carrier is not None and end.carrier not in sketch.moving_points and not end.loose:
             found += support.dot(place)

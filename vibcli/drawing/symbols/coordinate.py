@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.drawing.layout import captions, lettering, plane
 from vibcli.drawing.layout.sketch import Attachment, Sketch
+from vibcli.drawing.layout.space import FILLED
 from vibcli.drawing.symbols import arrow
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -15,9 +16,9 @@ if TYPE_CHECKING:
     from vibcli.drawing.layout.space import Space
     from vibcli.drawing.symbols.look import Look
 
-LENGTH, TICK, WIDE = 26.0, 5.0, 60.0
+LENGTH, TICK, WIDE, OVER = 26.0, 5.0, 60.0, 1.5
 ROUND, AROUND = (22.0, 32.0, 44.0), (2, 6, 14, 10, 1, 7, 15, 9, 3, 5, 13, 11, 0, 4, 8, 12)
-LINES, ARCS = (5.0, 11.0, 18.0, 27.0, 38.0), (0.55, 0.7, 0.85, 0.4, 1.0)
+LINES, ARCS, BEYOND = (5.0, 11.0, 18.0, 27.0, 38.0), (0.55, 0.7, 0.85, 0.4, 1.0), (0.7, 0.8, 0.9)
 
 
 class BodyMotion(NamedTuple):
@@ -121,7 +122,8 @@ def draw(item: "tuple[tuple[Run, ...], str, BodyMotion]", sketch: Sketch, looks:
     """The primitives of an arrow where it fits best, and the places beside which its name may stand."""
     _, role, motion = item
     paths = _straight(motion, sketch, looks) if motion.direction else _round(motion, sketch, looks)
-    path, make = min(enumerate(paths), key=lambda item: space.arrow(item[1][0]) + 1.5 * item[0])[1]
+    over = OVER if motion.direction else FILLED      # an arc may well be within the body that turns
+    path, make = min(enumerate(paths), key=lambda item: space.arrow(item[1][0], over) + 1.5 * item[0])[1]
     return make(role), [path[-1], path[len(path) // 2]]
 
 
@@ -197,9 +199,10 @@ def _round(motion, sketch, looks):
         radius = min(max(share * far, min(26.0, 0.8 * far), 13.0), 85.0) + 14 * ARCS.index(share) * (share * far > 85)
         span = min(0.5 * pi, max(26.0 / radius, 0.3))
         found.append(_arced(centre, radius, heading, heading + span))
-    return found
+    return found + [_arced(centre, share * far, heading, heading + 26.0 / (share * far)) for share in BEYOND
+                    if share * far > 85.0]
 
 
 def _arced(centre, radius, start, end):
-    path = plane.arc(centre, radius, start + 0.25 * (end - start), end + 4.0 / radius)
+    path = plane.arc(centre, radius, start, end + 4.0 / radius)
     return path, lambda role: arrow.round_(centre, radius, start, end, role)

@@ -28,7 +28,9 @@ def draw(record: "Record", sketch: "Sketch", looks: "Mapping[str, Look]",
             return None             # that at a point of a member is drawn with it
         return _moment(record, sketch, looks, space)
     if "at" in record and (at := sketch.attachment(record["at"])) is not None:
-        return _unbalance(record, at, sketch, space) if "unbalance" in record else _force(record, at, sketch, looks, space)
+        if "unbalance" in record:
+            return _unbalance(record, at, sketch, space)
+        return _force(record, at, sketch, looks, space)
     return None
 
 
