@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.drawing.canvas.primitives import BODY, SURFACE, Circle, Polyline, extent
-from vibcli.drawing.layout import lumped, plane, rows
+from vibcli.drawing.layout import hung, lumped, plane, rows
 from vibcli.drawing.layout.positions import values_at
 from vibcli.drawing.layout.scale import scale_of
 from vibcli.drawing.layout.sketch import Sketch
@@ -40,9 +40,10 @@ class Scenery:
             self.ropes[f"implied {number}"] = rope.implied(found, self.sketch, self.looks)
         box = extent(primitives(self, self.sketch)[0])
         left, top = (box[0], box[1] - BELOW) if box else (0.0, 0.0)
-        held = _held_alone(scene)
-        self.rows = lumped.layouts([row for row in rows.rows(scene) if not _only(row, held)], self.sketch, left,
-                                   top)
+        every = rows.rows(scene)
+        self.hung = hung.find(every, self.sketch)
+        elsewhere = {*_held_alone(scene), *(one.body for one in self.hung)}
+        self.rows = lumped.layouts([row for row in every if not _only(row, elsewhere)], self.sketch, left, top)
         if self.rows:
             top = min(layout.y - max(place.height for place in layout.places.values()) for layout in self.rows) - BELOW
         self.strips = strips(self.sketch, left, top)

@@ -35,7 +35,9 @@ def of(stage: "Scenery") -> "list[tuple[Run, ...]]":
                       if hasattr(record.get(key), "tree")]
             what = [(field, " on ") for field in fields[:1]]    # none of what consists of parts
             found.append(_note(f"{record.name}: ", scene, *what, (record["stretch"], "")))
-    found += [_tie(record, stage.sketch) for record in spec.connections if _unplaced(record, stage.sketch)]
+    hung = [name for one in stage.hung for name in one.ties]
+    found += [_tie(record, stage.sketch) for record in spec.connections
+              if record.name not in hung and _unplaced(record, stage.sketch)]
     for name, record in (spec.get("forces") or {}).items():
         if "value" in record:
             found.append(_note(f"{name}: ", scene, (record["value"], "")))

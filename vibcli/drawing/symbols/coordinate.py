@@ -1,6 +1,6 @@
 """Arrows of the coordinates at what they move, and of what is driven as a function of time."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from math import hypot, pi
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from vibcli.drawing.layout.space import Space
     from vibcli.drawing.symbols.look import Look
 
+Place = tuple[float, float]
 LENGTH, TICK, WIDE, OVER = 26.0, 5.0, 60.0, 1.5
 ROUND, AROUND = (22.0, 32.0, 44.0), (2, 6, 14, 10, 1, 7, 15, 9, 3, 5, 13, 11, 0, 4, 8, 12)
 LINES, ARCS, BEYOND = (5.0, 11.0, 18.0, 27.0, 38.0), (0.55, 0.7, 0.85, 0.4, 1.0), (0.7, 0.8, 0.9)
@@ -141,10 +142,10 @@ def _straight(motion, sketch, looks):
     wide = max(reach) - min(reach) > WIDE
     found = []
     for gap in LINES:
-        ahead = _ticked(plane.plus(centre, e, front + gap), e, n)
-        beside = [_ticked(plane.plus(centre, n, side * (width + gap)), e, n) for width, side in sides]
-        close = [_ticked(plane.plus(centre, n, side * (gap + 6)), e, n) for _, side in sides]
-        shifted = [_ticked(plane.plus(plane.plus(centre, e, front + gap), n, shift), e, n) for shift in (20.0, -20.0)]
+        ahead = ticked(plane.plus(centre, e, front + gap), e, n)
+        beside = [ticked(plane.plus(centre, n, side * (width + gap)), e, n) for width, side in sides]
+        close = [ticked(plane.plus(centre, n, side * (gap + 6)), e, n) for _, side in sides]
+        shifted = [ticked(plane.plus(plane.plus(centre, e, front + gap), n, shift), e, n) for shift in (20.0, -20.0)]
         found += [ahead, *shifted, *beside] if wide else [*beside, ahead]
         found += close if looks[motion.body].kind in ("rod", "arm", "bob", "bar") else []
     return found + _about(centre, max(*map(abs, reach), front), e, n)
@@ -153,10 +154,11 @@ def _straight(motion, sketch, looks):
 def _about(centre, far, e, n):
     """Further candidates: arrows about a body, the nearer ones first."""
     middles = [plane.polar(centre, far + gap, k * pi / 8) for gap in ROUND for k in AROUND]
-    return [_ticked(plane.plus(middle, e, -LENGTH / 2), e, n) for middle in middles]
+    return [ticked(plane.plus(middle, e, -LENGTH / 2), e, n) for middle in middles]
 
 
-def _ticked(start, e, n):
+def ticked(start: Place, e: Place, n: Place) -> tuple[list[Place], Callable[[str], list[Any]]]:
+    """The path of an arrow along e from a tick along n, and what draws it in a role."""
     tip = plane.plus(start, e, LENGTH)
     ends = plane.plus(start, n, -TICK), plane.plus(start, n, TICK)
     path = [*ends, start, tip, plane.plus(tip, n, TICK), plane.plus(tip, n, -TICK), plane.plus(tip, e, 4)]

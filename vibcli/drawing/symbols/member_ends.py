@@ -5,7 +5,7 @@ from math import pi, sin
 from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import BODY, JOINT, SURFACE, Circle, Polygon, Polyline
-from vibcli.drawing.layout import captions, plane
+from vibcli.drawing.layout import captions, hung, plane
 from vibcli.drawing.layout.strips import Strip
 from vibcli.drawing.symbols import damper, spring, support
 from vibcli.drawing.symbols.joint import Turn
@@ -25,7 +25,7 @@ def draw(strip: Strip, bend: Bend, sketch: "Sketch") -> tuple[list[Any], list[tu
     found, named = [], []
     for side, x, sense in (("left", 0.0, -1.0), ("right", strip.metres, 1.0)):
         _end(strip.member.record.get(side, "free"), strip, bend, x, sense, sketch, found, named)
-    hung = iter(oscillators(strip, sketch))
+    unnamed = iter(oscillators(strip, sketch))
     for record in strip.member.record.get("attached", ()):
         x = sketch.number(record["at"])
         if "support" in record:
@@ -33,9 +33,11 @@ def draw(strip: Strip, bend: Bend, sketch: "Sketch") -> tuple[list[Any], list[tu
         _attached(record, strip, bend, x, 1.0 if x > 0.999 * strip.metres else -1.0 if x < 1e-3 * strip.metres else 0.0,
                   found, named)
         if "oscillator" in record:
-            name = next(hung)[1]
+            name = next(unnamed)[1]
             aside = (int(signal_name(name).axis or 1) - 1) * (BESIDE if x < 0.5 * strip.metres else -BESIDE)
             _oscillator(record["oscillator"], strip, bend, x, aside, sketch.values[name], found, named)
+    for one in hung.on(strip, sketch):
+        _oscillator(one.parts, strip, bend, sketch.number(one.at), 0.0, sketch.lumped[one.body], found, named)
     return found, named
 
 
@@ -143,6 +145,11 @@ def _attached(record, strip, bend, x, sense, found, named):
         parts, (middle, normal) = spring.about({}, Turn(here, plane.heading(outward) + pi, 0.0, None, 0))
         found += parts
         named.append((record, "torsion", [plane.plus(middle, normal, 6.0)]))
+
+
+def hanging(strip: Strip, sketch: "Sketch") -> list[tuple[float, str]]:
+    """[(place, coordinate)] of the oscillators on a member and of the bodies that hang from it."""
+    return oscillators(strip, sketch) + [(sketch.number(one.at), one.moves) for one in hung.on(strip, sketch)]
 
 
 def oscillators(strip: Strip, sketch: "Sketch") -> list[tuple[float, str]]:

@@ -4,9 +4,11 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import Run
-from vibcli.drawing.layout import captions, lettering, plane
+from vibcli.drawing.layout import captions, hung, lettering, plane
+from vibcli.drawing.layout.rows import motion
 from vibcli.drawing.layout.strips import Strip, resting
 from vibcli.drawing.symbols import arrow, member_ends, support
+from vibcli.drawing.symbols.coordinate import ticked
 from vibcli.drawing.symbols.dimension import SHORTEST, Length, named_length
 from vibcli.drawing.symbols.member import ASIDE, Bend, preload
 
@@ -28,6 +30,8 @@ def of(strip: Strip, sketch: "Sketch", space: "Space") -> Iterator[tuple[list[An
         yield preload(strip, sketch), captions.expression(_size(record["preload"]), sketch), [
             strip.at(strip.metres, ASIDE, 14.0)], "load"
     yield from _points(strip, sketch, space)
+    for one in hung.on(strip, sketch):
+        yield _motion(one, strip, sketch, space)
     for load in (sketch.spec.get("forces") or {}).values():
         if "per_length" in load and load["body"].text == strip.name:
             yield _spread(load, strip, sketch, space)
@@ -63,6 +67,16 @@ def _points(strip, sketch, space):
                 found = _load(load, strip, here, sketch, space)
                 if found is not None:
                     yield found
+
+
+def _motion(one, strip, sketch, space):
+    """The arrow of a body that hangs on a member."""
+    n, field = plane.left(strip.e), motion(sketch.scene.bodies[one.body])
+    way, aside = (n, strip.e) if strip.sideways else (strip.e, n)
+    middle = strip.at(sketch.number(one.at), -member_ends.REACH - 2 * member_ends.SIDE)
+    starts = [plane.plus(middle, aside, side * 26.0) for side in (1, -1)]
+    path, make = min((ticked(start, way, aside) for start in starts), key=lambda found: space.arrow(found[0]))
+    return make("coordinate"), captions.expression(field, sketch, 18), [path[3]], "coordinate"
 
 
 def _load(load, strip, here, sketch, space):
