@@ -211,3 +211,19 @@ def test_a_body_that_hangs_moves_in_a_mode_and_in_time():
 def test_a_body_that_more_joins_stands_in_a_row(more):
     stage = compose.Scenery(problem(DRIVEN % (more, CARRIERS["beam"])).scene)
     assert not stage.hung and [list(layout.places) for layout in stage.rows] == [["block"]]
+
+
+def test_a_member_held_by_a_body_of_a_row_is_tied_to_it():
+    text = """
+        parameters: {k: 2 kN/m, m: 1 kg}
+        bodies: {cart: {mass: m, slide: x}}
+        springs: {s: {k: k, between: [ground, cart]}}
+        beams: {mast: {length: 2 m, EI: 900 N*m^2, mass_per_length: 1 kg/m, left: {clamped: cart}}}
+    """
+    figure = draw(problem(text))
+    (dashed,) = [part.points for part in figure if isinstance(part, Polyline) and part.dashed]
+    assert not [part for part in figure if isinstance(part, Circle) and part.radius == member_ends.BALL]
+    assert "mast: left end clamped to cart" in ["".join(run.text for run in part.runs) for part in figure
+                                                if isinstance(part, LetterRuns)]
+    (strip,) = compose.Scenery(problem(text).scene).strips
+    assert dashed[1] == pytest.approx(strip.start)

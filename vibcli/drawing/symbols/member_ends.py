@@ -66,7 +66,7 @@ def _end(end, strip, bend, x, sense, sketch, found, named):
         _attached(end, strip, bend, x, sense, found, named)
     elif strip.placed:
         found += support.hinge(here) if word == "pinned" or strip.member.kind.name == "bar" else []
-    elif end[word].text in sketch.scene.bodies:
+    elif end[word].text in sketch.scene.bodies and end[word].text not in sketch.numbers.get("standing", ()):
         body = sketch.scene.bodies[end[word].text].record
         key = next((key for key in ("mass", "inertia") if key in body), None)
         found += _mass(strip, bend, x, sense, key or "mass")
@@ -78,12 +78,17 @@ def branches(strips: "Sequence[Strip]", sketch: "Sketch") -> list[Polyline]:
     found, known = [], {strip.name: strip for strip in strips}
     for strip in strips:
         for side, x in (("left", 0.0), ("right", strip.metres)):
-            end = strip.member.record.get(side, "free")
-            word = None if isinstance(end, str) or strip.placed else next((w for w in HELD if w in end), None)
-            if word is not None and end[word].text in known:
-                there = known[end[word].text].at(sketch.number(end["at"]))
-                found.append(Polyline((strip.at(x), there), "measure", 0.8, True, SURFACE))
+            for _, name in held(strip.member, side):
+                if name in known and not strip.placed:
+                    there = known[name].at(sketch.number(strip.member.record[side]["at"]))
+                    found.append(Polyline((strip.at(x), there), "measure", 0.8, True, SURFACE))
     return found
+
+
+def held(one: Any, side: str) -> list[tuple[str, str]]:
+    """[(how, the name of the body or member)] of what holds an end of a member, where anything does."""
+    end = one.record.get(side, "free")
+    return [] if isinstance(end, str) else [(word, end[word].text) for word in HELD if word in end]
 
 
 def _held(word, strip, here, outward, drawn):
