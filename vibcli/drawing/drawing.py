@@ -6,8 +6,7 @@ from typing import Any
 from vibcli.drawing.canvas.primitives import extent
 from vibcli.drawing.layout import captions, compose, lettering, letters, lumped, notes, plane
 from vibcli.drawing.layout.space import Space
-from vibcli.drawing.symbols import abstract, arrow, coordinate, dimension, load, member_words, path
-from vibcli.drawing.symbols.connection import symbol
+from vibcli.drawing.symbols import abstract, arrow, connection, coordinate, dimension, load, member_words, path
 from vibcli.drawing.symbols.shape import outline
 
 GRAVITY = 30.0
@@ -30,6 +29,8 @@ def annotations(stage: Any, found: Any,
                 where: Mapping[str, tuple[Any, ...]]) -> list[Any]:
     """Arrows of coordinates, motions and loads, the names of everything, gravity and notes."""
     sketch, space, made = stage.sketch, Space(found), []
+    for bunch in stage.bunches:
+        space.bar(connection.outline(bunch, sketch))
 
     def put(parts):
         made.extend(parts)
@@ -110,7 +111,9 @@ def _shaken(stage):
 
 def _element(name, sketch):
     record = sketch.spec.connection(name)
-    return lettering.named(name) if record is None else captions.quantity(record, symbol(record).NAMED_BY, sketch)
+    if record is None:
+        return lettering.named(name)
+    return captions.quantity(record, connection.symbol(record).NAMED_BY, sketch)
 
 
 def _bodies(stage):

@@ -29,24 +29,17 @@ class Space:
                 self.reserve(part.box)
                 continue
             if isinstance(part, (Polygon, Circle)) and part.fill not in (None, "paper"):
-                self._fill(part.points)
+                for key in _cells_within(part.points):
+                    self.cells.setdefault(key, FILLED)
             for stroke in part.strokes():
                 keys = set(_cells_of(stroke))
                 self.cells.update((key, 1.0) for key in keys if self.cells.get(key, 0.0) < 1.0)
                 if part.role in KEPT_CLEAR or part.layer == ARROW or (part.layer == BODY and getattr(part, "fill", 0)):
                     self.barred |= keys
 
-    def _fill(self, points):
-        """Take the inside of an outline lightly, row by row."""
-        ys = [y for _, y in points]
-        for j in range(ceil(min(ys) / CELL), floor(max(ys) / CELL) + 1):
-            y = (j + 0.5) * CELL
-            xs = sorted(ax + (y - ay) * (bx - ax) / (by - ay)
-                        for (ax, ay), (bx, by) in zip(points, [*points[1:], points[0]], strict=True)
-                        if (ay > y) != (by > y))
-            for left, right in zip(xs[::2], xs[1::2], strict=False):
-                for i in range(ceil(left / CELL), floor(right / CELL)):
-                    self.cells.setdefault((i, j), FILLED)
+    def bar(self, points: Sequence[tuple[float, float]]) -> None:
+        """Let no arrow into an outline."""
+        self.barred.update(_cells_within(points))
 
     def reserve(self, box: Sequence[float]) -> None:
         """Take a box for good."""
@@ -113,3 +106,16 @@ def _cells_of(points):
         steps = max(1, ceil(hypot(bx - ax, by - ay) / CELL))
         for i in range(steps + 1):
             yield floor((ax + (bx - ax) * i / steps) / CELL), floor((ay + (by - ay) * i / steps) / CELL)
+
+
+def _cells_within(points):
+    """The cells inside an outline, row by row."""
+    ys = [y for _, y in points]
+    for j in range(ceil(min(ys) / CELL), floor(max(ys) / CELL) + 1):
+        y = (j + 0.5) * CELL
+        xs = sorted(ax + (y - ay) * (bx - ax) / (by - ay)
+                    for (ax, ay), (bx, by) in zip(points, [*points[1:], points[0]], strict=True)
+                    if (ay > y) != (by > y))
+        for left, right in zip(xs[::2], xs[1::2], strict=False):
+            for i in range(ceil(left / CELL), floor(right / CELL)):
+                yield i, j

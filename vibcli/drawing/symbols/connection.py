@@ -94,10 +94,17 @@ def draw(bunch: Bunch, sketch: Sketch) -> tuple[list[Any], dict[str, tuple[Any, 
         if end.carrier is not None and end.carrier not in sketch.moving_points and not end.loose:
             found += support.dot(place)
     if count > 1:
-        found += [Polyline((a, at(bridge))), Polyline((at(bridge, sides[0]), at(bridge, sides[-1]))),
-                  Polyline((at(length - bridge, sides[0]), at(length - bridge, sides[-1]))),
-                  Polyline((at(length - bridge), b))]
+        found += [Polyline(line, "spring") for line in (
+            (a, at(bridge)), (at(bridge, sides[0]), at(bridge, sides[-1])),
+            (at(length - bridge, sides[0]), at(length - bridge, sides[-1])), (at(length - bridge), b))]
     return found, where
+
+
+def outline(bunch: Bunch, sketch: Sketch) -> list[Any]:
+    """The corners of a Bunch, from the middle of its first element to that of its last."""
+    a, b = sketch.now(bunch.one), sketch.now(bunch.two)
+    at, length, sides = plane.along(a, b), plane.distance(a, b), parts.offsets(bunch.members, APART)
+    return [at(s, t) for s, t in ((0.0, sides[0]), (length, sides[0]), (length, sides[-1]), (0.0, sides[-1]))]
 
 
 def walls(places: Sequence[tuple[Attachment, tuple[float, float]]], sketch: Sketch) -> list[Hatch | Polygon]:
