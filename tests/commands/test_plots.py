@@ -14,6 +14,7 @@ from itertools import pairwise
 import pytest
 from support.plots import EVIL, FIGURES, TIMES, wave
 
+from vibcli.base.decoding import cleaned
 from vibcli.base.errors import PhysicsError
 from vibcli.plots.braille import braille
 from vibcli.plots.figure import Curve, Figure, Mark, Panel
@@ -356,6 +357,13 @@ def test_files_name_no_date_and_no_maker(kind, start):
     assert not re.search(rb"CreationDate|dc:date|tIME|Matplotlib v|matplotlib\.org", data)
     if kind == "svg":
         ET.fromstring(data)
+
+
+@pytest.mark.parametrize("name", ["frf", "hostile"])
+def test_an_svg_has_the_title_of_its_figure(name):
+    title = FIGURES[name].title
+    found = ET.fromstring(picture(FIGURES[name], "svg")).find("{http://www.w3.org/2000/svg}title")
+    assert (found.text.strip() == cleaned(title).strip()) if title else found is None
 
 
 # figures

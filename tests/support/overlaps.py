@@ -1,9 +1,13 @@
-"""Words of a figure that touch: others, or lines, in points."""
+"""Words of a figure that touch others, or lines; arrows across what is no arrow's place. In points."""
 
 from itertools import pairwise
 
-from vibcli.drawing.canvas.primitives import LetterRuns
+from vibcli.drawing.canvas.primitives import ARROW, BODY, Circle, LetterRuns, Polygon, Polyline
+from vibcli.drawing.layout import plane
 
+ARROWS = "coordinate", "load", "driven"
+PARTS = "spring", "damper", "oil"
+TAIL, ROUND_TAIL = 7.0, 0.4     # of an arrow, which begins at what it moves: points; the part of an arc
 BESIDE = 0.5        # points by which boxes of words may overlap
 WITHIN = 1.5        # points inside a box: letters do not fill it
 
@@ -43,3 +47,37 @@ def _struck(box, stroke):
         if first <= last:
             return True
     return False
+
+
+def crossed(drawn):
+    """[(role of an arrow, role of a spring, damper or body that it crosses)] of a figure."""
+    arrows = [part for part in drawn if isinstance(part, Polyline) and part.layer == ARROW and part.role in ARROWS]
+    others = [part for part in drawn if part.role in PARTS or _is_mass(part)]
+    return [(arrow.role, other.role) for arrow in arrows for path in [_without_tail(arrow.points)] for other in others
+            if any(_cross(path, stroke) for stroke in other.strokes())]
+
+
+def _cross(path, stroke):
+    return any(_meet(*one, *two) for two in pairwise(stroke) for one in pairwise(path))
+
+
+def _is_mass(part):
+    return isinstance(part, (Polygon, Circle)) and part.layer == BODY and part.fill not in (None, "paper")
+
+
+def _without_tail(points):
+    """The path of an arrow from its tail on; of a tick nothing, which stands where an arrow begins."""
+    lengths = [plane.distance(a, b) for a, b in pairwise(points)]
+    rest = TAIL if len(points) == 2 else ROUND_TAIL * sum(lengths)
+    for i, length in enumerate(lengths):
+        if length > rest:
+            return [plane.plus(points[i], plane.minus(points[i + 1], points[i]), rest / length), *points[i + 1:]]
+        rest -= length
+    return points[-1:]
+
+
+def _meet(a, b, c, d):
+    """Do two stretches cross each other?"""
+    along, over, gap = plane.minus(b, a), plane.minus(d, c), plane.minus(c, a)
+    size = plane.across(along, over)
+    return abs(size) > 1e-9 and all(0 <= plane.across(gap, way) / size <= 1 for way in (over, along))

@@ -6,8 +6,7 @@ from typing import Any
 from vibcli.drawing.canvas.primitives import extent
 from vibcli.drawing.layout import captions, compose, lettering, letters, lumped, notes, plane
 from vibcli.drawing.layout.space import Space
-from vibcli.drawing.symbols import abstract, arrow, coordinate, dimension, load, member_words, path
-from vibcli.drawing.symbols.connection import symbol
+from vibcli.drawing.symbols import abstract, arrow, connection, coordinate, dimension, load, member_words, path
 from vibcli.drawing.symbols.shape import outline
 
 GRAVITY = 30.0
@@ -27,9 +26,11 @@ def draw(problem: Any) -> list[Any]:
 
 
 def annotations(stage: Any, found: Any,
-                where: Mapping[str, tuple[tuple[float, float], tuple[float, float]]]) -> list[Any]:
+                where: Mapping[str, tuple[Any, ...]]) -> list[Any]:
     """Arrows of coordinates, motions and loads, the names of everything, gravity and notes."""
     sketch, space, made = stage.sketch, Space(found), []
+    for bunch in stage.bunches:
+        space.bar(connection.outline(bunch, sketch))
 
     def put(parts):
         made.extend(parts)
@@ -55,7 +56,7 @@ def annotations(stage: Any, found: Any,
         put(parts)
         words.append((item[0], places, item[1]))
     for strip in stage.strips:
-        for parts, runs, places, role in member_words.of(strip, sketch):
+        for parts, runs, places, role in member_words.of(strip, sketch, space):
             put(parts)
             if runs:
                 words.append((runs, places, role))
@@ -65,8 +66,8 @@ def annotations(stage: Any, found: Any,
         put(parts)
         if runs:
             made.append(space.put(runs, places, "driven"))
-    for name, (middle, normal) in where.items():
-        beside = [plane.plus(middle, normal, side) for side in (7.0, -7.0)]
+    for name, (middle, normal, *sides) in where.items():
+        beside = [plane.plus(middle, normal, 7.0 * side) for side in sides or (1.0, -1.0)]
         made.append(space.put(_element(name, sketch), beside))
     made += _lengths(stage, space)
     put(_gravity(sketch, extent(found + made)))
@@ -110,7 +111,9 @@ def _shaken(stage):
 
 def _element(name, sketch):
     record = sketch.spec.connection(name)
-    return lettering.named(name) if record is None else captions.quantity(record, symbol(record).NAMED_BY, sketch)
+    if record is None:
+        return lettering.named(name)
+    return captions.quantity(record, connection.symbol(record).NAMED_BY, sketch)
 
 
 def _bodies(stage):

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.drawing.layout.strips import Strip, resting
 from vibcli.drawing.symbols.member import LEAST, Bend
-from vibcli.drawing.symbols.member_ends import oscillators
+from vibcli.drawing.symbols.member_ends import hanging
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.compose import Scenery
@@ -65,7 +65,7 @@ def mode_along_members(problem: Any, mode: Any, stage: "Scenery", normalise: str
     fields, factor, found = problem.modal.fields(told), complex(problem.modal.scale(told, normalise)) * turn, []
     for strip in stage.strips:
         found.append(_with_nodes(strip, fields, factor))
-        for x, name in oscillators(strip, stage.sketch):
+        for x, name in hanging(strip, stage.sketch):
             moved, carrier = shape[name] * turn, fields.displacements(strip.name, [x])[0] * factor
             found[-1] = found[-1]._replace(hung=max(found[-1].hung, abs(moved), STRETCHED * abs(moved - carrier)))
     most = {kind: max(one.top for one in found if one.kind == kind) for kind in {one.kind for one in found}}
@@ -100,7 +100,7 @@ class MemberMotion:
                            if _kind(strip) == kind), default=0.0) for kind in ("placed", "slides", "turns")}
         base = problem.configuration.equilibrium.values
         for strip in stage.strips:
-            for _, name in oscillators(strip, stage.sketch):
+            for _, name in hanging(strip, stage.sketch):
                 tops[_kind(strip)] = max(tops[_kind(strip)], *(abs(one[name] - base[name]) for one in positions))
         seen = tops["placed"] * stage.sketch.scale
         self.factor = max(1.0, SEEN / seen) if seen else 1.0

@@ -134,6 +134,7 @@ def lumped_displacements(rest: "Sketch", moved: "Sketch", stage: "Scenery") -> l
     for layout in stage.rows:
         for name, place in layout.places.items():
             found[place.turns] = max(found[place.turns], abs(moved.lumped[name] - rest.lumped[name]))
+    found[0] = max([found[0], *(abs(moved.lumped[one.body] - rest.lumped[one.body]) for one in stage.hung)])
     return found
 
 

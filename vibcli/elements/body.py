@@ -54,8 +54,8 @@ ELEMENT = Element(
         "gyration": Field(_LENGTH, "radius of gyration about the mass centre, overriding the shape's"),
         "parts": Field(Many(PART, 1, 50, "a list of parts"), "several shapes welded into this body"),
         "looks": Field(Choice(*body_checks.LOOKS), "what it is drawn as, which changes no result: a bar, slab or frame "
-                       "over all that it carries, the cam under what slides; without a place a bar (a rack where gears "
-                       "move it), the storey of a frame, or liquid in a U-tube"),
+                       "over all that it carries, the cam under what slides or, with a pin, that itself; without a "
+                       "place a bar (a rack where gears move it), the storey of a frame, or liquid in a U-tube"),
         **{name: Field(Lazy(name), ELEMENTS[name][1]) for name in MOTIONS},
     },
     exclusive=(("mass", "density", "parts"), ("at", "from"), ("at", "to"), ("inertia", "gyration"), MOTIONS,

@@ -71,9 +71,10 @@ def _lumped(record, reader):
 def _looks(record, reader):
     """What a body is drawn as: a slab or cam has a place; a tube of liquid has none."""
     word, placed = record["looks"], "at" in record
-    if word == "cam" and not (placed and "slide" in record):
-        reader.report(record.place("looks"), f"'{record.name}' is not lifted by a cam: it does not slide from a place",
-                      "give it `at: [x, y]` and `slide: {along: [0, 1], by: …}`")
+    if word == "cam" and not (placed and {"slide", "pin"} & set(record)):
+        reader.report(record.place("looks"), f"'{record.name}' is neither lifted by a cam nor one: it does not slide "
+                      "from a place, nor turn about a pin", "give it `at: [x, y]` and `slide: {along: [0, 1], by: …}`, "
+                      "a cam `pin: {at: [0, 0], by: …}`")
     elif word == "tube" and (placed or "slide" not in record):
         reader.report(record.place("looks"), f"'{record.name}' is no column of liquid in a tube, which only slides",
                       "give it `slide: x` and no place")

@@ -4,6 +4,7 @@ import io
 import warnings
 from typing import Any
 
+from vibcli.base.decoding import cleaned
 from vibcli.plots import style
 
 _OPTIONS: dict[str, dict] = {      # neither date nor version; less time for the last tenth of a PNG's size
@@ -31,7 +32,10 @@ def picture(figure: Any, kind: Any) -> bytes:
         from vibcli.plots.layout import drawn
 
         data = io.BytesIO()
-        drawn(figure).savefig(data, format=kind, dpi=style.DOTS, **_OPTIONS[kind])
+        options = _OPTIONS[kind]
+        if kind == "svg" and figure.title:      # what a screen reader says of it
+            options = {"metadata": {**options["metadata"], "Title": cleaned(figure.title)}}
+        drawn(figure).savefig(data, format=kind, dpi=style.DOTS, **options)
     return data.getvalue()
 
 

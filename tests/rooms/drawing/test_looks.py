@@ -3,6 +3,7 @@
 from textwrap import dedent
 
 import pytest
+from support.overlaps import crossed
 from support.scenes import problem
 
 from vibcli.api.load import loads
@@ -146,12 +147,45 @@ def test_a_cam_lies_under_what_it_lifts_and_runs_about_a_bearing():
     assert draw(problem(CAM))
 
 
+ECCENTRIC = """
+    parameters: {e: 30 mm, h: 40 mm, rho: 'sqrt(e^2 + h^2)'}
+    coordinates: [phi, y]
+    bodies:
+      cam: {mass: 2 kg, inertia: 0.01 kg*m^2, at: [e, 0], pin: {at: [0, 0], by: phi}, looks: cam}
+      follower: {mass: 1 kg, at: [0, h], slide: {along: [0, 1], by: y}}
+    springs: {s: {k: 900 N/m, between: [follower, [0, 2*h]]}, t: {torsion: 9 N*m, between: [ground, cam]}}
+    constraints: {contact: '(e*cos(phi))^2 + (h + y - e*sin(phi))^2 = rho^2'}
+"""
+
+
+def test_an_eccentric_cam_touches_its_roller_wherever_it_is():
+    stage = stage_of(ECCENTRIC)
+    discs = {name: look.outlines[0].points for name, look in stage.looks.items()}
+    radii = {name: plane.distance(*plane.corners(points)) / 8**0.5 for name, points in discs.items()}
+    for turn in (0.0, 0.3, -0.4):
+        sketch = stage.at({"phi": turn})
+        centres = {name: sketch.frames[name].point(plane.middle(*plane.corners(points)))
+                   for name, points in discs.items()}
+        apart = plane.distance(centres["cam"], centres["follower"])
+        assert apart == pytest.approx(radii["cam"] + radii["follower"], rel=1e-3)
+        assert plane.distance(centres["cam"], (0.0, 0.0)) == pytest.approx(0.03 * sketch.scale)
+    assert crossed(draw(problem(ECCENTRIC))) == []
+
+
+def test_a_cam_on_which_nothing_rolls_is_a_disc_about_its_pin():
+    look = stage_of("""
+        bodies: {cam: {mass: 2 kg, inertia: 1 kg*m^2, at: [1 m, 0], pin: {at: [0, 0], by: phi}, looks: cam}}
+        springs: {t: {torsion: 9 N*m, between: [ground, cam]}}
+    """).looks["cam"]
+    assert plane.inside((0.0, 0.0), look.outlines[0].points)
+
+
 @pytest.mark.parametrize("body, message, hint", [
     ("{mass: 2 kg, slide: x, looks: plate}", "bar, slab, frame, tube or cam", ""),
     ("{mass: 2 kg, slide: x, looks: slab}", "cannot look like a slab", "at: [x, y]"),
     ("{inertia: 2 kg*m^2, turn: x, looks: frame}", "cannot look like a frame", "leave `looks` out"),
     ("{mass: 2 kg, at: [0, 0], slide: x, looks: tube}", "no column of liquid", "no place"),
-    ("{mass: 2 kg, slide: x, looks: cam}", "not lifted by a cam", "slide: {along"),
+    ("{mass: 2 kg, slide: x, looks: cam}", "neither lifted by a cam nor one", "slide: {along"),
     ("{mass: 2 kg, shape: disc, radius: 1 m, at: [0, 0], slide: x, looks: slab}", "'looks'", "")])
 def test_looks_that_do_not_fit(body, message, hint):
     with pytest.raises(SpecError) as caught:

@@ -4,6 +4,7 @@ from math import pi, sin
 from pathlib import Path
 
 import pytest
+from support.overlaps import crossed, touching
 from support.scenes import kept_problem_of, problem, problem_of
 
 from vibcli.drawing import animation
@@ -152,7 +153,7 @@ DRIVEN = """
     points: {mid: {body: arm, at: 0.5 m}}
     forces: {F: {at: mid, force: F*sin(W*t)}}
     bodies: {block: {mass: m, slide: y}}
-    springs: {s: {k: k, between: [mid, block]}}
+    springs: {s: {k: k, between: [mid, block]}%s}
     find: [{response: {until: 0.5 s}}]
     %s
 """
@@ -160,7 +161,7 @@ DRIVEN = """
 
 @pytest.mark.sweep
 def test_oscillators_move_in_time_and_lumped_bodies_are_tied_to_points():
-    found = problem(DRIVEN % CARRIERS["beam"])
+    found = problem(DRIVEN % (", t: {k: k, between: [ground, block]}", CARRIERS["beam"]))
     frames, _, _ = animation.of_response(found)
     blocks = [[part.points for part in frame if isinstance(part, Polygon) and part.layer == BODY and
                plane.distance(part.points[0], part.points[2]) == pytest.approx(35.777, abs=1e-3)] for frame in frames]
@@ -168,3 +169,61 @@ def test_oscillators_move_in_time_and_lumped_bodies_are_tied_to_points():
     assert max(heights) - min(heights) > 3.0
     ties = [[part.points for part in frame if isinstance(part, Polyline) and part.dashed] for frame in frames]
     assert all(len(one) == 1 for one in ties) and ties[5] != ties[20]
+
+
+BLOCK = pytest.approx(35.777, abs=1e-3)     # the diagonal of a block that hangs
+
+
+def hanging(figure):
+    return [part.points for part in figure
+            if isinstance(part, Polygon) and plane.distance(part.points[0], part.points[2]) == BLOCK]
+
+
+def test_a_body_that_a_spring_alone_joins_to_a_member_hangs_there():
+    found = problem(DRIVEN % ("", CARRIERS["beam"].replace(", " + ATTACHED, "")))
+    figure = draw(found)
+    (block,) = hanging(figure)
+    stage = compose.Scenery(found.scene)
+    (strip,), (one,) = stage.strips, stage.hung
+    assert not stage.rows and (one.body, one.moves, one.ties) == ("block", "y", ("s",))
+    assert plane.middle(*block[::2])[0] == pytest.approx(strip.at(0.5)[0])
+    names = {"".join(run.text for run in part.runs): part.role for part in figure if isinstance(part, LetterRuns)}
+    assert names["k"] == names["m"] == "ink" and names["y"] == "coordinate"
+    assert not [name for name in names if "between" in name] and crossed(figure) == touching(figure) == []
+
+
+def test_a_body_that_hangs_moves_in_a_mode_and_in_time():
+    found = problem(DRIVEN % ("", CARRIERS["beam"].replace(", " + ATTACHED, "")))
+    stage = compose.Scenery(found.scene)
+    for index in (1, 2):
+        vibration = Vibration(found, index, stage)
+        rest, moved = (hanging(compose.figure(stage, sketch, vibration.unit, None, vibration.bends(theta))[0])
+                       for sketch, theta in ((vibration.rest, None), (vibration.at(0.0), 0.0)))
+        shape = vibration.shape[found.scene.coordinates.index("y")].real
+        assert moved[0][0][1] - rest[0][0][1] == pytest.approx(shape * vibration.amplitude * vibration.unit, abs=1e-6)
+    frames, _, _ = animation.of_response(found)
+    heights = [points[0][1] for frame in frames for points in hanging(frame)]
+    assert len(heights) == len(frames) and max(heights) - min(heights) > 3.0
+
+
+@pytest.mark.parametrize("more", [", t: {k: k, between: [ground, block]}", ", t: {k: k, between: [mid, block]}",
+                                  ", t: {k: k, stretch: 2*y}"])
+def test_a_body_that_more_joins_stands_in_a_row(more):
+    stage = compose.Scenery(problem(DRIVEN % (more, CARRIERS["beam"])).scene)
+    assert not stage.hung and [list(layout.places) for layout in stage.rows] == [["block"]]
+
+
+def test_a_member_held_by_a_body_of_a_row_is_tied_to_it():
+    text = """
+        parameters: {k: 2 kN/m, m: 1 kg}
+        bodies: {cart: {mass: m, slide: x}}
+        springs: {s: {k: k, between: [ground, cart]}}
+        beams: {mast: {length: 2 m, EI: 900 N*m^2, mass_per_length: 1 kg/m, left: {clamped: cart}}}
+    """
+    figure = draw(problem(text))
+    (dashed,) = [part.points for part in figure if isinstance(part, Polyline) and part.dashed]
+    assert not [part for part in figure if isinstance(part, Circle) and part.radius == member_ends.BALL]
+    assert "mast: left end clamped to cart" in ["".join(run.text for run in part.runs) for part in figure
+                                                if isinstance(part, LetterRuns)]
+    (strip,) = compose.Scenery(problem(text).scene).strips
+    assert dashed[1] == pytest.approx(strip.start)

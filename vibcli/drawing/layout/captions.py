@@ -55,6 +55,6 @@ def raw(field: "Expression", scene: "Scene") -> "Node":
 def mass(record: "Record", sketch: "Sketch") -> "tuple[Run, ...] | None":
     """The runs for a body: its mass or inertia, else its name; None of a massless one."""
     for key in ("mass", "inertia", "density"):
-        if key in record:
+        if key in record and not raw(record[key], sketch.scene).is_zero:
             return quantity(record, (key,), sketch)
     return lettering.named(record.name) if "parts" in record else None

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.drawing.canvas.primitives import BODY, SURFACE, Circle, Polyline, extent
-from vibcli.drawing.layout import lumped, plane, rows
+from vibcli.drawing.layout import hung, lumped, plane, rows
 from vibcli.drawing.layout.positions import values_at
 from vibcli.drawing.layout.scale import scale_of
 from vibcli.drawing.layout.sketch import Sketch
@@ -40,8 +40,11 @@ class Scenery:
             self.ropes[f"implied {number}"] = rope.implied(found, self.sketch, self.looks)
         box = extent(primitives(self, self.sketch)[0])
         left, top = (box[0], box[1] - BELOW) if box else (0.0, 0.0)
-        held = _held_alone(scene)
-        self.rows = lumped.layouts([row for row in rows.rows(scene) if not _only(row, held)], scene, left, top)
+        every = rows.rows(scene)
+        self.hung = hung.find(every, self.sketch)
+        elsewhere = {*_held_alone(scene), *(one.body for one in self.hung)}
+        self.rows = lumped.layouts([row for row in every if not _only(row, elsewhere)], self.sketch, left, top)
+        self.sketch.numbers["standing"] = {name for layout in self.rows for name in layout.places}
         if self.rows:
             top = min(layout.y - max(place.height for place in layout.places.values()) for layout in self.rows) - BELOW
         self.strips = strips(self.sketch, left, top)
@@ -54,7 +57,7 @@ class Scenery:
 
 def figure(stage: Scenery, sketch: Any, unit: Any = 1.0,
            room: Any = None,
-           bends: Any = None) -> tuple[list[Any], dict[str, tuple[tuple[Any, ...], tuple[Any, ...]]]]:
+           bends: Any = None) -> tuple[list[Any], dict[str, tuple[Any, ...]]]:
     """Everything of a scene but its words and arrows, and where its elements are, as {name: (middle, normal)};
     lumped bodies are displaced by `unit` points for one metre; `room`: that in which bodies slide on the ground;
     `bends`: {member: Bend} of members in motion."""
@@ -71,21 +74,28 @@ def figure(stage: Scenery, sketch: Any, unit: Any = 1.0,
 
 
 def _tied(stage, sketch, unit, bends):
-    """Dashed lines for what joins lumped bodies to points on members without a place."""
+    """Dashed lines for what joins lumped bodies to members without a place: to points on them, or to their ends."""
     points = sketch.spec.get("member_points") or {}
     strips = {strip.name: strip for strip in stage.strips if not strip.placed}
     places = {name: (place, layout.y - place.height) for layout in stage.rows for name, place in layout.places.items()}
+
+    def tie(strip, x, name):
+        place, foot = places[name]
+        on_strip = member.place(strip, bends.get(strip.name) or _still(strip, sketch, unit), x)
+        moved = 0.0 if place.turns else sketch.lumped[name] * unit
+        return Polyline(((place.middle[0] + moved, foot), on_strip), "measure", 0.8, True, SURFACE)
+
     found = []
     for record in sketch.spec.connections:
         names = [getattr(end, "text", None) for end in record.get("between", ())]
         ends = [name for name in names if name in points and points[name]["body"].text in strips]
         bodies = [name for name in names if name in places]
         if len(ends) == len(bodies) == 1:
-            strip, (place, foot) = strips[points[ends[0]]["body"].text], places[bodies[0]]
-            x = sketch.number(points[ends[0]]["at"])
-            on_strip = member.place(strip, bends.get(strip.name) or _still(strip, sketch, unit), x)
-            moved = 0.0 if place.turns else sketch.lumped[bodies[0]] * unit
-            found.append(Polyline(((place.middle[0] + moved, foot), on_strip), "measure", 0.8, True, SURFACE))
+            strip = strips[points[ends[0]]["body"].text]
+            found.append(tie(strip, sketch.number(points[ends[0]]["at"]), bodies[0]))
+    for strip in strips.values():
+        for side, x in (("left", 0.0), ("right", strip.metres)):
+            found += [tie(strip, x, name) for _, name in member_ends.held(strip.member, side) if name in places]
     return found
 
 
@@ -103,9 +113,8 @@ def along(strip: Any, sketch: Any, unit: Any = 1.0, bend: Any = None) -> list[An
 
 def _held_alone(scene):
     """The bodies without a place to which members are held: they are drawn there."""
-    return {end[word].text for one in scene.members.values() if one is not None and one.line is None
-            for side in ("left", "right") if not isinstance(end := one.record.get(side, "free"), str)
-            for word in member_ends.HELD if word in end}
+    return {name for one in scene.members.values() if one is not None and one.line is None
+            for side in ("left", "right") for _, name in member_ends.held(one, side)}
 
 
 def _only(row, held):
@@ -113,7 +122,7 @@ def _only(row, held):
 
 
 def primitives(stage: Scenery, sketch: Any,
-               room: Any = None) -> tuple[list[Any], dict[str, tuple[tuple[Any, ...], tuple[Any, ...]]]]:
+               room: Any = None) -> tuple[list[Any], dict[str, tuple[Any, ...]]]:
     """What has a place, without words and arrows."""
     looks, ties = stage.looks, stage.ties
     found = _surfaces(sketch, looks)

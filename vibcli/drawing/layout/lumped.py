@@ -5,27 +5,28 @@ from math import sin
 from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import BODY, Circle, Hatch, Polygon, Polyline, Run
-from vibcli.drawing.layout import captions, gears, lettering, plane, storeys, tube
+from vibcli.drawing.layout import captions, gears, lettering, lumped_loads, plane, storeys, tube
 from vibcli.drawing.layout.lumped_place import Layout, LumpedPlace
 from vibcli.drawing.layout.rows import LumpedRow, carrier, motion
 from vibcli.drawing.symbols import arrow, support
 from vibcli.drawing.symbols.connection import symbol
-from vibcli.drawing.symbols.parts import ROW, offsets, rows
+from vibcli.drawing.symbols.parts import ROW, offsets, rows, sides
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
     from vibcli.scene.scene import Scene
 
 BOX, LONG, DISC, GAP, LANE, STACK = 40.0, 68.0, 13.0, 64.0, 22.0, 18.0
-HALF, RIM, ROOM, SUPPORT = 18.0, 30.0, 46.0, 2.5
+HALF, RIM, ROOM, SUPPORT, MARGIN = 18.0, 30.0, 46.0, 2.5, 8.0
 
 
-def layouts(found: Sequence[LumpedRow], scene: "Scene", left: float, top: float) -> list[Layout]:
+def layouts(found: Sequence[LumpedRow], sketch: "Sketch", left: float, top: float) -> list[Layout]:
     """The Layouts of rows below one another, from the upper left corner on."""
     made: list[Layout] = []
+    scene = sketch.scene
     known = gears.meshes(scene)
     for row in found:
-        made.append(_special(row, scene, left, top) or _row(row, scene, left, top, known))
+        made.append(_special(row, scene, left, top) or _row(row, sketch, left, top, known))
         mesh, other = _mesh(row, made[:-1], known)
         if mesh is not None:
             made[-1] = _meshed(made[-1], other, mesh)
@@ -35,25 +36,34 @@ def layouts(found: Sequence[LumpedRow], scene: "Scene", left: float, top: float)
     return made
 
 
-def _row(row, scene, left, top, known):
+def _row(row, sketch, left, top, known):
     """The Layout of bodies on a floor or a shaft."""
+    scene = sketch.scene
     turns = any(scene.bodies[name].lumped[0] == "turn" for name in row.bodies)
     across = max([_across(edges) for edges in row.gaps.values()] or [STACK])
-    height = max(RIM if turns else HALF, 0.5 * across + 4)
+    pushed = lumped_loads.height(row, scene)
+    height = max(RIM if turns else HALF, 0.5 * across + 4 + pushed)
     racks = {mesh.mate for mesh in known if mesh.rack}
     above = height + 26 + (LANE * len(row.lanes) + 8) * bool(row.lanes) + gears.PINION * bool(racks & set(row.bodies))
     y = top - above
     walled = 0 in row.gaps or any(low < 0 for low, _, _ in row.lanes)
-    x = left + (GAP if walled else 0.0)
+    x = left + (_gap(row, 0, sketch) if walled else 0.0)
     places = {}
-    for name in row.bodies:
+    for i, name in enumerate(row.bodies):
         half, disc = _half(scene.bodies[name], scene), scene.bodies[name].lumped[0] == "turn"
         gear = 2 if name in racks else 3 if any(mesh.rack and mesh.gear == name for mesh in known) else 0
         places[name] = LumpedPlace((x + half, y), half, height, disc, gear)
-        x += 2 * half + GAP
+        x += 2 * half + _gap(row, i + 1, sketch)
     end = len(row.bodies)
     right = x if end in row.gaps or any(high == end for _, high, _ in row.lanes) else None
-    return Layout(row, places, left if walled else None, right, y, y + above - 12)
+    return Layout(row, places, left if walled else None, right, y, y + above - 12, sunk=lumped_loads.SUNK * pushed)
+
+
+def _gap(row, column, sketch):
+    """The room between two bodies, in which what is written beside its elements fits."""
+    records = [edge.record for edge in row.gaps.get(column, ())]
+    named = [captions.quantity(record, symbol(record).NAMED_BY, sketch) for record in records]
+    return max([GAP, lumped_loads.width(row, column, sketch), *(lettering.size(runs)[0] + MARGIN for runs in named)])
 
 
 def _half(body, scene):
@@ -110,7 +120,7 @@ def _across(edges):
 
 
 def draw(layout: Layout,
-         moved: Mapping[str, float]) -> tuple[list[Any], dict[str, tuple[tuple[Any, ...], tuple[Any, ...]]]]:
+         moved: Mapping[str, float]) -> tuple[list[Any], dict[str, tuple[Any, ...]]]:
     """The primitives of a row, and where its elements are; `moved`: {body: displacement in points, or angle}."""
     if layout.kind == "frame":
         return storeys.draw(layout, moved)
@@ -128,7 +138,7 @@ def draw(layout: Layout,
             start, end = _ends(layout, places, column, t)
             drawn = plane.distance(*_ends(layout, layout.places, column, t))
             found += symbol(edge.record).between(edge.record, start, end, drawn)
-            where[edge.record.name] = plane.middle(start, end), (0.0, 1.0)
+            where[edge.record.name] = plane.middle(start, end), (0.0, 1.0), *sides(t, edges)
     for lane, (low, high, edge) in enumerate(layout.row.lanes):
         lines, middle = _lane(layout, places, low, high, edge, lane)
         found += lines
@@ -141,7 +151,7 @@ def _ends(layout, places, column, t):
     bodies = layout.row.bodies
     start = layout.left if column == 0 else places[bodies[column - 1]].middle[0] + places[bodies[column - 1]].half
     end = layout.right if column == len(bodies) else places[bodies[column]].middle[0] - places[bodies[column]].half
-    return (start, layout.y + t), (end, layout.y + t)
+    return (start, layout.y + t - layout.sunk), (end, layout.y + t - layout.sunk)
 
 
 def _lane(layout, places, low, high, edge, lane):
@@ -232,7 +242,7 @@ def arrows(layout: Layout, scene: "Scene",
             parts = [bar, *arrow.straight((x, y), tip, role)]
         found.append((parts, runs, [tip], role))
     for record in (scene.spec.get("forces") or {}).values():
-        found += _load(record, layout, sketch)
+        found += lumped_loads.draw(record, layout, sketch)
     return found
 
 
@@ -241,29 +251,3 @@ def _displacement(body, scene, sketch):
     field, under = motion(body), carrier(body)
     own = captions.expression(field, sketch, 18) or lettering.words(field.text)
     return own if under is None else (*_displacement(scene.bodies[under], scene, sketch), *lettering.words(" + "), *own)
-
-
-def _load(record, layout, sketch):
-    name = getattr(record.get("at", record.get("body")), "text", None)
-    if name not in layout.places:
-        return []
-    place = layout.places[name]
-    x, y = place.middle
-    if "moment" in record:
-        runs = captions.expression(record["moment"], sketch, 18) or lettering.named(record.name)
-        y += place.height + 22
-        return [(arrow.over((x, y), "load", 1.7), runs, [(x + 10, y + 6)], "load")]
-    if "unbalance" in record:
-        runs = captions.expression(record["unbalance"], sketch) or lettering.named(record.name)
-        mass = (x + 8, y + 10)
-        parts = [Polyline((place.middle, mass), "load"), Circle(mass, 2.3, "load", "load")]
-        return [(parts, runs, [mass], "load")]
-    runs = captions.expression(record["force"], sketch, 18) or lettering.named(record.name)
-    if layout.kind == "tube":
-        parts, tip = tube.load_on(place)
-        return [(parts, runs, [tip], "load")]
-    start = (x + place.half, y + place.height - 5)
-    if layout.kind == "frame":
-        start = (x - place.half - 32, y)
-    return [(arrow.straight(start, plane.plus(start, (30.0, 0.0)), "load", 1.7), runs,
-             [plane.plus(start, (16.0, 3.0))], "load")]

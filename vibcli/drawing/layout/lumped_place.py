@@ -16,7 +16,8 @@ class LumpedPlace(NamedTuple):
 
 class Layout(NamedTuple):
     """A row on paper: `places` by body, the walls (None where there is none), the height of the highest lane; `kind`
-    is "frame" of storeys above one another and "tube" of a column of liquid."""
+    is "frame" of storeys above one another and "tube" of a column of liquid; `sunk`: how far below the middle of bodies
+    its elements are."""
 
     row: Any
     places: dict
@@ -25,3 +26,4 @@ class Layout(NamedTuple):
     y: float
     top: float
     kind: str = "row"
+    sunk: float = 0.0

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.drawing.layout import captions, lettering, rows
+from vibcli.drawing.symbols import member_ends
 from vibcli.drawing.symbols.connection import symbol
 from vibcli.notation.plain import GREEK
 
@@ -35,7 +36,12 @@ def of(stage: "Scenery") -> "list[tuple[Run, ...]]":
                       if hasattr(record.get(key), "tree")]
             what = [(field, " on ") for field in fields[:1]]    # none of what consists of parts
             found.append(_note(f"{record.name}: ", scene, *what, (record["stretch"], "")))
-    found += [_tie(record, stage.sketch) for record in spec.connections if _unplaced(record, stage.sketch)]
+    hung = [name for one in stage.hung for name in one.ties]
+    found += [_tie(record, stage.sketch) for record in spec.connections
+              if record.name not in hung and _unplaced(record, stage.sketch)]
+    standing = stage.sketch.numbers["standing"]
+    found += [lettering.words(f"{strip.name}: {side} end {word} to {name}", SIZE) for strip in stage.strips
+              for side in ("left", "right") for word, name in member_ends.held(strip.member, side) if name in standing]
     for name, record in (spec.get("forces") or {}).items():
         if "value" in record:
             found.append(_note(f"{name}: ", scene, (record["value"], "")))

@@ -5,20 +5,22 @@ from itertools import pairwise
 from math import ceil, cos, floor, hypot, pi, sin
 from typing import Any
 
-from vibcli.drawing.canvas.primitives import Circle, LetterRuns, Polygon, Run
-from vibcli.drawing.layout import lettering, plane
+from vibcli.drawing.canvas.primitives import ARROW, BODY, Circle, LetterRuns, Polygon, Run
+from vibcli.drawing.layout import lettering
 
 CELL, TAKEN, FILLED, CLEAR = 2.5, 1000.0, 0.02, 1.6
 REACHES = (2.0, 4.0, 7.0, 11.0, 16.0, 22.0, 30.0, 40.0, 55.0, 75.0, 100.0, 140.0, 200.0, 280.0)
 DIRECTIONS = [(cos(pi * i / 8), sin(pi * i / 8)) for i in (4, 0, 12, 8, 2, 6, 14, 10, 1, 3, 5, 7, 9, 11, 13, 15)]
 FARNESS = 0.25
+KEPT_CLEAR = "spring", "damper", "oil"      # roles of what no arrow may cross, beside bodies and other arrows
+CROSSED = 30.0                              # the cost of a cell of theirs
 
 
 class Space:
     """The cells that a drawing takes, with the cost of writing over them."""
 
     def __init__(self, primitives: Sequence[Any] = ()):
-        self.cells = {}
+        self.cells, self.barred = {}, set()
         self.add(primitives)
 
     def add(self, primitives: Any) -> None:
@@ -27,30 +29,17 @@ class Space:
                 self.reserve(part.box)
                 continue
             if isinstance(part, (Polygon, Circle)) and part.fill not in (None, "paper"):
-                self._fill(part.points)
+                for key in _cells_within(part.points):
+                    self.cells.setdefault(key, FILLED)
             for stroke in part.strokes():
-                self._stroke(stroke)
+                keys = set(_cells_of(stroke))
+                self.cells.update((key, 1.0) for key in keys if self.cells.get(key, 0.0) < 1.0)
+                if part.role in KEPT_CLEAR or part.layer == ARROW or (part.layer == BODY and getattr(part, "fill", 0)):
+                    self.barred |= keys
 
-    def _stroke(self, points):
-        cells = self.cells
-        for (ax, ay), (bx, by) in pairwise(points):
-            steps = max(1, ceil(hypot(bx - ax, by - ay) / CELL))
-            for i in range(steps + 1):
-                key = floor((ax + (bx - ax) * i / steps) / CELL), floor((ay + (by - ay) * i / steps) / CELL)
-                if cells.get(key, 0.0) < 1.0:
-                    cells[key] = 1.0
-
-    def _fill(self, points):
-        """Take the inside of an outline lightly, row by row."""
-        ys = [y for _, y in points]
-        for j in range(ceil(min(ys) / CELL), floor(max(ys) / CELL) + 1):
-            y = (j + 0.5) * CELL
-            xs = sorted(ax + (y - ay) * (bx - ax) / (by - ay)
-                        for (ax, ay), (bx, by) in zip(points, [*points[1:], points[0]], strict=True)
-                        if (ay > y) != (by > y))
-            for left, right in zip(xs[::2], xs[1::2], strict=False):
-                for i in range(ceil(left / CELL), floor(right / CELL)):
-                    self.cells.setdefault((i, j), FILLED)
+    def bar(self, points: Sequence[tuple[float, float]]) -> None:
+        """Let no arrow into an outline."""
+        self.barred.update(_cells_within(points))
 
     def reserve(self, box: Sequence[float]) -> None:
         """Take a box for good."""
@@ -69,14 +58,20 @@ class Space:
         return sum(cost for key in self._cells(box) if (cost := get(key, 0.0)) >= least)
 
     def path(self, points: Sequence[tuple[float, float]]) -> float:
-        """The cost of an arrow along a path."""
-        get, total = self.cells.get, 0.0
-        for a, b in pairwise(points):
-            steps = max(1, ceil(plane.distance(a, b) / CELL))
-            for i in range(steps + 1):
-                p = plane.plus(a, plane.minus(b, a), i / steps)
-                total += get((floor(p[0] / CELL), floor(p[1] / CELL)), 0.0)
-        return total
+        """The cost of a line along a path."""
+        get = self.cells.get
+        return sum(get(key, 0.0) for key in _cells_of(points))
+
+    def arrow(self, points: Sequence[tuple[float, float]], within: float = FILLED) -> float:
+        """The cost of an arrow along a path, which is to cross nothing that is kept clear; `within`: that of a cell
+        inside an outline."""
+        get = self.cells.get
+        return self.crossings(points) + sum(within if (cost := get(key, 0.0)) == FILLED else cost
+                                            for key in _cells_of(points))
+
+    def crossings(self, points: Sequence[tuple[float, float]]) -> float:
+        """The cost of what a path crosses of springs, dampers, bodies and arrows."""
+        return CROSSED * sum(key in self.barred for key in _cells_of(points))
 
     def put(self, runs: Sequence[Run], anchors: Sequence[tuple[float, float]], role: str = "ink",
             inside: Sequence[tuple[float, float]] = (), most: float | None = None) -> LetterRuns:
@@ -103,3 +98,24 @@ class Space:
             return None
         self.reserve(best[1])
         return lettering.text(runs, best[1][0], best[1][1], role)
+
+
+def _cells_of(points):
+    """The cells along a polyline, some of them twice."""
+    for (ax, ay), (bx, by) in pairwise(points):
+        steps = max(1, ceil(hypot(bx - ax, by - ay) / CELL))
+        for i in range(steps + 1):
+            yield floor((ax + (bx - ax) * i / steps) / CELL), floor((ay + (by - ay) * i / steps) / CELL)
+
+
+def _cells_within(points):
+    """The cells inside an outline, row by row."""
+    ys = [y for _, y in points]
+    for j in range(ceil(min(ys) / CELL), floor(max(ys) / CELL) + 1):
+        y = (j + 0.5) * CELL
+        xs = sorted(ax + (y - ay) * (bx - ax) / (by - ay)
+                    for (ax, ay), (bx, by) in zip(points, [*points[1:], points[0]], strict=True)
+                    if (ay > y) != (by > y))
+        for left, right in zip(xs[::2], xs[1::2], strict=False):
+            for i in range(ceil(left / CELL), floor(right / CELL)):
+                yield i, j

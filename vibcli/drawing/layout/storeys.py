@@ -40,7 +40,7 @@ def layout(row: "LumpedRow", scene: "Scene", left: float, top: float) -> Layout:
 
 
 def draw(layout: Layout,
-         moved: Mapping[str, float]) -> tuple[list[Any], dict[str, tuple[tuple[Any, ...], tuple[Any, ...]]]]:
+         moved: Mapping[str, float]) -> tuple[list[Any], dict[str, tuple[Any, ...]]]:
     """The primitives of storeys, and where their elements are; `moved`: {body: displacement in points}."""
     found: list[Any] = []
     where = {}

@@ -29,7 +29,7 @@ def layout(row: "LumpedRow", scene: "Scene", left: float, top: float) -> Layout:
 
 
 def draw(layout: Layout,
-         moved: Mapping[str, float]) -> tuple[list[Any], dict[str, tuple[tuple[Any, ...], tuple[Any, ...]]]]:
+         moved: Mapping[str, float]) -> tuple[list[Any], dict[str, tuple[Any, ...]]]:
     """The tube and the liquid in it; `moved`: {body: displacement in points}."""
     (name, place), = layout.places.items()
     shift = max(-0.9 * HEIGHT, min(0.9 * HEIGHT, moved.get(name, 0.0)))

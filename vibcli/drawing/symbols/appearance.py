@@ -52,6 +52,8 @@ def look_of(body: "Body", sketch: "Sketch", ties: "Ties") -> Look:
         return pinned(body, centre, pivot.drawn, sketch, ties)
     if "slide" in record and hulls.encloses(body, [*ties.carried.get(name, ()), centre], sketch):
         return hulls.frame(body, [*ties.carried[name], centre], ties)
+    if hulls.follows(name, sketch):
+        return Look([found := ball(centre, hulls.ROLLER)], "ball", found.points)
     if "slide" in record:
         if "surface" not in record["slide"]:
             return sliding.block(body, centre, sketch, ties)

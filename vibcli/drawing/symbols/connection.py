@@ -76,7 +76,7 @@ def _edge(end, other, looks):
     return Attachment(end.carrier, edge, True) if near else end
 
 
-def draw(bunch: Bunch, sketch: Sketch) -> tuple[list[Any], dict[str, tuple[tuple[Any, ...], tuple[Any, ...]]]]:
+def draw(bunch: Bunch, sketch: Sketch) -> tuple[list[Any], dict[str, tuple[Any, ...]]]:
     """The primitives of a Bunch, and where each member is: {name: (middle, normal)}."""
     a, b = sketch.now(bunch.one), sketch.now(bunch.two)
     length, at = plane.distance(a, b), plane.along(a, b)
@@ -89,15 +89,22 @@ def draw(bunch: Bunch, sketch: Sketch) -> tuple[list[Any], dict[str, tuple[tuple
     for record, t in zip(bunch.members, sides, strict=True):
         start, end = at(bridge, t), at(length - bridge, t)
         found += symbol(record).between(record, start, end, drawn - 2 * bridge)
-        where[record.name] = plane.middle(start, end), plane.left(plane.unit(plane.minus(b, a)))
+        where[record.name] = plane.middle(start, end), plane.left(plane.unit(plane.minus(b, a))), *parts.sides(t, sides)
     for end, place in ((bunch.one, a), (bunch.two, b)):
         if end.carrier is not None and end.carrier not in sketch.moving_points and not end.loose:
             found += support.dot(place)
     if count > 1:
-        found += [Polyline((a, at(bridge))), Polyline((at(bridge, sides[0]), at(bridge, sides[-1]))),
-                  Polyline((at(length - bridge, sides[0]), at(length - bridge, sides[-1]))),
-                  Polyline((at(length - bridge), b))]
+        found += [Polyline(line, "spring") for line in (
+            (a, at(bridge)), (at(bridge, sides[0]), at(bridge, sides[-1])),
+            (at(length - bridge, sides[0]), at(length - bridge, sides[-1])), (at(length - bridge), b))]
     return found, where
+
+
+def outline(bunch: Bunch, sketch: Sketch) -> list[Any]:
+    """The corners of a Bunch, from the middle of its first element to that of its last."""
+    a, b = sketch.now(bunch.one), sketch.now(bunch.two)
+    at, length, sides = plane.along(a, b), plane.distance(a, b), parts.offsets(bunch.members, APART)
+    return [at(s, t) for s, t in ((0.0, sides[0]), (length, sides[0]), (length, sides[-1]), (0.0, sides[-1]))]
 
 
 def walls(places: Sequence[tuple[Attachment, tuple[float, float]]], sketch: Sketch) -> list[Hatch | Polygon]:

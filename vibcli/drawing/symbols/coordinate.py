@@ -1,11 +1,12 @@
 """Arrows of the coordinates at what they move, and of what is driven as a function of time."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from math import hypot, pi
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.drawing.layout import captions, lettering, plane
 from vibcli.drawing.layout.sketch import Attachment, Sketch
+from vibcli.drawing.layout.space import FILLED
 from vibcli.drawing.symbols import arrow
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -15,8 +16,10 @@ if TYPE_CHECKING:
     from vibcli.drawing.layout.space import Space
     from vibcli.drawing.symbols.look import Look
 
-LENGTH, TICK, WIDE = 26.0, 5.0, 60.0
-LINES, ARCS = (5.0, 11.0, 18.0, 27.0, 38.0), (0.55, 0.7, 0.85, 0.4, 1.0)
+Place = tuple[float, float]
+LENGTH, TICK, WIDE, OVER = 26.0, 5.0, 60.0, 1.5
+ROUND, AROUND = (22.0, 32.0, 44.0), (2, 6, 14, 10, 1, 7, 15, 9, 3, 5, 13, 11, 0, 4, 8, 12)
+LINES, ARCS, BEYOND = (5.0, 11.0, 18.0, 27.0, 38.0), (0.55, 0.7, 0.85, 0.4, 1.0), (0.7, 0.8, 0.9)
 
 
 class BodyMotion(NamedTuple):
@@ -120,7 +123,8 @@ def draw(item: "tuple[tuple[Run, ...], str, BodyMotion]", sketch: Sketch, looks:
     """The primitives of an arrow where it fits best, and the places beside which its name may stand."""
     _, role, motion = item
     paths = _straight(motion, sketch, looks) if motion.direction else _round(motion, sketch, looks)
-    path, make = min(enumerate(paths), key=lambda item: space.path(item[1][0]) + 1.5 * item[0])[1]
+    over = OVER if motion.direction else FILLED      # an arc may well be within the body that turns
+    path, make = min(enumerate(paths), key=lambda item: space.arrow(item[1][0], over) + 1.5 * item[0])[1]
     return make(role), [path[-1], path[len(path) // 2]]
 
 
@@ -138,16 +142,23 @@ def _straight(motion, sketch, looks):
     wide = max(reach) - min(reach) > WIDE
     found = []
     for gap in LINES:
-        ahead = _ticked(plane.plus(centre, e, front + gap), e, n)
-        beside = [_ticked(plane.plus(centre, n, side * (width + gap)), e, n) for width, side in sides]
-        close = [_ticked(plane.plus(centre, n, side * (gap + 6)), e, n) for _, side in sides]
-        shifted = [_ticked(plane.plus(plane.plus(centre, e, front + gap), n, shift), e, n) for shift in (20.0, -20.0)]
+        ahead = ticked(plane.plus(centre, e, front + gap), e, n)
+        beside = [ticked(plane.plus(centre, n, side * (width + gap)), e, n) for width, side in sides]
+        close = [ticked(plane.plus(centre, n, side * (gap + 6)), e, n) for _, side in sides]
+        shifted = [ticked(plane.plus(plane.plus(centre, e, front + gap), n, shift), e, n) for shift in (20.0, -20.0)]
         found += [ahead, *shifted, *beside] if wide else [*beside, ahead]
         found += close if looks[motion.body].kind in ("rod", "arm", "bob", "bar") else []
-    return found
+    return found + _about(centre, max(*map(abs, reach), front), e, n)
 
 
-def _ticked(start, e, n):
+def _about(centre, far, e, n):
+    """Further candidates: arrows about a body, the nearer ones first."""
+    middles = [plane.polar(centre, far + gap, k * pi / 8) for gap in ROUND for k in AROUND]
+    return [ticked(plane.plus(middle, e, -LENGTH / 2), e, n) for middle in middles]
+
+
+def ticked(start: Place, e: Place, n: Place) -> tuple[list[Place], Callable[[str], list[Any]]]:
+    """The path of an arrow along e from a tick along n, and what draws it in a role."""
     tip = plane.plus(start, e, LENGTH)
     ends = plane.plus(start, n, -TICK), plane.plus(start, n, TICK)
     path = [*ends, start, tip, plane.plus(tip, n, TICK), plane.plus(tip, n, -TICK), plane.plus(tip, e, 4)]
@@ -190,9 +201,10 @@ def _round(motion, sketch, looks):
         radius = min(max(share * far, min(26.0, 0.8 * far), 13.0), 85.0) + 14 * ARCS.index(share) * (share * far > 85)
         span = min(0.5 * pi, max(26.0 / radius, 0.3))
         found.append(_arced(centre, radius, heading, heading + span))
-    return found
+    return found + [_arced(centre, share * far, heading, heading + 26.0 / (share * far)) for share in BEYOND
+                    if share * far > 85.0]
 
 
 def _arced(centre, radius, start, end):
-    path = plane.arc(centre, radius, start + 0.25 * (end - start), end + 4.0 / radius)
+    path = plane.arc(centre, radius, start, end + 4.0 / radius)
     return path, lambda role: arrow.round_(centre, radius, start, end, role)

@@ -110,9 +110,11 @@ def draw(length: Length,
             legs = [(plane.plus(p, n, side * (ROD + 2)), plane.plus(q, n, side * BEYOND))
                     for p, q in ((length.one, a), (length.two, b))]
             over = sum(cost for cost in map(space.path, legs) if cost >= TAKEN)       # they strike no word
-            cost = space.path([plane.plus(a, e, 2), plane.plus(b, e, -2)]) + space.path([label, label]) + over
-            if best is None or cost + 0.1 * offset < best[0]:
-                best = cost + 0.1 * offset, cost, a, b, side, legs
+            line = [plane.plus(a, e, 2), plane.plus(b, e, -2)]
+            cost = space.path(line) + space.path([label, label]) + over
+            rank = cost + 0.1 * offset + space.crossings(line)
+            if best is None or rank < best[0]:
+                best = rank, cost, a, b, side, legs
     _, cost, a, b, side, legs = best
     if cost > CROWDED:
         return None

@@ -1,4 +1,5 @@
-"""Bodies without a shape, drawn from the places that they carry: bars, slabs, frames; a cam below what it lifts."""
+"""Bodies without a shape, drawn from the places that they carry: bars, slabs, frames; a cam below what it lifts, or as
+a body of its own with a roller on it."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
@@ -13,7 +14,7 @@ if TYPE_CHECKING:
     from vibcli.elements.rigid_body import Body
 
 Place = tuple[float, float]
-BEYOND, THICK, LEAST, ROOM, CAM, LIFT = 22.0, 13.0, 26.0, 24.0, 15.0, 5.0   # points
+BEYOND, THICK, LEAST, ROOM, CAM, LIFT, ROLLER = 22.0, 13.0, 26.0, 24.0, 15.0, 5.0, 9.0     # points
 
 
 def straight(places: Sequence[Place]) -> bool:
@@ -82,6 +83,29 @@ def cam(centre: Place, direction: Place) -> Look:
     return Look([Polygon(tuple(plane.circle(middle, CAM)))], "cam", angle=plane.heading(direction))
 
 
+def follower(body: "Body", sketch: "Sketch") -> str | None:
+    """The name of what rolls on a body that is a cam itself: the nearest one that slides from a place."""
+    sliding = [name for name in sketch.frames if name in sketch.scene.bodies and name != body.name
+               and "slide" in sketch.scene.bodies[name].record]
+    centre = sketch.centre(body.name)
+    return min(sliding, key=lambda name: plane.distance(sketch.centre(name), centre), default=None)
+
+
+def follows(name: str, sketch: "Sketch") -> bool:
+    """Does a body roll on a cam?"""
+    return any(body.record.get("looks") == "cam" and "pin" in body.record and follower(body, sketch) == name
+               for body in sketch.scene.bodies.values())
+
+
+def _eccentric(body, centre, sketch):
+    """A disc about the mass centre of a cam, which reaches to the roller on it; without one about its pin."""
+    name, pivot = follower(body, sketch), sketch.pivot(body.name)
+    reach = plane.distance(centre, pivot.drawn) + LIFT if name is None else plane.distance(
+        centre, sketch.centre(name)) - ROLLER
+    disc = Polygon(tuple(plane.circle(centre, max(reach, LIFT))))
+    return Look([disc, *centre_mark(centre)], "disc", list(disc.points))
+
+
 def axle(look: Look) -> Place:
     """Where the point is, as drawn, about which a cam runs."""
     return plane.polar(plane.middle(*plane.corners(look.pieces[0].points)), -LIFT, look.angle)
@@ -91,6 +115,8 @@ def named(body: "Body", sketch: "Sketch", ties: "Ties") -> Look:
     """What the file says that a body looks like."""
     centre, word = sketch.centre(body.name), body.record["looks"]
     places = [*ties.carried.get(body.name, ()), centre]
+    if word == "cam" and "pin" in body.record:
+        return _eccentric(body, centre, sketch)
     if word == "cam":
         slide = body.record["slide"]
         return cam(centre, plane.unit(sketch.pair(slide["along"])) if "along" in slide else (1.0, 0.0))

@@ -55,7 +55,7 @@ def _heading(body, joint, looks, sketch):
 
 
 def draw(sketch: Sketch,
-         looks: Any) -> "tuple[list[Hatch | Polyline], dict[str, tuple[tuple[Any, ...], tuple[Any, ...]]]]":
+         looks: Any) -> "tuple[list[Hatch | Polyline], dict[str, tuple[Any, ...]]]":
     """The primitives of all of them, and where each is: {name: (middle, normal)}."""
     found, where, ranks = [], {}, {}
     for record, at, body, other in elements(sketch):

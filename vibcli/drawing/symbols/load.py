@@ -28,7 +28,9 @@ def draw(record: "Record", sketch: "Sketch", looks: "Mapping[str, Look]",
             return None             # that at a point of a member is drawn with it
         return _moment(record, sketch, looks, space)
     if "at" in record and (at := sketch.attachment(record["at"])) is not None:
-        return _unbalance(record, at, sketch) if "unbalance" in record else _force(record, at, sketch, looks, space)
+        if "unbalance" in record:
+            return _unbalance(record, at, sketch, space)
+        return _force(record, at, sketch, looks, space)
     return None
 
 
@@ -43,8 +45,8 @@ def _force(record, at, sketch, looks, space):
         edge = [sketch.frames[at.carrier].point(p) for p in looks[at.carrier].core]
         here, there = (plane.leaves(place, plane.times(direction, sense), edge) for sense in (1, -1))
     paths = [(here, plane.plus(here, direction, LENGTH)), (plane.plus(there, direction, -LENGTH), there)]
-    start, tip = min(paths, key=lambda path: space.path([plane.plus(path[0], direction, 5),
-                                                         plane.plus(path[1], direction, -5)]))
+    start, tip = min(paths, key=lambda path: space.arrow([plane.plus(path[0], direction, 5),
+                                                          plane.plus(path[1], direction, -5)]))
     given = [field for field in fields if field.text.strip() not in ("0", "0 N")]
     runs = captions.expression(unsigned(given[0]), sketch, 18) if len(given) == 1 else None
     runs = runs or lettering.named(record.name)
@@ -79,19 +81,24 @@ def _moment(record, sketch, looks, space):
     name = record["body"].text
     pivot = sketch.pivot(name)
     centre = sketch.now(pivot) if pivot is not None else sketch.frames[name].point(sketch.centre(name))
-    radii = (19.0, 27.0, 35.0, 45.0)
-    arcs = [(radius, start * pi, (start + 1.15) * pi) for radius in radii for start in (0.1, 0.6, -0.4, 1.1)]
-    radius, start, end = min(arcs, key=lambda item: space.path(plane.arc(centre, *item)) / item[0] * 20 + item[0] / 20)
+    radius, start, end = _freest(centre, (19.0, 27.0, 35.0, 45.0), 1.15, space)
     runs = captions.expression(record["moment"], sketch, 18) or lettering.named(record.name)
     places = [plane.polar(centre, radius, end), plane.polar(centre, radius, (start + end) / 2)]
     return arrow.round_(centre, radius, start, end, "load", 1.7), runs, places
 
 
-def _unbalance(record, at, sketch):
+def _freest(centre, radii, span, space):
+    """(radius, start, end) of the arc about a centre that crosses least; `span` in units of π."""
+    arcs = [(radius, start * pi, (start + span) * pi) for radius in radii for start in (0.1, 0.6, -0.4, 1.1)]
+    return min(arcs, key=lambda item: space.arrow(plane.arc(centre, *item)) / item[0] * 20 + item[0] / 20)
+
+
+def _unbalance(record, at, sketch, space):
     """A small mass on an arm that turns."""
     centre = sketch.now(at)
     mass = plane.polar(centre, 9.0, 0.3 * pi)
+    radius, start, end = _freest(centre, (13.0, 17.0, 22.0, 28.0, 35.0), 0.6, space)
     found = [Polyline((centre, mass), "load", layer=BODY), Circle(mass, 2.3, "load", "load"),
-             *arrow.round_(centre, 17.0, -0.1 * pi, 0.75 * pi, "load")]
+             *arrow.round_(centre, radius, start, end, "load")]
     runs = captions.expression(record["unbalance"], sketch) or lettering.named(record.name)
-    return found, runs, [plane.polar(centre, 18.0, 0.75 * pi), plane.polar(centre, 18.0, 0.3 * pi)]
+    return found, runs, [plane.polar(centre, radius + 1, angle) for angle in (end, (start + end) / 2)]

@@ -5,7 +5,7 @@ from math import pi, sin
 from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import BODY, JOINT, SURFACE, Circle, Polygon, Polyline
-from vibcli.drawing.layout import captions, plane
+from vibcli.drawing.layout import captions, hung, plane
 from vibcli.drawing.layout.strips import Strip
 from vibcli.drawing.symbols import damper, spring, support
 from vibcli.drawing.symbols.joint import Turn
@@ -25,7 +25,7 @@ def draw(strip: Strip, bend: Bend, sketch: "Sketch") -> tuple[list[Any], list[tu
     found, named = [], []
     for side, x, sense in (("left", 0.0, -1.0), ("right", strip.metres, 1.0)):
         _end(strip.member.record.get(side, "free"), strip, bend, x, sense, sketch, found, named)
-    hung = iter(oscillators(strip, sketch))
+    unnamed = iter(oscillators(strip, sketch))
     for record in strip.member.record.get("attached", ()):
         x = sketch.number(record["at"])
         if "support" in record:
@@ -33,9 +33,11 @@ def draw(strip: Strip, bend: Bend, sketch: "Sketch") -> tuple[list[Any], list[tu
         _attached(record, strip, bend, x, 1.0 if x > 0.999 * strip.metres else -1.0 if x < 1e-3 * strip.metres else 0.0,
                   found, named)
         if "oscillator" in record:
-            name = next(hung)[1]
+            name = next(unnamed)[1]
             aside = (int(signal_name(name).axis or 1) - 1) * (BESIDE if x < 0.5 * strip.metres else -BESIDE)
             _oscillator(record["oscillator"], strip, bend, x, aside, sketch.values[name], found, named)
+    for one in hung.on(strip, sketch):
+        _oscillator(one.parts, strip, bend, sketch.number(one.at), 0.0, sketch.lumped[one.body], found, named)
     return found, named
 
 
@@ -64,7 +66,7 @@ def _end(end, strip, bend, x, sense, sketch, found, named):
         _attached(end, strip, bend, x, sense, found, named)
     elif strip.placed:
         found += support.hinge(here) if word == "pinned" or strip.member.kind.name == "bar" else []
-    elif end[word].text in sketch.scene.bodies:
+    elif end[word].text in sketch.scene.bodies and end[word].text not in sketch.numbers.get("standing", ()):
         body = sketch.scene.bodies[end[word].text].record
         key = next((key for key in ("mass", "inertia") if key in body), None)
         found += _mass(strip, bend, x, sense, key or "mass")
@@ -76,12 +78,17 @@ def branches(strips: "Sequence[Strip]", sketch: "Sketch") -> list[Polyline]:
     found, known = [], {strip.name: strip for strip in strips}
     for strip in strips:
         for side, x in (("left", 0.0), ("right", strip.metres)):
-            end = strip.member.record.get(side, "free")
-            word = None if isinstance(end, str) or strip.placed else next((w for w in HELD if w in end), None)
-            if word is not None and end[word].text in known:
-                there = known[end[word].text].at(sketch.number(end["at"]))
-                found.append(Polyline((strip.at(x), there), "measure", 0.8, True, SURFACE))
+            for _, name in held(strip.member, side):
+                if name in known and not strip.placed:
+                    there = known[name].at(sketch.number(strip.member.record[side]["at"]))
+                    found.append(Polyline((strip.at(x), there), "measure", 0.8, True, SURFACE))
     return found
+
+
+def held(one: Any, side: str) -> list[tuple[str, str]]:
+    """[(how, the name of the body or member)] of what holds an end of a member, where anything does."""
+    end = one.record.get(side, "free")
+    return [] if isinstance(end, str) else [(word, end[word].text) for word in HELD if word in end]
 
 
 def _held(word, strip, here, outward, drawn):
@@ -143,6 +150,11 @@ def _attached(record, strip, bend, x, sense, found, named):
         parts, (middle, normal) = spring.about({}, Turn(here, plane.heading(outward) + pi, 0.0, None, 0))
         found += parts
         named.append((record, "torsion", [plane.plus(middle, normal, 6.0)]))
+
+
+def hanging(strip: Strip, sketch: "Sketch") -> list[tuple[float, str]]:
+    """[(place, coordinate)] of the oscillators on a member and of the bodies that hang from it."""
+    return oscillators(strip, sketch) + [(sketch.number(one.at), one.moves) for one in hung.on(strip, sketch)]
 
 
 def oscillators(strip: Strip, sketch: "Sketch") -> list[tuple[float, str]]:

@@ -4,19 +4,22 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import Run
-from vibcli.drawing.layout import captions, lettering, plane
+from vibcli.drawing.layout import captions, hung, lettering, plane
+from vibcli.drawing.layout.rows import motion
 from vibcli.drawing.layout.strips import Strip, resting
 from vibcli.drawing.symbols import arrow, member_ends, support
+from vibcli.drawing.symbols.coordinate import ticked
 from vibcli.drawing.symbols.dimension import SHORTEST, Length, named_length
 from vibcli.drawing.symbols.member import ASIDE, Bend, preload
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
+    from vibcli.drawing.layout.space import Space
 
-NAMED_BY, PUSH, ROW, APART = ("EI", "EA", "GIo"), 30.0, 20.0, 18.0
+NAMED_BY, PUSH, BESIDE, ROW, APART = ("EI", "EA", "GIo"), 30.0, 9.0, 20.0, 18.0
 
 
-def of(strip: Strip, sketch: "Sketch") -> Iterator[tuple[list[Any], Any, list[Any], str]]:
+def of(strip: Strip, sketch: "Sketch", space: "Space") -> Iterator[tuple[list[Any], Any, list[Any], str]]:
     """(primitives, runs, places for them, role) of all that is written on a member."""
     record, bend = strip.member.record, Bend(resting(strip, sketch.values), strip.scale if strip.placed else 0.0)
     yield [], _name(record, sketch), [strip.at(part * strip.metres, side * 10.0)
@@ -26,10 +29,12 @@ def of(strip: Strip, sketch: "Sketch") -> Iterator[tuple[list[Any], Any, list[An
     if "preload" in record:
         yield preload(strip, sketch), captions.expression(_size(record["preload"]), sketch), [
             strip.at(strip.metres, ASIDE, 14.0)], "load"
-    yield from _points(strip, sketch)
+    yield from _points(strip, sketch, space)
+    for one in hung.on(strip, sketch):
+        yield _motion(one, strip, sketch, space)
     for load in (sketch.spec.get("forces") or {}).values():
         if "per_length" in load and load["body"].text == strip.name:
-            yield _spread(load, strip, sketch)
+            yield _spread(load, strip, sketch, space)
 
 
 def _name(record, sketch):
@@ -49,7 +54,7 @@ def _size(field):
     return unsigned(field)
 
 
-def _points(strip, sketch):
+def _points(strip, sketch, space):
     """Points on a member, with the loads on one that has no place."""
     for name, record in (sketch.spec.get("member_points") or {}).items():
         if record["body"].text != strip.name:
@@ -59,12 +64,22 @@ def _points(strip, sketch):
         yield support.dot(here), None, [], "ink"
         for load in (sketch.spec.get("forces") or {}).values():
             if getattr(load.get("at"), "text", None) == name:
-                found = _load(load, strip, here, sketch)
+                found = _load(load, strip, here, sketch, space)
                 if found is not None:
                     yield found
 
 
-def _load(load, strip, here, sketch):
+def _motion(one, strip, sketch, space):
+    """The arrow of a body that hangs on a member."""
+    n, field = plane.left(strip.e), motion(sketch.scene.bodies[one.body])
+    way, aside = (n, strip.e) if strip.sideways else (strip.e, n)
+    middle = strip.at(sketch.number(one.at), -member_ends.REACH - 2 * member_ends.SIDE)
+    starts = [plane.plus(middle, aside, side * 26.0) for side in (1, -1)]
+    path, make = min((ticked(start, way, aside) for start in starts), key=lambda found: space.arrow(found[0]))
+    return make("coordinate"), captions.expression(field, sketch, 18), [path[3]], "coordinate"
+
+
+def _load(load, strip, here, sketch, space):
     n = plane.left(strip.e)
     if "moment" in load:
         runs = captions.expression(load["moment"], sketch, 18) or lettering.named(load.name)
@@ -76,24 +91,31 @@ def _load(load, strip, here, sketch):
         return None
     runs = captions.expression(load["force"], sketch, 18) or lettering.named(load.name)
     way = n if strip.sideways else strip.e
-    tip = plane.plus(here, way, PUSH)
-    return arrow.straight(here, tip, "load", 1.7), runs, [tip], "load"
+    starts = [here, plane.plus(here, way, -PUSH)] if strip.sideways else [
+        here, *(plane.plus(here, n, side * BESIDE) for side in (1, -1))]
+    start, tip = min(((place, plane.plus(place, way, PUSH)) for place in starts), key=lambda path: space.arrow(
+        [plane.plus(path[0], way, 7), plane.plus(path[1], way, -5)]))
+    return arrow.straight(start, tip, "load", 1.7), runs, [tip, start] if strip.sideways else [tip], "load"
 
 
-def _spread(load, strip, sketch):
-    """A row of arrows beside a member; along it on bars."""
+def _spread(load, strip, sketch, space):
+    """A row of arrows beside a member, where it crosses least; along it on bars."""
     start, end = (sketch.number(load[key]) if key in load else x
                   for key, x in (("from", 0.0), ("to", strip.metres)))
     count = max(2, round((end - start) * strip.scale / APART))
-    parts = []
-    for i in range(count + 1):
-        x = start + (end - start) * i / count
+    places = [start + (end - start) * i / count for i in range(count + strip.sideways)]
+
+    def row(aside):
         if strip.sideways:
-            parts += arrow.straight(strip.at(x, 6.0), strip.at(x, 6.0 + ROW), "load", 0.9)
-        elif i < count:
-            parts += arrow.straight(strip.at(x, 12.0), strip.at(x, 12.0, 0.7 * APART), "load", 0.9)
+            return [(strip.at(x, aside), strip.at(x, aside + ROW)) for x in places]
+        return [(strip.at(x, aside), strip.at(x, aside, 0.7 * APART)) for x in places]
+
+    aside = min((6.0, 12.0, 16.0, -6.0 - ROW, 24.0)[not strip.sideways:],
+                key=lambda aside: sum(map(space.arrow, row(aside))))
+    parts = [part for path in row(aside) for part in arrow.straight(*path, "load", 0.9)]
     runs = captions.expression(load["per_length"], sketch, 24) or lettering.named(load.name)
-    return parts, runs, [strip.at((start + end) / 2, 10.0 + ROW)], "load"
+    middle = (start + end) / 2
+    return parts, runs, [strip.at(middle, aside + (ROW + 4 if aside > 0 else -4.0))], "load"
 
 
 def lengths(strips: Sequence[Strip], sketch: "Sketch") -> list[Length]:

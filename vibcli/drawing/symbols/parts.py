@@ -40,6 +40,13 @@ def offsets(records: "Sequence[Mapping[Any, Any] | Record]", apart: float) -> li
     return [sum(widths) / 2 - sum(widths[:i]) - width / 2 for i, width in enumerate(widths)]
 
 
+def sides(t: float, among: "Sequence[Any]") -> tuple[float, ...]:
+    """On which side of an element `t` across from the middle of some its name stands: 1 left of their direction, −1
+    right; none where any will do."""
+    return (1.0 if t > 0 else -1.0,) if len(among) > 1 and t else ()
+
+
+
 def _weights(parts):
     """How much of a row each part needs: what holds a row of its own needs more."""
     return [max((len(branch.get("series", ())) or 1) for branch in part.get("parallel", ()) or (part,))
