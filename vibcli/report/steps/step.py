@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 MARKED = "′", "′′", "′′′"
-MATRICES = {"M": "DHN", "C": "BRW", "G": "YXU", "K": "SEZ", "P": "QLJ"}       # of matrices, where the scene has these
+MATRICES = {"M": "DHN", "C": "BRW", "G": "YXU", "K": "SEZ", "P": "QLJ", "Z": "AOV"}   # where the scene has these
 
 
 class WorkedLine(NamedTuple):
