@@ -89,7 +89,8 @@ def _lines(problem: "Problem") -> "list[tuple[WorkedLine, list[int]]]":
         told = worked(problem)
     except (PhysicsError, SpecError):
         return []
-    valued = {line.number: line for line in told if line.value and line.node is not None and _known(problem, line.node)}
+    with_numbers = [line for line in told if line.value and line.node is not None and _known(problem, line.node)]
+    valued = {line.number for line in with_numbers}
     reach: dict[int, dict[int, None]] = {}
     found = []
     for line in told:
@@ -97,7 +98,7 @@ def _lines(problem: "Problem") -> "list[tuple[WorkedLine, list[int]]]":
         for one in line.uses:
             uses |= {one: None} if one in valued else reach.get(one, {})
         reach[line.number] = uses
-        if line.number in valued:
+        if line in with_numbers:
             found.append((line, list(uses)))
     return found
 

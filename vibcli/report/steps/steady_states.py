@@ -238,7 +238,9 @@ class SteadyState:
             more = self._in_letters(name, told_of, letter)
         if values is not None:
             told_of += self._in_numbers(values[k], letter, unit, written)
-            more = {**(more if self.undamped and values[k].real > 0 else {}), "value": abs(values[k]), "unit": unit}
+            turned = self.undamped and values[k].real < 0
+            node = -more["node"] if turned and more else more.get("node")
+            more = {"node": node, "value": abs(values[k]), "unit": unit}
         settles = f"amplitude {self.order} of {name}" if self.several else f"amplitude({name})"
         sheet.write(*told_of, settles=settles, uses=uses, **more)
         if values is not None and values[k] and not self.undamped:
@@ -265,9 +267,8 @@ class SteadyState:
         return [*head, "|", letter, "|", *number(abs(value), unit)]
 
     def _in_letters(self, name, told_of, letter):
-        """The amplitude that the engine finds in letters, where it is one to read; in numbers of what is not damped."""
-        if self.numeric and not self.undamped:
-            return {}
+        """The amplitude that the engine finds in letters, told where it is one to read; in numbers of what is not
+        damped."""
         try:
             formula = self.about.problem.symbolic_steady_state(name).formula
         except (NotInLetters, PhysicsError):
@@ -275,7 +276,7 @@ class SteadyState:
         node = formula.amplitude
         if not self._agrees(node, self.names.index(name)):
             raise Untold(UNTOLD, HINT)
-        if letters(node) <= READABLE and self.Omega is self.given:
+        if letters(node) <= READABLE and self.Omega is self.given and (self.undamped or not self.numeric):
             told_of += [*([Words(",  "), "|", letter, "|"] if not formula.undamped else []), " = ", node]
         return {"node": node}
 
