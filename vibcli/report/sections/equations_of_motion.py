@@ -76,10 +76,10 @@ def equations(problem: "Problem", report: "Report") -> Iterator[Section]:
     if found.refusal:
         yield from _unbent(problem, report)
         return
-    linear = None
+    linear, drives = None, _drives(problem, found)
     if found.linear:
         linear = blocks.equations(
-            line(node, " = ", found.drive.get(i, problem.scene.table.zero), label=Name(name))
+            line(node, " = ", drives[i], label=Name(name))
             for i, (name, node) in enumerate(zip(coordinates, found.linear, strict=True)))
     numbers = not problem.numeric.has_free_symbols and len(coordinates) <= WRITTEN_OUT
     drawn = problem.symbolic.balanced_as_drawn
@@ -87,6 +87,15 @@ def equations(problem: "Problem", report: "Report") -> Iterator[Section]:
         "Small oscillations about the equilibrium" + ("" if drawn else ", the coordinates counted from it"), linear,
         Heading("in numbers (SI units):") if linear and numbers else None,
         blocks.equations(_in_numbers(problem, found)) if numbers else None, left_out(problem))
+
+
+def _drives(problem, found):
+    """What drives each coordinate, displacements in time by their symbols where these are told."""
+    table, named = problem.scene.table, named_drives(problem)
+    drives = [found.drive.get(i, table.zero) for i in range(len(problem.scene.coordinates))]
+    told = [None if named is None else named.drive(i, node) for i, node in enumerate(drives)]
+    return [node if pairs is None else table.total([factor * symbol for factor, symbol in pairs])
+            for node, pairs in zip(drives, told, strict=True)]
 
 
 def left_out(problem: "Problem"):
@@ -120,7 +129,9 @@ def _full(problem, report):
     if not found.full:
         yield from section(title, paragraph(f"not written out for {len(problem.scene.coordinates)} coordinates"))
         return
-    shown, lengths = abbreviated([*(found.from_rest or found.full), *found.conditions], report.roots)
+    drives = named_drives(problem) if loose is problem.scene and not found.from_rest else None
+    told_as = [drives.equation(i) for i in range(len(found.full))] if drives else found.from_rest or found.full
+    shown, lengths = abbreviated([*told_as, *found.conditions], report.roots)
     labels = [*map(Name, found.names), *[None] * len(found.conditions)]
     lines, told_nodes = [], []
     for label, node in zip(labels, shown, strict=True):
@@ -143,8 +154,11 @@ def _in_numbers(problem, found):
     from vibcli.report.sections.numeric_equations import numeric_drive, numeric_rows
 
     rows = numeric_rows(problem, problem.configuration.told_matrices)
+    named = named_drives(problem)
     for i, (name, row) in enumerate(zip(problem.scene.coordinates, rows, strict=True)):
-        drive = numeric_drive(problem, found, i)
+        pairs = None if named is None else named.drive(i, found.drive.get(i, problem.scene.table.zero))
+        drive = numeric_drive(problem, found, i) if pairs is None else [
+            (evaluate([factor], Floats, problem.configuration.at_rest)[0], symbol) for factor, symbol in pairs]
         yield line(*numeric_sum(row), " = ", *numeric_sum(drive), label=Name(name))
 
 

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
 from vibcli.report.blocks import Name, SumOfTerms, Words
+from vibcli.report.steps.agreement import same_in_motion, samples_of
 from vibcli.report.steps.in_motion import short_form
-from vibcli.report.steps.small import agree_in_motion, samples_of
 from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -75,7 +75,7 @@ class EnergyIntegral:
         if not equations:
             return False
         rate = self.scene.rate(self.M * self.v ** 2 / 2 + self.V)
-        return agree_in_motion(self.scene, samples_of(self.problem, {}), [equations[0] * self.v], [rate])
+        return same_in_motion(self.problem, [equations[0] * self.v], [rate])
 
     def _energy(self, lines):
         """The line of the integral, solved for the speed."""

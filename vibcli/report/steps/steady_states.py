@@ -238,9 +238,9 @@ class SteadyState:
             more = self._in_letters(name, told_of, letter)
         if values is not None:
             told_of += self._in_numbers(values[k], letter, unit, written)
-            turned = self.undamped and values[k].real < 0
-            node = -more["node"] if turned and more else more.get("node")
-            more = {"node": node, "value": abs(values[k]), "unit": unit}
+            node = more.get("node")
+            turned = node is not None and (self.about.value(node) or 0.0) < 0
+            more = {"node": -node if turned else node, "value": abs(values[k]), "unit": unit}
         settles = f"amplitude {self.order} of {name}" if self.several else f"amplitude({name})"
         sheet.write(*told_of, settles=settles, uses=uses, **more)
         if values is not None and values[k] and not self.undamped:
