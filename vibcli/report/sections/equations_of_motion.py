@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import Kinked
 from vibcli.notation.abbreviations import abbreviated
 from vibcli.notation.equation_sides import equation, sides
+from vibcli.notation.numbers import figure
 from vibcli.report import blocks
 from vibcli.report.blocks import Heading, Name, Paragraph, Section, line, maths, paragraph, section, separated
 from vibcli.report.keys import Key
@@ -55,7 +56,7 @@ def with_numbers(problem: "Problem", nodes: "Sequence[Node]") -> list[Paragraph]
     if problem.numeric.has_free_symbols:
         return [paragraph("with numbers of beams at rest whose tension varies along them", hang=4, aside=True)]
     values = zip(known, evaluate(known, Floats, problem.numeric.floats), strict=True)
-    told = sorted(f"{node.name} = {value:.6g}" for node, value in values)
+    told = sorted(f"{node.name} = {figure(value)}" for node, value in values)
     return [paragraph(f"with, in SI units, as tensions vary along beams, {', '.join(told)}", hang=4, aside=True)]
 
 
@@ -168,9 +169,9 @@ def numeric_sum(row: "Sequence[tuple[float, Node]]") -> "Sequence[Any]":
     for value, node in row:
         sign = ("−" if value < 0 else "") if not parts else (" − " if value < 0 else " + ")
         if node.op == "number":
-            parts.append(f"{sign}{abs(value):.6g}")
+            parts.append(f"{sign}{figure(abs(value))}")
         else:
-            parts += [sign + ("" if abs(value) == 1 else f"{abs(value):.6g}·"), node]
+            parts += [sign + ("" if abs(value) == 1 else f"{figure(abs(value))}·"), node]
     return parts or ["0"]
 
 

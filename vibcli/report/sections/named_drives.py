@@ -50,10 +50,13 @@ class NamedDrives:
         return self._named(min(mine, key=letters), self._problem.symbolic.energies[key])
 
     def equation(self, i: int) -> "Node":
-        """The equation of motion of a coordinate with the symbols, as it comes from the energies."""
+        """The equation of motion of a coordinate with the symbols, as it comes from the energies; multiplied out where
+        that is shorter."""
+        from vibcli.mechanics.energies import kinetic
         from vibcli.mechanics.lagrange import equation_of
 
-        return self._named(without_contents(equation_of(self._opened, i)), self._problem.symbolic.equations.full[i])
+        mine = without_contents(equation_of(self._opened, i, textbook(kinetic(self._opened))))
+        return self._named(min((mine, textbook(mine)), key=letters), self._problem.symbolic.equations.full[i])
 
     def drive(self, i: int, whole: "Node") -> "list[tuple[Node, Node]] | None":
         """[(factor, symbol)] of what drives a coordinate in small oscillations; None where that is not `whole`, the

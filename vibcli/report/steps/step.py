@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from math import tau
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from vibcli.notation.numbers import figure
+from vibcli.notation.numbers import with_minus
 from vibcli.report.blocks import Name, Words
 
 if TYPE_CHECKING:
@@ -96,4 +96,4 @@ def of_time(sheet: WorkedSolution, omega: float) -> list:
 
 def told(value: float) -> str:
     """A number as mathematics."""
-    return figure(value).replace("-", "−")
+    return with_minus(value)
