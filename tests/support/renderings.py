@@ -14,6 +14,7 @@ from vibcli.report.formats import asciidoc, html, latex, markdown, text, typst
 WIDEST = 102
 FORMATS = (text, markdown, latex, html, asciidoc, typst)
 TYPED = re.compile(r"\bN\*|\*s/m\b|\bkg\*m|\bm/s\^2|\d deg\b")
+TOO_LONG = re.compile(r"an expression of \d+ characters")
 NOTHING = re.compile(r"\b(None|nan|NaN)\b(?! [a-z])")
 ROUNDING = re.compile(r"(?<![\d.])\d(?:\.\d+)?e-1[3-9]")
 BOUNDS = re.compile("error|what is left|residual|left of")    # heads of numbers that tell how small something is
@@ -79,7 +80,8 @@ def faults(document: Document, formats: Iterable[ModuleType]) -> list[str]:
         found += [f"{section.title}: {told}" for told in small]
     for kind in formats:
         shown = kind.render([document], None)
-        found += [f"{kind.__name__}: {one.group()}" for wrong in (TYPED, NOTHING) for one in wrong.finditer(shown)]
+        found += [f"{kind.__name__}: {one.group()}" for wrong in (TYPED, NOTHING, TOO_LONG)
+                  for one in wrong.finditer(shown)]
         if kind is text:
             found += [line for line in shown.split("\n") if width(line) > WIDEST]
         elif kind is html:

@@ -164,7 +164,8 @@ def _lines(problem: "Problem") -> "tuple[list[tuple[WorkedLine, list[int]]], dic
         told = worked(problem)
     except (PhysicsError, SpecError):
         return [], {}
-    valued = {line.number: line for line in told if line.value and line.node is not None and _known(problem, line.node)}
+    with_numbers = [line for line in told if line.value and line.node is not None and _known(problem, line.node)]
+    valued = {line.number for line in with_numbers}
     reach: dict[int, dict[int, None]] = {}
     found, roots = [], {}
     for line in told:
@@ -172,9 +173,9 @@ def _lines(problem: "Problem") -> "tuple[list[tuple[WorkedLine, list[int]]], dic
         for one in line.uses:
             uses |= {one: None} if one in valued else reach.get(one, {})
         reach[line.number] = uses
-        if line.number in valued:
+        if line in with_numbers:
             found.append((line, list(uses)))
-        roots[line.settles] = [line.number] if line.number in valued else list(uses)
+        roots[line.settles] = [line.number] if line in with_numbers else list(uses)
     return found, {settles: uses for settles, uses in roots.items() if settles and uses}
 
 

@@ -166,9 +166,11 @@ STEPS = [
          "damping is proportional; roots with damping"),
         ("motion", "of one coordinate the constants from `initial`, and what loads bring about: X and θ under one "
          "harmonic or several, from the complex equation; the first harmonics of a square or sawtooth wave; steps, "
-         "ramps and impulses piece by piece from rest; what follows a growing load. Of several the amplitudes under "
-         "one harmonic; of two or three, undamped or with modes that damping leaves apart, what each mode starts with "
-         "and their sum, beats as a product."),
+         "ramps and impulses piece by piece from rest; what follows a growing load. Of several the complex amplitudes "
+         "under each harmonic, of two and three by determinants of K − Ω²M + iΩC; of two or three, undamped or with "
+         "modes that damping leaves apart, what each mode starts with and their sum, beats as a product."),
+        ("wide motions", "of one coordinate that keeps its energy: the integral ½ m q̇² + V = E, where it turns, its "
+         "greatest speed and its period; under dry friction the half cycles until it rests"),
         ("members", "differential equation, standing waves and their general solution, what holds at each station, "
          "what the ends leave, the frequency equation, its first roots and their frequencies; where it has no closed "
          "form the equations, and frequencies by a search"),
@@ -179,8 +181,8 @@ STEPS = [
     "New letters never meet those of the scene. What the lines add up to is held against M, C and K of the engine, "
     "equations against those of the engine at states of motion, roots and forces against what they fulfil, before any "
     "line is told. `--json` gives each line as data: what it settles, from which lines, its expression and value. Not "
-    "told are more than 12 coordinates, motions in time of members and of equations that are not linear, and the "
-    "motion from a start under loads.",
+    "told are more than 12 coordinates, motions in time of members, other motions of equations that are not linear, "
+    "and the motion of several coordinates from a start under loads.",
 ]
 
 FREQUENCY_RESPONSE = [

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import HALF, ONE
 
 if TYPE_CHECKING:
@@ -12,13 +13,17 @@ SHORT = 2           # roots of fewer terms are left in place
 
 
 def abbreviated(nodes: "Sequence[Node]", known: "dict[Node, Node]") -> "tuple[list[Node], list[tuple[Node, Node]]]":
-    """(nodes with long roots replaced, [(symbol, root)] of those that are new). `known` {sum: symbol} is added to."""
+    """(nodes with long roots replaced, [(symbol, root)] of those that are new). `known` {sum: symbol} is added to; of
+    sums that differ in form alone the symbol is one."""
     table, new = nodes[0].table if nodes else None, []
     for node in nodes:
         for base in _rooted(node):
             if base not in known:
-                known[base] = table.variable(f"ℓ{len(known) + 1}")
-                new.append((known[base], table.power(base, HALF)))
+                whole = textbook(base)
+                if whole not in known:
+                    known[whole] = table.variable(f"ℓ{len(set(known.values())) + 1}")
+                    new.append((known[whole], table.power(whole, HALF)))
+                known[base] = known[whole]
     return [_replaced(table, node, known) for node in nodes], new
 
 

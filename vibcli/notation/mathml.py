@@ -13,6 +13,7 @@ from vibcli.notation.typeset import Stacked
 
 TIMES = '<mo>&#x2062;</mo><mspace width="0.17em"/>'       # invisible, with the space by which letters stand apart
 APPLY = "<mo>&#x2061;</mo>"
+TALL = "<mfrac", "<msqrt", "<munder", "<mtable"        # what brackets grow with
 _LEAF = re.compile(r"<(m[ion])[^<>]*>[^<>]*</\1>")
 
 
@@ -51,6 +52,9 @@ class MathML(Stacked):
         return f"<msub>{found}{below}</msub>"
 
     def brackets(self, text: str) -> str:
+        """Those that need not grow do not: some fonts set those that may apart from what they enclose."""
+        if not any(tall in text for tall in TALL):
+            return self.flat(text)
         return f"<mrow><mo>(</mo>{text}<mo>)</mo></mrow>"
 
     def flat(self, text: str) -> str:
@@ -90,6 +94,8 @@ class MathML(Stacked):
     def operator(self, symbol: str) -> str:
         if symbol == "·":
             return TIMES
+        if symbol == "/":
+            return '<mo lspace="0em" rspace="0em">/</mo>'
         return _operator("∑" if symbol == "Σ" else symbol)
 
     def gap(self, columns: int) -> str:

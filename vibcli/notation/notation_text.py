@@ -15,9 +15,14 @@ FUNCTIONS = {"sin", "cos", "tan", "exp"}
 _RELATION = re.compile(r"\s*([+−=<>≤≥∓±])\s*")
 
 
+_NEGATIVE = re.compile(r"^[−-](?=[\w.])|(?<=[=<>≤≥(])\s*[−-](?=[\w.])")        # where nothing is taken from
+SIGN = "\x00"               # stands for it while the text is read
+
+
 def read(text: Any, write: Any) -> str:
     """The text in a notation, which has the hooks of Stacked."""
-    return write.beside(*_read(_RELATION.sub(r"\1", text), write))
+    signed = _NEGATIVE.sub(SIGN, re.sub(r"\s*([=<>≤≥])\s*", r"\1", text))
+    return write.beside(*_read(_RELATION.sub(r"\1", signed), write))
 
 
 def _read(text, write):
@@ -36,6 +41,8 @@ def _one(text, at, write):
     """(what stands at a place, the place after it)."""
     token = _TOKEN.match(text, at)
     kind, at = token.lastgroup, token.end()
+    if token["operator"] == SIGN:
+        return write.signed(True, "", first=True), at
     if token["number"]:
         return write.numeral(token["number"]), at
     if token["letter"] in FUNCTIONS:

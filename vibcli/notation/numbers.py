@@ -1,6 +1,7 @@
 """Numbers as they are printed: the digits that a result supports, its unit after it."""
 
 import math
+import re
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +13,9 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 SHOWN = 6
+NEGATIVE = re.compile(r"(?<![\w.])-(?=[\d.])")        # the sign of a number in a text, not of an exponent
 LARGEST = 48        # denominators up to here are written as fractions
+LONGEST, FIGURES = 999, 4       # up to here they may be, where a decimal has more figures than so many
 
 
 def figure(value: float | None, error: float = 0.0, digits: int = SHOWN) -> str:
@@ -24,7 +27,17 @@ def figure(value: float | None, error: float = 0.0, digits: int = SHOWN) -> str:
     if error and error > 0:
         digits = max(1, min(digits, int(-math.log10(min(error, 0.5)))))
     text = f"{value:.{digits}g}"
-    return "0" if text in ("-0", "0") else text.replace("e+0", "e").replace("e-0", "e-").replace("e+", "e")
+    return "0" if text in ("-0", "0") else _short_exponent(text)
+
+
+def _short_exponent(text):
+    """1.2e7 of 1.2e+07, 3e-5 of 3e-05."""
+    return text.replace("e+0", "e").replace("e-0", "e-").replace("e+", "e")
+
+
+def with_minus(value: float, digits: int = SHOWN) -> str:
+    """The same as mathematics: −1.5e-6."""
+    return ("−" if value < 0 else "") + figure(abs(value), digits=digits)
 
 
 def plainly(value: float, digits: int = 2) -> str:
@@ -58,7 +71,7 @@ def with_unit(value: float, dimension: "Mapping[str, Fraction | int]") -> str:
 def quantity(value: float, dimension: "Mapping[str, Fraction | int]", error: float = 0.0) -> tuple[str, str]:
     """The number, and what is written behind it: ("0.0785", " m")."""
     unit = "rad" if dimension == {} else units.text(dimension)
-    degrees = f" ({figure(math.degrees(value), digits=4)}°)" if dimension == {} and value else ""
+    degrees = f" ({with_minus(math.degrees(value), 4)}°)" if dimension == {} and value else ""
     return figure(value, error), f" {unit}".rstrip() + degrees
 
 
@@ -98,18 +111,22 @@ def in_figures(value: float, figures: int) -> str:
 
 
 def shown_as_decimal(value: "Fraction | int") -> bool:
-    """0.75 m reads better as a decimal, 3/4·m·L² as a fraction: denominators up to 48 are fractions."""
-    return value.denominator > LARGEST
+    """0.18·m·L² reads better as a decimal, 3/4·m·L² and π·d⁴/64 as fractions: those of denominators up to 48, of others
+    those whose decimal is longer."""
+    if value.denominator <= LARGEST:
+        return False
+    return value.denominator > LONGEST or abs(value.numerator) > LONGEST or len(
+        f"{float(abs(value)):.12g}".replace("0.", "").lstrip("0")) <= FIGURES
 
 
 def decimal(value: Any) -> str:
     """A rational as text: an integer, p/q, or a decimal where that is short enough, else 12 digits."""
     if value.denominator == 1:
         text = str(value.numerator)
-        return text if len(text) < 16 else f"{float(value):.12g}"
+        return text if len(text) < 16 else _short_exponent(f"{float(value):.12g}")
     if not shown_as_decimal(value):
         return f"{value.numerator}/{value.denominator}".replace("-", "−")
-    return f"{float(value):.12g}".replace("-", "−") if abs(value) >= 1e-4 else f"{float(value):.12g}"
+    return ("−" if value < 0 else "") + _short_exponent(f"{float(abs(value)):.12g}")
 
 
 def added_as_decimal(node: "Node", value: "Fraction | int") -> bool:

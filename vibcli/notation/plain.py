@@ -6,7 +6,7 @@ from fractions import Fraction
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-from vibcli.notation.numbers import added_as_decimal, common_denominator, decimal, shown_as_decimal
+from vibcli.notation.numbers import NEGATIVE, added_as_decimal, common_denominator, decimal, shown_as_decimal
 from vibcli.notation.ordering import factor_rank, is_rooted, positive_first, term_rank
 from vibcli.notation.radicals import is_constant, place, split
 from vibcli.symbolic.discontinuous_functions import PULSES
@@ -210,7 +210,7 @@ class Plain(Notation):
     dot, rounds = "·", True
 
     def notation(self, text: str) -> str:
-        return text
+        return NEGATIVE.sub("−", text)
 
     def words(self, text: str) -> str:
         return text
@@ -219,7 +219,7 @@ class Plain(Notation):
         return "".join(texts)
 
     def number(self, value: Any) -> str:
-        return decimal(value).replace("-", "−")
+        return "−" + decimal(-value) if value < 0 else decimal(value)
 
     def symbol(self, name: str) -> str:
         if factors := factors_of(name):

@@ -1,9 +1,12 @@
 """Numbers as they are printed."""
 
 from fractions import Fraction
+from math import isclose
 
-from vibcli.notation.numbers import plainly, rounded_up, supported
+from vibcli.notation.numbers import figure, plainly, rounded_up, supported, with_minus
 from vibcli.notation.plain import plain
+from vibcli.symbolic.contents import without_contents
+from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression import Table
 
 
@@ -31,3 +34,34 @@ def test_a_length_written_as_a_decimal_is_added_as_one():
     assert plain((L + Fraction(3, 10)) * (L + x)) == "(L + 0.3)·(L + x)"
     assert plain(x * x - x * Fraction(6, 5) + Fraction(1, 4)) == "x² − 6·x/5 + 0.25"
     assert plain(L + Fraction(1, 2)) == "L + 1/2" and plain(L - Fraction(2, 3)) == "L − 2/3"
+
+
+def test_fractions_stay_where_their_decimals_are_longer():
+    """π d⁴/64 and x/384 as books have them; 0.18 and 0.3333 of a file as they were written; nothing of large terms."""
+    table = Table()
+    d, x = table.parameter("d"), table.parameter("x")
+    assert plain(table.pi * d**4 * Fraction(1, 64)) == "π·d⁴/64"
+    assert plain(x * Fraction(5, 384)) == "5·x/384" and plain(x * Fraction(1, 81)) == "x/81"
+    assert plain(x * Fraction(9, 50)) == "0.18·x" and plain(x * Fraction(3333, 10000)) == "0.3333·x"
+    assert plain(x * Fraction(1, 1003)) == "0.000997008973081·x"
+
+
+def test_exponents_and_signs_are_written_alike():
+    table = Table()
+    x = table.parameter("x")
+    assert figure(-1.5e-07) == "-1.5e-7" and with_minus(-1.5e-07) == "−1.5e-7" and with_minus(2e12) == "2e12"
+    assert plain(x * Fraction(1, 10**12)) == "1e-12·x" and plain(x + Fraction(-1, 10**12)) == "x − 1e-12"
+    assert plain(table.number(-Fraction(1, 10**7))) == "−1e-7" and plain(x * 10**20) == "1e20·x"
+    assert plain.notation(" = -0.25 m, 3e-5, a-1, (-6.3°)") == " = −0.25 m, 3e-5, a-1, (−6.3°)"
+
+
+def test_contents_are_taken_out_of_sums():
+    """(2x + 4y) z/2 is (x + 2y) z, nothing is multiplied out, and values stay."""
+    table = Table()
+    x, y, z = map(table.parameter, "xyz")
+    node = (x * 2 + y * 4) * z / 2 + (x * 3 + y * 3)**2 / (x * 2 + z * 2)
+    assert plain(without_contents(node)) == "9·(x + y)²/(2·(x + z)) + z·(x + 2·y)"
+    root = table.sqrt(x * 2 + y * 2) * (x * Fraction(1, 2) + y * Fraction(1, 2))
+    for one in (node, root, x, table.call("sin", x * 2 + y * 2) * (x * 2 + y * 2)):
+        values = {"x": 0.7, "y": 1.3, "z": 2.1}
+        assert isclose(*evaluate([one, without_contents(one)], Floats, values), rel_tol=1e-14)

@@ -6,6 +6,7 @@ import math
 import re
 from pathlib import Path
 
+import mpmath
 import pytest
 from support.scenes import kept_problem_of, problem
 
@@ -95,7 +96,9 @@ def test_the_complex_equation_gives_amplitude_and_lag(load):
 
 @pytest.mark.parametrize("load", [
     "F*step(t)", "F*(step(t) - step(t - t1))", "S*impulse(t - t1)", "-S*impulse(t - t1) + F*step(t)",
-    "F*ramp(t)/t1 - F*ramp(t - t1)/t1", "F*(1 - t/t1)*(step(t) - step(t - t1))"])
+    "F*ramp(t)/t1 - F*ramp(t - t1)/t1", "F*(1 - t/t1)*(step(t) - step(t - t1))", "F*sin(w*t)*step(t)",
+    "F*sin(pi*t/t1)*(step(t) - step(t - t1))", "F*cos(w*t)*step(t - t1)", "F*sin(w*(t1 - t))*step(t)",
+    "F*sin(2*pi*t/t1)*(step(t) - step(t - t1)) + F*step(t)"])
 @pytest.mark.parametrize("damped", [True, False])
 def test_pieces_add_up_to_the_motion(tmp_path, load, damped):
     text = oscillator(load, "8 N*s/m" if damped else None)
@@ -105,11 +108,28 @@ def test_pieces_add_up_to_the_motion(tmp_path, load, damped):
     lines = worked(scene)
     known = dict(scene.numeric.floats)
     of = {line.settles: line for line in lines}
-    known |= {"omega": of["omega[1]"].value}
+    known |= {"omega": of["omega[1]"].value} | {name: of[name].value for name in "RS" if name in of}
+    known |= {"Omega": of["Omega of the load"].value} if "Omega of the load" in of else {}
     if damped:
         known |= {"delta": of["delta"].value, "omega_d": of["omega_d[1]"].value}
     for t in (0.05, 0.13, 0.4):
         assert _sum_of_pieces(of, known, t) == pytest.approx(found[f"x({t} s)"].value, rel=1e-9, abs=1e-15)
+
+
+def test_any_load_is_the_sum_of_its_impulses(tmp_path):
+    """A load that is none of the pieces: the integral of the line by quadrature is the motion of the engine."""
+    text = oscillator("F*(w*t)^2*exp(-w*t)*step(t)")
+    path = tmp_path / "scene.yaml"
+    path.write_text(text)
+    lines, values = lines_of(text), {"m": 2.0, "delta": 2.0, "omega_d": math.sqrt(396)}
+    line = lines["convolution"]
+    weight = next(part.node for part in line.parts if type(part).__name__ == "Factor")
+    for t in (0.1, 0.4):
+        def of_load(tau, t=t):
+            weighed, = evaluate([weight], Floats, {**values, "t": t, "tau": float(tau)})
+            return 5 * (15 * tau)**2 * mpmath.exp(-15 * tau) * weighed
+
+        assert vibcli.load(path)[f"x({t} s)"].value == pytest.approx(float(mpmath.quad(of_load, [0, t])), rel=1e-8)
 
 
 def _sum_of_pieces(lines, known, t):

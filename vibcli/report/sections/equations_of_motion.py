@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import Kinked
 from vibcli.notation.abbreviations import abbreviated
 from vibcli.notation.equation_sides import equation, sides
+from vibcli.notation.numbers import figure
 from vibcli.report import blocks
 from vibcli.report.blocks import Heading, Name, Paragraph, Section, line, maths, paragraph, section, separated
 from vibcli.report.keys import Key
@@ -55,7 +56,7 @@ def with_numbers(problem: "Problem", nodes: "Sequence[Node]") -> list[Paragraph]
     if problem.numeric.has_free_symbols:
         return [paragraph("with numbers of beams at rest whose tension varies along them", hang=4, aside=True)]
     values = zip(known, evaluate(known, Floats, problem.numeric.floats), strict=True)
-    told = sorted(f"{node.name} = {value:.6g}" for node, value in values)
+    told = sorted(f"{node.name} = {figure(value)}" for node, value in values)
     return [paragraph(f"with, in SI units, as tensions vary along beams, {', '.join(told)}", hang=4, aside=True)]
 
 
@@ -76,10 +77,10 @@ def equations(problem: "Problem", report: "Report") -> Iterator[Section]:
     if found.refusal:
         yield from _unbent(problem, report)
         return
-    linear = None
+    linear, drives = None, _drives(problem, found)
     if found.linear:
         linear = blocks.equations(
-            line(node, " = ", found.drive.get(i, problem.scene.table.zero), label=Name(name))
+            line(node, " = ", drives[i], label=Name(name))
             for i, (name, node) in enumerate(zip(coordinates, found.linear, strict=True)))
     numbers = not problem.numeric.has_free_symbols and len(coordinates) <= WRITTEN_OUT
     drawn = problem.symbolic.balanced_as_drawn
@@ -87,6 +88,15 @@ def equations(problem: "Problem", report: "Report") -> Iterator[Section]:
         "Small oscillations about the equilibrium" + ("" if drawn else ", the coordinates counted from it"), linear,
         Heading("in numbers (SI units):") if linear and numbers else None,
         blocks.equations(_in_numbers(problem, found)) if numbers else None, left_out(problem))
+
+
+def _drives(problem, found):
+    """What drives each coordinate, displacements in time by their symbols where these are told."""
+    table, named = problem.scene.table, named_drives(problem)
+    drives = [found.drive.get(i, table.zero) for i in range(len(problem.scene.coordinates))]
+    told = [None if named is None else named.drive(i, node) for i, node in enumerate(drives)]
+    return [node if pairs is None else table.total([factor * symbol for factor, symbol in pairs])
+            for node, pairs in zip(drives, told, strict=True)]
 
 
 def left_out(problem: "Problem"):
@@ -120,7 +130,9 @@ def _full(problem, report):
     if not found.full:
         yield from section(title, paragraph(f"not written out for {len(problem.scene.coordinates)} coordinates"))
         return
-    shown, lengths = abbreviated([*(found.from_rest or found.full), *found.conditions], report.roots)
+    drives = named_drives(problem) if loose is problem.scene and not found.from_rest else None
+    told_as = [drives.equation(i) for i in range(len(found.full))] if drives else found.from_rest or found.full
+    shown, lengths = abbreviated([*told_as, *found.conditions], report.roots)
     labels = [*map(Name, found.names), *[None] * len(found.conditions)]
     lines, told_nodes = [], []
     for label, node in zip(labels, shown, strict=True):
@@ -143,8 +155,11 @@ def _in_numbers(problem, found):
     from vibcli.report.sections.numeric_equations import numeric_drive, numeric_rows
 
     rows = numeric_rows(problem, problem.configuration.told_matrices)
+    named = named_drives(problem)
     for i, (name, row) in enumerate(zip(problem.scene.coordinates, rows, strict=True)):
-        drive = numeric_drive(problem, found, i)
+        pairs = None if named is None else named.drive(i, found.drive.get(i, problem.scene.table.zero))
+        drive = numeric_drive(problem, found, i) if pairs is None else [
+            (evaluate([factor], Floats, problem.configuration.at_rest)[0], symbol) for factor, symbol in pairs]
         yield line(*numeric_sum(row), " = ", *numeric_sum(drive), label=Name(name))
 
 
@@ -154,9 +169,9 @@ def numeric_sum(row: "Sequence[tuple[float, Node]]") -> "Sequence[Any]":
     for value, node in row:
         sign = ("−" if value < 0 else "") if not parts else (" − " if value < 0 else " + ")
         if node.op == "number":
-            parts.append(f"{sign}{abs(value):.6g}")
+            parts.append(f"{sign}{figure(abs(value))}")
         else:
-            parts += [sign + ("" if abs(value) == 1 else f"{abs(value):.6g}·"), node]
+            parts += [sign + ("" if abs(value) == 1 else f"{figure(abs(value))}·"), node]
     return parts or ["0"]
 
 

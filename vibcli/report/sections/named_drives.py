@@ -5,7 +5,11 @@ import re
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.symbolic.contents import without_contents
 from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
@@ -26,23 +30,57 @@ class NamedDrives:
         for symbol, opening in self._opened.inputs.items():
             if opening.node is not None and opening.load is None and opening.spread is None:
                 self._name(symbol, opening.node, f"{letter}{len(self.stands) + 1}")
+            else:
+                self._names[symbol] = self._values[symbol] = self._opened.table.zero      # a unit load
 
     def _name(self, symbol, node, name):
-        scene, i = self._problem.scene, self._opened.q.index(symbol)
-        place, speed = (self._opened.table.variable(name + mark) for mark in ("", "'"))
-        self._names |= {symbol: place, self._opened.v[i]: speed}
-        self._values |= {symbol: node, self._opened.v[i]: scene.rate(node)}
+        opened, i = self._opened, self._opened.q.index(symbol)
+        place, speed = (opened.table.variable(name + mark) for mark in ("", "'"))
+        self._names |= {symbol: place, opened.v[i]: speed}
+        self._values |= {symbol: node, opened.v[i]: opened.rate(node)}
         self.stands.append((place, node))
 
     def energy(self, key: str) -> "Node":
         """T, V or Φ: with the symbols where these have the value of the engine's at states of motion."""
-        from vibcli.mechanics.energies import textbook_energies
-        from vibcli.report.steps.small import agree_in_motion, samples_of
+        from vibcli.mechanics.energies import dissipation, textbook_energies
 
-        problem = self._problem
-        whole, mine = problem.symbolic.energies[key], textbook_energies(self._opened)[key]
-        put_in = substitute([mine], self._values)
-        if not agree_in_motion(problem.scene, samples_of(problem, {}), put_in, [whole]):
+        mine = [textbook_energies(self._opened)[key]]
+        if key == "Phi":
+            mine.append(without_contents(dissipation(self._opened)))
+        return self._named(min(mine, key=letters), self._problem.symbolic.energies[key])
+
+    def equation(self, i: int) -> "Node":
+        """The equation of motion of a coordinate with the symbols, as it comes from the energies; multiplied out where
+        that is shorter."""
+        from vibcli.mechanics.energies import kinetic
+        from vibcli.mechanics.lagrange import equation_of
+
+        mine = without_contents(equation_of(self._opened, i, textbook(kinetic(self._opened))))
+        return self._named(min((mine, textbook(mine)), key=letters), self._problem.symbolic.equations.full[i])
+
+    def drive(self, i: int, whole: "Node") -> "list[tuple[Node, Node]] | None":
+        """[(factor, symbol)] of what drives a coordinate in small oscillations; None where that is not `whole`, the
+        engine's."""
+        from vibcli.mechanics.lagrange import equation_of
+        from vibcli.report.steps.agreement import same_in_motion
+
+        opened, at_rest = self._opened, self._problem.symbolic.equilibrium_position
+        slopes = gradient(equation_of(opened, i))
+        rest = zip(map(opened.symbol, at_rest), copied(list(at_rest.values()), opened.table), strict=True)
+        place = dict.fromkeys((*opened.q, *opened.v, *opened.a, opened.time), opened.table.zero) | dict(rest)
+        moving = [symbol for symbol, name in self._names.items() if symbol in slopes and not name.is_zero]
+        factors = [textbook(-node) for node in substitute([slopes[symbol] for symbol in moving], place)]
+        terms = [factor * self._values[symbol] for factor, symbol in zip(factors, moving, strict=True)]
+        if set(opened.a[len(at_rest):]) & set(slopes) or not same_in_motion(self._problem, terms, [whole]):
+            return None
+        return [(factor, self._names[symbol]) for factor, symbol in zip(factors, moving, strict=True)
+                if not factor.is_zero]
+
+    def _named(self, mine, whole):
+        """An expression with the symbols; the engine's where they do not have the same value at states of motion."""
+        from vibcli.report.steps.agreement import same_in_motion
+
+        if not same_in_motion(self._problem, substitute([mine], self._values), [whole]):
             return whole
         return substitute([mine], self._names)[0]
 

@@ -27,15 +27,16 @@ def coefficients(about: AboutRest, found: SmallEquations) -> "list[Node]":
     rows = [[[part.get((i, j), zero) for j in range(n)] for i in range(n)] for part in (found.K, found.M)]
     turned = found.G.get((0, 1), zero) ** 2
     return [about.tidy(about.table.total([turned if k == 1 else zero, *(
-        _determinant([rows[i in of_M][i] for i in range(n)]) for of_M in combinations(range(n), k))]))
+        determinant([rows[i in of_M][i] for i in range(n)]) for of_M in combinations(range(n), k))]))
         for k in range(n, -1, -1)]
 
 
-def _determinant(rows: "Sequence[Sequence[Node]]") -> "Node":
+def determinant(rows: "Sequence[Sequence[Node]]") -> "Node":
+    """Along the first row."""
     if len(rows) == 1:
         return rows[0][0]
     minors = ([row[:j] + row[j + 1:] for row in map(list, rows[1:])] for j in range(len(rows)))
-    return rows[0][0].table.total([entry * _determinant(minor) * (-1) ** j for j, (entry, minor) in enumerate(
+    return rows[0][0].table.total([entry * determinant(minor) * (-1) ** j for j, (entry, minor) in enumerate(
         zip(rows[0], minors, strict=True)) if not entry.is_zero])
 
 

@@ -11,7 +11,7 @@ from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.degree import Degree
 from vibcli.report.steps.from_the_start import KeptUp, tell_start
-from vibcli.report.steps.pieces import pieces_of, tell_pieces
+from vibcli.report.steps.pieces import pieces_of, tell_impulses, tell_pieces
 from vibcli.report.steps.step import number
 from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.derivatives import gradient
@@ -158,7 +158,9 @@ def _other(degree, load):
         _series(degree, *wave)
         return
     found = pieces_of(degree.problem.scene, load)
-    if found is not None:
+    if found is None:
+        tell_impulses(degree)
+    else:
         tell_pieces(degree, found)
 
 

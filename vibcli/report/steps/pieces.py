@@ -3,8 +3,11 @@
     unit impulse    e^{−δτ} sin ω_dτ / (M ω_d)
     unit step       (1 − e^{−δτ} (cos ω_dτ + δ sin ω_dτ / ω_d)) / K
     unit ramp       (τ − 2δ/ω² + e^{−δτ} (2δ cos ω_dτ / ω² + (δ² − ω_d²) sin ω_dτ / (ω² ω_d))) / K
+    sin Ωτ          (R sin Ωτ − S cos Ωτ + e^{−δτ} (S cos ω_dτ + (δS − ΩR) sin ω_dτ / ω_d)) / (R² + S²)
+    cos Ωτ          (R cos Ωτ + S sin Ωτ − e^{−δτ} (R cos ω_dτ + (δR + ΩS) sin ω_dτ / ω_d)) / (R² + S²)
 
-with τ > 0 the time since it began (Thomson & Dahleh 1998, chapter 4).
+with R = K − MΩ², S = CΩ and τ > 0 the time since it began (Thomson & Dahleh 1998, chapter 4); of any other load the
+integral of the impulses that it consists of.
 """
 
 from collections.abc import Sequence
@@ -13,22 +16,25 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.degree import Degree
 from vibcli.symbolic.derivatives import gradient, substitute
-from vibcli.symbolic.normal_form import TooLong, expanded, textbook
+from vibcli.symbolic.normal_form import TooLong, expanded, is_zero, textbook
 from vibcli.symbolic.rationals import ONE
 
 if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
-KINDS = {"impulse": "a unit impulse", "step": "a unit step", "ramp": "a ramp of unit slope"}
+KINDS = {"impulse": "a unit impulse", "step": "a unit step", "ramp": "a ramp of unit slope", "sin": "sin Ωτ, begun",
+         "cos": "cos Ωτ, begun"}
+WAVES = "sin", "cos"
 
 
 class LoadPiece(NamedTuple):
-    """factor·kind(t − begins)."""
+    """factor·kind(t − begins), of a wave factor·sin(Ω·(t − begins)) from then on, Ω being its `rate`."""
 
     kind: str
     factor: Any
     begins: Any
+    rate: Any = None
 
 
 def pieces_of(scene: "Scene", load: "Node") -> list[LoadPiece] | None:
@@ -42,10 +48,11 @@ def pieces_of(scene: "Scene", load: "Node") -> list[LoadPiece] | None:
         for piece in _pieces(scene, monomial, value) or [None]:
             if piece is None:
                 return None
-            key = piece.kind, piece.begins
+            key = piece.kind, piece.begins, piece.rate
             found[key] = found.get(key, scene.table.zero) + piece.factor
-    settled = [LoadPiece(kind, textbook(factor), begins) for (kind, begins), factor in found.items()]
-    return [piece for piece in settled if not piece.factor.is_zero]
+    settled = [LoadPiece(kind, textbook(factor), begins, rate) for (kind, begins, rate), factor in found.items()]
+    alike = len({piece.rate for piece in settled if piece.rate is not None}) <= 1
+    return [piece for piece in settled if not piece.factor.is_zero] if alike else None
 
 
 def _pieces(scene, monomial, value):
@@ -53,19 +60,55 @@ def _pieces(scene, monomial, value):
     table, time = scene.table, scene.time
     moving = [(atom, e) for atom, e in monomial if atom.mask & time.mask]
     factor = table.product((table.number(value), ONE), *(pair for pair in monomial if pair not in moving))
-    calls = [atom for atom, e in moving if atom.op == "call" and atom.name in KINDS and e == 1]
+    calls = [atom for atom, e in moving if atom.op == "call" and atom.name in KINDS and (
+        atom.name not in WAVES) and e == 1]
     others = [(atom, e) for atom, e in moving if atom not in calls]
-    if len(calls) != 1 or factor.mask or others not in ([], [(time, ONE)]):
+    wave = others[0][0] if len(others) == 1 and others[0][1] == 1 and others[0][0].op == "call" else None
+    if len(calls) != 1 or factor.mask or not (wave or others in ([], [(time, ONE)])):
         return None
     call, = calls
     slope = gradient(call.args[0]).get(time)
     if slope is not table.one:
         return None
     begins = textbook(-substitute([call.args[0]], {time: table.zero})[0])
+    if wave is not None:
+        return _begun(wave, factor, begins, time) if call.name == "step" else None
     if not others:
         return [LoadPiece(call.name, factor, begins)]
     return [LoadPiece("ramp", factor, begins), LoadPiece("step", factor * begins, begins)] if call.name == "step" else (
         [LoadPiece("impulse", factor * begins, begins)] if call.name == "impulse" else None)
+
+
+def tell_impulses(degree: Degree) -> None:
+    """The motion from rest under any load, as the sum of the impulses that it consists of; of under-damped ones."""
+    from vibcli.mechanics.initial_state import start_in_letters
+
+    rest = degree.about.value(degree.K / degree.M - (degree.C / degree.M / 2) ** 2)
+    if rest is None or rest <= 0 or start_in_letters(degree.problem.symbolic) is not None:
+        return
+    t, name = degree.problem.scene.time, Name(degree.name)
+    tau = degree.about.letter(degree.sheet.letter("tau"))
+    weight = substitute([_unit(degree, "impulse")], {tau: t - tau})[0]
+    Q = degree.sheet.letter("Q")
+    degree.sheet.write(Words("from rest, with the right side Q, the integral from τ = 0 to t of its impulses:  "), name,
+                       " = ", Words("∫ "), Name(Q), "(", tau, ")·", Factor(weight), "·d", tau, settles="convolution",
+                       uses=degree.found.lines)
+
+
+def _begun(wave, factor, begins, time):
+    """factor·sin(Ωt + φ) or the cosine from an instant on, as waves that begin with τ = 0; None of other functions."""
+    table, Omega = wave.table, gradient(wave.args[0]).get(time)
+    if wave.name not in WAVES or Omega is None or Omega.mask:
+        return None
+    if Omega.op == "product" and Omega.coefficient < 0:
+        Omega, factor = -Omega, -factor if wave.name == "sin" else factor
+        argument = -wave.args[0]
+    else:
+        argument = wave.args[0]
+    ahead = textbook(substitute([argument], {time: begins})[0])
+    sine, cosine = table.call("sin", ahead), table.call("cos", ahead)
+    parts = {"sin": (cosine, sine), "cos": (-sine, cosine)}[wave.name]
+    return [LoadPiece(kind, factor * part, begins, Omega) for kind, part in zip(WAVES, parts, strict=True)]
 
 
 def tell_pieces(degree: Degree, pieces: Sequence[LoadPiece]) -> None:
@@ -75,7 +118,10 @@ def tell_pieces(degree: Degree, pieces: Sequence[LoadPiece]) -> None:
     rest = degree.about.value(degree.K / degree.M - (degree.C / degree.M / 2) ** 2)
     if (rest is not None and rest <= 0) or start_in_letters(degree.problem.symbolic) is not None:
         return
-    sheet, lines, letters = degree.sheet, [], {}
+    sheet, letters = degree.sheet, {}
+    lines = _resistances(degree, pieces)
+    if lines is None:
+        return
     for kind in dict.fromkeys(piece.kind for piece in pieces):
         letters[kind] = sheet.letter(degree.name, kind)
         lightly = ", under-damped," if rest is None and not degree.C.is_zero else ""
@@ -93,6 +139,44 @@ def tell_pieces(degree: Degree, pieces: Sequence[LoadPiece]) -> None:
                 Words("   (each from when its argument is positive)"), settles="forced motion", uses=lines)
 
 
+def _resistances(degree, pieces):
+    """Numbers of the lines of Ω, R and S of waves, none of other pieces; None where nothing damps at resonance."""
+    rate = next((piece.rate for piece in pieces if piece.rate is not None), None)
+    if rate is None:
+        return []
+    resists = degree.K - degree.M * rate ** 2
+    if degree.C.is_zero and (is_zero(resists) or degree.about.value(resists) == 0.0):
+        return None
+    degree.Omega, lines = rate, []
+    if rate.op != "symbol":
+        degree.Omega = degree.about.letter(degree.sheet.letter("Omega"))
+        lines = [degree.settled([degree.Omega], rate, "rad/s", "Omega of the load", degree.found.lines)]
+        degree.about.know(degree.Omega, degree.about.value(rate))
+    nodes = {"R": degree.K - degree.M * degree.Omega ** 2, "S": degree.C * degree.Omega}
+    for letter, node in nodes.items():
+        if not node.is_zero:
+            symbol = degree.about.letter(degree.sheet.letter(letter))
+            lines.append(degree.settled([symbol], node, "", letter, [*lines, *degree.found.lines],
+                                        joined=letter == "S"))
+    return lines
+
+
+def _unit_wave(degree, kind, delta, rate, decay):
+    """The response to a wave that begins at τ = 0."""
+    table, Omega = degree.about.table, degree.Omega
+    tau, R = (degree.about.letter(degree.sheet.letter(letter)) for letter in ("tau", "R"))
+    S = table.zero if degree.C.is_zero else degree.about.letter(degree.sheet.letter("S"))
+    sine, cosine = table.call("sin", rate * tau), table.call("cos", rate * tau)
+    of_load = {wave: table.call(wave, Omega * tau) for wave in WAVES}
+    size = R if degree.C.is_zero else R ** 2 + S ** 2
+    factor = table.one if degree.C.is_zero else R
+    if kind == "sin":
+        kept = factor * of_load["sin"] - S * of_load["cos"]
+        return (kept + decay * (S * cosine + (delta * S - Omega * factor) * sine / rate)) / size
+    kept = factor * of_load["cos"] + S * of_load["sin"]
+    return (kept - decay * (factor * cosine + (delta * factor + Omega * S) * sine / rate)) / size
+
+
 def _unit(degree, kind):
     """The response to a unit of a kind as a function of τ."""
     table = degree.about.table
@@ -101,6 +185,8 @@ def _unit(degree, kind):
     rate, delta = (degree.omega_d, degree.delta) if damped else (degree.omega, table.zero)
     sine, cosine = table.call("sin", rate * tau), table.call("cos", rate * tau)
     decay = table.call("exp", -(delta * tau)) if damped else table.one
+    if kind in WAVES:
+        return _unit_wave(degree, kind, delta, rate, decay)
     if kind == "impulse":
         return decay * sine / (M * rate)
     if kind == "step":

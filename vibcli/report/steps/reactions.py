@@ -9,8 +9,8 @@ from vibcli.report.blocks import Name, Words
 from vibcli.report.sections.equations_of_motion import numeric_sum
 from vibcli.report.sections.statics import condition_in_numbers
 from vibcli.report.sections.too_long import brief
+from vibcli.report.steps.agreement import ALIKE, samples_of
 from vibcli.report.steps.held import HINT, UNTOLD
-from vibcli.report.steps.small import ALIKE, samples_of
 from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable

@@ -4,7 +4,6 @@ determinant of K − ω²M written out of two, ratios of amplitudes, damped eige
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.notation.plain import lowered
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.characteristic import tell_polynomial, tell_roots
@@ -12,6 +11,7 @@ from vibcli.report.steps.damped_degrees import stay_apart, tell_damped
 from vibcli.report.steps.from_modes import tell_from_modes
 from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.small import AboutRest
+from vibcli.report.steps.steady_states import tell_steady_states
 from vibcli.report.steps.step import WorkedSolution, number, of_time, told
 from vibcli.report.steps.two_degrees import NOTHING, TwoDegrees
 
@@ -45,7 +45,7 @@ class SeveralDegrees:
             tell_roots(self.about, self.sheet, lines)
         tell_damped(self.about, self.sheet, self.found, lines)
         tell_from_modes(self.about, self.sheet, self.found, lines)
-        self._steady_state()
+        tell_steady_states(self.about, self.sheet, self.found)
 
     def _matrix(self, words, letter, entries: "Mapping[tuple[int, int], Node]"):
         parts: list[Any] = []
@@ -103,38 +103,6 @@ class SeveralDegrees:
         letter = self.sheet.letter(f"omega{mode.index}")
         return self.sheet.write(Name(letter), *number(omega, "rad/s"), *times, uses=uses, node=node,
                                 settles=f"omega[{mode.index}]", value=omega, unit="rad/s")
-
-    def _steady_state(self):
-        """The amplitude of each coordinate under one harmonic, from (K − Ω²M + iΩC) X = F."""
-        if not self.found.drive or self.problem.spec.in_full:
-            return
-        try:
-            found = [(name, self.problem.symbolic_steady_state(name)) for name in self.about.scene.coordinates]
-        except (NotInLetters, PhysicsError):
-            return
-        first = self._complex_equations(found[0][1])
-        for k, (name, steady) in enumerate(found, 1):
-            amplitude, letter = steady.formula.amplitude, self.sheet.letter(f"X{k}")
-            unit = "m" if self.problem.system.dimension(name) else "rad"
-            value = self.about.value(amplitude)
-            shown = () if value is None else number(value, unit)
-            self.sheet.write(Words("of "), Name(name), Words(":  "), Name(letter), " = ", amplitude, *shown,
-                             settles=f"amplitude({name})", node=amplitude, value=value, unit=unit, uses=[first])
-
-    def _complex_equations(self, steady):
-        """The line of (K − Ω²·M + i·Ω·C)·X = F."""
-        M, C, K = (Name(self.sheet.matrix(letter)) for letter in "MCK")
-        X, theta, F = (Name(self.sheet.letter(letter)) for letter in ("X", "theta", "F"))
-        Omega, told = steady.formula.Omega, []
-        if Omega.op != "symbol":
-            letter = self.about.letter(self.sheet.letter("Omega"))
-            told, Omega = [Words(",  "), letter, " = ", Omega], letter
-        G = Name(self.sheet.matrix("G"))
-        both = ["(", C, " + ", G, ")"] if self.found.C and self.found.G else [G] if self.found.G else [C]
-        rates = [" + i·", Omega, "·", *both] if self.found.C or self.found.G else []
-        return self.sheet.write(Words("steady state: each coordinate as  "), X, f"·{steady.wave}(", steady.argument,
-                                " − ", theta, ")", Words(" with  "), "(", K, " − ", Omega ** 2, "·", M, *rates, ")·", X,
-                                " = ", F, *told, settles="steady state", uses=self.found.lines)
 
 
 def _complex(x):

@@ -6,13 +6,11 @@ against what it came from:
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
-from math import isnan
-from random import Random
 from typing import TYPE_CHECKING, Any
 
-from vibcli.language.parameter_samples import sample_values
 from vibcli.mechanics.linearise import row_of, slopes_of
 from vibcli.report.blocks import Name, Words
+from vibcli.report.steps.agreement import LEFT, agree_in_motion, same, samples_of
 from vibcli.report.steps.step import WorkedSolution, told
 from vibcli.symbolic.common_denominator import shorter
 from vibcli.symbolic.derivatives import gradient, substitute
@@ -23,15 +21,10 @@ from vibcli.symbolic.rationals import HALF, ONE
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
-    from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
 READABLE, SHOWN, TOO_LONG = 8, 40, 50        # letters of a coefficient: at a searched place, written out, elsewhere
-ALIKE = 1e-9            # relative: of an expression and its simpler form at values of the letters
 ROUNDING = 1e-13        # relative: of a sum that is zero where a search found the place
-LEFT = 1e-7             # relative: of forces at rest, whose place may be known in numbers
-SAMPLES, STATES = (60, 61, 62), 3
-SIZES = (1, 0.1, 0.01)      # of a state of motion, in SI units
 
 
 class Small:
@@ -237,15 +230,6 @@ class AboutRest:
         return {pair: node for pair, node in entries.items() if not node.is_zero}
 
 
-def samples_of(problem: "Problem", known: Mapping[str, float]) -> list[dict[str, float]]:
-    """Values of the parameters, those of the file or some of letters, at which expressions are held against each
-    other; `known`: those of further letters."""
-    if not problem.numeric.has_free_symbols:
-        return [{**problem.numeric.floats, **known}]
-    parameters = problem.scene.parameters
-    return [{**parameters.values(Floats, sample_values(parameters.free, attempt)), **known} for attempt in SAMPLES]
-
-
 def value_of(problem: "Problem", node: "Node", known: Mapping[str, float]) -> float | None:
     """The number of an expression of parameters and known letters; None where they have none."""
     if problem.numeric.has_free_symbols:
@@ -261,28 +245,3 @@ def tidy(node: "Node", samples: "Sequence[Mapping[str, float]]") -> "Node":
     shortened = shorter(found)
     best = shortened if letters(shortened) < letters(found) else found
     return best if same(best, node, samples) else node
-
-
-def same(one: "Node", other: "Node", samples: "Sequence[Mapping[str, float]]") -> bool:
-    """Are two expressions of the parameters equal at values of these?"""
-    for values in samples:
-        a, b = evaluate([one, other], Floats, values)
-        if not abs(a - b) <= ALIKE * max(abs(a), abs(b)):
-            return False
-    return True
-
-
-def agree_in_motion(scene: "Scene", samples: "Sequence[Mapping[str, float]]", one: "Sequence[Node]",
-                    other: "Sequence[Node]", more: "Sequence[Node]" = ()) -> bool:
-    """Have two lists of terms, functions of the motion, the time and `more`, the same sum at states of motion?"""
-    draw, symbols = Random("states"), (*scene.q, *scene.v, *scene.a, *more)
-    for values in [values for values in samples for _ in range(STATES)]:
-        for size in SIZES:          # some laws end
-            state = {node.name: draw.uniform(-size, size) for node in symbols}
-            found = [evaluate(list(terms), Floats, {**values, **state, scene.time.name: t})
-                     for t in [draw.uniform(0, 3)] for terms in (one, other)]
-            if not isnan(sum(map(sum, found))):
-                break
-        if not abs(sum(found[0]) - sum(found[1])) <= LEFT * sum(abs(x) for terms in found for x in terms):
-            return False
-    return True

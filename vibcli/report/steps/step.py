@@ -4,14 +4,14 @@ from collections.abc import Sequence
 from math import tau
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from vibcli.notation.numbers import figure
+from vibcli.notation.numbers import with_minus
 from vibcli.report.blocks import Name, Words
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 MARKED = "′", "′′", "′′′"
-MATRICES = {"M": "DHN", "C": "BRW", "G": "YXU", "K": "SEZ", "P": "QLJ"}       # of matrices, where the scene has these
+MATRICES = {"M": "DHN", "C": "BRW", "G": "YXU", "K": "SEZ", "P": "QLJ", "Z": "AOV"}   # where the scene has these
 
 
 class WorkedLine(NamedTuple):
@@ -96,4 +96,4 @@ def of_time(sheet: WorkedSolution, omega: float) -> list:
 
 def told(value: float) -> str:
     """A number as mathematics."""
-    return figure(value).replace("-", "−")
+    return with_minus(value)

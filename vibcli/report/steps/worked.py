@@ -8,10 +8,12 @@ from vibcli.mechanics.nonsmooth import require_smooth
 from vibcli.report.steps.chosen import tell_chosen, with_letters
 from vibcli.report.steps.coordinates import tell_conditions, tell_constraints, tell_coordinates, tell_loops
 from vibcli.report.steps.degree import Degree
+from vibcli.report.steps.dry_friction import tell_friction
 from vibcli.report.steps.full_equations import FullEquations
 from vibcli.report.steps.held import HINT, UNTOLD, SmallEquations, Untold
 from vibcli.report.steps.linearised import linearised
 from vibcli.report.steps.members import MemberSteps
+from vibcli.report.steps.motion_in_time import tell_motion
 from vibcli.report.steps.one_degree import OneDegree
 from vibcli.report.steps.place_of_rest import about_rest
 from vibcli.report.steps.reactions import tell_accelerations, tell_forces, tell_statics
@@ -86,6 +88,7 @@ def _in_full(problem):
     conditions = tell_conditions(problem, sheet)
     lines = FullEquations(problem, sheet).write(conditions)
     tell_accelerations(problem, sheet, lines)
+    (tell_motion if problem.system.sticking is None else tell_friction)(problem, sheet, lines)
     before = len(sheet.steps)
     try:
         if problem.system.sticking is not None or not problem.scene.q:

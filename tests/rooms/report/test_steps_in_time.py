@@ -1,0 +1,137 @@
+"""Worked solutions of motions that are no small oscillations: the integral of energy held against quadrature by hand,
+and half cycles under dry friction."""
+
+import math
+import re
+
+import mpmath
+import pytest
+from support.scenes import problem
+
+import vibcli
+from vibcli.notation.plain import plain
+from vibcli.report.formats.formula import formula
+from vibcli.report.steps import dry_friction, motion_in_time
+from vibcli.report.steps.worked import worked
+
+PENDULUM = """
+parameters: {m: 0.4 kg, L: 0.8 m, g: 9.81 m/s^2}
+gravity: g
+bodies: {bob: {mass: m, at: [0, -L], pin: {at: [0, 0], by: phi}}}
+initial: {phi: 2 rad, phi': 1.5 rad/s}
+motion: full
+"""
+DUFFING = """
+parameters: {m: 2 kg, k: 30 N/m, b: 900 N/m^3, F: 4 N}
+bodies: {b: {mass: m, slide: x}}
+springs: {s: {law: k*d + b*d^3, between: [ground, b]}}
+forces: {f: {at: b, force: F}}
+initial: {x: 0.4 m}
+motion: full
+"""
+RUBBED = """
+parameters: {m: 2 kg, k: 200 N/m, R: 3 N, Rs: 4 N, F: 5 N}
+bodies: {block: {mass: m, slide: x}}
+springs: {s: {k: k, between: [ground, block]}}
+dampers: {floor: {friction: R, breakaway: Rs, between: [ground, block]}}
+forces: {f: {at: block, force: F}}
+initial: {x: 0.2 m}
+motion: full
+"""
+
+
+def told(text):
+    return [formula(line.parts, plain).replace("\u00a0", " ") for line in worked(problem(text))]
+
+
+def by_name(text):
+    return {line.settles: line for line in worked(problem(text))}
+
+
+def test_the_integral_of_energy_of_a_pendulum():
+    """T = 4 √(L/g) K(sin ½φ_max) and φ̇² = 2(E + mgL cos φ)/(mL²) (Landau & Lifshitz, Mechanics, section 11)."""
+    lines = by_name(PENDULUM)
+    E = 0.4 * 0.64 * 1.5**2 / 2 - 0.4 * 9.81 * 0.8 * math.cos(2)
+    assert lines["E"].value == pytest.approx(E, rel=1e-13)
+    widest = math.acos(-E / (0.4 * 9.81 * 0.8))
+    period = 4 * math.sqrt(0.8 / 9.81) * float(mpmath.ellipk(math.sin(widest / 2)**2))
+    assert lines["period(phi)"].value == pytest.approx(period, rel=1e-12)
+    fastest = math.sqrt(2 * (E + 0.4 * 9.81 * 0.8) / 0.256)
+    assert lines["max(phi')"].value == pytest.approx(fastest, rel=1e-12)
+    text = told(PENDULUM)
+    assert any("m·L²·φ̇²/2 − m·L·g·cos φ = E" in line for line in text), text
+    assert any("φ̇² = (2·m·L·g·cos φ + 2·E)/(m·L²)" in line for line in text), text
+    ends = re.findall(r"φ = (−?[\d.]+) rad", next(line for line in text if line.startswith("it turns where")))
+    assert [float(end.replace("−", "-")) for end in ends] == pytest.approx([-widest, widest], rel=1e-5)
+
+
+@mpmath.workdps(40)
+def test_the_integral_of_energy_under_a_steady_force():
+    """The turning places are roots of V = E, the period twice the integral between them."""
+    lines, text = by_name(DUFFING), told(DUFFING)
+    E = lines["E"].value
+    assert math.isclose(E, 15 * 0.16 + 225 * 0.4**4 - 4 * 0.4, rel_tol=1e-13)
+    start = mpmath.mpf("0.4")
+    exact = 15 * start**2 + 225 * start**4 - 4 * start
+    other = mpmath.findroot(lambda x: 15 * x**2 + 225 * x**4 - 4 * x - exact, -0.38)
+    assert any(f"x = −{float(-other):.6g} m and x = 0.4 m" in line for line in text), (other, text)
+    middle, half = (start + other) / 2, (start - other) / 2
+
+    def rate(angle):
+        x = middle + half * mpmath.sin(angle)
+        return half * mpmath.cos(angle) / mpmath.sqrt(exact - 15 * x**2 - 225 * x**4 + 4 * x)
+
+    period = 2 * mpmath.quad(rate, [-mpmath.pi / 2, 0, mpmath.pi / 2])
+    assert lines["period(x)"].value == pytest.approx(float(period), rel=1e-9)
+
+
+@pytest.mark.parametrize("scene", [
+    PENDULUM.replace("motion: full\n", ""), PENDULUM.replace("phi: 2 rad, phi': 1.5", "phi: 2 rad, phi': 15"),
+    PENDULUM + "dampers: {d: {c: 1 N*s/m, between: [[0, -1 m], bob]}}\n"])
+def test_what_has_no_such_integral_or_does_not_come_back(scene):
+    """Small oscillations, a pendulum that turns over, one with a dashpot: no period is told."""
+    assert "period(phi)" not in by_name(scene)
+
+
+def test_a_wrong_potential_is_not_told(monkeypatch):
+    """What is no integral of the engine's equation is left out."""
+    whole = motion_in_time.EnergyIntegral.__init__
+
+    def wrong(self, *args):
+        whole(self, *args)
+        self.V = 2 * self.V
+
+    monkeypatch.setattr(motion_in_time.EnergyIntegral, "__init__", wrong)
+    assert "E" not in by_name(PENDULUM)
+
+
+@pytest.mark.parametrize(("start", "turns"), [
+    ("0.2 m", [-0.12, 0.14, -0.06, 0.08, 0.0, 0.02]), ("-0.09 m", [0.11, -0.03, 0.05, 0.01]), ("0.04 m", [])])
+def test_half_cycles_under_dry_friction(tmp_path, start, turns):
+    """About (F ∓ R)/k = 0.01 and 0.04 m, by hand until |200 x − 5| ≤ 4, that is from 0.005 to 0.045 m."""
+    scene = RUBBED.replace("x: 0.2 m", f"x: {start}")
+    place, found = float(start.split()[0]), []
+    while abs(200 * (found or [place])[-1] - 5) > 4:
+        last = (found or [place])[-1]
+        found.append(2 * (0.04 if last > 0.025 else 0.01) - last)
+    path = tmp_path / "scene.yaml"
+    path.write_text(scene)
+    engine, lines = vibcli.load(path), by_name(scene)
+    end = len(found) * math.pi / 10
+    final = lines["final(x)"].value
+    assert final == pytest.approx((found or [place])[-1], rel=1e-12)
+    assert engine[f"x({end + 0.3} s)"].value == pytest.approx(final, rel=1e-9)
+    text, = (line for line in told(scene) if "it goes to" in line or "stays where it starts" in line)
+    if found:
+        assert f"after {len(found)} half cycle" in text
+        listed = text.partition("it goes to")[2].partition(" m,")[0].replace("−", "-")
+        assert [float(one) for one in listed.split(",")] == pytest.approx(found, abs=1e-6)
+    else:
+        assert "so it stays where it starts" in text
+
+
+def test_half_cycles_that_the_engine_has_not_are_not_told(monkeypatch):
+    assert "final(x)" in by_name(RUBBED)
+    whole = dry_friction.coulomb
+    monkeypatch.setattr(dry_friction, "coulomb", lambda scene: whole(scene)._replace(R=2 * whole(scene).R))
+    assert "final(x)" not in by_name(RUBBED)

@@ -1,0 +1,149 @@
+"""Steady states of several degrees of freedom, read back line by line with complex arithmetic and held against the
+engine."""
+
+import cmath
+import math
+import re
+from itertools import pairwise
+
+import pytest
+from support.scenes import problem
+
+import vibcli
+from vibcli.notation.plain import plain
+from vibcli.report.formats.formula import formula
+from vibcli.report.steps import steady_states
+from vibcli.report.steps.worked import worked
+
+ROW = """
+parameters: {m: 2 kg, k: 300 N/m, c: 6 N*s/m, F: 5 N, w: 9 rad/s, u: 14 rad/s}
+bodies: {a: {mass: m, slide: x1}, b: {mass: 2*m, slide: x2}, d: {mass: m, slide: x3}}
+springs: {p: {k: k, between: [ground, a]}, q: {k: 2*k, between: [a, b]}, r: {k: k, between: [b, d]}}
+"""
+TWO = re.sub(r", d: .*?}}", "}", ROW).replace(", r: {k: k, between: [b, d]}", "")
+DAMPED = "dampers: {e: {c: c, between: [ground, a]}}\n"
+GROWING = TWO.replace("F: 5 N, w: 9 rad/s, u: 14 rad/s", "F: 5 N/s")
+UNIT = re.compile(r" (m|rad)(?:,|$).*")
+SIGNS = {"−": "-", "·": "*", "²": "**2", "₁": "1", "₂": "2", "₃": "3", "\u00a0": " "}
+
+
+def used(text):
+    """The scene without the parameters that it does not use."""
+    head, body = text.partition("\nbodies")[::2]
+    names = re.findall(r"(\w+): [^,}]*", head.partition("{")[2])
+    for name in names:
+        if not re.search(rf"(?<![\w.]){name}(?![\w:])", body):
+            head = re.sub(rf"(, )?\b{name}: [^,}}]*", "", head)
+    return head.replace("{, ", "{") + "\nbodies" + body
+
+
+def told(lines):
+    return [formula(line.parts, plain) for line in lines]
+
+
+def read(text, known):
+    """The complex number of an expression as it is printed."""
+    for sign, other in SIGNS.items():
+        text = text.replace(sign, other)
+    return complex(eval(re.sub(r"\bi\b", "1j", text), {"__builtins__": {}}, known))
+
+
+def followed(lines, known):
+    """{letter: complex number} of Z, F, D and X, each by the letters of the lines before; where a number is printed
+    beside, that is held against it."""
+    at = next(i for i, line in enumerate(lines) if line.settles == "steady state")
+    for line in lines[at + 1:]:
+        if line.settles.startswith("phase("):
+            continue
+        text = formula(line.parts, plain).partition(",  |")[0].replace("its determinant", "")
+        letter, *sides = [side.strip() for side in (text.partition(":  ")[2] or text).split(" = ")]
+        sides = [side for side in sides if not re.fullmatch(r"Z₂₁|Z₃₁|Z₃₂", side)]
+        name = letter.strip().translate({ord(one): other for one, other in SIGNS.items()}).split()[-1]
+        value = read(UNIT.sub("", sides[0]), known)
+        for side in sides[1:]:
+            assert cmath.isclose(value, read(UNIT.sub("", side), known), rel_tol=2e-5, abs_tol=1e-9), text
+        known = {**known, name: value}
+    return known
+
+
+@pytest.mark.parametrize("scene", [TWO, ROW], ids=["two", "three"])
+@pytest.mark.parametrize("damped", [True, False], ids=["damped", "undamped"])
+@pytest.mark.parametrize("load", ["F*sin(w*t)", "2*F*cos(w*t)", "F*sin(w*t) - 3*F*cos(w*t)"])
+def test_the_lines_followed_by_hand_are_the_steady_state(tmp_path, scene, damped, load):
+    text = used(scene + DAMPED * damped + f"forces: {{f: {{at: a, force: {load}}}}}\n")
+    path = tmp_path / "scene.yaml"
+    path.write_text(text)
+    p = vibcli.load(path)
+    lines = worked(p._problem)
+    known = followed(lines, dict(p._problem.numeric.floats))
+    wave = "cos" if "cos" in load and "sin" not in load else "sin"
+    of = {line.settles: line for line in lines}
+    names = p._problem.scene.coordinates
+    for k, name in enumerate(names, 1):
+        X = known[f"X{k}"]
+        assert abs(X) == pytest.approx(p[f"amplitude({name})"].value, rel=1e-9)
+        assert of[f"amplitude({name})"].value == pytest.approx(abs(X), rel=1e-9)
+        lag = p[f"phase({name})"].value + (math.pi / 2 if wave == "cos" else 0)
+        assert cmath.isclose(X / abs(X), cmath.exp(-1j * lag), abs_tol=1e-8)
+    if damped and wave == "sin":
+        assert all(of[f"phase({name})"].value == pytest.approx(p[f"phase({name})"].value, abs=1e-8) for name in names)
+
+
+def test_two_frequencies_have_each_their_amplitudes(tmp_path):
+    text = used(TWO + DAMPED + "forces: {f: {at: a, force: F*sin(w*t)}, g: {at: b, force: 3*F*cos(u*t)}}\n")
+    of = {line.settles: line.value for line in worked(problem(text))}
+    for order, Omega, load in ((1, 9, (5, 0)), (2, 14, (0, 15))):
+        Z = [[900 - 2 * Omega**2 + 6j * Omega, -600], [-600, 600 - 4 * Omega**2]]
+        D = Z[0][0] * Z[1][1] - Z[0][1] * Z[1][0]
+        X = [(Z[1][1] * load[0] - Z[0][1] * load[1]) / D, (Z[0][0] * load[1] - Z[1][0] * load[0]) / D]
+        for name, value in zip(("x1", "x2"), X, strict=True):
+            assert of[f"amplitude {order} of {name}"] == pytest.approx(abs(value), rel=1e-12)
+
+
+def test_in_letters_by_cramers_rule():
+    head, body = TWO.partition("\nbodies")[::2]
+    text = re.sub(r": [\d.]+ [^,}]*", ": ", head) + "\nbodies" + body + "forces: {f: {at: a, force: F*sin(w*t)}}\n"
+    lines = told(worked(problem(used(text))))
+    assert any("X₁ = Z₂₂·F₁/D = F·(2·k − 2·m·w²)/" in line for line in lines), lines
+    assert any("X₂ = −Z₁₂·F₁/D = 2·k·F/" in line for line in lines), lines
+
+
+def test_more_than_three_are_solved_in_numbers():
+    names = "abde"
+    bodies = ", ".join(f"{one}: {{mass: m, slide: x{one}}}" for one in names)
+    springs = ", ".join(f"s{one}: {{k: k, between: [{one}, {other}]}}" for one, other in pairwise(["ground", *names]))
+    text = ("parameters: {m: 1 kg, k: 90 N/m, F: 2 N, w: 5 rad/s}\n" f"bodies: {{{bodies}}}\nsprings: {{{springs}}}\n"
+            "forces: {f: {at: e, force: F*sin(w*t)}}\n")
+    lines = worked(problem(text))
+    of = {line.settles: line.value for line in lines}
+    q = [0.0, 1.0]
+    for k in range(4):                                  # along the chain: k q₋ − (2k − mw²) q + k q₊ = −F of the last
+        right = 180 - 25 if k < 3 else 90 - 25
+        q.append((right * q[-1] - 90 * q[-2]) / 90)
+    scale = 2 / (90 * q[5])
+    for k, one in enumerate(names):
+        assert of[f"amplitude(x{one})"] == pytest.approx(abs(scale * q[k + 1]), rel=1e-12)
+    assert not any("its determinant" in line for line in told(lines))
+
+
+def test_what_follows_growing_loads_solves_the_equations():
+    """m₁ẍ₁ + 3k x₁ − 2k x₂ = Ft, 2m ẍ₂ − 2k x₁ + 2k x₂ = 0: both follow by Ft/k."""
+    lines = told(worked(problem(used(GROWING + "forces: {f: {at: a, force: F*t}}\n"))))
+    assert any(line.endswith("x1 = F·t/k".replace("x1", "x₁")) for line in lines), lines[-3:]
+    assert any(line.endswith("x2 = F·t/k".replace("x2", "x₂")) for line in lines)
+
+
+def test_a_coordinate_of_another_number_is_told_with_its_row():
+    text = used(TWO.replace("x1", "y").replace("x2", "x1") + "forces: {f: {at: a, force: F*sin(w*t)}}\n")
+    lines = told(worked(problem(text)))
+    assert any(line.startswith("of the second coordinate, x₁:  X₂ = ") for line in lines), lines[-2:]
+
+
+def test_amplitudes_that_the_engine_has_not_are_not_told(monkeypatch):
+    """A fault in the dynamic stiffness leaves the steady state out."""
+    text = used(TWO + DAMPED + "forces: {f: {at: a, force: F*sin(w*t)}}\n")
+    assert any(line.settles == "steady state" for line in worked(problem(text)))
+    whole = steady_states.SteadyState._parts
+    monkeypatch.setattr(steady_states.SteadyState, "_parts", lambda self, i, j: (
+        whole(self, i, j)[0] * 2, whole(self, i, j)[1]))
+    assert not any(line.settles == "steady state" for line in worked(problem(text)))

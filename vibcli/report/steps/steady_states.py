@@ -1,0 +1,296 @@
+"""The steps from the equations of several degrees of freedom to what loads that swing keep up: complex amplitudes X of
+
+    Z X = F,   Z = K − Ω²M + iΩ(C + G),   q = Im X e^{iΩt},   F = A + iB of loads A sin Ωt + B cos Ωt,
+
+by Cramer's rule up to three degrees of freedom, by numbers beyond (Rao 2011, section 5.6)."""
+
+from cmath import phase
+from math import isclose, pi
+from typing import TYPE_CHECKING
+
+from vibcli.base.errors import NotInLetters, PhysicsError
+from vibcli.mechanics.given_damping_in_letters import proportional
+from vibcli.notation.plain import lowered
+from vibcli.report.blocks import Factor, Name, Words
+from vibcli.report.steps.characteristic import determinant
+from vibcli.report.steps.complex_numbers import cleared, complex_parts, complex_told
+from vibcli.report.steps.held import HINT, UNTOLD, SmallEquations, Untold
+from vibcli.report.steps.small import AboutRest
+from vibcli.report.steps.step import WorkedSolution, number
+from vibcli.symbolic.derivatives import gradient
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.normal_form import is_zero, textbook
+from vibcli.symbolic.syntax import NameRef
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from vibcli.symbolic.node import Node
+
+WRITTEN = 3         # degrees of freedom that are solved by determinants
+READABLE = 60       # letters of an amplitude, beyond which Cramer's rule alone tells it
+CLOSE = 1e-8        # relative: of an amplitude by the lines and the engine's, beside the largest
+ORDINALS = "first", "second", "third"
+
+
+def tell_steady_states(about: AboutRest, sheet: WorkedSolution, found: SmallEquations) -> None:
+    """Write down what each frequency of the loads keeps up, or what follows loads that grow; nothing where that is not
+    such a sum."""
+    from vibcli.analyses.closed_form.powers_of_time import are_powers
+    from vibcli.analyses.closed_form.steady_state import waves
+
+    if not found.drive or about.problem.spec.in_full or not proportional(about.problem.spec):
+        return
+    if are_powers(about.problem.symbolic):
+        _growing(about, sheet, found)
+        return
+    try:
+        acting = {i: waves(about.scene, node) for i, node in found.drive.items()}
+    except NotInLetters:
+        return
+    driven: dict[Node, dict[int, dict[str, Node]]] = {}
+    for i, parts in acting.items():
+        for (argument, wave), node in parts.items():
+            driven.setdefault(argument, {}).setdefault(i, {})[wave] = node
+    before = len(sheet.steps)
+    try:
+        for order, (argument, loads) in enumerate(driven.items(), 1):
+            SteadyState(about, sheet, found, argument, loads).write(order, len(driven) > 1)
+    except (PhysicsError, ZeroDivisionError):
+        del sheet.steps[before:]
+
+
+def _growing(about, sheet, found):
+    """What each coordinate follows loads that are powers of the time by."""
+    for name in about.scene.coordinates:
+        try:
+            node = about.problem.symbolic_following(name)
+        except PhysicsError:
+            return
+        sheet.write(Words("of the form of the load, tried in the equations, is  "), Name(name), " = ", node,
+                    settles=f"following({name})", node=node, uses=found.lines)
+
+
+class SteadyState:
+    """What loads of one frequency keep up. argument: Ωt + φ; loads: {row: {sin or cos: factor}}."""
+
+    def __init__(self, about: AboutRest, sheet: WorkedSolution, found: SmallEquations, argument: "Node",
+                 loads: "Mapping[int, Mapping[str, Node]]"):
+        self.about, self.sheet, self.found, self.argument, self.loads = about, sheet, found, argument, loads
+        self.table, self.names = about.table, about.scene.coordinates
+        self.n, self.given = len(self.names), gradient(argument)[about.scene.time]
+        kinds = sorted({wave for parts in loads.values() for wave in parts})
+        self.wave = kinds[0] if len(kinds) == 1 else "sin"
+        symbol = self.given.op in ("symbol", "number") or letters(self.given) <= 2
+        self.Omega = self.given if symbol else about.letter(sheet.letter("Omega"))
+        if not symbol:
+            self._know()
+        self.undamped = not found.C and not found.G and len(kinds) == 1
+        self.numeric = not about.problem.numeric.has_free_symbols
+
+    def _know(self):
+        """Give the letter of the frequency its number, and values beside those of the other letters."""
+        for values in self.about.samples:
+            values[self.Omega.name], = evaluate([self.given], Floats, values)
+        self.about.know(self.Omega, self.about.value(self.given))
+
+    def write(self, order: int, several: bool) -> None:
+        """Write down all of it; of a further frequency the results alone."""
+        self.order, self.several = order, several
+        line = self._equations()
+        written = self.n <= WRITTEN and order == 1
+        lines = [line, *(self._determinant([line]) if written else [])]
+        values = self._solved()
+        for k, name in enumerate(self.names):
+            self._amplitude(k, name, values, lines, written)
+
+    def _parts(self, i, j):
+        """(real part, imaginary part) of Zᵢⱼ."""
+        zero, M, C, G, K = self.table.zero, *self.found[:4]
+        parts = (K.get((i, j), zero) - self.Omega ** 2 * M.get((i, j), zero),
+                 self.Omega * (C.get((i, j), zero) + G.get((i, j), zero)))
+        return tuple(zero if is_zero(part) else part for part in parts)
+
+    def _force(self, i):
+        """(real part, imaginary part) of Fᵢ."""
+        A, B = (self.loads.get(i, {}).get(wave, self.table.zero) for wave in ("sin", "cos"))
+        return tuple(map(textbook, (A, B) if self.wave == "sin" else (B, -A)))
+
+    def _equations(self):
+        """The line of Z X = F."""
+        sheet, Omega = self.sheet, self.Omega
+        argument = [self.argument] if Omega is self.given else [Omega, "·", self.about.scene.time]
+        what = [Words(", "), Omega, " = ", self.given] if Omega is not self.given else []
+        what += number(value, "rad/s") if (value := self.about.value(self.given)) is not None and what else []
+        under = [Words(" under  "), f"{self.wave}(", *argument, ")", *what]
+        if self.order > 1:
+            return sheet.write(Words("likewise"), *under, settles="steady state", uses=self.found.lines)
+        M, C, G, K = (Name(sheet.matrix(letter)) for letter in "MCGK")
+        both = [part for name, matrix in ((C, self.found.C), (G, self.found.G)) if matrix for part in (" + ", name)][1:]
+        rates = [" + i·", Omega, "·", *(["(", *both, ")"] if len(both) > 1 else both)] if both else []
+        X, F = (Name(sheet.letter(letter)) for letter in "XF")
+        form = [X, f"·{self.wave}(", *argument, ")"]
+        if not self.undamped:
+            part = "imaginary" if self.wave == "sin" else "real"
+            turned = ["(", *argument, ")"] if argument[0].op == "sum" else argument
+            form = [Words(f"the {part} part of  "), X, "·exp(i·", *turned, ")"]
+        head = [Words("steady state"), *(under if self.several else []), Words(": each coordinate is  "), *form]
+        equations = [Words("  with  "), "(", K, " − ", Factor(Omega ** 2), "·", M, *rates, ")·", X, " = ", F]
+        return sheet.write(*head, *([] if self.several else what), *equations, settles="steady state",
+                           uses=self.found.lines)
+
+    def _letter(self, name, i, j=None):
+        return self.about.letter(self.sheet.letter(f"{self.sheet.matrix(name) if j is not None else name}{i + 1}"
+                                                   + ("" if j is None else str(j + 1))))
+
+    def _entries(self):
+        """Rows of letters of Z, one for what stands twice in it; zero where it has nothing."""
+        rows = [[self.table.zero] * self.n for _ in range(self.n)]
+        self.defined: list[tuple[Node, str, tuple]] = []
+        for i in range(self.n):
+            for j in range(self.n):
+                parts = self._parts(i, j)
+                if all(part.is_zero for part in parts):
+                    continue
+                twin = j < i and all(map(self.about.same, parts, self._parts(j, i)))
+                rows[i][j] = rows[j][i] if twin else self._letter("Z", i, j)
+                if not twin:
+                    mirrored = j > i and all(map(self.about.same, parts, self._parts(j, i)))
+                    more = f" = {self.sheet.matrix('Z')}{lowered(j + 1)}{lowered(i + 1)}" if mirrored else ""
+                    self.defined.append((rows[i][j], more, parts))
+        return rows
+
+    def _determinant(self, uses):
+        """Lines of the entries of Z and F, and of its determinant."""
+        sheet, self.Z = self.sheet, self._entries()
+        self.F = [self.table.zero] * self.n
+        for i in self.loads:
+            self.F[i] = self._letter("F", i)
+            self.defined.append((self.F[i], "", self._force(i)))
+        head, first = [Words("for short  "), Name(sheet.matrix("Z")), "·", Name(sheet.letter("X")), " = ", Name(
+            sheet.letter("F")), Words(":  ")], len(sheet.steps)
+        for letter, more, parts in self.defined:
+            value = self._complex(*parts)
+            shown = [*complex_parts(*parts), *(() if value is None or _is_number(parts) else (
+                " = " + complex_told(value),))]
+            joined = len(sheet.steps) > first
+            sheet.write(*([] if joined else head), letter, more, " = ", *shown, settles=letter.name, uses=uses,
+                        joined=joined, **self._real(parts))
+        node, value = determinant(self.Z), self._value_of_determinant()
+        self.D = self.about.letter(sheet.letter("D"))
+        return [sheet.last, sheet.write(Words("its determinant  "), self.D, " = ", node, *(() if value is None else (
+            " = " + complex_told(value),)), settles=self.D.name, uses=[sheet.last])]
+
+    def _real(self, parts):
+        """What a line settles by an expression that is real."""
+        return {"node": parts[0], "value": self.about.value(parts[0])} if parts[1].is_zero else {}
+
+    def _complex(self, real, imaginary):
+        values = [self.about.value(node) for node in (real, imaginary)]
+        return None if None in values else complex(*values)
+
+    def _rows(self, values):
+        """Z and F at values of the letters."""
+        def at(parts):
+            return complex(*evaluate(list(parts), Floats, values))
+
+        return ([[at(self._parts(i, j)) for j in range(self.n)] for i in range(self.n)],
+                [at(self._force(i)) for i in range(self.n)])
+
+    def _value_of_determinant(self):
+        from numpy.linalg import det
+
+        return complex(det(self._rows(self.about.numbers())[0])) if self.numeric else None
+
+    def _solved(self):
+        """Complex amplitudes in numbers, those that the engine finds: Untold of others; None in letters."""
+        if not self.numeric:
+            return None
+        from numpy.linalg import LinAlgError, solve
+
+        try:
+            found = [cleared(complex(x)) for x in solve(*self._rows(self.about.numbers()))]
+        except LinAlgError:
+            raise Untold(UNTOLD, HINT) from None
+        Omega, turn = self.about.value(self.given), -1j if self.wave == "sin" else 1
+        size = max(map(abs, found))
+        for name, X in zip(self.names, found, strict=True):
+            signal = self.about.problem.response.signal(NameRef(0, len(name), name, 0))
+            known = [value for at, value in signal.phasors if isclose(at, Omega, rel_tol=CLOSE)]
+            if abs((known[0] if known else 0.0) - turn * X) > CLOSE * size:
+                raise Untold(UNTOLD, HINT)
+        return found
+
+    def _amplitude(self, k, name, values, uses, written):
+        """The line of X of a coordinate, |X| and its lag."""
+        sheet = self.sheet
+        letter, unit = Name(sheet.letter(f"X{k + 1}")), "m" if self.about.problem.system.dimension(name) else "rad"
+        more, told_of = {}, [Words("of "), *self._which(k), Name(name), Words(":  ")]
+        if written:
+            column = [[self.F[i] if j == k else entry for j, entry in enumerate(row)] for i, row in enumerate(self.Z)]
+            above = determinant(column)
+            told_of += [letter, " = 0" if above.is_zero else " = ", *([] if above.is_zero else [above / self.D])]
+            if above.is_zero:
+                sheet.write(*told_of, settles=f"amplitude({name})", node=above, uses=uses)
+                return
+        if written:
+            more = self._in_letters(name, told_of, letter)
+        if values is not None:
+            told_of += self._in_numbers(values[k], letter, unit, written)
+            node = more.get("node")
+            turned = node is not None and (self.about.value(node) or 0.0) < 0
+            more = {"node": -node if turned else node, "value": abs(values[k]), "unit": unit}
+        settles = f"amplitude {self.order} of {name}" if self.several else f"amplitude({name})"
+        sheet.write(*told_of, settles=settles, uses=uses, **more)
+        if values is not None and values[k] and not self.undamped:
+            self._lag(k, name, values[k])
+
+    def _lag(self, k, name, value):
+        """The lag of a coordinate behind the wave of the loads, beside its amplitude."""
+        lag = pi if value.real < 0 == value.imag else -phase(value)
+        plain = not self.several and self.wave == "sin" and self.argument.op == "product"
+        self.sheet.write(Words("its lag  "), Name(self.sheet.letter(f"theta{k + 1}")), *number(lag, "rad"), value=lag,
+                         settles=f"phase({name})" if plain else f"lag {self.order} of {name}", unit="rad", joined=True)
+
+    def _which(self, k):
+        """Words that say which row a coordinate of another number has."""
+        own = self.names[k].lstrip("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_")
+        return [Words(f"the {ORDINALS[k]} coordinate, ")] if own not in ("", str(k + 1)) and self.n <= WRITTEN else []
+
+    def _in_numbers(self, value, letter, unit, written):
+        """Parts of a complex amplitude and its size."""
+        if self.undamped:
+            head = [] if written else [letter]
+            return [*head, *number(value.real, unit)]
+        head = [" = " + complex_told(value), Words(f" {unit},  ")] if written else []
+        return [*head, "|", letter, "|", *number(abs(value), unit)]
+
+    def _in_letters(self, name, told_of, letter):
+        """The amplitude that the engine finds in letters, told where it is one to read; in numbers of what is not
+        damped."""
+        try:
+            formula = self.about.problem.symbolic_steady_state(name).formula
+        except (NotInLetters, PhysicsError):
+            return {}
+        node = formula.amplitude
+        if not self._agrees(node, self.names.index(name)):
+            raise Untold(UNTOLD, HINT)
+        if letters(node) <= READABLE and self.Omega is self.given and (self.undamped or not self.numeric):
+            told_of += [*([Words(",  "), "|", letter, "|"] if not formula.undamped else []), " = ", node]
+        return {"node": node}
+
+    def _agrees(self, node, k):
+        """Is the size of an amplitude by Z X = F that of the engine's formula at values of the letters?"""
+        from numpy.linalg import solve
+
+        for values in self.about.samples:
+            of_engine, = evaluate([node], Floats, values)
+            mine = abs(complex(solve(*self._rows(values))[k]))
+            if not abs(abs(of_engine) - mine) <= CLOSE * mine:
+                return False
+        return True
+
+
+def _is_number(parts):
+    return all(part.op == "number" for part in parts)
