@@ -118,6 +118,20 @@ def test_a_set_with_parts(course, capsys):
     assert "set.yaml" not in capsys.readouterr().out
 
 
+def test_a_case_with_variants_of_its_own(course, capsys):
+    """What another case alone uses is no fault of it."""
+    scene, _, variants = SCENE.partition("variants:")
+    (course / "block.yaml").write_text(scene.replace("c: 8 N*s/m}", "c: 8 N*s/m, k2: 500 N/m}") + f"""cases:
+  two springs: {{springs: {{s2: {{k: k2, between: [ground, block]}}}}}}
+  one spring:
+    variants:{variants.replace(chr(10), chr(10) + "    ")}""", encoding="utf-8")
+    (course / "set.yaml").write_text("problems: [{file: block.yaml, case: one spring}]\n", encoding="utf-8")
+    assert run(["variants", "block.yaml", "--case", "one spring"]) == 0
+    assert homework(file="set.yaml") == 0
+    assert run(["homework", "out/instructor/manifest.json", "--from-manifest", "-o", "again"]) == 0
+    assert files(course / "out") == files(course / "again")
+
+
 def test_numbered_sheets(course):
     assert run(["homework", "block.yaml", "-o", "out", "--paper", "12", "--salt-file", "salt"]) == 0
     assert sorted(path.name for path in (course / "out" / "student").iterdir())[0] == "01.html"

@@ -1,7 +1,8 @@
 """The manifest of what was handed out: enough to mark it, and to show any sheet of it again.
 
     {version, title, course, due, attempt,
-     problems: [{name, title, file, case, points, scene, hash, gates_off, accepted, ranges, mistakes: {name: sentence},
+     problems: [{name, title, file, case, points, scene, hash, files: {name: text}, gates_off, accepted, ranges,
+                 mistakes: {name: sentence},
                  variants: [{variant, values: {parameter: text}, keys: [{quantity, unit, points, value, error, figures,
                              band, mistakes: [{name, value}]}]}]}],     of equations `terms` instead of value and error,
                                                                         of what is in letters `formula` alone
@@ -36,7 +37,7 @@ SHAPE: dict[str, Any] = {
     "title": str, "course": str, "due": str, "attempt": int,
     "problems": [{
         "name": str, "title": str, "file": str, "scene": str, "accepted": int, "ranges": list, "mistakes": dict,
-        "variants": [{"variant": int, "values": dict, "keys": [KEYS]}]}],
+        "files": dict, "variants": [{"variant": int, "values": dict, "keys": [KEYS]}]}],
     "students": [{"id": str, "name": str, "sheets": [{"problem": str, "variant": int}]}],
 }
 Assigned = Sequence[tuple[Student, Sequence[tuple["Handout", int]]]]
@@ -52,7 +53,8 @@ def manifest(course: "Course", handouts: "Sequence[Handout]", assigned: Assigned
                  "points": one.course.points, "hash": blake2b(one.text.encode(), digest_size=16).hexdigest(),
                  "gates_off": list(one.rules.without), "accepted": one.accepted, "ranges": one.ranges,
                  "mistakes": one.sentences,
-                 "variants": [one.data(number) for number in sorted(given[one.name])], "scene": one.text}
+                 "variants": [one.data(number) for number in sorted(given[one.name])], "scene": one.text,
+                 "files": {name: data.decode() for name, data in one.document.files.items()}}
                 for one in handouts]
     students = [{"id": student.id, "name": student.name,
                  "sheets": [{"problem": handout.name, "variant": number + 1} for handout, number in sheets]}

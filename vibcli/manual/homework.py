@@ -52,6 +52,8 @@ HOMEWORK = [
         ("who gets what", "In the order of the roster each the first variant still free in a permutation of their own, "
          "made of hashes of the salt, the problem, the id and `--attempt`: none share while variants last, and who is "
          "added at the end changes nobody's sheet. `--distinct` refuses where students would share."),
+        ("files", "A record or table from which a problem takes numbers lies with the sheets under its own name, and "
+         "stands in the manifest."),
         ("leaks", "No student's file tells a key at three or more figures, the text of one that is an expression or "
          "equation, the salt or a comment of the scene: else nothing is written."),
         ("again", "The same input gives the same bytes; `--from-manifest` writes the sheets of a manifest again, "
