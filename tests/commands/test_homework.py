@@ -118,6 +118,21 @@ def test_a_set_with_parts(course, capsys):
     assert "set.yaml" not in capsys.readouterr().out
 
 
+def test_a_number_of_one_problem_that_is_a_key_of_another(course):
+    """Who would read 20.1 kg beside a key of 20.1 rad/s gets another variant."""
+    (course / "one.yaml").write_text(SCENE.replace("{from: 1.2 kg, to: 3.2 kg, step: 0.4 kg}", "[2 kg]"),
+                                     encoding="utf-8")
+    assert homework(file="one.yaml") == 0
+    manifest = json.loads((course / "out" / "instructor" / "manifest.json").read_text(encoding="utf-8"))
+    keys = [f"{one['keys'][0]['value']:.3g} kg" for one in manifest["problems"][0]["variants"]]
+    two = SCENE.replace("{from: 1.2 kg, to: 3.2 kg, step: 0.4 kg}", f"[{', '.join(keys)}, 2.5 kg, 2.6 kg, 2.7 kg]")
+    two = two.replace("[620 N/m, 820 N/m, 1.1 kN/m]", "[800 N/m]")
+    (course / "two.yaml").write_text(two, encoding="utf-8")
+    (course / "set.yaml").write_text("problems: [one.yaml, two.yaml]\n", encoding="utf-8")
+    for number in range(1, 5):
+        assert homework("--attempt", str(number), file="set.yaml", out=f"out{number}") == 0
+
+
 def test_a_case_with_variants_of_its_own(course, capsys):
     """What another case alone uses is no fault of it."""
     scene, _, variants = SCENE.partition("variants:")

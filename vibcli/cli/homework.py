@@ -119,16 +119,23 @@ def _assigned(salt: bytes, course: "Course", handouts: "dict[str, Handout]", stu
               attempt: int) -> "Assigned":
     """(student, (problem, number of the variant) in order) of each."""
     from vibcli.homework.assignment import assigned, picked
+    from vibcli.homework.coincidences import Coincidences
 
-    chosen = [[one for number, part in enumerate(course.parts) for one in picked(salt, number, part, student, attempt)]
-              for student in students]
-    variants: dict[str, dict[str, int]] = {}
-    for problem in course.problems:
-        who = [student for student, theirs in zip(students, chosen, strict=True) if problem in theirs]
-        numbers = assigned(salt, problem.name, who, len(handouts[problem.name].variants), attempt)
-        variants[problem.name] = {student.id: number for student, number in zip(who, numbers, strict=True)}
-    return [(student, [(handouts[one.name], variants[one.name][student.id]) for one in theirs])
-            for student, theirs in zip(students, chosen, strict=True)]
+    chosen = {student.id: [one.name for number, part in enumerate(course.parts)
+                           for one in picked(salt, number, part, student, attempt)] for student in students}
+    found: dict[str, dict[str, int]] = {student.id: {} for student in students}
+    coincidences = Coincidences()
+    for name, handout in handouts.items():
+        def suits(student, number, handout=handout):
+            taken = [(handouts[other], given) for other, given in found[student.id].items()]
+            words = f"{course.title} ; {course.course} ; {course.due} ; {student.name} ; {student.id}"
+            return not coincidences.found(words, taken, handout, number)
+
+        who = [student for student in students if name in chosen[student.id]]
+        for student, number in zip(who, assigned(salt, name, who, len(handout.variants), attempt, suits), strict=True):
+            found[student.id][name] = number
+    return [(student, [(handouts[name], found[student.id][name]) for name in chosen[student.id]])
+            for student in students]
 
 
 def _write(folder, force, course, handouts, assigned, attempt, salt):

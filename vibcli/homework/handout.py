@@ -72,7 +72,7 @@ class Handout:
         """The figure in letters, which is the same for all variants."""
         report = Report(self.base, pictures=True)
         report.add("schematic")
-        return [section._replace(title="Figure (not to scale)", blocks=tuple(map(_drawn_once, section.blocks)))
+        return [section._replace(title="Figure", blocks=tuple(map(_drawn_once, section.blocks)))
                 for section in report.sections]
 
     def problem(self, number: int) -> "Problem":
@@ -104,7 +104,7 @@ class Handout:
 
 def _drawn_once(block):
     """A picture whose bytes are made once, however many sheets show it."""
-    return block._replace(draw=cache(block.draw)) if isinstance(block, Picture) else block
+    return block._replace(draw=cache(block.draw), caption="not to scale") if isinstance(block, Picture) else block
 
 
 def _range(values):

@@ -101,14 +101,15 @@ def overview(course: "Course", handouts: "Sequence[Handout]", students: int,
              gone: "dict[str, dict[int, list[str]]]") -> Document:
     """One page on all that was handed out: the problems, how many variants each has, who got which; gone: {problem:
     {variant: students}}."""
-    rows = [(one.name, one.title, str(one.accepted), str(len(gone[one.name])),
+    titles = Definitions(tuple(Definition((one.name,), one.title) for one in handouts))
+    rows = [(one.name, str(one.accepted), str(len(gone[one.name])),
              str(max(map(len, gone[one.name].values()), default=0)), figure(sum(one.points)),
              ", ".join(one.rules.without) or "–") for one in handouts]
-    head = "problem", "title", "variants", "handed out", "students to one", "points", "gates off"
+    head = "problem", "variants", "handed out", "students to one", "points", "gates off"
     table = TableBlock(head, tuple(rows))
     keys = [(one.name, key.text, as_printed(key.unit) or "–", *ends)
             for one in handouts for key, ends in zip(one.keys, one.ranges, strict=True)]
     ranges = TableBlock(("problem", "quantity", "unit", "least", "largest"), tuple(keys))
     return Document(course.title or "Homework", None, (), (
-        *section("Problems", paragraph(f"{students} sheets.", hang=0), table), *section("Keys", ranges)))
+        *section("Problems", paragraph(f"{students} sheets.", hang=0), titles, table), *section("Keys", ranges)))
 

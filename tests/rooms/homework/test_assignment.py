@@ -26,6 +26,15 @@ def test_who_is_added_at_the_end_changes_nobody():
     assert assigned(SALT, "crank", [*students, Student("late")], 100)[:40] == found
 
 
+def test_what_does_not_suit_is_passed_over_and_nobody_shares_for_it():
+    students = numbered(10)
+    plain = assigned(SALT, "crank", students, 12)
+    fourth = students[3], plain[3]
+    found = assigned(SALT, "crank", students, 12, 1, lambda student, number: (student, number) != fourth)
+    assert found[:3] == plain[:3] and found[3] != plain[3] and len(set(found)) == 10
+    assert assigned(SALT, "crank", students, 12, 1, lambda student, number: False) == plain
+
+
 def test_salt_problem_and_attempt_change_all():
     students = numbered(30)
     first = assigned(SALT, "crank", students, 1000)
