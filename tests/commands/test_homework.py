@@ -186,6 +186,38 @@ def test_refusals_leave_nothing_behind(course, capsys):
     assert (course / "full" / "thesis.txt").read_text() == "mine"
 
 
+@pytest.mark.parametrize("fault", [KeyboardInterrupt, RuntimeError, MemoryError])
+def test_what_breaks_off_in_the_middle_leaves_the_folder_as_it_was(course, monkeypatch, fault):
+    """Nothing where nothing was, and the old sheets where they are being replaced."""
+    from vibcli.homework import folder
+
+    whole = folder.manifest
+
+    def broken(*args):
+        raise fault
+
+    monkeypatch.setattr(folder, "manifest", broken)
+    assert homework() in (101, 130)
+    assert not (course / "out").exists() and not list(course.glob(".out*"))
+    monkeypatch.setattr(folder, "manifest", whole)
+    assert homework() == 0
+    before = files(course / "out")
+    monkeypatch.setattr(folder, "manifest", broken)
+    assert homework("--force", "--attempt", "2") in (101, 130)
+    assert files(course / "out") == before and not list(course.glob(".out*"))
+
+
+def test_sharing_of_problems_that_are_picked(course, capsys):
+    (course / "more").mkdir()
+    for name in ("one", "two"):
+        (course / "more" / f"{name}.yaml").write_text(SCENE.replace("{from: 1.2 kg, to: 3.2 kg, step: 0.4 kg}", "[2 kg]")
+                                                      .replace(", 820 N/m, 1.1 kN/m", ""), encoding="utf-8")
+    (course / "set.yaml").write_text("problems: [{file: more, pick: 1}]\n", encoding="utf-8")
+    assert homework(file="set.yaml", out="shared") == 0
+    assert "1 variant: up to" in capsys.readouterr().err
+    assert homework("--distinct", file="set.yaml") == 4 and not (course / "out").exists()
+
+
 def test_manifests_that_are_none(course, capsys):
     for text, said in (("{", "this is no manifest"), ("[]", "no manifest of this version"),
                        ('{"form": 1}', "no manifest")):

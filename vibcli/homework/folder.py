@@ -97,7 +97,7 @@ def write_folder(path: Path, found: Iterator[tuple[str, bytes]], force: bool) ->
     """Write files to a folder that is new or empty, or replaced where that is forced: beside it first, so that nothing
     is left of what fails. Gives their number."""
     refuse_folder(path, force)
-    beside = path.with_name(f".{path.name[:64]}.{os.urandom(8).hex()}")
+    beside, before = (path.with_name(f".{path.name[:64]}.{os.urandom(8).hex()}") for _ in range(2))
     count = 0
     try:
         for name, data in found:
@@ -106,12 +106,15 @@ def write_folder(path: Path, found: Iterator[tuple[str, bytes]], force: bool) ->
             target.write_bytes(data)
             count += 1
         if path.exists():
-            shutil.rmtree(path) if force else path.rmdir()
+            os.replace(path, before)
         os.replace(beside, path)
     except OSError as error:
         raise PhysicsError(f"{path} cannot be written: {error.strerror}", "name another folder") from None
     finally:
-        shutil.rmtree(beside, ignore_errors=True)
+        if before.exists() and not path.exists():
+            os.replace(before, path)
+        for folder in (beside, before):
+            shutil.rmtree(folder, ignore_errors=True)
     return count
 
 

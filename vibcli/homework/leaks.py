@@ -9,7 +9,8 @@ import yaml
 
 from vibcli.notation.as_printed import as_printed
 
-NUMBER = re.compile(r"(?<![\w.,])[-−+]?\d+(?:[.,]\d+)?(?:\s*(?:e|×\s*10\^?)\s*[-−+]?\d+)?", re.IGNORECASE)
+NUMBER = re.compile(r"(?<![\w.,])[-−+]?\d+(?:[.,]\d+)?(?:\s*(?:e\s*[-−+]?\d+"
+                    r"|[×·⋅*]\s*10(?:\s*\^\s*[-−+]?\d+|[-−+]?\d+)?(?!\w|[.,]\d)))?", re.IGNORECASE)
 READ = "alt", "title", "aria-label", "alttext", "content", "data-", "name", "id"
 FIGURES = 3
 LONGEST_MARK = 3            # characters of a comment that tells nothing
@@ -121,7 +122,9 @@ def numbers_in(text: str) -> Iterator[tuple[float, float, str]]:
 
 def _read(text):
     """(value, half a unit of its last figure) of a number with three or more figures; None of another."""
-    plain = re.sub(r"\s", "", text.replace("−", "-").replace(",", ".").lower()).replace("×10^", "e").replace("×10", "e")
+    plain = re.sub(r"\s", "", text.replace("−", "-").replace(",", ".").lower())
+    plain = re.sub(r"[×·⋅*]10\^?", "e", plain)
+    plain += "1" * plain.endswith("e")
     mantissa, _, exponent = plain.partition("e")
     digits = mantissa.lstrip("+-").replace(".", "").lstrip("0")
     if len(digits) < FIGURES:

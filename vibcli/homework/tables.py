@@ -24,8 +24,8 @@ def read_table(path: str, what: str) -> tuple[list[str], list[TableRow]]:
     """(columns, rows) of a file, lines without anything left out; SpecError where it is none. what: the roster, or the
     answers."""
     text = _text(path, what)
-    separator = ";" if ";" in text.partition("\n")[0] else ","
-    reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator)
+    separator = next((sign for sign in ";\t" if sign in text.partition("\n")[0]), ",")
+    reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
     rows: list[TableRow] = []
     try:
         heading = [word if (word := cell.strip().lower()) in WORDS else cell.strip() for cell in next(reader, [])]
@@ -38,7 +38,9 @@ def read_table(path: str, what: str) -> tuple[list[str], list[TableRow]]:
             filled = {name: cell for name, cell in zip(heading, cells, strict=False) if cell}
             rows += [TableRow(reader.line_num, filled)] if filled else []
     except csv.Error as error:
-        raise _wrong(path, max(reader.line_num, 1), f"{what} cannot be read: {error}") from None
+        hint = "a quote is left open" if "unexpected end" in str(error) else "a quote within a cell is written twice" \
+            if "expected after" in str(error) else None
+        raise _wrong(path, max(reader.line_num, 1), f"{what} cannot be read: {error}", hint) from None
     return heading, rows
 
 
@@ -58,7 +60,8 @@ def _text(path, what):
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        raise _wrong(path, data[:error.start].count(b"\n") + 1, f"{what}: this is no text in UTF-8") from None
+        raise _wrong(path, data[:error.start].count(b"\n") + 1, f"{what}: this is no text in UTF-8",
+                     "save it as UTF-8") from None
 
 
 def _require_columns(path, heading):

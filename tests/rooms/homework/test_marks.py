@@ -95,6 +95,8 @@ def test_names_of_students_problems_and_quantities():
 
 @pytest.mark.parametrize("text, found", [
     ("the answer is 21.9 rad/s", "the key 21.9"), ("21,91", "the key 21,91"), ("2.19e1", "the key 2.19e1"),
+    ("2.19·10¹", "the key 2.19·101"), ("2.19 × 10 rad/s", "the key 2.19 × 10"), ("0.219 · 10^2", "the key 0.219 · 10^2"),
+    ("2191*10^-2", "the key 2191*10^-2"), ("2.19·10.5", None), ("2.19 · 10 · 3", "the key 2.19 · 10"),
     ("22 rad/s", None), ("k = 219 N/m", None), ("\U0001d7d0\U0001d7cf.\U0001d7d7\U0001d7cf", "the key 21.91"),
     ("m21.9x", None), ("−21.9", "the key −21.9"), ("a secret text", "the salt, or a comment of the scene")])
 def test_leaks(text, found):
