@@ -102,6 +102,8 @@ def write_folder(path: Path, found: Iterator[tuple[str, bytes]], force: bool) ->
     try:
         for name, data in found:
             target = beside / name
+            if not target.resolve().is_relative_to(beside.resolve()):
+                raise PhysicsError(f"{quoted(name)} leads out of the folder", "nothing was written")
             target.parent.mkdir(parents=True, exist_ok=True)
             target.write_bytes(data)
             count += 1
@@ -127,6 +129,10 @@ def refuse_folder(path: Path, force: bool) -> None:
     if path.exists() and any(path.iterdir()) and not (force and _is_ours(path)):
         raise PhysicsError(f"{path} is not empty", "it holds other files: name another folder" if force else
                            "name a new folder, or an empty one")
+    if path.resolve() == Path.cwd():
+        raise PhysicsError("the folder in which the command runs is not replaced", "name a folder in it")
+    if not path.absolute().parent.is_dir():
+        raise PhysicsError(f"there is no folder {path.parent}", "make it, or name another one")
     if not os.access(path.parent if str(path.parent) else ".", os.W_OK | os.X_OK):
         raise PhysicsError(f"the folder {path.parent} may not be written to", "name another one")
 

@@ -36,8 +36,8 @@ def roster(path: str) -> list[Student]:
         elif own.casefold() in seen:
             wrong.append(Diagnostic(where, f"the id '{own}' stands in line {seen[own.casefold()]} already"))
         elif not _is_name(cells.get("name", "")):
-            wrong.append(Diagnostic(where, f"{quoted(cells['name'][:SHOWN])} is no name", "a name stands in one line, of "
-                                    f"at most {LONGEST} characters; is a quote left open?"))
+            wrong.append(Diagnostic(where, f"{quoted(cells['name'][:SHOWN])} is no name", "a name stands in one line, "
+                                    f"of at most {LONGEST} characters; is a quote left open?"))
         else:
             seen[own.casefold()] = line
             found.append(Student(own, cells.get("name", "")))

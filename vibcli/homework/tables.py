@@ -8,6 +8,8 @@ from typing import NamedTuple
 from vibcli.base.errors import Diagnostic, SpecError, Where
 
 MAX_BYTES = 50 * 2**20
+SHOWN = 500                 # characters of a cell
+UNSEEN = "\N{REPLACEMENT CHARACTER}"
 FORMULA = "=+-@\t\r"          # what a formula of a spreadsheet begins with
 _NUMBER = re.compile(r"[-+]?[\d.,]+(?:[eE][-+]?\d+)?(?: \S+)?")
 WORDS = "id", "name", "problem"     # columns that are named in capitals, too
@@ -45,7 +47,9 @@ def read_table(path: str, what: str) -> tuple[list[str], list[TableRow]]:
 
 
 def as_text(cell: str) -> str:
-    """A cell that no spreadsheet takes for a formula: what would be one has a quote before it; numbers are none."""
+    """A cell that no spreadsheet takes for a formula, and no screen for an order: what would be one has a quote before
+    it, which numbers have not; signs that are not seen are replaced, and what is longer than anybody reads is cut."""
+    cell = "".join(letter if letter.isprintable() else UNSEEN for letter in cell[:SHOWN]) + "…" * (len(cell) > SHOWN)
     return "'" + cell if cell and cell[0] in FORMULA and not _NUMBER.fullmatch(cell) else cell
 
 
