@@ -31,7 +31,8 @@ MORE = {"sweep": ["--over", "k=3 .. 5"], "grade": ["--student", "1", "--answer",
         "homework": ["--paper", "2", "--salt-file", "salt", "--force", "-o", "sheets_for_all"]}
 MANIFEST = """{"form": "vibcli homework 1", "title": "set", "course": "", "due": "", "attempt": 1, "problems": [
 {"name": "scene", "title": "scene", "file": "scene.yaml", "scene": "", "accepted": 2, "ranges": [], "mistakes": {},
-"files": {}, "variants": [{"variant": 1, "values": {"k": "4 N/m"}, "keys": [{"quantity": "omega[1]", "unit": "rad/s", "points": 1,
+"files": {},
+"variants": [{"variant": 1, "values": {"k": "4 N/m"}, "keys": [{"quantity": "omega[1]", "unit": "rad/s", "points": 1,
 "value": 2, "error": 0, "figures": 4, "band": 0.01, "mistakes": []}]}]}],
 "students": [{"id": "1", "name": "", "sheets": [{"problem": "scene", "variant": 1}]}]}"""
 pytestmark = pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")

@@ -58,7 +58,7 @@ HOMEWORK = [
         ("leaks", "No student's file tells a key at three or more figures, the text of one that is an expression or "
          "equation, the salt or a comment of the scene: else nothing is written."),
         ("again", "The same input gives the same bytes; `--from-manifest` writes the sheets of a manifest again, "
-         "whatever became of the files."),
+         "whatever became of the files; one that was edited is refused."),
     ],
     "`vibcli grade manifest.json` marks answers: `--student s1 --answer 'omega[1]=21.9 rad/s'` those of one, "
     "`--csv answers.csv -o marks.csv` those of all (columns `id`, `problem`, one for each quantity). Without a unit "
