@@ -2,6 +2,7 @@
 
 import csv
 import json
+import os
 from pathlib import Path
 
 import jsonschema
@@ -10,6 +11,7 @@ import yaml
 
 from vibcli.cli import run
 from vibcli.homework.leaks import leak, text_of_page
+from vibcli.homework.manifest import seal
 
 SCENE = """# the answer is easy
 title: A block
@@ -118,6 +120,35 @@ def test_a_set_with_parts(course, capsys):
     assert "set.yaml" not in capsys.readouterr().out
 
 
+def test_a_number_of_one_problem_that_is_a_key_of_another(course):
+    """Who would read 20.1 kg beside a key of 20.1 rad/s gets another variant."""
+    (course / "one.yaml").write_text(SCENE.replace("{from: 1.2 kg, to: 3.2 kg, step: 0.4 kg}", "[2 kg]"),
+                                     encoding="utf-8")
+    assert homework(file="one.yaml") == 0
+    manifest = json.loads((course / "out" / "instructor" / "manifest.json").read_text(encoding="utf-8"))
+    keys = [f"{one['keys'][0]['value']:.3g} kg" for one in manifest["problems"][0]["variants"]]
+    two = SCENE.replace("{from: 1.2 kg, to: 3.2 kg, step: 0.4 kg}", f"[{', '.join(keys)}, 2.5 kg, 2.6 kg, 2.7 kg]")
+    two = two.replace("[620 N/m, 820 N/m, 1.1 kN/m]", "[800 N/m]")
+    (course / "two.yaml").write_text(two, encoding="utf-8")
+    (course / "set.yaml").write_text("problems: [one.yaml, two.yaml]\n", encoding="utf-8")
+    for number in range(1, 5):
+        assert homework("--attempt", str(number), file="set.yaml", out=f"out{number}") == 0
+
+
+def test_a_case_with_variants_of_its_own(course, capsys):
+    """What another case alone uses is no fault of it."""
+    scene, _, variants = SCENE.partition("variants:")
+    (course / "block.yaml").write_text(scene.replace("c: 8 N*s/m}", "c: 8 N*s/m, k2: 500 N/m}") + f"""cases:
+  two springs: {{springs: {{s2: {{k: k2, between: [ground, block]}}}}}}
+  one spring:
+    variants:{variants.replace(chr(10), chr(10) + "    ")}""", encoding="utf-8")
+    (course / "set.yaml").write_text("problems: [{file: block.yaml, case: one spring}]\n", encoding="utf-8")
+    assert run(["variants", "block.yaml", "--case", "one spring"]) == 0
+    assert homework(file="set.yaml") == 0
+    assert run(["homework", "out/instructor/manifest.json", "--from-manifest", "-o", "again"]) == 0
+    assert files(course / "out") == files(course / "again")
+
+
 def test_numbered_sheets(course):
     assert run(["homework", "block.yaml", "-o", "out", "--paper", "12", "--salt-file", "salt"]) == 0
     assert sorted(path.name for path in (course / "out" / "student").iterdir())[0] == "01.html"
@@ -151,10 +182,49 @@ def test_refusals_leave_nothing_behind(course, capsys):
     (course / "few.yaml").write_text(SCENE.replace("k: [620 N/m, 820 N/m, 1.1 kN/m]}", "k: [800 N/m]}").replace(
         "from: 1.2 kg, to: 3.2 kg, step: 0.4 kg", "from: 1 kg, to: 2 kg, step: 1 kg"), encoding="utf-8")
     refused(4, "3 students, 2 variants: up to 2 share one", "few.yaml", *known, "--distinct")
+    refused(4, "there is no folder nowhere", "block.yaml", "-o", "nowhere/out", *known[2:])
+    (course / "empty").mkdir()
+    os.chdir("empty")
+    try:
+        refused(4, "is not replaced", "../block.yaml", "-o", ".", "--paper", "2", "--salt-file", "../salt")
+    finally:
+        os.chdir("..")
     (course / "full").mkdir()
     (course / "full" / "thesis.txt").write_text("mine")
     assert homework(out="full") == 4 and homework("--force", out="full") == 4
     assert (course / "full" / "thesis.txt").read_text() == "mine"
+
+
+@pytest.mark.parametrize("fault", [KeyboardInterrupt, RuntimeError, MemoryError])
+def test_what_breaks_off_in_the_middle_leaves_the_folder_as_it_was(course, monkeypatch, fault):
+    """Nothing where nothing was, and the old sheets where they are being replaced."""
+    from vibcli.homework import folder
+
+    whole = folder.manifest
+
+    def broken(*args):
+        raise fault
+
+    monkeypatch.setattr(folder, "manifest", broken)
+    assert homework() in (101, 130)
+    assert not (course / "out").exists() and not list(course.glob(".out*"))
+    monkeypatch.setattr(folder, "manifest", whole)
+    assert homework() == 0
+    before = files(course / "out")
+    monkeypatch.setattr(folder, "manifest", broken)
+    assert homework("--force", "--attempt", "2") in (101, 130)
+    assert files(course / "out") == before and not list(course.glob(".out*"))
+
+
+def test_sharing_of_problems_that_are_picked(course, capsys):
+    (course / "more").mkdir()
+    single = SCENE.replace("{from: 1.2 kg, to: 3.2 kg, step: 0.4 kg}", "[2 kg]").replace(", 820 N/m, 1.1 kN/m", "")
+    for name in ("one", "two"):
+        (course / "more" / f"{name}.yaml").write_text(single, encoding="utf-8")
+    (course / "set.yaml").write_text("problems: [{file: more, pick: 1}]\n", encoding="utf-8")
+    assert homework(file="set.yaml", out="shared") == 0
+    assert "1 variant: up to" in capsys.readouterr().err
+    assert homework("--distinct", file="set.yaml") == 4 and not (course / "out").exists()
 
 
 def test_manifests_that_are_none(course, capsys):
@@ -191,6 +261,26 @@ def test_manifests_that_are_damaged(course, capsys):
             assert f"damaged: {place[0]}" in capsys.readouterr().err
 
 
+def test_manifests_that_were_edited(course, capsys):
+    """Any other value is known by the seal, and one with a seal of its own leads nowhere outside."""
+    assert homework() == 0
+    path = course / "out" / "instructor" / "manifest.json"
+    whole = json.loads(path.read_text(encoding="utf-8"))
+    key = whole["problems"][0]["variants"][0]["keys"][0]
+    for edited in (key | {"value": 5.0}, key | {"figures": -1}, key | {"mistakes": []}):
+        whole["problems"][0]["variants"][0]["keys"][0] = edited
+        path.write_text(json.dumps(whole), encoding="utf-8")
+        for command in (["grade", str(path), "--student", "s1", "--answer", "zeta[1]=1"],
+                        ["homework", str(path), "--from-manifest", "-o", "third"]):
+            capsys.readouterr()
+            assert run(command) == 3 and "was changed after it was written" in capsys.readouterr().err
+    whole["problems"][0]["variants"][0]["keys"][0] = key
+    whole["students"][0]["id"] = "../../../evil"
+    path.write_text(json.dumps(whole | {"seal": seal(whole)}), encoding="utf-8")
+    assert run(["homework", str(path), "--from-manifest", "-o", "third"]) == 4
+    assert "leads out of the folder" in capsys.readouterr().err and not (course / "third").exists()
+
+
 @pytest.mark.parametrize("text, said", [
     ("omega_d[1],id\n5\n", "no id"), ("id,zeta[1],zeta[1]\ns1,1,2\n", "the column 'zeta[1]' stands twice"),
     ("id,zeta[1]\ns1,1,2\n", "has 3 cells"), ("id,zeta[1]\ns1,1\ns1,2\n", "stand in line 2 already"),
@@ -202,6 +292,25 @@ def test_answers_that_are_none(course, capsys, text, said):
     capsys.readouterr()
     assert run(["grade", "out/instructor/manifest.json", "--csv", "answers.csv"]) == 3
     assert said in capsys.readouterr().err
+
+
+def test_hostile_answers(course, capsys):
+    """Neither orders to a screen nor formulas of a spreadsheet nor a cell without end come through."""
+    assert homework() == 0
+    hostile = "\x1b[31m23.37", "=1+1", "+1e5", "9" * 100_000, "23\u202e.37", "-12.5 rad/s"
+    for answer in hostile:
+        (course / "answers.csv").write_text(f"id,omega_d[1]\ns1,{answer}\n", encoding="utf-8")
+        capsys.readouterr()
+        assert run(["grade", "out/instructor/manifest.json", "--csv", "answers.csv"]) == 0
+        shown = capsys.readouterr().out
+        assert all(letter.isprintable() or letter == "\n" for letter in shown) and len(shown) < 1500
+        assert "'=1+1" in shown if answer == "=1+1" else f",{answer}," in shown if answer[0] in "+-" else True
+    (course / "answers.csv").write_text("id,zeta[1],zeta [1]\ns1,0.1,0.2\n", encoding="utf-8")
+    assert run(["grade", "out/instructor/manifest.json", "--csv", "answers.csv"]) == 3
+    assert "zeta[1] is answered twice" in capsys.readouterr().err
+    twice = "--answer=zeta[1]=0.1", "--answer=zeta[ 1 ]=0.2"
+    assert run(["grade", "out/instructor/manifest.json", "--student", "s1", *twice]) == 2
+    assert "zeta[1] is answered twice" in capsys.readouterr().err
 
 
 def test_a_table_is_read_whole_or_not_at_all(course, capsys, monkeypatch):

@@ -170,7 +170,7 @@ def assert_typst(text):
     bare = re.sub(r'"(?:\\.|[^"\\])*"|\\.', "", text[text.index("\n= "):])
     assert bare.count("$") % 2 == 0
     assert all(bare.count(opened) == bare.count(closed) for opened, closed in ("()", "[]", "{}"))
-    assert set(re.findall(r"#(\w*)", bare)) <= {"table", "picture", "box", "h", "pagebreak"}
+    assert set(re.findall(r"#(\w*)", bare)) <= {"table", "fitted", "picture", "box", "h", "pagebreak"}
 
 
 CHECKS = {"html": assert_page, "latex": assert_latex, "markdown": assert_markdown, "asciidoc": assert_asciidoc,
@@ -250,6 +250,19 @@ def test_hostile_words_in_typst(hostile, tmp_path):
     ("\\u{41}", r"\\u{41}")])
 def test_words_in_typst(text, expected):
     assert render_typst.escaped(text) == expected
+
+
+@pytest.mark.parametrize("cells, expected", [
+    (("short", "words"), "#table(columns: (auto, auto,)"),
+    (("mistake", "a sentence that is longer than the page is wide " * 2), "#table(columns: (auto, 1fr,)"),
+    (("a sentence that is longer than the page is wide " * 2, "gives"), "#table(columns: (1fr, auto,)"),
+    (("12345.678",) * 12, "#fitted(table(columns: (auto, ")])
+def test_tables_in_typst(cells, expected, tmp_path):
+    """Words are broken where a table is wide, numbers never."""
+    found = Document("T", None, (), (Section("S", (Cells(cells, (cells,)),)),))
+    text = render_typst.render([found], None)
+    assert expected in text
+    compiled(text, tmp_path)
 
 
 @pytest.mark.parametrize("text, expected", [

@@ -1,5 +1,6 @@
 """Every command with a stdout that is full, closed or read by nobody, and with a stderr that is: codes and words."""
 
+import json
 import os
 import subprocess
 import sys
@@ -10,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from vibcli.cli import COMMANDS, run, streams
+from vibcli.homework.manifest import seal
 
 ROOT = Path(__file__).parents[2]
 ENDING = [command for command in COMMANDS if command != "view"]      # which goes on until it is interrupted
@@ -29,6 +31,7 @@ MORE = {"sweep": ["--over", "k=3 .. 5"], "grade": ["--student", "1", "--answer",
         "homework": ["--paper", "2", "--salt-file", "salt", "--force", "-o", "sheets_for_all"]}
 MANIFEST = """{"form": "vibcli homework 1", "title": "set", "course": "", "due": "", "attempt": 1, "problems": [
 {"name": "scene", "title": "scene", "file": "scene.yaml", "scene": "", "accepted": 2, "ranges": [], "mistakes": {},
+"files": {},
 "variants": [{"variant": 1, "values": {"k": "4 N/m"}, "keys": [{"quantity": "omega[1]", "unit": "rad/s", "points": 1,
 "value": 2, "error": 0, "figures": 4, "band": 0.01, "mistakes": []}]}]}],
 "students": [{"id": "1", "name": "", "sheets": [{"problem": "scene", "variant": 1}]}]}"""
@@ -58,7 +61,8 @@ def _import_all(folder):
 def beside(folder):
     """What homework and marks read beside a scene."""
     (folder / "salt").write_text("a secret text")
-    (folder / "manifest.json").write_text(MANIFEST)
+    manifest = json.loads(MANIFEST)
+    (folder / "manifest.json").write_text(json.dumps({**manifest, "seal": seal(manifest)}))
 
 
 @pytest.fixture

@@ -1,12 +1,16 @@
 """Homework: variants of a problem with four keys, mistakes, bands and all gates, against as many scenes read anew; and
-sheets for students, with keys and worked solutions."""
+a set of three problems handed out to a course, with keys and worked solutions, against as many commands."""
 
 import json
+import os
+import tempfile
+from pathlib import Path
 from statistics import median
 from time import process_time
 from typing import Any
 
-from vibcli.bench.processes import answer
+from vibcli.bench.files import PROBLEMS
+from vibcli.bench.processes import answer, costs, vibcli
 from vibcli.bench.rows import Timing
 
 QUARTER_CAR = """title: Quarter of a car
@@ -26,6 +30,11 @@ variants:
 TENFOLD = QUARTER_CAR.replace("step: 1 kN/m", "step: 0.1 kN/m")      # 9,100
 COUNT, ALONE, STUDENTS = 1000, 20, 20
 GATE = 0.35         # of as many scenes read anew
+COURSE = 200        # students
+SET = ("4_free_damped/bell_crank_dashpot.yaml", "3_free_undamped/wheel_on_incline_with_cord.yaml",
+       "6_two_degrees/quarter_car_damped.yaml")
+HANDED_OUT = 0.5    # of as many worked solutions by commands
+MEMORY = 500        # MiB
 
 
 def rows(runs: Any) -> list[Timing]:
@@ -37,7 +46,28 @@ def rows(runs: Any) -> list[Timing]:
             Timing("  a variant, beside one of a tenth of them", ours / COUNT, "ms", None, "", 10 * tenth / COUNT),
             Timing("  a variant of 9,100, beside one of these", many / 9100, "ms", None, "", ours / COUNT),
             Timing("  of these are accepted", accepted, "", None),
-            Timing(f"  {STUDENTS} sheets with keys and worked solutions, a sheet", sheets / STUDENTS, "ms", None)]
+            Timing(f"  {STUDENTS} sheets with keys and worked solutions, a sheet", sheets / STUDENTS, "ms", None),
+            *_course()]
+
+
+def _course():
+    """Seconds and peak memory of sheets for all students of a course, beside those of the commands that solve one."""
+    with tempfile.TemporaryDirectory() as folder:
+        os.symlink(PROBLEMS, os.path.join(folder, "problems"))
+        given = {"set.yaml": "problems: [" + ", ".join(f"problems/{name}" for name in SET) + "]\n",
+                 "roster.csv": "id\n" + "".join(f"s{number}\n" for number in range(COURSE)),
+                 "salt": "a secret text\n"}
+        for name, text in given.items():
+            Path(folder, name).write_text(text, encoding="utf-8")
+        paths = {name: os.path.join(folder, name) for name in given}
+        handed = vibcli("homework", paths["set.yaml"], "-o", os.path.join(folder, "out"), "--students",
+                        paths["roster.csv"], "--salt-file", paths["salt"])
+        alone = {name: (vibcli("solve", os.path.join(PROBLEMS, name), "--steps"), (0,)) for name in SET}
+        found = costs({"handed": (handed, (0,)), **alone}, 1, warm=True)
+    case = f"{COURSE} students, {len(SET)} problems: sheets, keys with steps, manifest"
+    commands = COURSE * sum(found[name].time for name in SET) / 1e3
+    return [Timing(case, found["handed"].time / 1e3, "s", HANDED_OUT, "as many vibcli solve --steps", commands),
+            Timing("  peak memory", found["handed"].memory, "MiB", MEMORY, absolute=True)]
 
 
 def main() -> None:

@@ -57,13 +57,13 @@ def command(manifest: str, student: str | None, problem: str | None, answers: Se
 def _of_one(marker: "Marker", student: str, problem: str | None, answers: Sequence[str]) -> "list[AnswerMark]":
     try:
         name = marker.problem(student, problem)
-        found = {}
+        found = []
         for answer in answers:
             quantity, equals, text = _parted(answer)
             if not equals:
                 raise ValueError(f"--answer {answer}: write QUANTITY=TEXT, as in 'omega[1]=20 rad/s'")
-            found[marker.quantity(name, quantity)] = text
-        return list(marker.marks(student, name, found))
+            found.append((quantity, text))
+        return list(marker.marks(student, name, _by_quantity(marker, name, found)))
     except ValueError as error:
         raise click.UsageError(str(error)) from None
 
@@ -71,6 +71,17 @@ def _of_one(marker: "Marker", student: str, problem: str | None, answers: Sequen
 def _parted(answer):
     """A quantity and the text behind the equals sign that follows it."""
     return answer.partition("=")
+
+
+def _by_quantity(marker, problem, answers):
+    """{quantity: answer} of those that are given to a problem, each once."""
+    found: dict[str, str] = {}
+    for text, answer in answers:
+        asked = marker.quantity(problem, text)
+        if asked in found:
+            raise ValueError(f"{asked} is answered twice")
+        found[asked] = answer
+    return found
 
 
 def _of_table(marker: "Marker", path: str) -> "list[AnswerMark]":
@@ -88,8 +99,8 @@ def _of_table(marker: "Marker", path: str) -> "list[AnswerMark]":
             if (student, name) in seen:
                 raise ValueError(f"the answers of {student} to {name} stand in line {seen[student, name]} already")
             seen[student, name] = line
-            found += marker.marks(student, name, {marker.quantity(name, key): value for key, value in cells.items()
-                                                  if key not in ("id", "problem", "name")})
+            answers = [(key, text) for key, text in cells.items() if key not in ("id", "problem", "name")]
+            found += marker.marks(student, name, _by_quantity(marker, name, answers))
         except ValueError as error:
             wrong.append(Diagnostic(Where(path, line, 1, 0), str(error)))
     if wrong:
@@ -106,7 +117,7 @@ def _table(marks: "Sequence[AnswerMark]") -> str:
     rows.writerow(COLUMNS)
     for one in marks:
         rows.writerow([one.student, one.problem, one.quantity, as_text(one.answer), f"{one.points:g}",
-                       f"{one.of:g}", one.verdict, one.mistake, one.said])
+                       f"{one.of:g}", one.verdict, one.mistake, as_text(one.said)])
     return text.getvalue()
 
 

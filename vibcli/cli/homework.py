@@ -1,12 +1,14 @@
 """`vibcli homework SET -o FOLDER --students roster.csv --salt-file F`: sheets for students, keys for who marks them."""
 
 import os
+from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
+from vibcli.base.enumeration import amount
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError, Where
 from vibcli.cli.common import color_option, patience_option, problem_in, source_of
 
@@ -51,8 +53,8 @@ def command(course: str, folder: Path, students: str | None, paper: int | None, 
     who = numbered(paper) if students is None else roster(students)
     found = _course(course)
     handouts = {one.name: _handout(one, patience) for one in found.problems}
-    _require_variants(handouts, found, who, distinct)
     assigned = _assigned(salt, found, handouts, who, attempt)
+    _tell_shared(handouts, assigned, distinct)
     return _write(folder, force, found, list(handouts.values()), assigned, attempt, salt.decode("utf-8", "replace"))
 
 
@@ -103,32 +105,38 @@ def _handout(one: "CourseProblem", patience: int) -> "Handout":
     return Handout.of(one, found, document, "\n".join(source.lines))
 
 
-def _require_variants(handouts, course, students, distinct):
+def _tell_shared(handouts, assigned, distinct):
     """Say where students share variants; refused where they must not."""
-    for part in course.parts:
-        for problem in part.problems:
-            count, most = len(handouts[problem.name].variants), len(students)
-            if most > count and part.pick == len(part.problems):
-                said = f"{problem.name}: {most} students, {count} variants: up to {-(-most // count)} share one"
-                if distinct:
-                    raise PhysicsError(said, "widen the ranges of its variants")
-                click.echo(said, err=True)
+    for name, handout in handouts.items():
+        given = Counter(number for _, sheets in assigned for one, number in sheets if one is handout)
+        if (most := max(given.values(), default=0)) > 1:
+            said = f"{name}: {given.total()} students, {amount(handout.accepted, 'variant')}: up to {most} share one"
+            if distinct:
+                raise PhysicsError(said, "widen the ranges of its variants")
+            click.echo(said, err=True)
 
 
 def _assigned(salt: bytes, course: "Course", handouts: "dict[str, Handout]", students: "Sequence[Student]",
               attempt: int) -> "Assigned":
     """(student, (problem, number of the variant) in order) of each."""
     from vibcli.homework.assignment import assigned, picked
+    from vibcli.homework.coincidences import Coincidences
 
-    chosen = [[one for number, part in enumerate(course.parts) for one in picked(salt, number, part, student, attempt)]
-              for student in students]
-    variants: dict[str, dict[str, int]] = {}
-    for problem in course.problems:
-        who = [student for student, theirs in zip(students, chosen, strict=True) if problem in theirs]
-        numbers = assigned(salt, problem.name, who, len(handouts[problem.name].variants), attempt)
-        variants[problem.name] = {student.id: number for student, number in zip(who, numbers, strict=True)}
-    return [(student, [(handouts[one.name], variants[one.name][student.id]) for one in theirs])
-            for student, theirs in zip(students, chosen, strict=True)]
+    chosen = {student.id: [one.name for number, part in enumerate(course.parts)
+                           for one in picked(salt, number, part, student, attempt)] for student in students}
+    found: dict[str, dict[str, int]] = {student.id: {} for student in students}
+    coincidences = Coincidences()
+    for name, handout in handouts.items():
+        def suits(student, number, handout=handout):
+            taken = [(handouts[other], given) for other, given in found[student.id].items()]
+            words = f"{course.title} ; {course.course} ; {course.due} ; {student.name} ; {student.id}"
+            return not coincidences.found(words, taken, handout, number)
+
+        who = [student for student in students if name in chosen[student.id]]
+        for student, number in zip(who, assigned(salt, name, who, len(handout.variants), attempt, suits), strict=True):
+            found[student.id][name] = number
+    return [(student, [(handouts[name], found[student.id][name]) for name in chosen[student.id]])
+            for student in students]
 
 
 def _write(folder, force, course, handouts, assigned, attempt, salt):
@@ -140,8 +148,8 @@ def _write(folder, force, course, handouts, assigned, attempt, salt):
     with work.task("the sheets") as task:
         count = write_folder(folder, files(course, handouts, assigned, attempt, salt, on, task.step), force)
     shared = sum(one.accepted for one in handouts)
-    click.echo(f"{len(assigned)} sheets of {len(handouts)} problem{'s' * (len(handouts) > 1)} with {shared} variants: "
-               f"{count} files in {os.fspath(folder)}")
+    click.echo(f"{amount(len(assigned), 'sheet')} of {amount(len(handouts), 'problem')} with "
+               f"{amount(shared, 'variant')}: {count} files in {os.fspath(folder)}")
     if on.suffix != ".pdf":
         click.echo("They are HTML pages; PDF needs the extra homework: pip install 'vibcli[homework]'")
     return 0

@@ -4,7 +4,7 @@ The permutations are made of hashes of salt, problem, student and attempt, so th
 a roster changes nobody's sheet, and no random stream is kept.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from hashlib import blake2b
 from typing import TYPE_CHECKING
 
@@ -13,13 +13,19 @@ if TYPE_CHECKING:
     from vibcli.homework.roster import Student
 
 
-def assigned(salt: bytes, problem: str, students: "Sequence[Student]", count: int, attempt: int = 1) -> list[int]:
-    """The number of the variant, from 0, of each student: none share while there are free ones."""
-    found, taken = [], set()
+def assigned(salt: bytes, problem: str, students: "Sequence[Student]", count: int, attempt: int = 1,
+             suits: "Callable[[Student, int], bool]" = lambda student, number: True) -> list[int]:
+    """The number of the variant, from 0, of each student: none share while there are free ones, and each suits where a
+    free one does."""
+    found: list[int] = []
+    taken: set[int] = set()
     for student in students:
         if len(taken) == count:
             taken = set()
-        place = next(i for i in _permutation(salt, problem, student.id, attempt, count) if i not in taken)
+        order = _permutation(salt, problem, student.id, attempt, count)
+        first = next(i for i in order if i not in taken)
+        place = first if suits(student, first) else next((i for i in order if i not in taken and suits(student, i)),
+                                                         first)
         taken.add(place)
         found.append(place)
     return found

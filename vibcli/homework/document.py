@@ -1,30 +1,55 @@
 """The document of a scene, from which it is read anew with other values, or with a part changed."""
 
 from collections.abc import Mapping as Given
-from typing import TYPE_CHECKING, Any, NamedTuple
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.errors import Diagnostic, SpecError, Where
 from vibcli.inverse import settled
-from vibcli.reader.read import document_of_case, read_changed, read_spec
+from vibcli.language.data_columns import columns_in, data_beside
+from vibcli.language.document.nodes import Mapping
+from vibcli.reader.read import document_of_case, read_alone, read_changed
 from vibcli.results.problem import Problem
 
 if TYPE_CHECKING:
-    from vibcli.language.document.nodes import Mapping
     from vibcli.language.given_values import GivenValue
     from vibcli.language.spec import Spec
 
 
-class SceneDocument(NamedTuple):
+class SceneDocument:
     """The top of a document, that of a case of it included; settings: {parameter: (syntax tree, text)} that replace
-    values of the file."""
+    values of the file; files: {name: what stands in it} of those beside it, which are read there unless given."""
 
-    root: "Mapping"
-    file: str
-    settings: "dict[str, tuple[Any, Any]]"
+    def __init__(self, root: "Mapping", file: str, settings: dict[str, tuple[Any, Any]],
+                 files: "Given[str, bytes] | None" = None):
+        self.root, self.file, self.settings = root, file, settings
+        self._given = files
+        self._columns = {(file, name): columns_in(file, name, data) for name, data in (files or {}).items()}
+        self._bare = Mapping(root.where, {key: pair for key, pair in root.entries.items() if key != "variants"})
 
     @classmethod
-    def of(cls, root: "Mapping", file: str, case: str | None, settings: Any = None) -> "SceneDocument":
+    def of(cls, root: "Mapping", file: str, case: str | None, settings: Any = None,
+           files: "Given[str, bytes] | None" = None) -> "SceneDocument":
         """The document of a scene, or of a case of it."""
-        return cls(document_of_case(root, case), file, settings or {})
+        return cls(document_of_case(root, case), file, settings or {}, files)
+
+    @cached_property
+    def files(self) -> dict[str, bytes]:
+        """{name: what stands in it} of the files beside the scene that it takes numbers from."""
+        if self._given is not None:
+            return dict(self._given)
+        self.spec()
+        return {name: self._beside(name) for _, name in sorted(self._columns)}
+
+    def _beside(self, name):
+        data, problem = data_beside(self.file, name)
+        if data is None:
+            raise SpecError([Diagnostic(Where(self.file, 1, 1, 0), *problem)])
+        return data
+
+    def spec(self) -> "Spec":
+        """The Spec of it."""
+        return read_alone(self.root, self.file, self.settings, self._columns)
 
     def changed(self, part: "Mapping", remark: str) -> "Spec":
         """The Spec with a part merged over it; SpecError with this remark where that is none."""
@@ -37,4 +62,4 @@ class SceneDocument(NamedTuple):
 
     def anew(self, values: "Given[str, GivenValue]") -> "Problem":
         """The Problem that is read with values for parameters, those that it would choose among them."""
-        return settled(Problem(read_spec(self.root, self.file, (), self.with_values(values).settings)))
+        return settled(Problem(read_alone(self._bare, self.file, self.with_values(values).settings, self._columns)))

@@ -9,8 +9,9 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from vibcli.base.diagnostics import quoted
 from vibcli.base.errors import PhysicsError
-from vibcli.homework.leaks import leak, text_of_page
+from vibcli.homework.leaks import leak, text_of_columns, text_of_page
 from vibcli.homework.manifest import Assigned, manifest
 from vibcli.homework.sheets import key_sheet, overview, student_sheet
 from vibcli.homework.tables import as_text
@@ -30,11 +31,13 @@ class Leak(PhysicsError):
 
 def files(course: "Course", handouts: "Sequence[Handout]", assigned: Assigned, attempt: int, salt: str,
           on: "Pages | Paper", tell: Callable[[float], None]) -> Iterator[tuple[str, bytes]]:
-    """(path in the folder, bytes) of every file; Leak where a sheet would tell a key. tell(part): how far it is."""
+    """(path in the folder, bytes) of every file; Leak where a student's file would tell a key. tell(part): how far it
+    is."""
+    yield from _beside(handouts, assigned, salt, on)
     gone: dict[str, dict[int, list[str]]] = {one.name: {} for one in handouts}
     for number, (student, sheets) in enumerate(assigned, 1):
         documents = student_sheet(course, student, sheets)
-        _require_no_leak(student.id, html.render(documents, listed=False), sheets, salt)
+        _require_no_leak(f"the sheet of {student.id}", text_of_page(html.render(documents, listed=False)), sheets, salt)
         yield f"{STUDENT}/{student.id}{on.suffix}", on.data(documents)
         for handout, variant in sheets:
             gone[handout.name].setdefault(variant, []).append(student.id)
@@ -48,15 +51,29 @@ def files(course: "Course", handouts: "Sequence[Handout]", assigned: Assigned, a
     yield f"{INSTRUCTOR}/manifest.json", _json(manifest(course, handouts, assigned, attempt))
 
 
-def _require_no_leak(student, page, sheets, salt):
+def _beside(handouts, assigned, salt, on):
+    """The files that go out with the sheets of problems that take numbers from them, under their own names."""
+    taken: dict[str, bytes | None] = {f"{student.id}{on.suffix}": None for student, _ in assigned}
+    for handout in handouts:
+        sheets = [one for _, theirs in assigned for one in theirs if one[0] is handout]
+        for name, data in handout.document.files.items():
+            if taken.get(name, data) != data:
+                raise PhysicsError(f"{handout.name} takes numbers from {quoted(name)}, and another file with this name "
+                                   "is handed out", "give it another name")
+            _require_no_leak(f"the file {name}", text_of_columns(data.decode()), sheets, salt)
+            if name not in taken:
+                yield f"{STUDENT}/{name}", data
+            taken[name] = data
+
+
+def _require_no_leak(what, text, sheets, salt):
     keys = [key for handout, variant in sheets for key in handout.variants[variant].keys]
-    comments = [line.partition("#")[2].strip() for handout, _ in sheets for line in handout.text.splitlines()
-                if line.lstrip().startswith("#")]
-    found = leak(text_of_page(page), [key.value for key in keys if key.value is not None],
-                 [salt, *(one for one in comments if len(one) > 3)], [text for key in keys for text in key.hidden])
+    hidden = [comment for handout, _ in sheets for comment in handout.comments]
+    found = leak(text, [key.value for key in keys if key.value is not None], [salt, *hidden],
+                 [text for key in keys for text in key.hidden])
     if found is not None:
-        raise Leak(f"the sheet of {student} would tell {found}", "nothing was written; take it out of the question or "
-                   "of the figure, or vary the parameters otherwise")
+        raise Leak(f"{what} would tell {found}", "nothing was written; take it out of the question or of the figure, "
+                   "or vary the parameters otherwise")
 
 
 def _table(assigned):
@@ -80,21 +97,26 @@ def write_folder(path: Path, found: Iterator[tuple[str, bytes]], force: bool) ->
     """Write files to a folder that is new or empty, or replaced where that is forced: beside it first, so that nothing
     is left of what fails. Gives their number."""
     refuse_folder(path, force)
-    beside = path.with_name(f".{path.name[:64]}.{os.urandom(8).hex()}")
+    beside, before = (path.with_name(f".{path.name[:64]}.{os.urandom(8).hex()}") for _ in range(2))
     count = 0
     try:
         for name, data in found:
             target = beside / name
+            if not target.resolve().is_relative_to(beside.resolve()):
+                raise PhysicsError(f"{quoted(name)} leads out of the folder", "nothing was written")
             target.parent.mkdir(parents=True, exist_ok=True)
             target.write_bytes(data)
             count += 1
         if path.exists():
-            shutil.rmtree(path) if force else path.rmdir()
+            os.replace(path, before)
         os.replace(beside, path)
     except OSError as error:
         raise PhysicsError(f"{path} cannot be written: {error.strerror}", "name another folder") from None
     finally:
-        shutil.rmtree(beside, ignore_errors=True)
+        if before.exists() and not path.exists():
+            os.replace(before, path)
+        for folder in (beside, before):
+            shutil.rmtree(folder, ignore_errors=True)
     return count
 
 
@@ -107,6 +129,10 @@ def refuse_folder(path: Path, force: bool) -> None:
     if path.exists() and any(path.iterdir()) and not (force and _is_ours(path)):
         raise PhysicsError(f"{path} is not empty", "it holds other files: name another folder" if force else
                            "name a new folder, or an empty one")
+    if path.resolve() == Path.cwd():
+        raise PhysicsError("the folder in which the command runs is not replaced", "name a folder in it")
+    if not path.absolute().parent.is_dir():
+        raise PhysicsError(f"there is no folder {path.parent}", "make it, or name another one")
     if not os.access(path.parent if str(path.parent) else ".", os.W_OK | os.X_OK):
         raise PhysicsError(f"the folder {path.parent} may not be written to", "name another one")
 

@@ -10,8 +10,10 @@ from vibcli.symbolic.syntax import ExpressionError, Number
 
 LONGEST = 200
 NUMBER = re.compile(r"\s*(?P<sign>[-+−]?)\s*(?P<whole>\d+(?:[ _]\d{3})*)?(?:(?P<mark>[.,])(?P<part>\d*))?"
-                    r"(?:\s*(?:[eE]|[×x*]\s*10\s*\^)\s*(?P<power>[-+−]?\d{1,3}))?\s*(?P<unit>.*)$", re.DOTALL)
+                    r"(?:\s*(?:[eE]|[×x*·⋅]\s*10\s*\^)\s*(?P<power>[-+−]?\d{1,3})"
+                    r"|\s*[×x*·⋅]\s*10(?P<raised>⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3}))?\s*(?P<unit>.*)$", re.DOTALL)
 SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−·", "0123456789--*")
+GROUPED = re.compile(r"[.,'’]\d")
 RAISED = re.compile(r"([⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)")
 
 
@@ -34,11 +36,13 @@ def read_answer(text: str, unit: str) -> GivenAnswer:
     match = NUMBER.match(text) if len(text) <= LONGEST else None
     if match is None or (match["whole"] is None and not match["part"]):
         return GivenAnswer(None, "this is no number with a unit")
+    if GROUPED.match(match["unit"]):
+        return GivenAnswer(None, "write the number without signs between its thousands")
     if match["mark"] == "," and len(match["part"]) == 3 and match["whole"] not in (None, "0"):
         return GivenAnswer(None, f"'{match['whole']},{match['part']}' may mean {match['whole']}.{match['part']} or "
                                  f"{match['whole']}{match['part']}: write it with a point, or without a comma")
     digits = re.sub(r"[ _]", "", match["whole"] or "0") + "." + (match["part"] or "0")
-    power = (match["power"] or "0").replace("−", "-")
+    power = (match["power"] or (match["raised"] or "0").translate(SUPERSCRIPTS)).replace("−", "-")
     number = float(f"{'-' if match['sign'] in ('-', '−') else ''}{digits}e{power}")
     if not isfinite(number):
         return GivenAnswer(None, "this number is too large")

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+from vibcli.base.errors import SpecError
 from vibcli.base.work import Work
 from vibcli.homework.asked_keys import key_of
 from vibcli.homework.bands import Band
@@ -19,7 +20,6 @@ from vibcli.homework.variants import ProblemVariant
 from vibcli.language.document.document import Scalar, read
 from vibcli.language.given_values import giver, number_and_unit
 from vibcli.language.reader import Expression
-from vibcli.reader.read import read_spec
 from vibcli.results.problem import Problem
 from vibcli.symbolic.parser import parse
 
@@ -41,12 +41,14 @@ def handed_out(manifest: Mapping[str, Any], patience: int = 1) -> "tuple[Course,
 def handout_of(one: "Mapping[str, Any]", patience: int = 1) -> Handout:
     """The Handout of a problem of a manifest."""
     node, diagnostics = read(one["scene"].encode(), one["file"])
-    problem = Problem(read_spec(node, one["file"], diagnostics), work=Work(patience))
-    problem = problem if one["case"] is None else problem.case(one["case"])
+    if node is None or diagnostics:
+        raise SpecError(diagnostics)
+    files = {name: text.encode() for name, text in one["files"].items()}
+    document = SceneDocument.of(node, one["file"], one["case"], files=files)
+    problem = Problem(document.spec(), work=Work(patience))
     keys = [key_of(problem.spec, asked) for asked in problem.spec.get("variants").ask]
     course = CourseProblem(one["name"], one["file"], one["case"], one["points"])
     variants = {variant["variant"] - 1: _variant(variant) for variant in one["variants"]}
-    document = SceneDocument.of(node, one["file"], one["case"])
     return Handout(course, problem, keys, variants, one["mistakes"], document, one["scene"], one["accepted"],
                    [tuple(ends) for ends in one["ranges"]])
 

@@ -1,11 +1,13 @@
 """A problem as it is handed out: its accepted variants, its figure, and each variant read anew for who gets it."""
 
 from collections.abc import Iterator
-from functools import cached_property
+from functools import cache, cached_property
 from typing import TYPE_CHECKING, Any
 
+from vibcli.homework.leaks import comments_of
 from vibcli.homework.told import told
 from vibcli.homework.variants import ProblemVariant, SolvedVariants, read_anew
+from vibcli.report.blocks import Picture
 from vibcli.report.document import Report
 
 if TYPE_CHECKING:
@@ -56,6 +58,11 @@ class Handout:
         return [float(one) if self.course.points is None else self.course.points * one / sum(own) for one in own]
 
     @cached_property
+    def comments(self) -> list[str]:
+        """What its file says behind #, which is for nobody but who wrote it."""
+        return comments_of(self.text)
+
+    @cached_property
     def told(self) -> set[str]:
         """The parameters that the question quotes or the figure letters."""
         return told(self.base)
@@ -65,7 +72,8 @@ class Handout:
         """The figure in letters, which is the same for all variants."""
         report = Report(self.base, pictures=True)
         report.add("schematic")
-        return [section._replace(title="Figure (not to scale)") for section in report.sections]
+        return [section._replace(title="Figure", blocks=tuple(map(_drawn_once, section.blocks)))
+                for section in report.sections]
 
     def problem(self, number: int) -> "Problem":
         """The Problem of a variant, read anew from what is printed, once."""
@@ -92,6 +100,11 @@ class Handout:
                 for key, points, one in zip(self.keys, self.points, variant.keys, strict=True)]
         return {"variant": number + 1, "values": {name: value.text for name, value in variant.values.items()},
                 "keys": keys}
+
+
+def _drawn_once(block):
+    """A picture whose bytes are made once, however many sheets show it."""
+    return block._replace(draw=cache(block.draw), caption="not to scale") if isinstance(block, Picture) else block
 
 
 def _range(values):

@@ -5,12 +5,18 @@ import unicodedata
 from collections.abc import Iterable, Iterator
 from html import parser
 
+import yaml
+
 from vibcli.notation.as_printed import as_printed
 
-NUMBER = re.compile(r"(?<![\w.,])[-−+]?\d+(?:[.,]\d+)?(?:\s*(?:e|×\s*10\^?)\s*[-−+]?\d+)?", re.IGNORECASE)
+NUMBER = re.compile(r"(?<![\w.,])[-−+]?\d+(?:[.,]\d+)?(?:\s*(?:e\s*[-−+]?\d+"
+                    r"|[×·⋅*]\s*10(?:\s*\^\s*[-−+]?\d+|[-−+]?\d+)?(?!\w|[.,]\d)))?", re.IGNORECASE)
 READ = "alt", "title", "aria-label", "alttext", "content", "data-", "name", "id"
 FIGURES = 3
+LONGEST_MARK = 3            # characters of a comment that tells nothing
 TYPED = str.maketrans({"−": "-", "·": "*", "⋅": "*", "×": "*"})
+_COMMENT = re.compile(r"(?:^|(?<=\s))#(.*)", re.MULTILINE)
+_CELLS = re.compile(r"[;,\s]+")
 _SINGLE = re.compile(r"[-−]?[\w.]+")        # a letter or a number alone is no secret
 
 
@@ -45,6 +51,28 @@ def text_of_page(page: str) -> str:
     return "\n".join(reader.found)
 
 
+def comments_of(scene: str) -> list[str]:
+    """What stands behind # in a scene, longer than a mark."""
+    tokens = yaml.scan(scene, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
+    texts = [(token.start_mark.index, token.end_mark.index) for token in tokens if isinstance(token, yaml.ScalarToken)]
+    found = [match for match in _COMMENT.finditer(scene)
+             if not any(start <= match.start() < end for start, end in texts)]
+    return [text for match in found if len(text := match.group(1).strip()) > LONGEST_MARK]
+
+
+def text_of_columns(text: str) -> str:
+    """All that is read in a file of columns but for its rows of numbers, any of which may stand there by chance."""
+    return "\n".join(line for line in text.splitlines() if not all(map(_is_number, _CELLS.split(line.strip()))))
+
+
+def _is_number(cell):
+    try:
+        float(cell.strip('"') or 0)
+    except ValueError:
+        return False
+    return True
+
+
 def leak(text: str, keys: Iterable[float], hidden: Iterable[str], formulas: Iterable[str] = ()) -> str | None:
     """What a text tells that it must not: a key at three or more figures, one of the hidden texts, or one of the
     formulas, in the language of scenes or as it is printed; None of nothing."""
@@ -54,13 +82,19 @@ def leak(text: str, keys: Iterable[float], hidden: Iterable[str], formulas: Iter
         side = formula.removesuffix(" = 0")
         if not _SINGLE.fullmatch(side) and any(_stands(one, plain) for one in (side, as_printed(side, _names(side)))):
             return f"the key {formula}"
-    if any(word and word in text for word in hidden):
+    running = _running(text)
+    if any(word and _running(unicodedata.normalize("NFKC", word)) in running for word in hidden):
         return "the salt, or a comment of the scene"
     keys = list(keys)
     for value, half, said in numbers_in(text):
         if any(abs(abs(value) - abs(key)) <= half for key in keys):
             return f"the key {said}"
     return None
+
+
+def _running(text):
+    """A text with its lines in a row."""
+    return " ".join(text.split())
 
 
 def _typed(text):
@@ -88,7 +122,9 @@ def numbers_in(text: str) -> Iterator[tuple[float, float, str]]:
 
 def _read(text):
     """(value, half a unit of its last figure) of a number with three or more figures; None of another."""
-    plain = re.sub(r"\s", "", text.replace("−", "-").replace(",", ".").lower()).replace("×10^", "e").replace("×10", "e")
+    plain = re.sub(r"\s", "", text.replace("−", "-").replace(",", ".").lower())
+    plain = re.sub(r"[×·⋅*]10\^?", "e", plain)
+    plain += "1" * plain.endswith("e")
     mantissa, _, exponent = plain.partition("e")
     digits = mantissa.lstrip("+-").replace(".", "").lstrip("0")
     if len(digits) < FIGURES:

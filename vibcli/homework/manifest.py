@@ -1,15 +1,17 @@
 """The manifest of what was handed out: enough to mark it, and to show any sheet of it again.
 
-    {version, title, course, due, attempt,
-     problems: [{name, title, file, case, points, scene, hash, gates_off, accepted, ranges, mistakes: {name: sentence},
+    {form, version, title, course, due, attempt,
+     problems: [{name, title, file, case, points, scene, hash, files: {name: text}, gates_off, accepted, ranges,
+                 mistakes: {name: sentence},
                  variants: [{variant, values: {parameter: text}, keys: [{quantity, unit, points, value, error, figures,
                              band, mistakes: [{name, value}]}]}]}],     of equations `terms` instead of value and error,
                                                                         of what is in letters `formula` alone
-     students: [{id, name, sheets: [{problem, variant}]}]}
+     students: [{id, name, sheets: [{problem, variant}]}],
+     seal: a hash of all this, by which a manifest that was edited is known}
 """
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from hashlib import blake2b
 from typing import TYPE_CHECKING, Any
 
@@ -36,7 +38,7 @@ SHAPE: dict[str, Any] = {
     "title": str, "course": str, "due": str, "attempt": int,
     "problems": [{
         "name": str, "title": str, "file": str, "scene": str, "accepted": int, "ranges": list, "mistakes": dict,
-        "variants": [{"variant": int, "values": dict, "keys": [KEYS]}]}],
+        "files": dict, "variants": [{"variant": int, "values": dict, "keys": [KEYS]}]}],
     "students": [{"id": str, "name": str, "sheets": [{"problem": str, "variant": int}]}],
 }
 Assigned = Sequence[tuple[Student, Sequence[tuple["Handout", int]]]]
@@ -52,13 +54,21 @@ def manifest(course: "Course", handouts: "Sequence[Handout]", assigned: Assigned
                  "points": one.course.points, "hash": blake2b(one.text.encode(), digest_size=16).hexdigest(),
                  "gates_off": list(one.rules.without), "accepted": one.accepted, "ranges": one.ranges,
                  "mistakes": one.sentences,
-                 "variants": [one.data(number) for number in sorted(given[one.name])], "scene": one.text}
+                 "variants": [one.data(number) for number in sorted(given[one.name])], "scene": one.text,
+                 "files": {name: data.decode() for name, data in one.document.files.items()}}
                 for one in handouts]
     students = [{"id": student.id, "name": student.name,
                  "sheets": [{"problem": handout.name, "variant": number + 1} for handout, number in sheets]}
                 for student, sheets in assigned]
-    return {"form": FORM, "version": __version__, "title": course.title, "course": course.course, "due": course.due,
-            "attempt": attempt, "problems": problems, "students": students}
+    found = {"form": FORM, "version": __version__, "title": course.title, "course": course.course, "due": course.due,
+             "attempt": attempt, "problems": problems, "students": students}
+    return {**found, "seal": seal(found)}
+
+
+def seal(found: Mapping[str, Any]) -> str:
+    """A hash of all that a manifest says beside it."""
+    text = json.dumps({key: value for key, value in found.items() if key != "seal"}, sort_keys=True)
+    return blake2b(text.encode(), digest_size=16).hexdigest()
 
 
 def read_manifest(path: str) -> dict[str, Any]:
@@ -81,6 +91,8 @@ def read_manifest(path: str) -> dict[str, Any]:
         raise refused("this is no manifest of this version", "it is the manifest.json beside the keys")
     if (damaged := _unlike(found, SHAPE, "")) is not None:
         raise refused(f"this manifest is damaged: {damaged}", "take the one that was written, unchanged")
+    if found.get("seal") != seal(found):
+        raise refused("this manifest was changed after it was written", "take the one that was written, unchanged")
     return found
 
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from vibcli.base.diagnostics import quoted
 from vibcli.base.errors import Diagnostic, SpecError
 from vibcli.base.spelling import nearest
+from vibcli.language.document.nodes import Scalar
 from vibcli.mistakes import MISTAKES
 from vibcli.mistakes.known import KnownMistake, of_catalogue
 
@@ -23,8 +24,8 @@ def mistakes_of(problem: "Problem", rules: "VariantRules", document: "SceneDocum
     """The KnownMistakes of a problem; document: that of the scene. SpecError where one of the file is no scene, or none
     of the catalogue."""
     for name, part in rules.mistakes.items():
-        if part is None and name.replace(" ", "_") not in MISTAKES:
-            raise SpecError([Diagnostic(rules.where, f"there is no known mistake {quoted(name)} to be switched off",
+        if isinstance(part, Scalar) and name.replace(" ", "_") not in MISTAKES:
+            raise SpecError([Diagnostic(part.where, f"there is no known mistake {quoted(name)} to be switched off",
                                         nearest(name, [one.replace("_", " ") for one in MISTAKES]))])
     catalogue = of_catalogue(problem, document.root, [key.asked for key in keys], document.settings)
     own = list(_of_file(problem, rules, document, keys))
@@ -33,13 +34,14 @@ def mistakes_of(problem: "Problem", rules: "VariantRules", document: "SceneDocum
 
 def _of_file(problem, rules, document, keys) -> Iterator[KnownMistake]:
     for name, part in rules.mistakes.items():
-        if part is None:
+        if isinstance(part, Scalar):
             continue
         spec = document.changed(part, f" (in the mistake {quoted(name)})")
         instead = {answer.asked.text: answer.expected for answer in spec.answers}
-        for text, expected in instead.items():
-            if text not in [key.text for key in keys]:
-                raise SpecError([Diagnostic(expected.where, f"{quoted(text)} is not asked (in the mistake "
-                                            f"{quoted(name)})", f"asked are {', '.join(key.text for key in keys)}")])
+        asked = [key.text for key in keys]
+        for answer in spec.answers:
+            if answer.asked.text not in asked:
+                raise SpecError([Diagnostic(answer.asked.where, f"{quoted(answer.asked.text)} is not asked (in the "
+                                            f"mistake {quoted(name)})", f"asked are {', '.join(asked)}")])
         scene = problem.with_spec(spec) if set(part.entries) - {"answers"} else None
         yield KnownMistake(name, OF_FILE, name, scene, instead)

@@ -23,8 +23,8 @@ class Pages:
 
 
 class Paper:
-    """Documents as PDF, by one compiler that is kept; its pictures are those of the documents, its fonts its own, its
-    time the beginning of all times, so that the same documents give the same bytes."""
+    """Documents as PDF, by one compiler that is kept; its fonts are its own, its time the beginning of all times, so
+    that the same documents give the same bytes."""
 
     suffix = ".pdf"
 
@@ -32,7 +32,6 @@ class Paper:
         from typst import Compiler
 
         self._compiler: Any = Compiler(ignore_system_fonts=True)
-        self._drawn: dict[int, tuple[Picture, bytes]] = {}
 
     def data(self, documents: "Sequence[Document]") -> bytes:
         """The bytes of a file."""
@@ -42,17 +41,11 @@ class Paper:
 
         def place(picture: "Picture") -> str:
             name = f"{len(files)}.svg"
-            files[name] = self._picture(picture)
+            files[name] = picture.draw("svg")
             return name
 
         files[MAIN] = typst.render(documents, place, apart=False).encode()
         return self._compiler.compile({MAIN: files.pop(MAIN), **files}, format="pdf", timestamp=0)
-
-    def _picture(self, picture):
-        """Its SVG, drawn once for all sheets that show it."""
-        if id(picture) not in self._drawn:
-            self._drawn[id(picture)] = picture, picture.draw("svg")
-        return self._drawn[id(picture)][1]
 
 
 def paper() -> Pages | Paper:

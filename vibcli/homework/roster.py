@@ -8,6 +8,7 @@ from vibcli.base.errors import Diagnostic, SpecError, Where
 from vibcli.homework.tables import FORMULA, read_table
 
 MOST = 100_000
+LONGEST, SHOWN = 200, 40        # characters of a name, and of one that is none
 ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9._@-]{0,63}")
 
 
@@ -34,6 +35,9 @@ def roster(path: str) -> list[Student]:
                                     "ids have letters, digits and . _ @ -, at most 64"))
         elif own.casefold() in seen:
             wrong.append(Diagnostic(where, f"the id '{own}' stands in line {seen[own.casefold()]} already"))
+        elif not _is_name(cells.get("name", "")):
+            wrong.append(Diagnostic(where, f"{quoted(cells['name'][:SHOWN])} is no name", "a name stands in one line, "
+                                    f"of at most {LONGEST} characters; is a quote left open?"))
         else:
             seen[own.casefold()] = line
             found.append(Student(own, cells.get("name", "")))
@@ -42,6 +46,10 @@ def roster(path: str) -> list[Student]:
     if wrong or not found:
         raise SpecError(wrong or [Diagnostic(Where(path, 1, 1, 0), "there is no student in this roster")])
     return found
+
+
+def _is_name(text):
+    return len(text) <= LONGEST and text.isprintable()
 
 
 def numbered(count: int) -> list[Student]:

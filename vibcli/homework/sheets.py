@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from string import ascii_lowercase
 from typing import TYPE_CHECKING
 
+from vibcli.base.enumeration import listed
 from vibcli.notation.as_printed import as_printed
 from vibcli.notation.numbers import figure
 from vibcli.notation.plain import plain
@@ -21,6 +22,7 @@ from vibcli.report.blocks import (
     section,
 )
 from vibcli.report.document import Report
+from vibcli.report.sections.parameters import measured
 
 if TYPE_CHECKING:
     from vibcli.homework.course import Course
@@ -42,16 +44,19 @@ def _question(number, handout, variant):
     problem = handout.problem(variant)
     asked = Report(problem).document().question
     return Document(f"{number}. {handout.title}", None, asked, (
-        *handout.figure, *_values(problem, handout.told), *_asked(handout, handout.variants[variant])))
+        *handout.figure, *_values(problem, handout), *_asked(handout, handout.variants[variant])))
 
 
-def _values(problem: "Problem", told: set[str]) -> tuple[Section, ...]:
-    """The values of the letters that the sheet shows."""
+def _values(problem: "Problem", handout: "Handout") -> tuple[Section, ...]:
+    """The values of the letters that the sheet shows, and the files that come with it."""
     names = set(problem.spec.parameters)
     items = [Definition((maths(Name(name)), " = " + as_printed(record["value"].text, names)), record.get("about", ""))
              for name, record in problem.spec.parameters.items()
-             if name in told and "value" in record and name not in problem.spec.choices]
-    return section("Given", Definitions(tuple(items), "   ", not any(item.about for item in items)) if items else None)
+             if name in handout.told and "value" in record and name not in problem.spec.choices]
+    known = Definitions(tuple(items), "   ", not any(item.about for item in items)) if items else None
+    files = list(handout.document.files)
+    said = paragraph(f"With this sheet {'come' if files[1:] else 'comes'} {listed(files)}.") if files else None
+    return section("Given", known, measured(problem), said)
 
 
 def _asked(handout, variant):
@@ -96,14 +101,15 @@ def overview(course: "Course", handouts: "Sequence[Handout]", students: int,
              gone: "dict[str, dict[int, list[str]]]") -> Document:
     """One page on all that was handed out: the problems, how many variants each has, who got which; gone: {problem:
     {variant: students}}."""
-    rows = [(one.name, one.title, str(one.accepted), str(len(gone[one.name])),
+    titles = Definitions(tuple(Definition((one.name,), one.title) for one in handouts))
+    rows = [(one.name, str(one.accepted), str(len(gone[one.name])),
              str(max(map(len, gone[one.name].values()), default=0)), figure(sum(one.points)),
              ", ".join(one.rules.without) or "–") for one in handouts]
-    head = "problem", "title", "variants", "handed out", "students to one", "points", "gates off"
+    head = "problem", "variants", "handed out", "students to one", "points", "gates off"
     table = TableBlock(head, tuple(rows))
     keys = [(one.name, key.text, as_printed(key.unit) or "–", *ends)
             for one in handouts for key, ends in zip(one.keys, one.ranges, strict=True)]
     ranges = TableBlock(("problem", "quantity", "unit", "least", "largest"), tuple(keys))
     return Document(course.title or "Homework", None, (), (
-        *section("Problems", paragraph(f"{students} sheets.", hang=0), table), *section("Keys", ranges)))
+        *section("Problems", paragraph(f"{students} sheets.", hang=0), titles, table), *section("Keys", ranges)))
 

@@ -8,6 +8,8 @@ from typing import NamedTuple
 from vibcli.base.errors import Diagnostic, SpecError, Where
 
 MAX_BYTES = 50 * 2**20
+SHOWN = 500                 # characters of a cell
+UNSEEN = "\N{REPLACEMENT CHARACTER}"
 FORMULA = "=+-@\t\r"          # what a formula of a spreadsheet begins with
 _NUMBER = re.compile(r"[-+]?[\d.,]+(?:[eE][-+]?\d+)?(?: \S+)?")
 WORDS = "id", "name", "problem"     # columns that are named in capitals, too
@@ -24,8 +26,8 @@ def read_table(path: str, what: str) -> tuple[list[str], list[TableRow]]:
     """(columns, rows) of a file, lines without anything left out; SpecError where it is none. what: the roster, or the
     answers."""
     text = _text(path, what)
-    separator = ";" if ";" in text.partition("\n")[0] else ","
-    reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator)
+    separator = next((sign for sign in ";\t" if sign in text.partition("\n")[0]), ",")
+    reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
     rows: list[TableRow] = []
     try:
         heading = [word if (word := cell.strip().lower()) in WORDS else cell.strip() for cell in next(reader, [])]
@@ -38,12 +40,16 @@ def read_table(path: str, what: str) -> tuple[list[str], list[TableRow]]:
             filled = {name: cell for name, cell in zip(heading, cells, strict=False) if cell}
             rows += [TableRow(reader.line_num, filled)] if filled else []
     except csv.Error as error:
-        raise _wrong(path, max(reader.line_num, 1), f"{what} cannot be read: {error}") from None
+        hint = "a quote is left open" if "unexpected end" in str(error) else "a quote within a cell is written twice" \
+            if "expected after" in str(error) else None
+        raise _wrong(path, max(reader.line_num, 1), f"{what} cannot be read: {error}", hint) from None
     return heading, rows
 
 
 def as_text(cell: str) -> str:
-    """A cell that no spreadsheet takes for a formula: what would be one has a quote before it; numbers are none."""
+    """A cell that no spreadsheet takes for a formula, and no screen for an order: what would be one has a quote before
+    it, which numbers have not; signs that are not seen are replaced, and what is longer than anybody reads is cut."""
+    cell = "".join(letter if letter.isprintable() else UNSEEN for letter in cell[:SHOWN]) + "…" * (len(cell) > SHOWN)
     return "'" + cell if cell and cell[0] in FORMULA and not _NUMBER.fullmatch(cell) else cell
 
 
@@ -58,7 +64,8 @@ def _text(path, what):
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        raise _wrong(path, data[:error.start].count(b"\n") + 1, f"{what}: this is no text in UTF-8") from None
+        raise _wrong(path, data[:error.start].count(b"\n") + 1, f"{what}: this is no text in UTF-8",
+                     "save it as UTF-8") from None
 
 
 def _require_columns(path, heading):

@@ -8,6 +8,7 @@ import stat
 from array import array
 from collections.abc import Callable, Sequence
 from math import isfinite
+from typing import Any
 
 from vibcli.base.diagnostics import quoted
 from vibcli.base.errors import Diagnostic, Where
@@ -105,8 +106,19 @@ def _is_name(text):
     return False
 
 
-def read_columns(scene: str, name: str) -> tuple[Columns | None, tuple[str, str] | None]:
+def read_columns(scene: str, name: str) -> tuple[Columns | None, Any]:
     """(Columns, None) of the file `name` beside the file `scene`, or (None, (message, hint) or Diagnostic)."""
+    data, problem = data_beside(scene, name)
+    return (None, problem) if data is None else columns_in(scene, name, data)
+
+
+def columns_in(scene: str, name: str, data: bytes) -> tuple[Columns | None, Any]:
+    """The same of what such a file holds."""
+    return _parsed(os.path.join(os.path.dirname(scene) or ".", name), data)
+
+
+def data_beside(scene: str, name: str) -> tuple[bytes | None, tuple[str, str] | None]:
+    """(what stands in the file `name` beside the file `scene`, None), or (None, (message, hint))."""
     folder = os.path.dirname(scene) or "."
     path = os.path.join(folder, name)
     problem = _outside(folder, path, name)
@@ -124,7 +136,7 @@ def read_columns(scene: str, name: str) -> tuple[Columns | None, tuple[str, str]
         return None, (f"{quoted(name)} cannot be read: {reason.lower()}", "give the name of a readable file")
     if len(data) > MAX_BYTES:
         return None, (f"{quoted(name)} holds more than {MAX_BYTES // 2**20} MB", "thin the record out, or cut it")
-    return _parsed(path, data)
+    return data, None
 
 
 def _outside(folder, path, name):

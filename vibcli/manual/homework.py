@@ -51,11 +51,14 @@ HOMEWORK = [
         ("roster", "a CSV file with a heading: `id`, and perhaps `name`"),
         ("who gets what", "In the order of the roster each the first variant still free in a permutation of their own, "
          "made of hashes of the salt, the problem, the id and `--attempt`: none share while variants last, and who is "
-         "added at the end changes nobody's sheet. `--distinct` refuses where students would share."),
+         "added at the end changes nobody's sheet. A variant is passed over for a student on whose sheet another "
+         "problem would tell its key by chance. `--distinct` refuses where students would share."),
+        ("files", "A record or table from which a problem takes numbers lies with the sheets under its own name, and "
+         "stands in the manifest."),
         ("leaks", "No student's file tells a key at three or more figures, the text of one that is an expression or "
          "equation, the salt or a comment of the scene: else nothing is written."),
         ("again", "The same input gives the same bytes; `--from-manifest` writes the sheets of a manifest again, "
-         "whatever became of the files."),
+         "whatever became of the files; one that was edited is refused."),
     ],
     "`vibcli grade manifest.json` marks answers: `--student s1 --answer 'omega[1]=21.9 rad/s'` those of one, "
     "`--csv answers.csv -o marks.csv` those of all (columns `id`, `problem`, one for each quantity). Without a unit "

@@ -116,8 +116,15 @@ def read_changed(root: Mapping, part: Mapping, file: str, remark: str, settings:
                  any_dimension: bool = False) -> Spec:
     """The Spec of a document with a part merged over it as a case is, which may leave parameters unused; SpecError,
     with this remark, where it is none. any_dimension: its numbers are in SI units, whatever they measure."""
+    return read_alone(_merged(root, part), file, settings, {}, remark, any_dimension)
+
+
+def read_alone(root: Mapping, file: str, settings: Any = None, files: Any = None, remark: str = "",
+               any_dimension: bool = False) -> Spec:
+    """The Spec of a document without its cases, for which it may have parameters that it does not use; SpecError where
+    it is none. files: {(scene, name): columns} of what was read beside scenes, to which it adds."""
     found: list = []
-    spec = _read_one(_merged(root, part), file, found, settings or {}, {}, remark, any_dimension)
+    spec = _read_one(root, file, found, settings or {}, {} if files is None else files, remark, any_dimension)
     if spec is None:
         raise SpecError(found)
     return spec

@@ -33,15 +33,15 @@ DECADES = range(-60, 60)
 
 class VariantRules(NamedTuple):
     """axes: {parameter: values} of those that go together, the grid of all axes being the candidates; require, ask: as
-    checked; printed: {chosen parameter: its figures or series}; mistakes: {name: part of the scene, None of a
-    known one that is not looked for}; sample: how many
-    candidates are taken, None of all; without: the gates that are switched off."""
+    checked; printed: {chosen parameter: its figures or series}; mistakes: {name: part of the scene, the word `off` of a
+    known one that is not looked for}; sample: how many candidates are taken, None of all; without: the gates that are
+    switched off."""
 
     axes: list[dict[str, list[GivenValue]]]
     require: list[Requirement]
     printed: dict[str, str]
     ask: list[AskedQuantity]
-    mistakes: "dict[str, Mapping | None]"
+    mistakes: "dict[str, Mapping | Scalar]"
     sample: int | None
     without: tuple[str, ...]
     where: "Where"
@@ -96,7 +96,11 @@ def with_variants(spec: "Spec", reader: Reader) -> "Spec":
                           "rounded", nearest(name, spec.choices) if spec.choices else "this scene chooses none")
     letters = stays_in_letters(spec, axes)
     ask = [found for one in record.get("ask", ()) if (found := _asked(spec, reader, one, letters)) is not None]
+    seen: set[str] = set()
     for one in ask:
+        if (plain := "".join(one.asked.text.split())) in seen:
+            reader.report(one.asked.where, f"'{one.asked.text}' is asked twice", "leave it out once")
+        seen.add(plain)
         if one.asked.text in record.get("printed", {}):
             reader.report(one.asked.where, f"'{one.asked.text}' is asked: it cannot be printed in the question",
                           "take it out of `printed` or of `ask`")

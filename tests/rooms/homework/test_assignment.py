@@ -26,6 +26,15 @@ def test_who_is_added_at_the_end_changes_nobody():
     assert assigned(SALT, "crank", [*students, Student("late")], 100)[:40] == found
 
 
+def test_what_does_not_suit_is_passed_over_and_nobody_shares_for_it():
+    students = numbered(10)
+    plain = assigned(SALT, "crank", students, 12)
+    fourth = students[3], plain[3]
+    found = assigned(SALT, "crank", students, 12, 1, lambda student, number: (student, number) != fourth)
+    assert found[:3] == plain[:3] and found[3] != plain[3] and len(set(found)) == 10
+    assert assigned(SALT, "crank", students, 12, 1, lambda student, number: False) == plain
+
+
 def test_salt_problem_and_attempt_change_all():
     students = numbered(30)
     first = assigned(SALT, "crank", students, 1000)
@@ -54,7 +63,10 @@ def test_problems_that_are_picked():
     ("id,name\n,Ada\n", "has no id"),
     ("id\n=1+1\n", "would be a formula"), ("id\na b\n", "is no id"), ("id\n", "no student"),
     ("", "one of them is 'id'"),
-    ("id\nS1\ns1\n", "stands in line 2 already"), ("id\n../x\n", "is no id")])
+    ("id\nS1\ns1\n", "stands in line 2 already"), ("id\n../x\n", "is no id"),
+    ('id,name\ns1,"Ada\ns2,Bo\n', "cannot be read"), ('id,name\ns1,"Ada\ns2,Bo"\n', "is no name"),
+    ("id,name\ns1,A\0da\n", "is no name"), (f"id,name\ns1,{'x' * 201}\n", "is no name"),
+    (f"id,name\ns1,{'x' * 10_000_000}\n", "cannot be read"), ('id,name\ns1,"A" B\n', "cannot be read")])
 def test_rosters_that_are_none(tmp_path, text, said):
     path = tmp_path / "roster.csv"
     path.write_text(text, encoding="utf-8")
@@ -67,6 +79,8 @@ def test_rosters(tmp_path):
     path = tmp_path / "roster.csv"
     path.write_bytes("\ufeffName;ID\nÄda;s1\n;s2\n\n".encode())
     assert roster(str(path)) == [Student("s1", "Äda"), Student("s2", "")]
+    path.write_text("id\tname\ns1\t=1+1\ns2\t\"A \"\"B\"\" C\"\n")
+    assert roster(str(path)) == [Student("s1", "=1+1"), Student("s2", 'A "B" C')]
     path.write_bytes(b"id\n\xff\n")
     with pytest.raises(SpecError, match="UTF-8"):
         roster(str(path))

@@ -14,7 +14,8 @@ from vibcli.homework.marks import Marker
     (" 21.9rad/s ", "rad/s", 21.9),
     ("21.9 1/s", "rad/s", 21.9), ("3.49 Hz", "rad/s", 3.49), ("209 rpm", "rad/s", 209 * pi / 30),
     ("2.19e1", "rad/s", 21.9),
-    ("2,19·10^1", "rad/s", None), ("2.19×10^1 rad/s", "rad/s", 21.9), ("2.19*10^1", "rad/s", 21.9), ("-3", "mm", -3),
+    ("2,19·10^1", "rad/s", 21.9), ("2.19·10¹ rad/s", "rad/s", 21.9), ("219 × 10⁻¹ 1/s", "rad/s", 21.9),
+    ("2.19·10^1·2", "rad/s", None), ("2.19×10^1 rad/s", "rad/s", 21.9), ("2.19*10^1", "rad/s", 21.9), ("-3", "mm", -3),
     ("−3,5 cm", "mm", -35), ("0.012 m", "mm", 12), ("0,125", "", 0.125), (".5", "", 0.5), ("12 %", "", 0.12),
     ("1,234", "", None), ("1,2345", "", 1.2345), ("1 234", "", 1234), ("9.81 m/s²", "m/s^2", 9.81),
     ("30°", "deg", 30), ("0.5236 rad", "deg", 30.0), ("40 N·s/m", "N*s/m", 40), ("", "mm", None), ("abc", "mm", None),
@@ -26,6 +27,11 @@ def test_answers_as_they_are_written(text, unit, value):
         assert found.value is None and found.reason
     else:
         assert found.value == pytest.approx(value, rel=1e-4)
+
+
+@pytest.mark.parametrize("text", ["1.234,5", "12,345,678", "1'234", "1,234.5 rad/s"])
+def test_thousands(text):
+    assert read_answer(text, "rad/s") == (None, "write the number without signs between its thousands", "", 0.0)
 
 
 MANIFEST = {
@@ -95,6 +101,9 @@ def test_names_of_students_problems_and_quantities():
 
 @pytest.mark.parametrize("text, found", [
     ("the answer is 21.9 rad/s", "the key 21.9"), ("21,91", "the key 21,91"), ("2.19e1", "the key 2.19e1"),
+    ("2.19·10¹", "the key 2.19·101"), ("2.19 × 10 rad/s", "the key 2.19 × 10"),
+    ("0.219 · 10^2", "the key 0.219 · 10^2"),
+    ("2191*10^-2", "the key 2191*10^-2"), ("2.19·10.5", None), ("2.19 · 10 · 3", "the key 2.19 · 10"),
     ("22 rad/s", None), ("k = 219 N/m", None), ("\U0001d7d0\U0001d7cf.\U0001d7d7\U0001d7cf", "the key 21.91"),
     ("m21.9x", None), ("−21.9", "the key −21.9"), ("a secret text", "the salt, or a comment of the scene")])
 def test_leaks(text, found):

@@ -435,3 +435,15 @@ springs: {s: {k: k, between: [[0, 0], b]}}
 """))]
     assert any("the forces balance at  y = m·g/k = 0.05" in line for line in told), told
     assert any("Δ_s = y" in line and "…" not in line for line in told), told
+
+
+def test_forces_that_nothing_asks_for_are_not_found(monkeypatch):
+    """Of what supports exert nothing is derived where no answer names it."""
+    def derived(*_):
+        raise AssertionError("nothing asks for a force")
+
+    monkeypatch.setattr("vibcli.report.steps.reactions._forces", derived)
+    monkeypatch.setattr("vibcli.report.steps.reactions._along", derived)
+    assert worked(problem(ROD + 'answers: {"omega[1]": 1 rad/s}'))
+    with pytest.raises(AssertionError, match="nothing asks"):
+        worked(problem(ROD + "find: [frequencies, reactions]"))

@@ -6,6 +6,7 @@ from functools import partial
 import click
 
 from vibcli.base.diagnostics import escaped
+from vibcli.base.enumeration import amount
 from vibcli.base.rules import INVALID, UNCERTAIN
 from vibcli.cli.checking.found import CheckedAnswer, CheckedFile, findings
 from vibcli.cli.common import show_diagnostics, show_fault
@@ -67,17 +68,13 @@ def summary(found: Sequence[CheckedFile]) -> str:
     answers = [answer for one in found for answer in one.answers]
     agree, uncertain = sum(not one.rule for one in answers), sum(one.rule == UNCERTAIN for one in answers)
     differ, failed = len(answers) - agree - uncertain, sum(one.failed for one in found)
-    parts = [f"{_count(agree, 'answer')} agree" + "s" * (agree == 1)]
+    parts = [f"{amount(agree, 'answer')} agree" + "s" * (agree == 1)]
     if differ:
         parts.append(f"{differ} differ" + "s" * (differ == 1))
     if uncertain:
         parts.append(f"{uncertain} {'is' if uncertain == 1 else 'are'} uncertain")
     if failed:
-        parts.append(f"{_count(failed, 'file')} could not be checked")
+        parts.append(f"{amount(failed, 'file')} could not be checked")
     kept = sum(one.cached for one in found)
-    return f"{', '.join(parts)} in {_count(len(found), 'file')}" + (
+    return f"{', '.join(parts)} in {amount(len(found), 'file')}" + (
         f", {kept} of {len(found)} from the cache" if kept else "")
-
-
-def _count(number, what):
-    return f"{number} {what}" + ("" if number == 1 else "s")

@@ -51,6 +51,10 @@ class _Requirement(Kind):
         if not 1 <= len(signs) <= 2:
             return reader.expected(node, self.wants)
         starts, ends = [0, *(sign.end() for sign in signs)], [*(sign.start() for sign in signs), len(text)]
+        for start, end in zip(starts, ends, strict=True):
+            if not text[start:end].strip():
+                return reader.report(node.place(max(start - 1, 0), 1), "a side of this comparison is missing",
+                                     f"write {self.wants.partition(' as ')[2]}")
         sides = [_side(node, start, end, reader) for start, end in zip(starts, ends, strict=True)]
         if None in sides:
             return None
@@ -64,9 +68,6 @@ class _Requirement(Kind):
 def _side(node, start, end, reader):
     """One side of a comparison, None where something was reported."""
     start += len(node.text[start:end]) - len(node.text[start:end].lstrip())
-    if start >= end:
-        return reader.report(node.place(max(start - 1, 0), 1), "a side of this comparison is missing",
-                             f"write {_Requirement.wants.partition(' as ')[2]}")
     try:
         return side(node, start, end, reader)
     except ExpressionError as error:
@@ -89,6 +90,9 @@ class _Asked(Kind):
     def read(self, node: Any, reader: Any):
         if not isinstance(node, Mapping):
             return reader.expected(node, self.wants)
+        if not node.entries:
+            return reader.report(node.where, "nothing is asked", "name quantities, as in omega[1]: rad/s, or leave "
+                                 "`ask` out: then those of `answers` are asked")
         if len(node.entries) > MOST_ASKED:
             return reader.report(node.where, f"{len(node.entries)} quantities are asked; the limit is {MOST_ASKED}",
                                  "divide the problem")
@@ -111,7 +115,7 @@ class _Asked(Kind):
 
 
 class _Mistakes(Kind):
-    """Each mistake is a part of a scene: kept as a node, merged over the scene as a case is; None where it is off."""
+    """Each mistake is a part of a scene: a node, merged over the scene as a case is; the word `off` where it is off."""
 
     wants = "a mapping from mistakes, in words, to what they change in the scene"
 
@@ -127,7 +131,7 @@ class _Mistakes(Kind):
                 reader.expected(value, f"the part of the scene that this mistake changes, or the word {OFF}")
             for word in {"cases", "variants"} & set(value.entries if isinstance(value, Mapping) else ()):
                 reader.report(key_node.where, f"the mistake {quoted(key)} cannot hold {word}")
-        return {key: value if isinstance(value, Mapping) else None for key, (_, value) in node.entries.items()}
+        return {key: value for key, (_, value) in node.entries.items()}
 
     def schema(self):
         return {"type": "object", "additionalProperties": {"anyOf": [{"type": "object"}, {"enum": [OFF, False]}]}}

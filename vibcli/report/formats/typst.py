@@ -4,6 +4,8 @@ import re
 from collections.abc import Callable, Sequence
 
 from vibcli.base.decoding import on_one_line
+from vibcli.notation.numbers import width
+from vibcli.notation.plain import plain
 from vibcli.notation.typst import quoted, typst
 from vibcli.report.blocks import (
     Definitions,
@@ -20,6 +22,9 @@ from vibcli.report.formats.formula import formula, rows, without_words
 from vibcli.report.formats.latex import is_signed
 
 COLUMNS = 95        # of plain text, in a row of a formula
+WIDEST = 85         # characters of a row of a table that surely fits a page,
+GAP = 2             # with those that a gap between its columns takes
+WORDS = 20          # characters that are left at least to a column that is broken into lines
 _SPECIAL = re.compile(r"[\\#$*_`<>@~\[\]]|-(?=[-?\d])|\.(?=\.\.)|/(?=[/*])")
 _STARTING = re.compile(r"[-+=/]|\d+\.")
 HEAD = """\
@@ -29,7 +34,7 @@ HEAD = """\
 })
 #let picture(file, words) = figure(layout(size => {
   let drawn = measure(image(file))
-  image(file, width: calc.min(0.8 * size.width, drawn.width / drawn.height * 9cm))
+  image(file, width: calc.min(drawn.width, 0.95 * size.width, drawn.width / drawn.height * 9cm))
 }), caption: words, numbering: none)
 #set page(paper: "a4", margin: 22mm, numbering: "1")
 #set text(size: 10.5pt)
@@ -39,7 +44,6 @@ HEAD = """\
 #show math.equation.where(block: true): set align(left)
 #show math.equation.where(block: true): set block(breakable: true)
 #show math.equation.where(block: true): it => pad(left: 1.5em, fitted(it))
-#show table: fitted
 #show heading: set block(above: 1.3em, below: 0.7em)
 """
 
@@ -102,9 +106,21 @@ def _heading(block):
 
 
 def _table(block):
-    head, *body = (", ".join(map(_cell, row)) for row in (block.head, *block.rows))
+    """A table; where it may be too wide, the words of its widest column are broken, or all of it is made smaller."""
+    rows_of_all = [block.head, *block.rows]
+    sizes = [max(map(_size, column)) for column in zip(*rows_of_all, strict=True)]
+    widest, total = max(sizes), sum(sizes) + GAP * len(sizes)
+    broken = total > WIDEST and total - widest < WIDEST - WORDS
+    columns = ", ".join("1fr" if broken and i == sizes.index(widest) else "auto" for i in range(len(sizes)))
+    head, *body = (", ".join(map(_cell, row)) for row in rows_of_all)
     lines = "".join(f"  {row},\n" for row in body)
-    return f"#table(columns: {len(block.head)},\n  table.header({head}),\n  table.hline(stroke: 0.5pt),\n{lines})\n"
+    table = f"table(columns: ({columns},),\n  table.header({head}),\n  table.hline(stroke: 0.5pt),\n{lines})"
+    return f"#fitted({table})\n" if total > WIDEST and not broken else f"#{table}\n"
+
+
+def _size(cell):
+    """Of a cell, in characters of plain text."""
+    return width(formula(cell.parts, plain) if isinstance(cell, Maths) else cell)
 
 
 def _cell(cell):

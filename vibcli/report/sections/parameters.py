@@ -37,9 +37,14 @@ def given(problem: "Problem", _: "Report") -> Iterator[Section]:
             letters.append(maths(Name(name)))
     known = Definitions(tuple(items), "   ", not any(item.about for item in items)) if items else None
     free = Paragraph((*separated(letters), "  (in letters)"), None) if letters else None
+    yield from section("Given", known, free, measured(problem))
+
+
+def measured(problem: "Problem") -> Definitions | None:
+    """The records of a scene, None where it has none."""
     records = problem.scene.table.records
-    measured = [Definition((f"{name}(t)",), _record(problem, name, records[name])) for name in records]
-    yield from section("Given", known, free, Definitions(tuple(measured)) if measured else None)
+    items = tuple(Definition((f"{name}(t)",), _record(problem, name, records[name])) for name in records)
+    return Definitions(items) if items else None
 
 
 def _record(problem, name, samples):

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+from vibcli.base.enumeration import amount
 from vibcli.notation.numbers import in_figures, plainly
 from vibcli.reader.sections.variants import GATES
 from vibcli.report.blocks import Name, Section, TableBlock, maths, paragraph, section
@@ -20,7 +21,7 @@ def variants(problem: "Problem", report: "Report") -> Iterator[Section]:
     rules, total = found.rules, len(found.accepted) + len(found.rejected)
     of = f" of {rules.candidates} in the grid" if total < rules.candidates else ""
     yield from section(
-        "Variants", paragraph(f"{_count(total, 'candidate')}{of}, {len(found.accepted)} accepted."),
+        "Variants", paragraph(f"{amount(total, 'candidate')}{of}, {len(found.accepted)} accepted."),
         _gates(found), *(paragraph(text) for text in _remarks(found)))
     if found.accepted:
         yield from section("Keys", _keys(found))
@@ -59,10 +60,6 @@ def _printed(text):
     return as_printed(text)
 
 
-def _count(number, what):
-    return f"{number} {what}" + "s" * (number != 1)
-
-
 def _named(key):
     return key.text + (f" [{_printed(key.unit)}]" if key.unit else "")
 
@@ -79,7 +76,7 @@ def _gates(found):
 
 def _remarks(found):
     if found.reread:
-        yield f"{_count(found.reread, 'variant')} read anew from the printed values: the same keys."
+        yield f"{amount(found.reread, 'variant')} read anew from the printed values: the same keys."
     if found.closed:
         yield f"Closed forms give the same: {', '.join(f'{text} in {count}' for text, count in found.closed.items())}."
 
