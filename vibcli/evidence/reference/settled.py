@@ -1,0 +1,72 @@
+"""A value is true where two precisions find it alike: more digits are taken until they do, or it is refused."""
+
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
+
+import mpmath
+
+from vibcli.base.errors import PhysicsError
+
+DIGITS = 47         # of what is held against floats: thirty more than they have
+START, LIMIT = 60, 960
+LOST = (ZeroDivisionError, RuntimeError, ValueError)    # what too few digits end in
+
+
+class DoesNotSettle(PhysicsError):
+    """No two precisions find the same value."""
+
+
+class TrueValues(NamedTuple):
+    """Numbers of mpmath, in which `digits` digits are alike in two precisions, the larger `working`; about: what else
+    was found with them."""
+
+    values: list
+    digits: int
+    working: int
+    about: Any = None
+
+
+def settled(found: "Callable[[], tuple[Sequence, Any]]", digits: int = DIGITS, start: int = START,
+            limit: int = LIMIT) -> TrueValues:
+    """The values that `found()`, (numbers, anything), gives at the working precision, at twice as many digits until
+    `digits` of each agree; DoesNotSettle where they do not within `limit`."""
+    before, working = None, start
+    while working <= limit:
+        with mpmath.workdps(working):
+            try:
+                values, about = found()
+            except LOST:
+                values = None
+            else:
+                if before is not None and alike(before, values, digits):
+                    return TrueValues(list(values), digits, working, about)
+        before, working = values, 2 * working
+    raise DoesNotSettle(f"the reference does not settle: {digits} digits of it are not alike in {limit // 2} and {limit}",
+                    "leave this quantity out of the comparison")
+
+
+def alike(before: Sequence, values: Sequence, digits: int) -> bool:
+    """Are these as many numbers, each part of each the same to so many digits? A zero is one in both."""
+    if len(before) != len(values):
+        return False
+    small = mpmath.mpf(10) ** -digits
+    return all(abs(a - b) <= small * abs(b) for pair in zip(before, values, strict=True)
+               for a, b in zip(*map(_parts, pair), strict=True))
+
+
+def _parts(x):
+    return mpmath.re(x), mpmath.im(x)
+
+
+def relative_error(found: Sequence, true: TrueValues) -> float:
+    """The largest |x − x*|/|x*| of values each next to its own true one, of x* = 0 relative to the largest; infinite
+    where their numbers differ or one is not finite."""
+    if len(found) != len(true.values) or not all(map(mpmath.isfinite, found)):
+        return float("inf")
+    with mpmath.workdps(true.working):
+        largest = max(map(abs, true.values), default=mpmath.mpf(0)) or mpmath.mpf(1)
+        left, worst = [mpmath.mpmathify(x) for x in found], mpmath.mpf(0)
+        for exact in reversed(true.values):
+            nearest = min(range(len(left)), key=lambda i: abs(left[i] - exact))
+            worst = max(worst, abs(left.pop(nearest) - exact) / (abs(exact) or largest))
+        return float(worst)
