@@ -29,12 +29,20 @@ def eigenvalues(elements: Elements, digits: int = DIGITS) -> TrueValues:
 
 
 def squares(elements: Elements, digits: int = DIGITS) -> TrueValues:
-    """All ω² of the system without C and G, ascending (of K that is not symmetric by real part); about: the shapes, each
-    with its largest component 1, where M is positive definite and K symmetric, else None."""
+    """All ω² of the system without C and G, ascending, of K that is not symmetric by real part; about: the shapes, each with
+    its largest component 1, where M is positive definite and K symmetric, else None."""
     first = elements(30)
     _require_few(first, LARGEST)
     plain = not first.massless and not first.circulatory
     return settled(lambda: (_symmetric if plain else _pencil)(*matrices(elements)[::2]), digits)
+
+
+def rates(elements: Elements, digits: int = DIGITS) -> TrueValues:
+    """λ = √−ω² of the same, with Im λ ≥ 0 and ω² ascending: iω of what oscillates."""
+    found = squares(elements, digits + 1)
+    with mpmath.workdps(found.working):
+        roots = [mpmath.sqrt(-x) for x in found.values]
+        return found._replace(values=[-x if mpmath.im(x) < 0 else x for x in roots], digits=digits)
 
 
 def matrices(elements: Elements) -> tuple:
@@ -55,8 +63,8 @@ def _require_few(elements, most):
     if elements.pieces:
         raise PhysicsError("members have no matrices: their frequencies are roots of a determinant")
     if elements.n > most:
-        raise PhysicsError(f"the reference takes too long: {elements.n} coordinates, and eigenvalues to many digits are "
-                           f"found of up to {most}", "ask for fewer coordinates")
+        raise PhysicsError(f"the reference takes too long: eigenvalues to many digits are found of up to {most} "
+                           f"coordinates, and these are {elements.n}", "ask for fewer coordinates")
 
 
 def _symmetric(M, K):

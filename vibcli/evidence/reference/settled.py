@@ -41,8 +41,8 @@ def settled(found: "Callable[[], tuple[Sequence, Any]]", digits: int = DIGITS, s
                 if before is not None and alike(before, values, digits):
                     return TrueValues(list(values), digits, working, about)
         before, working = values, 2 * working
-    raise DoesNotSettle(f"the reference does not settle: {digits} digits of it are not alike in {limit // 2} and {limit}",
-                    "leave this quantity out of the comparison")
+    raise DoesNotSettle(f"the reference does not settle: {digits} digits of it are not alike with {limit // 2} and "
+                        f"{limit}", "leave this quantity out of the comparison")
 
 
 def alike(before: Sequence, values: Sequence, digits: int) -> bool:
@@ -59,14 +59,15 @@ def _parts(x):
 
 
 def relative_error(found: Sequence, true: TrueValues) -> float:
-    """The largest |x − x*|/|x*| of values each next to its own true one, of x* = 0 relative to the largest; infinite
-    where their numbers differ or one is not finite."""
-    if len(found) != len(true.values) or not all(map(mpmath.isfinite, found)):
+    """The largest |x − x*|/|x*| of values, each beside its own true one; what is left over stands beside the zeros
+    among these, relative to the largest. Infinite where one has no partner or is not finite."""
+    exact = [x for x in true.values if x]
+    if not len(exact) <= len(found) <= len(true.values) or not all(map(mpmath.isfinite, found)):
         return float("inf")
     with mpmath.workdps(true.working):
-        largest = max(map(abs, true.values), default=mpmath.mpf(0)) or mpmath.mpf(1)
         left, worst = [mpmath.mpmathify(x) for x in found], mpmath.mpf(0)
-        for exact in reversed(true.values):
-            nearest = min(range(len(left)), key=lambda i: abs(left[i] - exact))
-            worst = max(worst, abs(left.pop(nearest) - exact) / (abs(exact) or largest))
-        return float(worst)
+        for x in sorted(exact, key=abs, reverse=True):
+            nearest = min(range(len(left)), key=lambda i: abs(left[i] - x))
+            worst = max(worst, abs(left.pop(nearest) - x) / abs(x))
+        largest = max(map(abs, exact), default=mpmath.mpf(1))
+        return float(max([worst, *(abs(x) / largest for x in left)]))

@@ -1,0 +1,7 @@
+"""The methods that are compared: {file: (the kinds of subjects that it answers, what it is)}."""
+
+METHODS = {
+    "ours": (("modes", "damped modes"), "vibcli itself, from the element data on"),
+    "assembled_modes": (("modes",), "eigh and eig of assembled K and M"),
+    "state_eigenvalues": (("damped modes",), "eig of the state matrix and of the pencil that is assembled"),
+}

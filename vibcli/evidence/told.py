@@ -1,0 +1,80 @@
+"""Evidence in words and tables, as a report that every format renders, and as data."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from vibcli.evidence.verdict import verdict
+from vibcli.report.blocks import Document, Paragraph, Picture, Section, TableBlock, paragraph
+
+if TYPE_CHECKING:
+    from vibcli.evidence.compared import Evidence, WorkPrecision
+    from vibcli.evidence.timing import Point
+
+HEAD = ("method", "with", "ms (quartiles)", "error", "bound")
+
+
+def document(found: "Evidence", pictures: bool = False) -> Document:
+    """A section for each quantity, with its table and its sentence, and what was left out."""
+    title = found.problem.spec.get("title") or "Run time and true error"
+    sections = [_section(one, pictures, number) for number, one in enumerate(found.compared, 1)]
+    if found.drawn:
+        values = ", ".join(f"{name} = {value}" for name, value in found.drawn.items())
+        sections.insert(0, Section("Values", (paragraph(
+            f"{values}: drawn for letters that have none, the same at every run; --set gives others."),)))
+    return Document(title, None, (), (*sections, *_left_out(found)))
+
+
+def _section(one, pictures, number):
+    true, points = one.subject.true, one.points
+    blocks: list[Any] = [
+        paragraph(f"True values: mpmath, {true.digits} digits alike with {true.working // 2} and {true.working}."),
+        TableBlock(HEAD, tuple(map(_row, points))), paragraph(f"{verdict(points)}.")]
+    if pictures and worth_a_picture(one):
+        from vibcli.evidence.picture import figure, picture_of
+
+        blocks.insert(1, Picture(f"curve-{number}", "Run time over true error", picture_of(figure([one]))))
+    return Section(f"{one.subject.asked}: {one.subject.title}", tuple(blocks))
+
+
+def worth_a_picture(one: "WorkPrecision") -> bool:
+    """Did another method than ours answer?"""
+    return any(point.error is not None for point in one.points[1:])
+
+
+def _row(point: "Point"):
+    low, middle, high = (f"{1e3 * second:.3g}" for second in point.seconds)
+    if point.error is None:
+        return point.method, point.setting, middle, point.why, ""
+    return (point.method, point.setting, f"{middle} ({low} … {high})" if point.runs > 1 else f"{middle} (one run)",
+            f"{point.error:.1e}", "" if point.bound is None else f"{float(point.bound):.1e}")
+
+
+def _left_out(found: "Evidence") -> tuple[Section, ...]:
+    if not found.left_out:
+        return ()
+    by_reason: dict[str, list[str]] = {}
+    for asked, why in found.left_out:
+        by_reason.setdefault(why, []).append(asked)
+    return (Section("Not compared", tuple(_reason(*pair) for pair in by_reason.items())),)
+
+
+def _reason(why: str, asked: Sequence[str]) -> Paragraph:
+    return paragraph(f"{', '.join(dict.fromkeys(asked))}: {why}.")
+
+
+def data(found: "Evidence") -> dict[str, Any]:
+    """The same as data; seconds are of processor time."""
+    return {"title": found.problem.spec.get("title"), "drawn": found.drawn or None,
+            "compared": [_data(one) for one in found.compared],
+            "not compared": [{"asked": asked, "why": why} for asked, why in found.left_out]}
+
+
+def _data(one: "WorkPrecision") -> dict[str, Any]:
+    true = one.subject.true
+    return {"asked": one.subject.asked, "about": one.subject.title, "kind": one.subject.kind,
+            "reference": {"digits": true.digits, "working digits": true.working},
+            "verdict": verdict(one.points),
+            "points": [{"method": point.method, "with": point.setting or None, "seconds": point.seconds[1],
+                        "quartiles": [point.seconds[0], point.seconds[2]], "runs": point.runs, "error": point.error,
+                        "bound": None if point.bound is None else float(point.bound), "why": point.why or None}
+                       for point in one.points]}
