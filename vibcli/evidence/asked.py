@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.subject import Subject
+from vibcli.quantities.quantity import declared, named
 from vibcli.symbolic.syntax import QuantityRef
 
 if TYPE_CHECKING:
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
 NATURAL, DAMPED = ("eigenvalue_subjects", "natural"), ("eigenvalue_subjects", "damped")
 SUBJECTS = {    # {quantity: (file, function that makes the Subject of it)}
     **dict.fromkeys(("omega", "frequency", "period", "growth_rate", "mode", "modal_mass"), NATURAL),
+    **dict.fromkeys(("value", "max", "min", "argmax", "argmin"), ("motion_subjects", "of_motion")),
     **dict.fromkeys(("zeta", "omega_d", "period_d", "decay", "eigenvalue", "mode_d"), DAMPED),
 }
 ALL_MODES = ("omega", "eigenvalue")
@@ -34,9 +36,9 @@ def subjects(problem: "Problem", asked: "Iterable[Expression]") -> Iterator[Subj
         if make is None:
             yield LeftOut(text, "no other method is known here")
         elif make not in made:
-            made |= {make} if tree is None or make in (NATURAL, DAMPED) else set()
+            made |= {make} & {NATURAL, DAMPED}
             try:
-                yield _function(make)(problem, text)
+                yield _function(make)(problem, tree)
             except PhysicsError as error:
                 yield LeftOut(text, error.message)
 
@@ -50,9 +52,9 @@ def _makers(problem, asked):
 
 
 def _maker(tree: QuantityRef):
-    return SUBJECTS.get(tree.head)
+    return SUBJECTS.get("value" if declared(tree) is named("value") else tree.head)
 
 
-def _function(make) -> Callable[["Problem", str], Subject]:
+def _function(make) -> Callable[["Problem", QuantityRef | None], Subject]:
     file, name = make
     return getattr(import_module(f"vibcli.evidence.{file}"), name)

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from vibcli.language.reader import Expression
     from vibcli.results.problem import Problem
 
-WHOLE = 40.0        # s for the runs of all quantities
+WHOLE = 30.0        # s for the runs of all quantities
 
 
 class WorkPrecision(NamedTuple):

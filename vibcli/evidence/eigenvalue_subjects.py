@@ -1,6 +1,6 @@
 """All natural modes, and all damped ones, of lumped bodies: rates λ beside those that mpmath finds."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.modal.modal_analysis import ModalAnalysis
 from vibcli.base.errors import PhysicsError
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 
-def natural(problem: "Problem", _: str) -> Subject:
+def natural(problem: "Problem", _: Any) -> Subject:
     """The rates of the modes without dampers: iω of those that oscillate."""
     elements = _element_data(problem)
     configuration = problem.configuration
@@ -32,7 +32,7 @@ def natural(problem: "Problem", _: str) -> Subject:
                    (M, G, K), relative_error)
 
 
-def damped(problem: "Problem", _: str) -> Subject:
+def damped(problem: "Problem", _: Any) -> Subject:
     """The eigenvalues with dampers, of each conjugate pair one."""
     elements = _element_data(problem)
     if not problem.modal.damps:

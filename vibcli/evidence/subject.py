@@ -19,16 +19,18 @@ class Found(NamedTuple):
 class Subject(NamedTuple):
     """`kind`: modes, damped modes …, which decides what methods there are; `asked`: as the scene language writes it;
     `title`: in words; `problem`: with its element data known; `true`: what is to be found; `ours`: finds it from the
-    element data on; `data`: what the other methods are given; `error`: of values, beside the true ones."""
+    element data on; `data`: what the other methods are given; `error`: of values, beside the true ones, of
+    motions relative to `scale`, the largest value."""
 
     kind: str
     asked: str
     title: str
     problem: "Problem"
     true: "TrueValues"
-    ours: Callable[[], Found]
+    ours: Callable[..., Found]
     data: Any
     error: Callable[[Sequence[Any], "TrueValues"], float]
+    scale: float = 1.0
 
 
 class Stopped(Exception):

@@ -11,8 +11,9 @@ from vibcli.evidence.subject import Attempt, Deadline, Found, Stopped, Subject
 
 RUNS, FEW, SLOW = 7, 3, 0.5     # of each; of those whose one run takes longer [s]
 STOP, TIMES = 5.0, 100.0        # s, and times ours, after which a method is stopped
-LEAST = 1e-3                    # s of one measurement, which repeats what is shorter
-PATIENCE = 15.0                 # s for the runs of all methods after the warm-up
+LEAST, SHORT = 1e-3, 0.02       # s of one measurement, which repeats what is shorter; of runs that are never spared
+PATIENCE, LONGER = 15.0, 1.5    # s for all runs of a quantity; by which the next setting of a method takes longer
+STOPPED, SPENT = "stopped", "left out: too long"
 
 
 class Point(NamedTuple):
@@ -31,19 +32,23 @@ class Point(NamedTuple):
 def measured(subject: Subject, attempts: Sequence[Attempt], runs: int = RUNS,
              patience: float = PATIENCE) -> list[Point]:
     """A Point of each attempt, the first of which is ours. After one that was stopped the later ones of its method are
-    left out: their settings take longer."""
-    tried, stopped, allowed = [], set(), STOP
+    left out: their settings take longer; so are those for which no time is left."""
+    tried, over, last, left = [], set(), {}, patience / 2
     for attempt in attempts:
-        if attempt.method not in stopped:
-            tried.append(_tried(attempt, allowed))
-            allowed = max(STOP, TIMES * tried[0][1])
-            if tried[-1][3] == _STOPPED:
-                stopped.add(attempt.method)
-    spent = _by_turns(tried, runs, patience)
+        method = attempt.method
+        if method in over:
+            continue
+        if last.get(method, 0.0) * LONGER > left:
+            over.add(method)
+            tried.append((attempt, last[method], None, SPENT))
+            continue
+        one = _tried(attempt, max(STOP, TIMES * tried[0][1]) if tried else STOP)
+        tried.append(one)
+        last[method], left = one[1], left - one[1]
+        if one[3] == STOPPED:
+            over.add(method)
+    spent = _by_turns(tried, runs, left + patience / 2)
     return [_point(subject, *one, times) for one, times in zip(tried, spent, strict=True)]
-
-
-_STOPPED = "stopped"
 
 
 def _tried(attempt, allowed):
@@ -52,7 +57,7 @@ def _tried(attempt, allowed):
     try:
         found = attempt.run(Deadline(allowed))
     except Stopped:
-        why = _STOPPED
+        why = STOPPED
     except PhysicsError as error:
         why = error.message
     except Exception as error:      # whatever a library has to say of an input that it does not bear
@@ -64,9 +69,9 @@ def _by_turns(tried, runs, patience):
     """[seconds of each run] of each attempt; where all together take too long, those of the dearest are fewer."""
     counts = [0 if why else runs if spent <= SLOW else min(runs, FEW) for _, spent, _, why in tried]
     costs = [count * max(spent, LEAST) for count, (_, spent, _, _) in zip(counts, tried, strict=True)]
-    for i in sorted(range(len(costs)), key=lambda i: -costs[i]):
-        if sum(costs) > patience and counts[i] > 1:
-            costs[i], counts[i] = costs[i] / counts[i], 1
+    for i in sorted(range(1, len(costs)), key=lambda i: -costs[i]):
+        if sum(costs) > patience and tried[i][1] > SHORT:
+            costs[i], counts[i] = 0.0, 0        # its warm-up stands for it
     times: list[list[float]] = [[] for _ in tried]
     for turn in range(max(counts, default=0)):
         for (attempt, spent, _, _), count, kept in zip(tried, counts, times, strict=True):
@@ -86,6 +91,7 @@ def _timed(attempt, repeats):
 def _point(subject, attempt, spent, found: Found | None, why, times):
     if found is None:
         return Point(attempt.method, attempt.setting, (spent,) * 3, 0, None, None, why)
+    times = times or [spent]
     quartiles = tuple(quantiles(times, n=4, method="inclusive")) if len(times) > 1 else (times[0],) * 3
     error = subject.error(found.values, subject.true)
     if not math.isfinite(error):

@@ -1,6 +1,7 @@
 """Evidence in words and tables, as a report that every format renders, and as data."""
 
 from collections.abc import Sequence
+from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
 from vibcli.evidence.verdict import verdict
@@ -10,6 +11,7 @@ if TYPE_CHECKING:
     from vibcli.evidence.compared import Evidence, WorkPrecision
     from vibcli.evidence.timing import Point
 
+MANY = 6                # settings of a method, of which not all are told in a table
 HEAD = ("method", "with", "ms (quartiles)", "error", "bound")
 
 
@@ -27,13 +29,20 @@ def document(found: "Evidence", pictures: bool = False) -> Document:
 def _section(one, pictures, number):
     true, points = one.subject.true, one.points
     blocks: list[Any] = [
-        paragraph(f"True values: mpmath, {true.digits} digits alike with {true.working // 2} and {true.working}."),
-        TableBlock(HEAD, tuple(map(_row, points))), paragraph(f"{verdict(points)}.")]
+        paragraph(f"True values: mpmath, {true.digits} digits alike with {true.before} and {true.working}."),
+        TableBlock(HEAD, tuple(map(_row, _shown(points)))), paragraph(f"{verdict(points)}.")]
     if pictures and worth_a_picture(one):
         from vibcli.evidence.picture import figure, picture_of
 
         blocks.insert(1, Picture(f"curve-{number}", "Run time over true error", picture_of(figure([one]))))
     return Section(f"{one.subject.asked}: {one.subject.title}", tuple(blocks))
+
+
+def _shown(points):
+    """Those of a table: of a method with many settings every third, and the last."""
+    for _, some in groupby(points, key=lambda point: point.method):
+        found = list(some)
+        yield from (point for i, point in enumerate(found) if len(found) < MANY or not i % 3 or i == len(found) - 1)
 
 
 def worth_a_picture(one: "WorkPrecision") -> bool:
@@ -72,7 +81,7 @@ def data(found: "Evidence") -> dict[str, Any]:
 def _data(one: "WorkPrecision") -> dict[str, Any]:
     true = one.subject.true
     return {"asked": one.subject.asked, "about": one.subject.title, "kind": one.subject.kind,
-            "reference": {"digits": true.digits, "working digits": true.working},
+            "reference": {"digits": true.digits, "working digits": [true.before, true.working]},
             "verdict": verdict(one.points),
             "points": [{"method": point.method, "with": point.setting or None, "seconds": point.seconds[1],
                         "quartiles": [point.seconds[0], point.seconds[2]], "runs": point.runs, "error": point.error,

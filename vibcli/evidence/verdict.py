@@ -12,7 +12,7 @@ ROUNDED = 2.0 ** -51        # below which errors differ by the rounding of what 
 def verdict(points: Sequence[Point]) -> str:
     """Of points of which the first is ours: nothing else is compared where that has no answer."""
     ours, *others = points
-    plain = [point for point in others if point.error is not None]
+    plain = [point for point in others if point.error is not None and point.method != ours.method]
     if ours.error is None:
         return f"vibcli refuses: {ours.why}"
     if not plain:
@@ -35,7 +35,9 @@ def _reached(ours, other):
 
 def named(point: Point) -> str:
     """A method with its setting."""
-    return f"{point.method} at {point.setting}" if point.setting else point.method
+    if not point.setting:
+        return point.method
+    return f"{point.method} {'at' if point.setting[1:3] == 'e-' else 'with'} {point.setting}"
 
 
 def _ratio(slow, fast):

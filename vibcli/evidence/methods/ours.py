@@ -1,12 +1,20 @@
 """What vibcli finds, with the bound that it states."""
 
 from collections.abc import Iterator
+from functools import partial
 
-from vibcli.evidence.subject import Attempt, Subject
+from vibcli.evidence.subject import Attempt, Deadline, Found, Subject
 
-NAME = "vibcli"
+NAME, ACCURACIES = "vibcli", (1e-3, 1e-6, 1e-12)
 
 
 def attempts(subject: Subject) -> Iterator[Attempt]:
-    """One, without a setting."""
+    """As it is without a setting; of motions that are integrated also less and more accurately."""
     yield Attempt(NAME, "", lambda _: subject.ours())
+    if subject.kind == "full motion" and subject.problem.spec.motion == "full":
+        for accuracy in ACCURACIES:
+            yield Attempt(NAME, f"{accuracy:.0e}", partial(_accurately, subject, accuracy))
+
+
+def _accurately(subject: Subject, accuracy: float, _: Deadline) -> Found:
+    return subject.ours(accuracy)

@@ -29,8 +29,8 @@ def eigenvalues(elements: Elements, digits: int = DIGITS) -> TrueValues:
 
 
 def squares(elements: Elements, digits: int = DIGITS) -> TrueValues:
-    """All ω² of the system without C and G, ascending, of K that is not symmetric by real part; about: the shapes, each with
-    its largest component 1, where M is positive definite and K symmetric, else None."""
+    """All ω² of the system without C and G, ascending, of K that is not symmetric by real part; about: the shapes, each
+    with its largest component 1, where M is positive definite and K symmetric, else None."""
     first = elements(30)
     _require_few(first, LARGEST)
     plain = not first.massless and not first.circulatory

@@ -17,20 +17,21 @@ class DoesNotSettle(PhysicsError):
 
 
 class TrueValues(NamedTuple):
-    """Numbers of mpmath, in which `digits` digits are alike in two precisions, the larger `working`; about: what else
+    """Numbers of mpmath, in which `digits` digits are alike in two precisions, `working` and `before`; about: what else
     was found with them."""
 
     values: list
     digits: int
     working: int
+    before: int
     about: Any = None
 
 
 def settled(found: "Callable[[], tuple[Sequence, Any]]", digits: int = DIGITS, start: int = START,
-            limit: int = LIMIT) -> TrueValues:
-    """The values that `found()`, (numbers, anything), gives at the working precision, at twice as many digits until
-    `digits` of each agree; DoesNotSettle where they do not within `limit`."""
-    before, working = None, start
+            limit: int = LIMIT, growth: float = 2.0) -> TrueValues:
+    """The values that `found()`, (numbers, anything), gives at the working precision, at `growth` times as many digits
+    until `digits` of each agree; DoesNotSettle where they do not within `limit`."""
+    before, last, working = None, 0, start
     while working <= limit:
         with mpmath.workdps(working):
             try:
@@ -39,10 +40,10 @@ def settled(found: "Callable[[], tuple[Sequence, Any]]", digits: int = DIGITS, s
                 values = None
             else:
                 if before is not None and alike(before, values, digits):
-                    return TrueValues(list(values), digits, working, about)
-        before, working = values, 2 * working
-    raise DoesNotSettle(f"the reference does not settle: {digits} digits of it are not alike with {limit // 2} and "
-                        f"{limit}", "leave this quantity out of the comparison")
+                    return TrueValues(list(values), digits, working, last, about)
+        before, last, working = values, working, int(growth * working)
+    raise DoesNotSettle(f"the reference does not settle: {digits} digits of it are not alike up to {limit}",
+                        "leave this quantity out of the comparison")
 
 
 def alike(before: Sequence, values: Sequence, digits: int) -> bool:
