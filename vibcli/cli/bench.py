@@ -17,7 +17,6 @@ if TYPE_CHECKING:
 
 PICTURES, REPORTS = (".svg", ".png", ".pdf"), (".md", ".html", ".txt")
 ONE_THREAD = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
-FEW = 3
 
 
 @click.command("bench")
@@ -31,13 +30,13 @@ FEW = 3
 @click.option("-o", "--output", "outputs", multiple=True, metavar="FILE", type=FILE,
               help="Write the curves (.svg, .png, .pdf) or the tables (.md, .html, .txt); may be given several times.")
 @click.option("--force", is_flag=True, help="Replace files that exist.")
-@click.option("--quick", is_flag=True, help=f"{FEW} runs of each instead of 7.")
+@click.option("--quick", is_flag=True, help="3 runs of each instead of 7.")
 @click.option("--only", multiple=True, metavar="PART", help="Without FILE: only this part; may be given several times.")
 @patience_option
 @color_option
 def command(file: str | None, quantities: Sequence[str], settings: Sequence[str], case: str | None, as_json: bool,
             outputs: Sequence[str], force: bool, quick: bool, only: Sequence[str], patience: int) -> int:
-    """Run time against true error: vibcli beside what else answers, each number beside one of many digits.
+    """Run time against true error, of vibcli and of what else answers, each number beside one of many digits.
 
     Without FILE the project's own measurements, which take minutes: vibcli explain bench.
     """
@@ -51,11 +50,13 @@ def command(file: str | None, quantities: Sequence[str], settings: Sequence[str]
         refuse(path, (*PICTURES, *REPORTS), force)
     for name in ONE_THREAD:         # processor time counts what threads wait for; before NumPy is imported
         os.environ.setdefault(name, "1")
+    from vibcli.evidence.subject import ALONE
+
     found = _evidence(chosen(load(file, settings, patience), case)[0][1], quantities, quick)
     _told(found, as_json)
     for path in map(Path, outputs):
         _write(found, path, force)
-    return 0 if found.compared else 4
+    return 0 if found.compared or all(one.why == ALONE for one in found.left_out) else 4
 
 
 def _own_measurements(quick, as_json, only):
@@ -64,11 +65,14 @@ def _own_measurements(quick, as_json, only):
 
 
 def _evidence(problem, quantities, quick):
-    from vibcli.api.values import quantity_asked
+    from vibcli.api.values import checked_quantity
+    from vibcli.cli.sampled import asked
+    from vibcli.evidence.asked import ALL_MODES
     from vibcli.evidence.compared import evidence
+    from vibcli.evidence.timing import FEW, RUNS
 
-    asked = [quantity_asked(problem.spec, text) for text in quantities]
-    return evidence(problem, asked, FEW if quick else 7)
+    trees = [checked_quantity(problem.spec, asked(text + "[1]" * (text in ALL_MODES), "--of")) for text in quantities]
+    return evidence(problem, trees, FEW if quick else RUNS)
 
 
 def _told(found: "Evidence", as_json: bool) -> None:

@@ -5,7 +5,8 @@ from importlib import import_module
 from typing import TYPE_CHECKING, NamedTuple
 
 from vibcli.base.errors import PhysicsError
-from vibcli.evidence.subject import Subject
+from vibcli.evidence.subject import ALONE, Subject
+from vibcli.evidence.subjects import DAMPED, NATURAL, SUBJECTS
 from vibcli.quantities.quantity import declared, named
 from vibcli.symbolic.syntax import QuantityRef
 
@@ -13,34 +14,31 @@ if TYPE_CHECKING:
     from vibcli.language.reader import Expression
     from vibcli.results.problem import Problem
 
-NATURAL, DAMPED = ("eigenvalue_subjects", "natural"), ("eigenvalue_subjects", "damped")
-SUBJECTS = {    # {quantity: (file, function that makes the Subject of it)}
-    **dict.fromkeys(("omega", "frequency", "period", "growth_rate", "mode", "modal_mass"), NATURAL),
-    **dict.fromkeys(("value", "max", "min", "argmax", "argmin"), ("motion_subjects", "of_motion")),
-    **dict.fromkeys(("zeta", "omega_d", "period_d", "decay", "eigenvalue", "mode_d"), DAMPED),
-}
-ALL_MODES = ("omega", "eigenvalue")
+ALL_MODES = ("omega", "frequency", "zeta", "omega_d", "eigenvalue")
 
 
-class LeftOut(NamedTuple):
+class NotCompared(NamedTuple):
     """What is not compared, and why."""
 
     asked: str
     why: str
 
 
-def subjects(problem: "Problem", asked: "Iterable[Expression]") -> Iterator[Subject | LeftOut]:
+def subjects(problem: "Problem", asked: "Iterable[Expression]") -> Iterator[Subject | NotCompared]:
     """A Subject of each quantity; those of modes once. Of a file that asks none its modes, damped where they are."""
     made = set()
     for text, tree, make in _makers(problem, asked):
+        one = make if make in (NATURAL, DAMPED) else text
+        if one in made:
+            continue
+        made.add(one)
         if make is None:
-            yield LeftOut(text, "no other method is known here")
-        elif make not in made:
-            made |= {make} & {NATURAL, DAMPED}
+            yield NotCompared(text, ALONE)
+        else:
             try:
                 yield _function(make)(problem, tree)
             except PhysicsError as error:
-                yield LeftOut(text, error.message)
+                yield NotCompared(text, error.message)
 
 
 def _makers(problem, asked):
@@ -48,7 +46,7 @@ def _makers(problem, asked):
     found = [(tree.text, tree, _maker(tree)) for expression in asked for tree in expression.parts.quantities]
     if found:
         return found
-    return [(head, None, SUBJECTS[head]) for head in ALL_MODES if head == "omega" or problem.modal.damps]
+    return [(head, None, SUBJECTS[head]) for head in ("omega", *["eigenvalue"] * problem.modal.damps)]
 
 
 def _maker(tree: QuantityRef):
@@ -57,4 +55,4 @@ def _maker(tree: QuantityRef):
 
 def _function(make) -> Callable[["Problem", QuantityRef | None], Subject]:
     file, name = make
-    return getattr(import_module(f"vibcli.evidence.{file}"), name)
+    return getattr(import_module(f"vibcli.evidence.subjects.{file}"), name)

@@ -5,9 +5,9 @@ from importlib import import_module
 from typing import TYPE_CHECKING, NamedTuple
 
 from vibcli.base.errors import PhysicsError
-from vibcli.evidence.asked import LeftOut, subjects
+from vibcli.evidence.asked import NotCompared, subjects
 from vibcli.evidence.methods import METHODS
-from vibcli.evidence.subject import Attempt, Subject
+from vibcli.evidence.subject import MethodRun, Subject
 from vibcli.evidence.timing import PATIENCE, RUNS, Point, measured
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ class Evidence(NamedTuple):
     problem: "Problem"
     drawn: dict[str, str]
     compared: list[WorkPrecision]
-    left_out: list[LeftOut]
+    left_out: list[NotCompared]
 
 
 def evidence(problem: "Problem", asked: "Iterable[Expression]", runs: int = RUNS) -> Evidence:
@@ -41,7 +41,7 @@ def evidence(problem: "Problem", asked: "Iterable[Expression]", runs: int = RUNS
     found = list(subjects(problem, asked))
     several = sum(isinstance(one, Subject) for one in found)
     for one in found:
-        if isinstance(one, LeftOut):
+        if isinstance(one, NotCompared):
             left.append(one)
         else:
             compared.append(WorkPrecision(one, measured(one, _attempts(one), runs, min(PATIENCE, WHOLE / several))))
@@ -65,7 +65,7 @@ def in_numbers(problem: "Problem") -> "tuple[Problem, dict[str, str]]":
     return found, {name: str(found.numeric.given[name]) for name in problem.symbolic.letters}
 
 
-def _attempts(subject: Subject) -> list[Attempt]:
+def _attempts(subject: Subject) -> list[MethodRun]:
     """Those of all methods that answer it, ours first."""
     files = [file for file, (kinds, _) in METHODS.items() if subject.kind in kinds]
     return [attempt for file in files

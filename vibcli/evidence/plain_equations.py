@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 SAMPLES = 4001          # of a motion whose extreme is looked for
-DIRECT = 3              # coordinates up to which M q̈ = −h is solved in letters
 
 
 class PlainEquations(NamedTuple):

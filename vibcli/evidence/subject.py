@@ -8,8 +8,10 @@ if TYPE_CHECKING:
     from vibcli.evidence.reference.settled import TrueValues
     from vibcli.results.problem import Problem
 
+ALONE = "no other method is known here"
 
-class Found(NamedTuple):
+
+class MethodAnswer(NamedTuple):
     """What a method finds: numbers, and the largest bound of their relative errors, None where it states none."""
 
     values: Sequence[Any]
@@ -27,13 +29,13 @@ class Subject(NamedTuple):
     title: str
     problem: "Problem"
     true: "TrueValues"
-    ours: Callable[..., Found]
+    ours: Callable[..., MethodAnswer]
     data: Any
     error: Callable[[Sequence[Any], "TrueValues"], float]
     scale: float = 1.0
 
 
-class Stopped(Exception):
+class TimeIsOver(Exception):
     """A method took longer than it is given."""
 
 
@@ -44,14 +46,14 @@ class Deadline:
         self._until = process_time() + seconds
 
     def check(self) -> None:
-        """Stopped where the time is over."""
+        """TimeIsOver where the time is over."""
         if process_time() > self._until:
-            raise Stopped
+            raise TimeIsOver
 
 
-class Attempt(NamedTuple):
+class MethodRun(NamedTuple):
     """One method with one setting (a tolerance, a number of points, '' where it has none), to be run."""
 
     method: str
     setting: str
-    run: Callable[[Deadline], Found]
+    run: Callable[[Deadline], MethodAnswer]

@@ -7,7 +7,7 @@ from time import process_time
 from typing import NamedTuple
 
 from vibcli.base.errors import PhysicsError
-from vibcli.evidence.subject import Attempt, Deadline, Found, Stopped, Subject
+from vibcli.evidence.subject import Deadline, MethodAnswer, MethodRun, Subject, TimeIsOver
 
 RUNS, FEW, SLOW = 7, 3, 0.5     # of each; of those whose one run takes longer [s]
 STOP, TIMES = 5.0, 100.0        # s, and times ours, after which a method is stopped
@@ -29,7 +29,7 @@ class Point(NamedTuple):
     why: str = ""
 
 
-def measured(subject: Subject, attempts: Sequence[Attempt], runs: int = RUNS,
+def measured(subject: Subject, attempts: Sequence[MethodRun], runs: int = RUNS,
              patience: float = PATIENCE) -> list[Point]:
     """A Point of each attempt, the first of which is ours. After one that was stopped the later ones of its method are
     left out: their settings take longer; so are those for which no time is left."""
@@ -38,9 +38,9 @@ def measured(subject: Subject, attempts: Sequence[Attempt], runs: int = RUNS,
         method = attempt.method
         if method in over:
             continue
-        if last.get(method, 0.0) * LONGER > left:
+        if tried and last.get(method, 0.0) * LONGER > left:
             over.add(method)
-            tried.append((attempt, last[method], None, SPENT))
+            tried.append((attempt, last.get(method, 0.0), None, SPENT))
             continue
         one = _tried(attempt, max(STOP, TIMES * tried[0][1]) if tried else STOP)
         tried.append(one)
@@ -52,11 +52,11 @@ def measured(subject: Subject, attempts: Sequence[Attempt], runs: int = RUNS,
 
 
 def _tried(attempt, allowed):
-    """(attempt, seconds, Found or None, why there is none) of the warm-up."""
+    """(attempt, seconds, MethodAnswer or None, why there is none) of the warm-up."""
     found, why, start = None, "", process_time()
     try:
         found = attempt.run(Deadline(allowed))
-    except Stopped:
+    except TimeIsOver:
         why = STOPPED
     except PhysicsError as error:
         why = error.message
@@ -88,7 +88,7 @@ def _timed(attempt, repeats):
     return (process_time() - start) / repeats
 
 
-def _point(subject, attempt, spent, found: Found | None, why, times):
+def _point(subject, attempt, spent, found: MethodAnswer | None, why, times):
     if found is None:
         return Point(attempt.method, attempt.setting, (spent,) * 3, 0, None, None, why)
     times = times or [spent]

@@ -5,20 +5,20 @@ from typing import Any
 
 import numpy as np
 
-from vibcli.evidence.subject import Attempt, Found, Subject
+from vibcli.evidence.subject import MethodAnswer, MethodRun, Subject
 
 
-def attempts(subject: Subject) -> Iterator[Attempt]:
+def attempts(subject: Subject) -> Iterator[MethodRun]:
     """`eigh` where M is positive definite and K symmetric, `eig` wherever."""
     import scipy.linalg
 
     M, _, K = subject.data
     if _is_definite(M) and (K == K.T).all():
-        yield Attempt("scipy eigh", "", lambda _: _rates(scipy.linalg.eigh(K, M, eigvals_only=True)))
-        yield Attempt("numpy eigh", "", lambda _: _rates(_by_cholesky(M, K)))
+        yield MethodRun("scipy eigh", "", lambda _: _rates(scipy.linalg.eigh(K, M, eigvals_only=True)))
+        yield MethodRun("numpy eigh", "", lambda _: _rates(_by_cholesky(M, K)))
     if np.linalg.matrix_rank(M) == len(M):
-        yield Attempt("numpy eig", "", lambda _: _rates(np.linalg.eigvals(np.linalg.solve(M, K))))
-    yield Attempt("scipy eig", "", lambda _: _rates(scipy.linalg.eigvals(K, M)))
+        yield MethodRun("numpy eig", "", lambda _: _rates(np.linalg.eigvals(np.linalg.solve(M, K))))
+    yield MethodRun("scipy eig", "", lambda _: _rates(scipy.linalg.eigvals(K, M)))
 
 
 def _by_cholesky(M, K):
@@ -28,10 +28,10 @@ def _by_cholesky(M, K):
     return np.linalg.eigvalsh((A + A.T) / 2)
 
 
-def _rates(squares: np.ndarray) -> Found:
+def _rates(squares: np.ndarray) -> MethodAnswer:
     """√−ω² of those that are finite, with Im λ ≥ 0."""
     rates = np.sqrt(-squares[np.isfinite(squares)].astype(complex))
-    return Found(np.where(rates.imag < 0, -rates, rates).tolist())
+    return MethodAnswer(np.where(rates.imag < 0, -rates, rates).tolist())
 
 
 def _is_definite(M: Any) -> bool:

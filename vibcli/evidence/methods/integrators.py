@@ -3,14 +3,14 @@
 from collections.abc import Iterator
 from functools import partial
 
-from vibcli.evidence.subject import Attempt, Deadline, Found, Subject
+from vibcli.evidence.subject import Deadline, MethodAnswer, MethodRun, Subject
 
 SOLVERS = ("RK45", "DOP853", "LSODA", "Radau", "BDF")
 TOLERANCES = tuple(10.0**-k for k in range(3, 14))
 MOST = 10**7            # steps of odeint, which the deadline ends before
 
 
-def attempts(subject: Subject) -> Iterator[Attempt]:
+def attempts(subject: Subject) -> Iterator[MethodRun]:
     """solve_ivp by each of its methods, and odeint; rtol as atol, relative to the largest value."""
     import scipy.integrate  # noqa: F401
 
@@ -18,12 +18,12 @@ def attempts(subject: Subject) -> Iterator[Attempt]:
         return
     for method in SOLVERS:
         for tolerance in TOLERANCES:
-            yield Attempt(method, f"{tolerance:.0e}", partial(_by_solve_ivp, subject, method, tolerance))
+            yield MethodRun(method, f"{tolerance:.0e}", partial(_by_solve_ivp, subject, method, tolerance))
     for tolerance in TOLERANCES:
-        yield Attempt("odeint", f"{tolerance:.0e}", partial(_by_odeint, subject, tolerance))
+        yield MethodRun("odeint", f"{tolerance:.0e}", partial(_by_odeint, subject, tolerance))
 
 
-def _by_solve_ivp(subject: Subject, method: str, tolerance: float, deadline: Deadline) -> Found:
+def _by_solve_ivp(subject: Subject, method: str, tolerance: float, deadline: Deadline) -> MethodAnswer:
     from scipy.integrate import solve_ivp
 
     plain = subject.data
@@ -31,10 +31,10 @@ def _by_solve_ivp(subject: Subject, method: str, tolerance: float, deadline: Dea
                       rtol=tolerance, atol=tolerance * subject.scale)
     if not found.success:
         raise RuntimeError(found.message)
-    return Found([plain.read(found.y.T)])
+    return MethodAnswer([plain.read(found.y.T)])
 
 
-def _by_odeint(subject: Subject, tolerance: float, deadline: Deadline) -> Found:
+def _by_odeint(subject: Subject, tolerance: float, deadline: Deadline) -> MethodAnswer:
     import warnings
 
     from scipy.integrate import odeint
@@ -44,7 +44,7 @@ def _by_odeint(subject: Subject, tolerance: float, deadline: Deadline) -> Found:
         warnings.simplefilter("error")
         states = odeint(_watched(plain.rates, deadline), plain.start, plain.times, tfirst=True, rtol=tolerance,
                         atol=tolerance * subject.scale, mxstep=MOST)
-    return Found([plain.read(states)])
+    return MethodAnswer([plain.read(states)])
 
 
 def _watched(rates, deadline):

@@ -11,10 +11,10 @@ from typing import Any
 
 import numpy as np
 
-from vibcli.evidence.subject import Attempt, Deadline, Found, Subject
+from vibcli.evidence.subject import Deadline, MethodAnswer, MethodRun, Subject
 
 
-def attempts(subject: Subject) -> Iterator[Attempt]:
+def attempts(subject: Subject) -> Iterator[MethodRun]:
     """With 1 … n modes, where M and K are symmetric, nothing is gyroscopic, and loads are waves that last."""
     import scipy.linalg  # noqa: F401
 
@@ -28,11 +28,11 @@ def attempts(subject: Subject) -> Iterator[Attempt]:
     if not plain or forcing.period is not None or any(wave.power for wave in waves):
         return
     for count in range(1, len(M) + 1):
-        yield Attempt("modal superposition", f"{count} mode{'s' * (count > 1)}",
+        yield MethodRun("modal superposition", f"{count} mode{'s' * (count > 1)}",
                       partial(_sum, subject, (M, C, K), waves, count))
 
 
-def _sum(subject: Subject, matrices: tuple, waves: Any, count: int, _: Deadline) -> Found:
+def _sum(subject: Subject, matrices: tuple, waves: Any, count: int, _: Deadline) -> MethodAnswer:
     import scipy.linalg
 
     M, C, K = matrices
@@ -44,7 +44,7 @@ def _sum(subject: Subject, matrices: tuple, waves: Any, count: int, _: Deadline)
                        [(shape[wave.channel] * wave.coefficient, wave.exponent) for wave in waves], plain.times)
         states[:, :n] += np.outer(p, shape)
         states[:, n:] += np.outer(rate, shape)
-    return Found([plain.read(states)])
+    return MethodAnswer([plain.read(states)])
 
 
 def _one(square, drag, place, speed, loads, times):

@@ -17,7 +17,7 @@ NEAR = 1e-6             # of the range of values: maxima so near to the largest 
 HALVINGS, SECANTS = 12, 60
 
 
-class Signal(NamedTuple):
+class SignalAlongSteps(NamedTuple):
     """A signal along a motion: its expression and that of its rate, of the coordinates that are called `names` (with
     primes), of the time and of parameters; values(bits): {parameter: number}."""
 
@@ -36,14 +36,14 @@ class Signal(NamedTuple):
             return evaluate(list(which), multiprecision(), known)
 
 
-def value(signal: Signal, steps: TaylorSteps, time: Fraction) -> tuple[Any, Any]:
+def value(signal: SignalAlongSteps, steps: TaylorSteps, time: Fraction) -> tuple[Any, Any]:
     """(the value at an instant, the largest magnitude until then)."""
     sampled = [abs(x) for _, x in _sampled(signal, steps)]
     found, = signal.along(steps, [signal.node], steps.fixed(time))
     return found, max([*sampled, abs(found)])
 
 
-def extreme(signal: Signal, steps: TaylorSteps, sense: int) -> tuple[Any, Any, Any]:
+def extreme(signal: SignalAlongSteps, steps: TaylorSteps, sense: int) -> tuple[Any, Any, Any]:
     """(instant, value) of the largest (sense 1) or smallest value (−1), and the largest magnitude."""
     sampled = _sampled(signal, steps)
     best = max(sense * x for _, x in sampled)

@@ -14,7 +14,7 @@ import mpmath
 from vibcli.analyses.time_integration.motion_series import fixed_point
 from vibcli.analyses.time_integration.smooth_pieces import SmoothPieces
 from vibcli.base.errors import PhysicsError
-from vibcli.evidence.reference.features import Signal, extreme, value
+from vibcli.evidence.reference.features import SignalAlongSteps, extreme, value
 from vibcli.evidence.reference.settled import TrueValues, settled
 from vibcli.evidence.reference.taylor_steps import TaylorSteps
 from vibcli.mechanics.equations_of_motion import Dynamics
@@ -47,9 +47,9 @@ class Motion(NamedTuple):
         node, table = self.scene.symbol(name, primes), self.scene.table
         return node if primes or not self.rested else node + table.parameter(_rest_of(name), positive=False)
 
-    def signal(self, node: "Node") -> Signal:
+    def signal(self, node: "Node") -> SignalAlongSteps:
         """An expression of its coordinates along it."""
-        return Signal(node, self.scene.rate(node), self.scene.coordinates, self.scene.time.name, self.values)
+        return SignalAlongSteps(node, self.scene.rate(node), self.scene.coordinates, self.scene.time.name, self.values)
 
     def steps(self, until: Fraction, digits: int, work: Any, spent: float = WORK) -> TaylorSteps:
         """It, followed to an instant."""

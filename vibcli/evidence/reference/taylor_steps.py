@@ -24,7 +24,7 @@ SHORTER, LONGER = 0.5, 1.25
 SHORTEST = 1e-30        # of the motion
 
 
-class Step(NamedTuple):
+class TaylorStep(NamedTuple):
     """Rows of coefficients of s = (t − start)/scale for q, q̇ and q̈, all numbers fixed points."""
 
     start: int
@@ -41,7 +41,7 @@ class TaylorSteps:
                  work: float):
         self.accuracy = ceil(digits * log2(10))
         self.bits, self.order = self.accuracy + SPARE, ceil(1.3 * digits)
-        self.steps: list[Step] = []
+        self.steps: list[TaylorStep] = []
         self._price, self._left = pieces.products * self.order**2 * max(1.0, self.bits / 512), work
         self._march(pieces, list(start(self.bits)), max(1, self.fixed(until)))
 
@@ -65,7 +65,7 @@ class TaylorSteps:
                 found = self._computed(compute, t, scale, state)
                 spare = self._spare(found, sizes)
             stop = min(t + scale, end, *([] if limit is None else [limit]))
-            step = Step(t, stop, scale, (found.q, found.v, found.a))
+            step = TaylorStep(t, stop, scale, (found.q, found.v, found.a))
             self.steps.append(step)
             state = [self.summed(row, step, stop) for row in (*found.q, *found.v)]
             sizes = [max(size, abs(x)) for size, x in zip(sizes, state, strict=True)]
@@ -74,7 +74,7 @@ class TaylorSteps:
     def _computed(self, compute, t, scale, state):
         self._left -= self._price
         if self._left < 0:
-            raise TooLong(t / 2**self.bits)
+            raise TakesMinutes(t / 2**self.bits)
         try:
             return compute(t, scale, state, self.order)
         except ArithmeticError:
@@ -86,10 +86,11 @@ class TaylorSteps:
         rows = [*found.q, *found.v]
         largest = [max(size, *map(abs, row)) for size, row in zip(sizes, rows, strict=True)]
         least = max(largest) >> self.accuracy
-        return min(max(size, least, 1).bit_length() - max(map(abs, row[-LAST:])).bit_length()
-                   for size, row in zip(largest, rows, strict=True)) - self.accuracy
+        left = [max(size, least).bit_length() - max(map(abs, row[-LAST:])).bit_length()
+                for size, row in zip(largest, rows, strict=True) if any(row[-LAST:])]
+        return min(left, default=self.accuracy + self.order) - self.accuracy
 
-    def summed(self, row: Sequence[int], step: Step, t: int) -> int:
+    def summed(self, row: Sequence[int], step: TaylorStep, t: int) -> int:
         """Σ row[k] sᵏ at an instant of a step."""
         s, total = ((t - step.start) << self.bits) // step.scale, 0
         for coefficient in reversed(row):
@@ -113,7 +114,7 @@ class TaylorSteps:
             return mpmath.ldexp(t, -self.bits)
 
 
-class TooLong(PhysicsError):
+class TakesMinutes(PhysicsError):
     """The reference takes more work than is given to it; reached: how far it came [s]."""
 
     def __init__(self, reached: Any):

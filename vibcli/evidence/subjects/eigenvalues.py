@@ -6,7 +6,7 @@ from vibcli.analyses.modal.modal_analysis import ModalAnalysis
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.reference import modal
 from vibcli.evidence.reference.settled import relative_error
-from vibcli.evidence.subject import Found, Subject
+from vibcli.evidence.subject import MethodAnswer, Subject
 from vibcli.quantities.modal import counted
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ def natural(problem: "Problem", _: Any) -> Subject:
 
     def ours():
         modes = ModalAnalysis(configuration).modes
-        return Found([complex(mode.growth_rate or 0.0, mode.omega or 0.0) for mode in modes],
+        return MethodAnswer([complex(mode.growth_rate or 0.0, mode.omega or 0.0) for mode in modes],
                      max(mode.error for mode in modes))
 
     kind = "damped modes" if gyroscopic else "modes"
@@ -43,7 +43,7 @@ def damped(problem: "Problem", _: Any) -> Subject:
 
     def ours():
         modes = ModalAnalysis(configuration).damped
-        return Found([complex(mode.eigenvalue) for mode in modes], max(mode.error for mode in modes))
+        return MethodAnswer([complex(mode.eigenvalue) for mode in modes], max(mode.error for mode in modes))
 
     title = f"damped modes, {counted(len(true.values), 'eigenvalue')} λ with Im λ ≥ 0"
     return Subject("damped modes", "eigenvalue", title, problem, true, ours, (M, C + G, K), relative_error)

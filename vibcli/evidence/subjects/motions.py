@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.plain_equations import plain_equations
 from vibcli.evidence.reference import motion as reference
-from vibcli.evidence.reference.taylor_steps import TooLong
-from vibcli.evidence.subject import Found, Subject
+from vibcli.evidence.reference.taylor_steps import TakesMinutes
+from vibcli.evidence.subject import MethodAnswer, Subject
 from vibcli.quantities.expression import measure, number_of
 from vibcli.symbolic.evaluation import evaluate_rational
 from vibcli.symbolic.semantics import lower
@@ -38,10 +38,10 @@ def of_motion(problem: "Problem", tree: QuantityRef) -> Subject:
     plain = None if motion.parts.gaps else plain_equations(motion, node, float(until), tree.head
                                                            if tree.head in SENSES else "value")
 
-    def ours(accuracy: float | None = None) -> Found:
+    def ours(accuracy: float | None = None) -> MethodAnswer:
         fresh = problem.afresh() if accuracy is None else problem.afresh().with_accuracy(accuracy)
         value, bound = measure(fresh, tree)
-        return Found([value], bound * abs(value) / scale)
+        return MethodAnswer([value], bound * abs(value) / scale)
 
     return Subject(KINDS[kind], tree.text, f"of {problem.response.words}{cut}", problem, true, ours, plain,
                    lambda found, known: _error(found, known, scale), scale)
@@ -51,7 +51,7 @@ def _until(problem, end, found):
     """(problem, end, true values, words) of a motion up to an end; up to an earlier one where that takes minutes."""
     try:
         return problem, end, found(end), ""
-    except TooLong as error:
+    except TakesMinutes as error:
         cut = Fraction(round(error.reached * 0.4, 3)).limit_denominator(1000)
         return problem.until(float(cut)), Fraction(float(cut)), found(Fraction(float(cut))), (
             f", cut at t = {float(cut):.6g} s: beyond, the reference takes minutes")
