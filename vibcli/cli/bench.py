@@ -36,7 +36,7 @@ ONE_THREAD = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
 @color_option
 def command(file: str | None, quantities: Sequence[str], settings: Sequence[str], case: str | None, as_json: bool,
             outputs: Sequence[str], force: bool, quick: bool, only: Sequence[str], patience: int) -> int:
-    """Run time against true error, of vibcli and of what else answers, each number beside one of many digits.
+    """Run time against true error of all methods that answer, each number beside one of many digits.
 
     Without FILE the project's own measurements, which take minutes: vibcli explain bench.
     """
