@@ -9,6 +9,7 @@ from statistics import median
 from time import process_time
 from typing import Any
 
+from vibcli.api.source import problem_of, text_source
 from vibcli.bench import scenes
 from vibcli.bench.processes import answer
 from vibcli.bench.rows import Timing
@@ -49,27 +50,25 @@ def _chain(power, runs):
     import scipy.linalg
 
     stiffnesses = [f"{10 ** (power * place / 5):.17e}" for place in (0, 5, 2, 4, 1, 3)]
-    exact = _chain_exact(stiffnesses)
+    text = scenes.chain(6, stiffnesses, "3 kg")
+    exact = _chain_exact(text)
     k = [float(text) for text in stiffnesses]
     K = np.diag(np.add(k, [*k[1:], 0.0])) - np.diag(k[1:], 1) - np.diag(k[1:], -1)
     M = 3.0 * np.eye(6)
-    return [power, _ours(scenes.chain(6, stiffnesses, "3 kg"), exact, runs),
+    return [power, _ours(text, exact, runs),
             _measured(lambda: scipy.linalg.eigh(K, M), exact, runs),
             _measured(lambda: np.linalg.eigh(K / 3.0), exact, runs)]
 
 
-def _chain_exact(stiffnesses):
+def _chain_exact(text):
+    """The true frequencies of a scene."""
     import mpmath
 
-    with mpmath.workdps(DIGITS + 40):
-        k = [mpmath.mpf(text) for text in stiffnesses]
-        K = mpmath.zeros(6, 6)
-        for i, stiffness in enumerate(k):
-            K[i, i] += stiffness
-            if i:
-                K[i - 1, i - 1] += stiffness
-                K[i, i - 1] = K[i - 1, i] = -stiffness
-        return [mpmath.sqrt(value) for value in sorted(mpmath.eigsy(K / 3, eigvals_only=True))]
+    from vibcli.evidence.reference.modal import squares
+
+    found = squares(problem_of(text_source(text)).configuration.precise_system, DIGITS)
+    with mpmath.workdps(found.working):
+        return [mpmath.sqrt(x) for x in found.values]
 
 
 def _pendulum(n, runs):

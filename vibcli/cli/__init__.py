@@ -28,6 +28,7 @@ COMMANDS = {
     "grade": "Mark answers by the manifest of the sheets that were handed out.",
     "view": "Report, figures and moving modes in the browser, as the file is edited.",
     "check": "Compare the answers in scene files with the results.",
+    "bench": "Run time against true error of what a scene asks, beside other methods.",
     "explain": "The manual of the scene language, word by word.",
     "schema": "The JSON Schema of scene files, for editors.",
     "new": "A commented scene to start from.",

@@ -12,6 +12,7 @@ ALIASES = {
     "quantity": "quantities", "tolerance": "quantities", "exit codes": "exit", "exit code": "exit",
     "check": "ci", "junit": "ci", "sarif": "ci", "github": "ci", "gitlab": "ci", "cache": "ci", "pytest": "ci",
     "pre-commit": "ci", **dict.fromkeys(RULES, "ci"),
+    "benchmark": "bench", "evidence": "bench", "run time": "bench", "speed": "bench",
     "json keys": "json", "progress": "patience", "limits": "patience",
     "schema": "editors", "inertias": "shapes", "case": "cases", "signal": "signals",
     "pulley": "pulley of a rope", "drum": "pulley of a rope", "ropes": "rope", "multiplier": "constraint",

@@ -50,12 +50,13 @@ class Problem:
 
     def __init__(self, spec: "Spec", given: "Mapping[str, Fraction] | None" = None, work: "Work | None" = None,
                  modal: ModalAnalysis | None = None, choice: Any = None, earlier: Mapping[str, float] | None = None,
-                 end: Any = None, signed: bool = False, digits: int | None = None):
+                 end: Any = None, signed: bool = False, digits: int | None = None,
+                 symbolic: SymbolicSystem | None = None):
         if modal is None:
             modal = ModalAnalysis(Configuration(NumericSystem(MechanicalSystem(spec, given, work))))
         self.spec, self.modal, self.configuration, self.numeric = spec, modal, modal.configuration, modal.numeric
         self.system, self.work, self.costs = modal.system, modal.work, modal.costs
-        self.symbolic = SymbolicSystem(self.configuration, ModalAnalysis)
+        self.symbolic = symbolic or SymbolicSystem(self.configuration, ModalAnalysis)
         self.choice, self.earlier, self.end, self.signed = choice, earlier or {}, end, signed
         self.digits = digits
         self._cases, self._curves, self._limits = {}, {}, {}
@@ -108,6 +109,11 @@ class Problem:
     def with_digits(self, digits: int) -> "Problem":
         """The same scene with its quantities found to so many digits."""
         return self._copy(digits=digits)
+
+    def afresh(self) -> "Problem":
+        """The same with its expressions and element data, and nothing found of modes and motions: what its methods
+        begin with."""
+        return self._copy(modal=ModalAnalysis(self.configuration, self.modal.free), symbolic=self.symbolic)
 
     def about(self, configuration: Configuration, free: int = 0) -> "Problem":
         """The same scene about another of its equilibria; `free`: in how many directions it moves freely there."""

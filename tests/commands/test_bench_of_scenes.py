@@ -1,0 +1,140 @@
+"""`vibcli bench FILE`: what is compared, what is told of it, what is refused; no times."""
+
+import json
+
+import pytest
+
+from vibcli.cli import run
+
+SCENE = """title: A damped mass that is driven
+parameters: {m: 2 kg, k: 800 N/m, c: 8 N*s/m}
+bodies: {a: {mass: m, slide: x}}
+springs: {s: {k: k, between: [ground, a]}}
+dampers: {d: {c: c, between: [ground, a]}}
+forces: {F: {at: a, force: 5 N*cos(10 rad/s*t)}}
+initial: {x: 2 cm}
+find: [{response: {until: 2 s}}]
+answers:
+  omega[1]: 20 rad/s
+  K[x,x]: k
+cases:
+  stiff: {parameters: {k: 8 kN/m}}
+"""
+LETTERS = "parameters: {m: , k: }\nbodies: {a: {mass: m, slide: x}}\nsprings: {s: {k: k, between: [ground, a]}}\n"
+
+
+@pytest.fixture
+def scene(tmp_path):
+    path = tmp_path / "one.yaml"
+    path.write_text(SCENE, encoding="utf-8")
+    return str(path)
+
+
+@pytest.fixture
+def few(monkeypatch):
+    """Three tolerances."""
+    from vibcli.evidence.methods import integrators
+
+    monkeypatch.setattr(integrators, "TOLERANCES", (1e-3, 1e-6, 1e-9))
+
+
+def out_of(capsys, *args, code=0):
+    assert run(["bench", *args, "--quick"]) == code
+    return capsys.readouterr()
+
+
+def test_what_the_file_asks_and_what_has_no_other_method(scene, capsys):
+    out = out_of(capsys, scene).out
+    assert "omega: natural modes, one rate λ = iω" in out and "47 digits alike with 60 and 120" in out
+    assert all(name in out for name in ("vibcli", "scipy eigh", "numpy eigh", "numpy eig", "scipy eig"))
+    assert "Not compared\n  K[x,x]: no other method is known here." in out and "eigenvalue:" not in out
+
+
+@pytest.mark.parametrize(("quantity", "kind", "others"), [
+    ("omega", "modes", {"scipy eigh", "numpy eigh", "numpy eig", "scipy eig"}),
+    ("zeta[1]", "damped modes", {"numpy eig", "scipy eig", "scipy eig of the pencil"}),
+    ("frf[x, F](5 Hz)", "response", {"numpy solve", "modal superposition"}),
+    ("amplitude(x')", "response", {"numpy solve", "modal superposition"}),
+    ("x(0.5 s)", "motion", {"RK45", "DOP853", "LSODA", "Radau", "BDF", "odeint", "modal superposition"})])
+def test_every_method_that_can(scene, few, capsys, quantity, kind, others):
+    found, = json.loads(out_of(capsys, scene, "--of", quantity, "--json").out)["compared"]
+    ours, *points = found["points"]
+    assert found["kind"] == kind and {point["method"] for point in points} == others
+    assert ours["error"] <= ours["bound"] <= 1e-12 and ours["runs"] == 3
+    assert all(point["error"] is not None and point["bound"] is None for point in points)
+    assert min(point["error"] for point in points) < 1e-11
+
+
+def test_curves_over_tolerances_fall(scene, few, capsys):
+    found, = json.loads(out_of(capsys, scene, "--of", "x(0.5 s)", "--json").out)["compared"]
+    for method in ("RK45", "DOP853", "LSODA", "odeint"):
+        errors = [point["error"] for point in found["points"] if point["method"] == method]
+        assert len(errors) == 3 and errors[0] > 10 * errors[1] > 100 * errors[2]
+
+
+def test_peaks_by_grids(scene, capsys):
+    found, = json.loads(out_of(capsys, scene, "--of", "peak[1](frf[x, F]).Omega", "--json").out)["compared"]
+    grid = [point["error"] for point in found["points"] if point["method"] == "grid with parabolas"]
+    assert found["points"][0]["error"] < 1e-15 and grid[0] > 10 * grid[1] > 1e4 * grid[3]
+
+
+def test_other_values_and_cases(scene, capsys):
+    for options in (["--case", "stiff"], ["--set", "k=8000"]):
+        found = json.loads(out_of(capsys, scene, "--of", "omega", "--json", *options).out)
+        assert found["compared"][0]["reference"]["digits"] == 47
+
+
+def test_files_that_are_written(scene, tmp_path, capsys):
+    paths = [tmp_path / name for name in ("curve.svg", "curve.png", "table.md", "table.txt")]
+    options = [part for path in paths for part in ("-o", str(path))]
+    told = out_of(capsys, scene, "--of", "omega", *options)
+    assert paths[0].read_text(encoding="utf-8").startswith("<?xml") and paths[1].read_bytes()[:4] == b"\x89PNG"
+    text = paths[2].read_text(encoding="utf-8")
+    assert "| vibcli |" in text and "![Run time over true error](table-1-curve-1.svg)" in text
+    assert (tmp_path / "table-1-curve-1.svg").exists() and "scipy eigh" in paths[3].read_text(encoding="utf-8")
+    assert f"wrote {paths[0]}" in told.err
+    assert "exists already" in out_of(capsys, scene, "-o", str(paths[0]), code=2).err
+
+
+def test_letters_are_given_values_which_are_told(tmp_path, capsys):
+    path = tmp_path / "letters.yaml"
+    path.write_text(LETTERS, encoding="utf-8")
+    first, again = (out_of(capsys, str(path)).out for _ in range(2))
+    told = next(line for line in first.splitlines() if "drawn for letters" in line)
+    assert told in again and "m = " in told and "scipy eigh" in first
+    assert "drawn for letters" not in out_of(capsys, str(path), "--set", "m=2 kg", "--set", "k=3 N/m").out
+
+
+@pytest.mark.parametrize(("options", "code", "said"), [
+    (["--of", "omgea"], 3, "did you mean 'omega'?"),
+    (["--of", "x"], 3, "'x' is a function of time"),
+    (["--of", "max(y)"], 3, "no coordinate or signal 'y'"),
+    (["--of", "omega", "--case", "stif"], 2, "did you mean 'stiff'?"),
+    (["--only", "growth"], 2, "which take no FILE"),
+    (["-o", "curve.gif"], 2, "curve.gif")])
+def test_bad_input(scene, capsys, options, code, said):
+    assert said in out_of(capsys, scene, *options, code=code).err
+
+
+def test_without_a_file_options_of_scenes_are_refused(capsys):
+    assert "name its FILE" in out_of(capsys, "--of", "omega", code=2).err
+
+
+def test_what_is_found_by_vibcli_alone_has_no_picture(scene, tmp_path, capsys):
+    path = tmp_path / "none.svg"
+    told = out_of(capsys, scene, "--of", "K[x,x]", "-o", str(path))
+    assert "no other method is known here" in told.out and "no picture is written" in told.err and not path.exists()
+
+
+def test_without_a_file_the_own_measurements_are_made(monkeypatch):
+    from vibcli.cli import bench
+
+    made = []
+
+    def started(command, check):
+        made.append(command[1:])
+        return type("Done", (), {"returncode": 1})
+
+    monkeypatch.setattr(bench.subprocess, "run", started)
+    assert run(["bench", "--quick", "--json", "--only", "growth", "--only", "files"]) == 1
+    assert made == [["-m", "vibcli.bench", "--quick", "--json", "--only", "growth", "--only", "files"]]

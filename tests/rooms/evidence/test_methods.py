@@ -1,0 +1,109 @@
+"""The methods that are compared, how they are measured, and the sentence that is said of them."""
+
+import math
+from importlib import import_module
+from pathlib import Path
+
+import mpmath
+import pytest
+
+from vibcli import evidence
+from vibcli.api.source import problem_of, text_source
+from vibcli.base.errors import PhysicsError
+from vibcli.bench import scenes
+from vibcli.evidence.compared import evidence as compared
+from vibcli.evidence.methods import METHODS
+from vibcli.evidence.picture import figure
+from vibcli.evidence.reference.settled import TrueValues, relative_error
+from vibcli.evidence.subject import Deadline, MethodAnswer, MethodRun, Subject, TimeIsOver
+from vibcli.evidence.subjects import SUBJECTS
+from vibcli.evidence.timing import SPENT, STOPPED, Point, measured
+from vibcli.evidence.verdict import verdict
+from vibcli.quantities import FAMILIES
+
+FOLDER = Path(evidence.__file__).parent
+ONE = TrueValues([mpmath.mpf(1)], 47, 60, 30)
+
+
+def test_faces_tell_of_every_file():
+    assert set(METHODS) == {path.stem for path in (FOLDER / "methods").glob("*.py")} - {"__init__"}
+    assert {file for file, _ in SUBJECTS.values()} == {
+        path.stem for path in (FOLDER / "subjects").glob("*.py")} - {"__init__"}
+    assert all(callable(import_module(f"vibcli.evidence.methods.{file}").attempts) for file in METHODS)
+    assert all(callable(getattr(import_module(f"vibcli.evidence.subjects.{file}"), name))
+               for file, name in SUBJECTS.values())
+    assert set(SUBJECTS) - {"value"} <= set(FAMILIES)
+    assert all(0 < len(about) <= 90 for _, about in METHODS.values())
+
+
+def point(method, seconds, error, bound=None, setting=""):
+    return Point(method, setting, (seconds, seconds, seconds), 7, error, bound)
+
+
+@pytest.mark.parametrize(("others", "said"), [
+    ([point("eigh", 1e-4, 3e-10)], "10 × the time of eigh and 6 digits more; nothing plain reaches 1e-10"),
+    ([point("grid", 4e-2, 1e-3)], "1/40 of the time of grid and 13 digits more; nothing plain reaches 1e-4"),
+    ([point("eigh", 1e-4, 2e-16)], "eigh is as good, 2.0e-16, and 10 × faster; it states no bound"),
+    ([point("RK45", 1e-1, 1e-16, setting="1e-13"), point("RK45", 1e-2, 1e-4, setting="1e-03")],
+     "100 × faster than RK45 at 1e-13, the fastest that is as good; it states no bound"),
+    ([point("sum", 1e-4, 1e-16, setting="3 modes")], "sum with 3 modes is as good, 1.0e-16, and 10 × faster; it states "
+     "no bound"),
+    ([], "vibcli alone answers: there is nothing to compare it with")])
+def test_the_sentence(others, said):
+    assert verdict([point("vibcli", 1e-3, 1e-16, 1e-15), *others]) == said
+
+
+def test_a_refusal_of_ours_is_said():
+    refused = Point("vibcli", "", (0.1, 0.1, 0.1), 0, None, None, "it is singular")
+    assert verdict([refused, point("eigh", 1e-4, 1e-3)]) == "vibcli itself refuses: it is singular"
+
+
+def runs(**methods):
+    return [MethodRun(name, "", run) for name, run in methods.items()]
+
+
+def test_what_a_method_does_is_told_and_the_others_go_on():
+    calls = []
+
+    def counted(_):
+        calls.append(1)
+        return MethodAnswer([1 + 1e-6], 1e-5)
+
+    def stops(deadline):
+        raise TimeIsOver
+
+    def refuses(_):
+        raise PhysicsError("no")
+
+    subject = Subject("modes", "omega", "", None, ONE, None, None, relative_error)
+    found = measured(subject, [*runs(vibcli=counted, slow=stops), *runs(slow=counted),
+                               *runs(no=refuses, fault=lambda _: 1 / 0, two=lambda _: MethodAnswer([1, 2]))], 3)
+    assert [one.why for one in found] == ["", STOPPED, "no", "ZeroDivisionError: division by zero",
+                                          "2 values, of which there are 1"]
+    assert found[0].error == pytest.approx(1e-6) and found[0].bound == 1e-5 and len(calls) >= 4
+    assert all(one.error is None for one in found[1:])
+
+
+def test_where_no_time_is_left_methods_are_left_out():
+    subject = Subject("modes", "omega", "", None, ONE, None, None, relative_error)
+    found = measured(subject, [*runs(vibcli=lambda _: MethodAnswer([1])), *runs(other=lambda _: MethodAnswer([1]))], 3,
+                     patience=-1.0)
+    assert [one.why for one in found] == ["", SPENT]
+
+
+def test_a_deadline_ends_what_asks():
+    with pytest.raises(TimeIsOver):
+        Deadline(-1.0).check()
+    assert Deadline(math.inf).check() is None
+
+
+def test_stiff_and_soft_springs_show_what_assembled_matrices_lose():
+    stiffnesses = [f"{10 ** (16 * place / 5):.17e}" for place in (0, 5, 2, 4, 1, 3)]
+    found = compared(problem_of(text_source(scenes.chain(6, stiffnesses, "3 kg"))), (), 1)
+    one, = found.compared
+    errors = {point.method: point.error for point in one.points}
+    assert errors["vibcli"] <= 1e-15 <= one.points[0].bound and errors["scipy eigh"] > 1e-3
+    assert "nothing plain reaches" in verdict(one.points)
+    panel, = figure([one]).panels
+    assert panel.x_log and panel.y_log
+    assert {curve.label for curve in panel.curves} >= {"vibcli", "scipy eigh", "numpy eig", "bound that is stated"}

@@ -1,0 +1,102 @@
+"""Motions and frequency responses of the reference beside closed forms."""
+
+from fractions import Fraction
+
+import mpmath
+import pytest
+
+from vibcli.api.source import problem_of, text_source
+from vibcli.base.errors import PhysicsError
+from vibcli.evidence.reference import frequency_response, motion, steady_state
+from vibcli.evidence.reference.taylor_steps import TakesMinutes
+
+OSCILLATOR = """
+bodies: {{b: {{mass: 1 kg, slide: x}}}}
+springs: {{s: {{k: 25 N/m, between: [ground, b]}}}}
+dampers: {{d: {{c: 2 N*s/m, between: [ground, b]}}}}
+{more}
+"""
+PENDULUM = """
+parameters: {m: 1 kg, L: 1 m, g: 9.81 m/s^2}
+gravity: g
+bodies: {a: {mass: m, at: [0, -L], pin: {at: [0, 0], by: p}}}
+initial: {p: 1}
+motion: full
+"""
+
+
+def oscillator(more):
+    return problem_of(text_source(OSCILLATOR.format(more=more)))
+
+
+def close(found, exact, digits=38):
+    return abs(found - exact) <= mpmath.mpf(10) ** -digits * abs(exact)
+
+
+def test_a_free_motion_and_where_it_turns():
+    problem = oscillator("initial: {x: 25 cm, x': 1 m/s}")
+    moving = motion.small(problem)
+    node = moving.coordinate("x")
+    found = motion.at_instant(moving, node, Fraction(7, 10), problem.work)
+    top = motion.extremes(moving, node, Fraction(3), 1, False, problem.work)
+    when = motion.extremes(moving, node, Fraction(3), 1, True, problem.work)
+    with mpmath.workdps(60):
+        w = mpmath.sqrt(24)
+
+        def x(t):
+            return mpmath.exp(-t) * (mpmath.cos(w * t) / 4 + mpmath.mpf(5) / 4 * mpmath.sin(w * t) / w)
+
+        at = mpmath.findroot(lambda t: mpmath.diff(x, t), 0.15)
+        assert close(found.values[0], x(mpmath.mpf(7) / 10))
+        assert close(when.values[0], at, 25) and close(top.values[0], x(at))
+
+
+def test_a_load_that_begins_and_ends():
+    problem = oscillator("forces: {F: {at: b, force: 5 N*(step(t - 0.3 s) - step(t - 0.7 s))}}")
+    moving = motion.small(problem)
+    found = motion.at_instant(moving, moving.coordinate("x"), Fraction(3, 2), problem.work)
+    with mpmath.workdps(60):
+        w = mpmath.sqrt(24)
+
+        def step(t):
+            return (1 - mpmath.exp(-t) * (mpmath.cos(w * t) + mpmath.sin(w * t) / w)) / 5
+
+        assert close(found.values[0], step(mpmath.mpf(12) / 10) - step(mpmath.mpf(8) / 10))
+
+
+def test_a_pendulum_by_elliptic_functions():
+    problem = problem_of(text_source(PENDULUM))
+    swinging = motion.full(problem)
+    found = motion.at_instant(swinging, swinging.coordinate("p"), Fraction(7, 3), problem.work)
+    with mpmath.workdps(50):
+        w, k = mpmath.sqrt(mpmath.mpf("9.81")), mpmath.sin(mpmath.mpf(1) / 2)
+        assert close(found.values[0], 2 * mpmath.asin(k * mpmath.ellipfun("cd", w * mpmath.mpf(7) / 3, m=k * k)), 30)
+
+
+def test_what_takes_minutes_tells_how_far_it_came():
+    problem = problem_of(text_source(PENDULUM))
+    swinging = motion.full(problem)
+    with pytest.raises(TakesMinutes) as refusal:
+        swinging.steps(Fraction(1000), 30, problem.work, 1e6)
+    assert 0 < refusal.value.reached < 1000
+
+
+def test_a_frequency_response_its_peak_and_its_steady_state():
+    problem = oscillator("forces: {F: {at: b, force: 5 N*cos(4 rad/s*t)}}")
+    with mpmath.workdps(60):
+        there = frequency_response.value(problem, "x", "F", lambda: mpmath.mpf(4)).values[0]
+        assert close(there, 1 / mpmath.mpc(9, 8), 45)
+        assert close(frequency_response.peak(problem, "x", "F", 1, True).values[0], mpmath.sqrt(23), 45)
+        assert close(frequency_response.peak(problem, "x", "F", 1, False).values[0], 1 / (2 * mpmath.sqrt(24)), 45)
+        steady = steady_state.amplitude(steady_state.driven(problem), "x", 1).values[0]
+        assert close(steady, 20 / mpmath.sqrt(145), 45)
+    with pytest.raises(PhysicsError, match="finds 1 peak"):
+        frequency_response.peak(problem, "x", "F", 2, True)
+
+
+@pytest.mark.parametrize("force", ["5 N*cos(4 rad/s*t) + 1 N*cos(5 rad/s*t)", "5 N*cos(4 rad/s*t)^2",
+                                   "5 N*square(4 rad/s*t)", "5 N"])
+def test_loads_of_several_frequencies_have_no_reference(force):
+    problem = oscillator(f"forces: {{F: {{at: b, force: {force}}}}}")
+    with pytest.raises(PhysicsError, match="a reference of steady states"):
+        steady_state.amplitude(steady_state.driven(problem), "x", 0)

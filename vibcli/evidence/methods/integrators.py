@@ -1,0 +1,61 @@
+"""SciPy's integrators of first-order equations, at tolerances 1e-3 … 1e-13."""
+
+from collections.abc import Iterator
+from functools import partial
+
+from vibcli.evidence.subject import Deadline, MethodAnswer, MethodRun, Subject
+
+SOLVERS = ("RK45", "DOP853", "LSODA", "Radau", "BDF")
+TOLERANCES = tuple(10.0**-k for k in range(3, 14))
+MOST = 10**7            # steps of odeint, which the deadline ends before
+
+
+def attempts(subject: Subject) -> Iterator[MethodRun]:
+    """solve_ivp by each of its methods, and odeint; rtol as atol, relative to the largest value."""
+    import scipy.integrate  # noqa: F401
+
+    if subject.data is None:        # constraints: no equations of first order
+        return
+    for method in SOLVERS:
+        for tolerance in TOLERANCES:
+            yield MethodRun(method, f"{tolerance:.0e}", partial(_by_solve_ivp, subject, method, tolerance))
+    for tolerance in TOLERANCES:
+        yield MethodRun("odeint", f"{tolerance:.0e}", partial(_by_odeint, subject, tolerance))
+
+
+def _by_solve_ivp(subject: Subject, method: str, tolerance: float, deadline: Deadline) -> MethodAnswer:
+    from scipy.integrate import solve_ivp
+
+    plain = subject.data
+    found = solve_ivp(_watched(plain.rates, deadline), (0.0, plain.times[-1]), plain.start, method, plain.times,
+                      rtol=tolerance, atol=tolerance * subject.scale)
+    if not found.success:
+        raise RuntimeError(found.message)
+    return MethodAnswer([plain.read(found.y.T)])
+
+
+def _by_odeint(subject: Subject, tolerance: float, deadline: Deadline) -> MethodAnswer:
+    import warnings
+
+    from scipy.integrate import odeint
+
+    plain = subject.data
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        states = odeint(_watched(plain.rates, deadline), plain.start, plain.times, tfirst=True, rtol=tolerance,
+                        atol=tolerance * subject.scale, mxstep=MOST)
+    return MethodAnswer([plain.read(states)])
+
+
+def _watched(rates, deadline):
+    """The rates, which look at the deadline now and then."""
+    calls = 0
+
+    def watched(t, y):
+        nonlocal calls
+        calls += 1
+        if not calls & 255:
+            deadline.check()
+        return rates(t, y)
+
+    return watched

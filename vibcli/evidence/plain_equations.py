@@ -1,0 +1,122 @@
+"""The equations of a motion as one would hand them to an integrator: a function of floats, compiled from the scene's
+expressions; and what is read off its solution."""
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from vibcli.symbolic.array_arithmetic import Arrays
+from vibcli.symbolic.derivatives import substitute
+from vibcli.symbolic.evaluation import evaluate
+from vibcli.symbolic.evaluation_code import in_floats
+from vibcli.symbolic.expression_graph import evaluable
+
+if TYPE_CHECKING:
+    from vibcli.evidence.reference.motion import Motion
+    from vibcli.symbolic.node import Node
+
+SAMPLES = 4001          # of a motion whose extreme is looked for
+
+
+class PlainEquations(NamedTuple):
+    """ẏ = rates(t, y) of y = (q, q̇) from `start` on until an instant; times: at which the solution is asked for;
+    read(Y): the number from the states there, one a row."""
+
+    rates: Callable[[float, Any], Any]
+    start: np.ndarray
+    times: np.ndarray
+    read: Callable[[np.ndarray], float]
+
+
+def plain_equations(motion: "Motion", node: "Node", until: float, feature: str) -> PlainEquations:
+    """Of a signal: `value` at the end, `max`, `min`, `argmax` or `argmin` until then."""
+    start = np.array([float(x) / 2.0**200 for x in motion.start(200)])
+    times = np.array([0.0, until]) if feature == "value" else np.linspace(0.0, until, SAMPLES)
+    rates = _rates(motion)
+
+    def read(states: np.ndarray) -> float:
+        known = _known(motion, times, states, rates if any(node.mask & a.mask for a in motion.scene.a) else None)
+        values = np.broadcast_to(evaluate([node], Arrays, known)[0], times.shape)
+        return float(values[-1]) if feature == "value" else _extreme(times, values, feature)
+
+    return PlainEquations(rates, start, times, read)
+
+
+def _known(motion, times, states, rates):
+    """{name: array} of all that a signal is made of; q̈ where `rates` gives it."""
+    n = len(motion.scene.q)
+    known: dict[str, Any] = {**motion.floats, motion.scene.time.name: times}
+    rows = [states[:, :n], states[:, n:]]
+    if rates is not None:
+        rows.append(np.array([rates(t, y)[n:] for t, y in zip(times, states, strict=True)]))
+    for primes, row in zip(("", "'", "''"), rows, strict=False):
+        known |= {name + primes: column for name, column in zip(motion.scene.coordinates, row.T, strict=True)}
+    return known
+
+
+def _extreme(times, values, feature):
+    """The top of the parabola through the largest of the samples and those beside it."""
+    sense = -1.0 if feature.endswith("min") else 1.0
+    i = int(np.argmax(sense * values))
+    if not 0 < i < len(values) - 1:
+        return float(times[i] if feature.startswith("arg") else values[i])
+    low, top, high = values[i - 1:i + 2]
+    bend = low - 2 * top + high
+    move = 0.5 * (low - high) / bend if bend else 0.0
+    if feature.startswith("arg"):
+        return float(times[i] + move * (times[1] - times[0]))
+    return float(top - 0.25 * (low - high) * move)
+
+
+def _rates(motion: "Motion"):
+    """ẏ of y; linear ones by a matrix."""
+    scene, parts, n = motion.scene, motion.parts, len(motion.scene.q)
+    if motion.rested:
+        return _linear_rates(motion)
+    keys = list(parts.M)
+    entries = _compiled([*parts.M.values(), *parts.h], motion.floats, scene)
+    M = np.zeros((n, n))
+
+    def rates(t: float, y: Sequence[float]) -> np.ndarray:
+        found = entries(t, y)
+        for (i, j), x in zip(keys, found, strict=False):
+            M[i, j] = M[j, i] = x
+        right = np.array(found[len(keys):])
+        a = right / -M[0, 0] if n == 1 else np.linalg.solve(M, -right)
+        return np.concatenate([y[n:], a])
+
+    return rates
+
+
+def _compiled(nodes: "Sequence[Node]", floats: Mapping[str, float], scene: Any) -> Callable[[float, Any], list]:
+    """The nodes as a function of t and y."""
+    function, known = in_floats(nodes, evaluable(nodes)), dict(floats)
+    names, time = [*scene.coordinates, *(name + "'" for name in scene.coordinates)], scene.time.name
+
+    def values(t: float, y: Any) -> list:
+        known.update(zip(names, map(float, y), strict=True))
+        known[time] = float(t)
+        return function(known, None)
+
+    return values
+
+
+def _linear_rates(motion: "Motion"):
+    """(q̇, M⁻¹(Q(t) − C q̇ − K q))."""
+    scene, n = motion.scene, len(motion.scene.q)
+    M, C, K = (np.array([[motion.floats[f"{part}[{i};{j}]"] for j in range(n)] for i in range(n)]) for part in "MCK")
+    inverse = np.linalg.inv(M)
+    A = np.block([[np.zeros((n, n)), np.eye(n)], [-inverse @ K, -inverse @ C]])
+    still = dict.fromkeys((*scene.q, *scene.v), scene.table.zero)
+    drive = substitute(motion.parts.h, still)
+    if all(node.is_zero for node in drive):
+        return lambda t, y: A @ y
+    loads, rest = _compiled(drive, motion.floats, scene), np.zeros(2 * n)
+
+    def rates(t: float, y: np.ndarray) -> np.ndarray:
+        found = A @ y
+        found[n:] -= inverse @ np.array(loads(t, rest))
+        return found
+
+    return rates

@@ -1,0 +1,136 @@
+"""H(iΩ) = cᵀ (K + s C + s² M)⁻¹ b + d, s = iΩ, and its peaks, to many digits from the element data.
+
+Peaks are looked for on a grid that is dense about each natural frequency, and refined where d|H|²/dΩ vanishes;
+x = D⁻¹ b has the rates D x′ = b′ − D′ x and D x″ = b″ − 2 D′ x′ − D″ x.
+"""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import mpmath
+import numpy as np
+
+from vibcli.base.errors import PhysicsError
+from vibcli.evidence.reference.settled import DIGITS, TrueValues, settled
+from vibcli.results.precise_frequency_response import PreciseCurve
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+
+BESIDE, ALONG = 400, 4000       # samples about a natural frequency, and along all frequencies
+FAR = 100.0                     # times the lowest and the highest of these
+STEPS = 60
+
+
+class Transfer(NamedTuple):
+    """M, C, K and the parts of b, c, d by powers of s, in numbers of any kind: matrices of mpmath, or arrays."""
+
+    M: Any
+    C: Any
+    K: Any
+    b: Any
+    c: Any
+    d: Any
+
+
+def transfer(problem: "Problem", signal: str, driver: str) -> Transfer:
+    """Of a signal to a unit of an input, at the working precision."""
+    if problem.configuration.linear_system.pieces:
+        raise PhysicsError("no reference is found of frequency responses of members")
+    curve = PreciseCurve(problem, signal, driver)
+    return Transfer(curve.M, curve.C, curve.K, curve.b, curve.c, curve.d)
+
+
+def in_floats(exact: Transfer) -> Transfer:
+    """The same as arrays."""
+    def array(x):
+        found = np.array(x.tolist(), dtype=complex)
+        return found if found.imag.any() else found.real
+
+    return Transfer(*(array(part) for part in exact[:3]), *([array(part).ravel() for part in parts]
+                                                           for parts in exact[3:5]),
+                    [float(mpmath.re(x)) for x in exact.d])
+
+
+def at(exact: Transfer, Omega: Any) -> list[Any]:
+    """[H, dH/ds, d²H/ds²] at s = iΩ."""
+    s = mpmath.mpc(0, Omega)
+    M, C, K = exact[:3]
+    D, slope = K + s * C + s * s * M, C + 2 * s * M
+    b, c, d = ([part[0] + s * (part[1] + s * part[2]), part[1] + 2 * s * part[2], 2 * part[2]] for part in exact[3:])
+    x = mpmath.lu_solve(D, b[0])
+    y = mpmath.lu_solve(D, b[1] - slope * x)
+    z = mpmath.lu_solve(D, b[2] - 2 * slope * y - 2 * M * x)
+    return [_dot(c[0], x) + d[0], _dot(c[1], x) + _dot(c[0], y) + d[1],
+            _dot(c[2], x) + 2 * _dot(c[1], y) + _dot(c[0], z) + d[2]]
+
+
+def _dot(one, two):
+    return sum(x * y for x, y in zip(one, two, strict=True))
+
+
+def value(problem: "Problem", signal: str, driver: str, Omega: Callable[[], Any]) -> TrueValues:
+    """H at a frequency, which is evaluated at the working precision."""
+    return settled(lambda: ([at(transfer(problem, signal, driver), Omega())[0]], None), DIGITS)
+
+
+def peak(problem: "Problem", signal: str, driver: str, number: int, place: bool) -> TrueValues:
+    """|H| at its peak of that number, or its Ω."""
+    near = peaks(in_floats(transfer(problem, signal, driver)))
+    if number > len(near):
+        raise PhysicsError(f"the reference finds {len(near)} peaks")
+
+    def found():
+        exact = transfer(problem, signal, driver)
+        Omega = _turn(exact, mpmath.mpf(near[number - 1]))
+        return [Omega if place else abs(at(exact, Omega)[0])], None
+
+    return settled(found, DIGITS)
+
+
+def peaks(curve: Transfer) -> list[float]:
+    """The places of all maxima of |H| that the grid shows."""
+    Omega = grid(curve)
+    size = np.abs(values(curve, Omega))
+    inner = (size[1:-1] > size[:-2]) & (size[1:-1] >= size[2:])
+    return Omega[1:-1][inner].tolist()
+
+
+def grid(curve: Transfer) -> np.ndarray:
+    """Frequencies that are dense about each natural one, by its decay."""
+    poles = [x for x in np.linalg.eigvals(state_matrix(*curve[:3])) if x.imag > 0]
+    if not poles:
+        raise PhysicsError("the reference finds no peaks: nothing oscillates")
+    sizes = np.abs(poles)
+    near = np.concatenate([[0.0], np.geomspace(1e-3, 1e4, BESIDE)])
+    beside = [x.imag + sign * max(-x.real, 1e-14 * x.imag) * near for x in poles for sign in (1, -1)]
+    every = np.concatenate([*beside, np.geomspace(sizes.min() / FAR, sizes.max() * FAR, ALONG)])
+    return np.unique(every[(every > 0) & (every < sizes.max() * FAR)])
+
+
+def state_matrix(M: np.ndarray, C: np.ndarray, K: np.ndarray) -> np.ndarray:
+    """A of (q, q̇)' = A (q, q̇)."""
+    return np.block([[np.zeros_like(M), np.eye(len(M))], [-np.linalg.solve(M, K), -np.linalg.solve(M, C)]])
+
+
+def values(curve: Transfer, Omega: np.ndarray) -> np.ndarray:
+    """H at frequencies, by LU of each matrix."""
+    s = 1j * Omega[:, None]
+    b, c = (part[0] + s * (part[1] + s * part[2]) for part in (curve.b, curve.c))
+    D = curve.K + s[:, :, None] * curve.C + s[:, :, None] ** 2 * curve.M
+    x = np.linalg.solve(D, b[:, :, None])[:, :, 0]
+    s = s[:, 0]
+    return (c * x).sum(axis=1) + curve.d[0] + s * (curve.d[1] + s * curve.d[2])
+
+
+def _turn(exact, Omega):
+    """Where |H| has its maximum, by Newton's method: with H′ = dH/ds, d|H|²/dΩ = −2 Im(H̄ H′)."""
+    for _ in range(STEPS):
+        H, first, second = at(exact, Omega)
+        slope = -mpmath.im(mpmath.conj(H) * first)
+        bend = abs(first) ** 2 - mpmath.re(mpmath.conj(H) * second)
+        step = -slope / bend
+        Omega += step
+        if abs(step) <= mpmath.eps * 10**8 * Omega:
+            return Omega
+    raise ValueError("no peak is found near by")

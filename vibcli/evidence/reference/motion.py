@@ -1,0 +1,164 @@
+"""Features of motions to many digits: of small ones from M, C, K and what drives them, of full ones from the equations.
+
+    small:  M q̈ + (C + G) q̇ + K q = Q(t), q counted from the equilibrium;      full:  M(q, t) q̈ = −h(q, q̇, t)
+
+with numbers from the element data and the start as the file gives it; both are followed in Taylor series.
+"""
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import mpmath
+
+from vibcli.analyses.time_integration.motion_series import fixed_point
+from vibcli.analyses.time_integration.smooth_pieces import SmoothPieces
+from vibcli.base.errors import PhysicsError
+from vibcli.evidence.reference.features import SignalAlongSteps, extreme, value
+from vibcli.evidence.reference.settled import TrueValues, settled
+from vibcli.evidence.reference.taylor_steps import TaylorSteps
+from vibcli.mechanics.equations_of_motion import Dynamics
+from vibcli.symbolic.evaluation import multiprecision
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
+
+SMALL, FULL = (40, 60), (30, 45)        # digits that have to be alike, and those of the first attempt
+GROWTH, LIMIT = 1.3, 240
+WORK = 4e8              # products of numbers of one motion
+
+
+class Motion(NamedTuple):
+    """The equations of a scene, `values(bits)`: {parameter: number}, `start(bits)`: [q, q̇]; floats:
+    {parameter: float}; digits: that have to be alike, and first ones; rested: are coordinates counted from rest?"""
+
+    scene: "Scene"
+    parts: Dynamics
+    values: Callable[[int], Mapping[str, Any]]
+    start: Callable[[int], list[int]]
+    floats: Mapping[str, float]
+    digits: tuple[int, int]
+    rested: bool
+
+    def coordinate(self, name: str, primes: int = 0) -> "Node":
+        """A coordinate as it is told, counted from where its equations do not, or a rate of it."""
+        node, table = self.scene.symbol(name, primes), self.scene.table
+        return node if primes or not self.rested else node + table.parameter(_rest_of(name), positive=False)
+
+    def signal(self, node: "Node") -> SignalAlongSteps:
+        """An expression of its coordinates along it."""
+        return SignalAlongSteps(node, self.scene.rate(node), self.scene.coordinates, self.scene.time.name, self.values)
+
+    def steps(self, until: Fraction, digits: int, work: Any, spent: float = WORK) -> TaylorSteps:
+        """It, followed to an instant."""
+        pieces = SmoothPieces(self.scene, self.parts, self.values, self.floats, float(until) * (1 + 1e-12), work)
+        return TaylorSteps(pieces, self.start, until, digits, spent)
+
+
+def small(problem: "Problem") -> Motion:
+    """The Motion of small oscillations; PhysicsError where the data are known to floats alone, or there is none."""
+    from vibcli.results.high_precision_response import start
+
+    configuration, scene, n = problem.configuration, problem.scene, len(problem.scene.q)
+    if configuration.sources[0] is None:
+        raise PhysicsError("the equilibrium is known to the digits of floats: no reference is found")
+    if configuration.linear_system.massless:
+        raise PhysicsError("no reference is found of motions in which coordinates have no inertia")
+    drive, table, known = _drive(problem), scene.table, {}
+    letters = {(part, i, j): table.parameter(f"{part}[{i};{j}]", positive=False)
+               for part in "MCK" for i in range(n) for j in range(n)}
+
+    def numbers(bits):
+        if bits not in known:
+            with mpmath.workprec(2 * bits):
+                M, C, G, K = configuration.precise_system(mpmath.mp.dps).matrices()
+                found = dict(configuration.numeric.values(multiprecision()))
+                for (part, i, j), letter in letters.items():
+                    entries = {"M": M, "C": C, "K": K}[part]
+                    found[letter.name] = entries.get((i, j), mpmath.mpf(0)) + (G.get((i, j), 0) if part == "C" else 0)
+                rest = _rest(configuration, bits)
+                known[bits] = {**found, **{_rest_of(name): rest[name] for name in scene.coordinates}}
+        return known[bits]
+
+    def deviations(bits):
+        with mpmath.workprec(2 * bits):
+            rest = {name: numbers(bits)[_rest_of(name)] for name in scene.coordinates}
+            places, speeds = start(problem, numbers(bits), rest)
+            return [fixed_point(places[name] - rest[name], bits) for name in scene.coordinates] + [
+                fixed_point(speeds[name], bits) for name in scene.coordinates]
+
+    first = {name: float(x) for name, x in numbers(64).items()}
+    entries = {key: letter for key, letter in letters.items() if first[letter.name]}
+    h = [table.total([*(letter * (scene.v[j] if part == "C" else scene.q[j]) for (part, k, j), letter in
+                        entries.items() if k == i and part != "M"), -drive.get(i, table.zero)]) for i in range(n)]
+    M = {(i, j): letter for (part, i, j), letter in entries.items() if part == "M" and i <= j}
+    return Motion(scene, Dynamics(M, h, [], [], [], {}, []), numbers, deviations, first, SMALL, True)
+
+
+def _drive(problem):
+    """{i: Q(t)}, about an equilibrium that is not the drawn one in letters for its place."""
+    from vibcli.mechanics.autonomous import excitation
+
+    configuration, scene = problem.configuration, problem.scene
+    if not scene.timed or configuration.equilibrium.drawn or configuration.system.is_linear:
+        return problem.response.drive
+    if scene.vibrating is not scene or problem.spec.get("damping") is not None:
+        raise PhysicsError("what drives it about this equilibrium is known to the digits of floats: no reference is "
+                           "found")
+    place = {q: scene.table.parameter(_rest_of(q.name), positive=False) for q in scene.drawn}
+    return excitation(scene, configuration.system.time_dependent_linearisation, place)
+
+
+def _rest_of(name):
+    """The letter of where a coordinate rests."""
+    return f"rest[{name}]"
+
+
+def _rest(configuration, bits):
+    """{coordinate: number} of the equilibrium."""
+    from vibcli.mechanics.high_precision import equilibrium_to, in_its_place
+
+    with mpmath.workprec(2 * bits):
+        arithmetic = multiprecision()
+        values = configuration.numeric.values(arithmetic)
+        if configuration.equilibrium.drawn:
+            return in_its_place(configuration.scene.resting.drawn, values, arithmetic)
+        return equilibrium_to(configuration.numeric, configuration.equilibrium, values, arithmetic)
+
+
+def full(problem: "Problem") -> Motion:
+    """The Motion of the full equations."""
+    from vibcli.results.motion_in_series import MotionInSeries
+
+    exact = MotionInSeries(problem)
+    return Motion(exact.scene, exact.parts, exact.values, exact.start, problem.numeric.floats, FULL, False)
+
+
+def at_instant(motion: Motion, node: "Node", time: Fraction, work: Any) -> TrueValues:
+    """The value of a signal; about: its largest magnitude until then."""
+    return _settled(motion, time, work, lambda steps: _apart(value(motion.signal(node), steps, time)))
+
+
+def _apart(found):
+    return [found[0]], found[1]
+
+
+def extremes(motion: Motion, node: "Node", until: Fraction, sense: int, instant: bool, work: Any) -> TrueValues:
+    """The largest or smallest value of a signal, or the instant at which it has it; about: its largest magnitude, of
+    an instant `until`."""
+    def found(steps):
+        time, top, size = extreme(motion.signal(node), steps, sense)
+        return ([time], until) if instant else ([top], size)
+
+    return _settled(motion, until, work, found)
+
+
+def _settled(motion, until, work, look):
+    digits, first = motion.digits
+
+    def found():
+        return look(motion.steps(until, mpmath.mp.dps, work))
+
+    return settled(found, digits, first, LIMIT, GROWTH, sized=True)

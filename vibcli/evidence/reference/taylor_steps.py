@@ -1,0 +1,122 @@
+"""A motion in Taylor series of fixed-point numbers, step by step: true where two numbers of digits agree.
+
+A step is as long as its last coefficients are below the digits asked for; those of more digits are of another order and
+length. The coefficients come from the equations (analyses/time_integration/smooth_pieces.py), which are smooth between
+the instants at which what drives the motion bends.
+"""
+
+from bisect import bisect_right
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from math import ceil, log2
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from vibcli.base.errors import PhysicsError
+
+if TYPE_CHECKING:
+    import mpmath
+
+    from vibcli.analyses.time_integration.smooth_pieces import SmoothPieces
+
+SPARE = 64              # bits below the digits asked for
+LAST = 3                # coefficients that have to be small
+SHORTER, LONGER = 0.5, 1.25
+SHORTEST = 1e-30        # of the motion
+
+
+class TaylorStep(NamedTuple):
+    """Rows of coefficients of s = (t − start)/scale for q, q̇ and q̈, all numbers fixed points."""
+
+    start: int
+    end: int
+    scale: int
+    rows: tuple[list, list, list]
+
+
+class TaylorSteps:
+    """The motion of SmoothPieces from start(bits), [q, q̇] in fixed point, up to `until` s, to about so many digits.
+    work: how many products of numbers it may take; PhysicsError of one that takes more."""
+
+    def __init__(self, pieces: "SmoothPieces", start: Callable[[int], Sequence[int]], until: Fraction, digits: int,
+                 work: float):
+        self.accuracy = ceil(digits * log2(10))
+        self.bits, self.order = self.accuracy + SPARE, ceil(1.3 * digits)
+        self.steps: list[TaylorStep] = []
+        self._price, self._left = pieces.products * self.order**2 * max(1.0, self.bits / 512), work
+        self._march(pieces, list(start(self.bits)), max(1, self.fixed(until)))
+
+    def fixed(self, time: Fraction) -> int:
+        """An instant in fixed point."""
+        return (time.numerator << self.bits) // time.denominator
+
+    def _march(self, pieces, state, end):
+        t, scale = 0, max(end >> 6, 1)
+        sizes = [abs(x) for x in state]
+        while t < end:
+            compute, limit, longest = pieces.series(t, self.bits)
+            scale = min(scale, longest or scale)
+            found = self._computed(compute, t, scale, state)
+            spare = self._spare(found, sizes)
+            while spare < 0:
+                scale = max(int(scale * max(SHORTER, 2.0 ** (spare / self.order))), 1)
+                if scale < SHORTEST * end:
+                    raise PhysicsError(f"the reference does not get beyond t = {t / 2**self.bits:.6g} s: the motion is "
+                                       "singular there")
+                found = self._computed(compute, t, scale, state)
+                spare = self._spare(found, sizes)
+            stop = min(t + scale, end, *([] if limit is None else [limit]))
+            step = TaylorStep(t, stop, scale, (found.q, found.v, found.a))
+            self.steps.append(step)
+            state = [self.summed(row, step, stop) for row in (*found.q, *found.v)]
+            sizes = [max(size, abs(x)) for size, x in zip(sizes, state, strict=True)]
+            t, scale = stop, int(scale * min(LONGER, 2.0 ** (spare / self.order)))
+
+    def _computed(self, compute, t, scale, state):
+        self._left -= self._price
+        if self._left < 0:
+            raise TakesMinutes(t / 2**self.bits)
+        try:
+            return compute(t, scale, state, self.order)
+        except ArithmeticError:
+            raise PhysicsError(f"the reference does not get beyond t = {t / 2**self.bits:.6g} s: the equations are "
+                               "singular there") from None
+
+    def _spare(self, found, sizes):
+        """Bits by which the last coefficients are smaller than they have to be."""
+        rows = [*found.q, *found.v]
+        largest = [max(size, *map(abs, row)) for size, row in zip(sizes, rows, strict=True)]
+        least = max(largest) >> self.accuracy
+        left = [max(size, least).bit_length() - max(map(abs, row[-LAST:])).bit_length()
+                for size, row in zip(largest, rows, strict=True) if any(row[-LAST:])]
+        return min(left, default=self.accuracy + self.order) - self.accuracy
+
+    def summed(self, row: Sequence[int], step: TaylorStep, t: int) -> int:
+        """Σ row[k] sᵏ at an instant of a step."""
+        s, total = ((t - step.start) << self.bits) // step.scale, 0
+        for coefficient in reversed(row):
+            total = (total * s >> self.bits) + coefficient
+        return total
+
+    def at(self, t: int) -> "list[list[mpmath.mpf]]":
+        """[q], [q̇], [q̈] at an instant in fixed point."""
+        import mpmath
+
+        place = max(bisect_right(self.steps, t, key=lambda step: step.start) - 1, 0)
+        step = self.steps[place]
+        with mpmath.workprec(2 * self.bits):
+            return [[mpmath.ldexp(self.summed(row, step, t), -self.bits) for row in rows] for rows in step.rows]
+
+    def time(self, t: int) -> "mpmath.mpf":
+        """An instant in seconds."""
+        import mpmath
+
+        with mpmath.workprec(2 * self.bits):
+            return mpmath.ldexp(t, -self.bits)
+
+
+class TakesMinutes(PhysicsError):
+    """The reference takes more work than is given to it; reached: how far it came [s]."""
+
+    def __init__(self, reached: Any):
+        self.reached = float(reached)
+        super().__init__(f"the reference takes minutes: it came to t = {self.reached:.3g} s")

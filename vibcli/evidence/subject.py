@@ -1,0 +1,59 @@
+"""A quantity that several methods answer: its true values, and what each method is given."""
+
+from collections.abc import Callable, Sequence
+from time import process_time
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    from vibcli.evidence.reference.settled import TrueValues
+    from vibcli.results.problem import Problem
+
+ALONE = "no other method is known here"
+
+
+class MethodAnswer(NamedTuple):
+    """What a method finds: numbers, and the largest bound of their relative errors, None where it states none."""
+
+    values: Sequence[Any]
+    bound: float | None = None
+
+
+class Subject(NamedTuple):
+    """`kind`: modes, damped modes …, which decides what methods there are; `asked`: as the scene language writes it;
+    `title`: in words; `problem`: with its element data known; `true`: what is to be found; `ours`: finds it from the
+    element data on; `data`: what the other methods are given; `error`: of values, beside the true ones, of
+    motions relative to `scale`, the largest value."""
+
+    kind: str
+    asked: str
+    title: str
+    problem: "Problem"
+    true: "TrueValues"
+    ours: Callable[..., MethodAnswer]
+    data: Any
+    error: Callable[[Sequence[Any], "TrueValues"], float]
+    scale: float = 1.0
+
+
+class TimeIsOver(Exception):
+    """A method took longer than it is given."""
+
+
+class Deadline:
+    """The processor time that a method has; one that takes many steps asks now and then."""
+
+    def __init__(self, seconds: float):
+        self._until = process_time() + seconds
+
+    def check(self) -> None:
+        """TimeIsOver where the time is over."""
+        if process_time() > self._until:
+            raise TimeIsOver
+
+
+class MethodRun(NamedTuple):
+    """One method with one setting (a tolerance, a number of points, '' where it has none), to be run."""
+
+    method: str
+    setting: str
+    run: Callable[[Deadline], MethodAnswer]

@@ -1,0 +1,89 @@
+"""Numbers of a motion in time: values at instants, extremes and where they are, of coordinates and their rates."""
+
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base.errors import PhysicsError
+from vibcli.evidence.plain_equations import plain_equations
+from vibcli.evidence.reference import motion as reference
+from vibcli.evidence.reference.taylor_steps import TakesMinutes
+from vibcli.evidence.subject import MethodAnswer, Subject
+from vibcli.quantities.expression import measure, number_of
+from vibcli.symbolic.evaluation import evaluate_rational
+from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.syntax import QuantityRef
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+
+SENSES = {"max": 1, "min": -1, "argmax": 1, "argmin": -1}
+KINDS = {"small": "motion", "full": "full motion"}
+
+
+def of_motion(problem: "Problem", tree: QuantityRef) -> Subject:
+    """A value, max, min, argmax or argmin of a signal."""
+    kind = problem.response.KIND
+    if kind not in KINDS:
+        raise PhysicsError("no reference is found of this kind of motion")
+    motion = (reference.small if kind == "small" else reference.full)(problem)
+    node = _node(problem, motion, tree.args[0])
+    if tree.head in SENSES:
+        until = Fraction(problem.response.until)
+        problem, until, true, cut = _until(problem, until, lambda end: reference.extremes(
+            motion, node, end, SENSES[tree.head], tree.head.startswith("arg"), problem.work))
+    else:
+        until, cut = _instant(problem, tree.args[1]), ""
+        true = reference.at_instant(motion, node, until, problem.work)
+    scale = float(true.about) or 1.0
+    plain = None if motion.parts.gaps else plain_equations(motion, node, float(until), tree.head
+                                                           if tree.head in SENSES else "value")
+
+    def ours(accuracy: float | None = None) -> MethodAnswer:
+        fresh = problem.afresh() if accuracy is None else problem.afresh().with_accuracy(accuracy)
+        value, bound = measure(fresh, tree)
+        return MethodAnswer([value], bound * abs(value) / scale)
+
+    return Subject(KINDS[kind], tree.text, f"of {problem.response.words}{cut}", problem, true, ours, plain,
+                   lambda found, known: _error(found, known, scale), scale)
+
+
+def _until(problem, end, found):
+    """(problem, end, true values, words) of a motion up to an end; up to an earlier one where that takes minutes."""
+    try:
+        return problem, end, found(end), ""
+    except TakesMinutes as error:
+        cut = Fraction(round(error.reached * 0.4, 3)).limit_denominator(1000)
+        return problem.until(float(cut)), Fraction(float(cut)), found(Fraction(float(cut))), (
+            f", cut at t = {float(cut):.6g} s: beyond, the reference takes minutes")
+
+
+def _error(found, true, scale):
+    import mpmath
+
+    with mpmath.workdps(true.working):
+        return float(abs(mpmath.mpf(float(found[0])) - true.values[0]) / scale)
+
+
+def _instant(problem, tree):
+    """An instant, exactly where it is rational."""
+    found = evaluate_rational([lower(tree, problem.scene.table, lambda name, *_: problem.scene.parameters.nodes[name])],
+                              problem.numeric.rational)
+    return Fraction(number_of(problem, tree)) if found is None else found[0]
+
+
+def _node(problem, motion, tree) -> Any:
+    """The expression of a signal: of coordinates and their rates, of full motions also of places and stretches."""
+    scene = motion.scene
+
+    def symbol(name, primes, part):
+        if name in scene.parameters.nodes and not primes and not isinstance(part, QuantityRef):
+            return scene.parameters.nodes[name]
+        if name in scene.coordinates:
+            return motion.coordinate(name, primes)
+        if motion.rested or isinstance(part, QuantityRef) or scene is not problem.scene:
+            raise PhysicsError("a reference is found of coordinates and their rates alone")
+        from vibcli.mechanics.signals import moving
+
+        return moving(problem.system, name, primes)
+
+    return lower(tree, scene.table, symbol)

@@ -1,0 +1,100 @@
+"""Methods timed by turns after a warm-up, in processor time, each answer beside the true one."""
+
+import math
+from collections.abc import Sequence
+from statistics import quantiles
+from time import process_time
+from typing import NamedTuple
+
+from vibcli.base.errors import PhysicsError
+from vibcli.evidence.subject import Deadline, MethodAnswer, MethodRun, Subject, TimeIsOver
+
+RUNS, FEW, SLOW = 7, 3, 0.5     # of each; of those whose one run takes longer [s]
+STOP, TIMES = 5.0, 100.0        # s, and times ours, after which a method is stopped
+LEAST, SHORT = 1e-3, 0.02       # s of one measurement, which repeats what is shorter; of runs that are never spared
+PATIENCE, LONGER = 15.0, 1.5    # s for all runs of a quantity; by which the next setting of a method takes longer
+STOPPED, SPENT = "stopped", "left out: too long"
+
+
+class Point(NamedTuple):
+    """One attempt. seconds: (lower quartile, median, upper quartile) of its runs, the one of a run that was ended;
+    error: relative, None where it has no answer; bound: what it states; why: it has none."""
+
+    method: str
+    setting: str
+    seconds: tuple[float, float, float]
+    runs: int
+    error: float | None
+    bound: float | None
+    why: str = ""
+
+
+def measured(subject: Subject, attempts: Sequence[MethodRun], runs: int = RUNS,
+             patience: float = PATIENCE) -> list[Point]:
+    """A Point of each attempt, the first of which is ours. After one that was stopped the later ones of its method are
+    left out: their settings take longer; so are those for which no time is left."""
+    tried, over, last, left = [], set(), {}, patience / 2
+    for attempt in attempts:
+        method = attempt.method
+        if method in over:
+            continue
+        if tried and last.get(method, 0.0) * LONGER > left:
+            over.add(method)
+            tried.append((attempt, last.get(method, 0.0), None, SPENT))
+            continue
+        one = _tried(attempt, max(STOP, TIMES * tried[0][1]) if tried else STOP)
+        tried.append(one)
+        last[method], left = one[1], left - one[1]
+        if one[3] == STOPPED:
+            over.add(method)
+    spent = _by_turns(tried, runs, left + patience / 2)
+    return [_point(subject, *one, times) for one, times in zip(tried, spent, strict=True)]
+
+
+def _tried(attempt, allowed):
+    """(attempt, seconds, MethodAnswer or None, why there is none) of the warm-up."""
+    found, why, start = None, "", process_time()
+    try:
+        found = attempt.run(Deadline(allowed))
+    except TimeIsOver:
+        why = STOPPED
+    except PhysicsError as error:
+        why = error.message
+    except Exception as error:      # whatever a library has to say of an input that it does not bear
+        why = f"{type(error).__name__}: {error}"
+    return attempt, process_time() - start, found, why
+
+
+def _by_turns(tried, runs, patience):
+    """[seconds of each run] of each attempt; where all together take too long, those of the dearest are fewer."""
+    counts = [0 if why else runs if spent <= SLOW else min(runs, FEW) for _, spent, _, why in tried]
+    costs = [count * max(spent, LEAST) for count, (_, spent, _, _) in zip(counts, tried, strict=True)]
+    for i in sorted(range(1, len(costs)), key=lambda i: -costs[i]):
+        if sum(costs) > patience and tried[i][1] > SHORT:
+            costs[i], counts[i] = 0.0, 0        # its warm-up stands for it
+    times: list[list[float]] = [[] for _ in tried]
+    for turn in range(max(counts, default=0)):
+        for (attempt, spent, _, _), count, kept in zip(tried, counts, times, strict=True):
+            if turn < count:
+                kept.append(_timed(attempt, max(1, math.ceil(LEAST / max(spent, 1e-6)))))
+    return times
+
+
+def _timed(attempt, repeats):
+    free = Deadline(math.inf)
+    start = process_time()
+    for _ in range(repeats):
+        attempt.run(free)
+    return (process_time() - start) / repeats
+
+
+def _point(subject, attempt, spent, found: MethodAnswer | None, why, times):
+    if found is None:
+        return Point(attempt.method, attempt.setting, (spent,) * 3, 0, None, None, why)
+    times = times or [spent]
+    quartiles = tuple(quantiles(times, n=4, method="inclusive")) if len(times) > 1 else (times[0],) * 3
+    error = subject.error(found.values, subject.true)
+    if not math.isfinite(error):
+        return Point(attempt.method, attempt.setting, quartiles, len(times), None, None,
+                     f"{len(found.values)} values, of which there are {len(subject.true.values)}")
+    return Point(attempt.method, attempt.setting, quartiles, len(times), error, found.bound)

@@ -1,0 +1,104 @@
+"""Evidence in words and tables, as a report that every format renders, and as data."""
+
+from collections.abc import Sequence
+from itertools import groupby
+from typing import TYPE_CHECKING, Any
+
+from vibcli.evidence.verdict import verdict
+from vibcli.report.blocks import Document, Paragraph, Picture, Section, TableBlock, paragraph
+
+if TYPE_CHECKING:
+    from vibcli.evidence.compared import Evidence, WorkPrecision
+    from vibcli.evidence.timing import Point
+
+MANY = 6                # settings of a method, of which not all are told in a table
+HEAD = ("method", "with", "ms (quartiles)", "error", "bound")
+
+
+def document(found: "Evidence", pictures: bool = False) -> Document:
+    """A section for each quantity, with its table and its sentence, and what was left out."""
+    title = found.problem.spec.get("title") or "Run time and true error"
+    sections = [_section(one, pictures, number) for number, one in enumerate(found.compared, 1)]
+    if found.drawn:
+        values = ", ".join(f"{name} = {value}" for name, value in found.drawn.items())
+        sections.insert(0, Section("Values", (paragraph(
+            f"{values}: drawn for letters that have none, the same at every run; --set gives others."),)))
+    return Document(title, None, (), (*sections, *_left_out(found), *_stages(found)))
+
+
+def _section(one, pictures, number):
+    true, points = one.subject.true, one.points
+    blocks: list[Any] = [
+        paragraph(f"True values: mpmath, {true.digits} digits alike with {true.before} and {true.working}."),
+        TableBlock(HEAD, tuple(map(_row, _shown(points)))), paragraph(f"{verdict(points)}.")]
+    if pictures and worth_a_picture(one):
+        from vibcli.evidence.picture import figure, picture_of
+
+        blocks.insert(1, Picture(f"curve-{number}", "Run time over true error", picture_of(figure([one]))))
+    return Section(f"{one.subject.asked}: {one.subject.title}", tuple(blocks))
+
+
+def _shown(points):
+    """Those of a table: of a method with many settings every third, and the last."""
+    for _, some in groupby(points, key=lambda point: point.method):
+        found = list(some)
+        yield from (point for i, point in enumerate(found) if len(found) < MANY or not i % 3 or i == len(found) - 1)
+
+
+def worth_a_picture(one: "WorkPrecision") -> bool:
+    """Did another method than ours answer?"""
+    return any(point.error is not None for point in one.points[1:])
+
+
+def _row(point: "Point"):
+    low, middle, high = (f"{1e3 * second:.3g}" for second in point.seconds)
+    if point.error is None:
+        return point.method, point.setting, middle, point.why, ""
+    return (point.method, point.setting, f"{middle} ({low} … {high})" if point.runs > 1 else f"{middle} (one run)",
+            f"{point.error:.1e}", "" if point.bound is None else f"{float(point.bound):.1e}")
+
+
+def _left_out(found: "Evidence") -> tuple[Section, ...]:
+    if not found.left_out:
+        return ()
+    by_reason: dict[str, list[str]] = {}
+    for asked, why in found.left_out:
+        by_reason.setdefault(why, []).append(asked)
+    return (Section("Not compared", tuple(_reason(*pair) for pair in by_reason.items())),)
+
+
+def _stages(found: "Evidence") -> tuple[Section, ...]:
+    if not found.stages:
+        return ()
+    rows = tuple((one.stage, _ms(one) if one.taken else "", one.why or _ms(one) if not one.taken else "")
+                 for one in found.stages)
+    table = TableBlock(("stage", "taken", "skipped, would cost"), rows)
+    return (Section("Stages, and what was skipped [ms]", (table,)),)
+
+
+def _ms(cost):
+    return "" if cost.seconds is None else f"{1e3 * cost.seconds:.3g}"
+
+
+def _reason(why: str, asked: Sequence[str]) -> Paragraph:
+    return paragraph(f"{', '.join(dict.fromkeys(asked))}: {why}.")
+
+
+def data(found: "Evidence") -> dict[str, Any]:
+    """The same as data; seconds are of processor time."""
+    return {"title": found.problem.spec.get("title"), "drawn": found.drawn or None,
+            "compared": [_data(one) for one in found.compared],
+            "stages": [{"stage": one.stage, "taken": one.taken, "seconds": one.seconds, "why": one.why or None}
+                       for one in found.stages],
+            "not compared": [{"asked": asked, "why": why} for asked, why in found.left_out]}
+
+
+def _data(one: "WorkPrecision") -> dict[str, Any]:
+    true = one.subject.true
+    return {"asked": one.subject.asked, "about": one.subject.title, "kind": one.subject.kind,
+            "reference": {"digits": true.digits, "working digits": [true.before, true.working]},
+            "verdict": verdict(one.points),
+            "points": [{"method": point.method, "with": point.setting or None, "seconds": point.seconds[1],
+                        "quartiles": [point.seconds[0], point.seconds[2]], "runs": point.runs, "error": point.error,
+                        "bound": None if point.bound is None else float(point.bound), "why": point.why or None}
+                       for point in one.points]}

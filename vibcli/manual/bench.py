@@ -1,0 +1,30 @@
+"""The page of the manual on run time against true error. Data alone."""
+
+BENCH = [
+    "`vibcli bench FILE` answers what the file asks (or `--of omega`, `--of 'max(x)'`; all modes are one) by every "
+    "method that can, and sets the run time of each against its true error: that beside values to many digits, which "
+    "mpmath finds from the element data alone, with more and more digits until two numbers of digits agree. Where "
+    "none do, the quantity is left out, never guessed.",
+    [
+        ("omega, zeta …", "`eigh` and `eig` of SciPy and NumPy on assembled matrices, `eig` of the state matrix and "
+         "of its pencil; the error is the largest relative one of any mode"),
+        ("max(x), x(2 s) …", "`solve_ivp` (RK45, DOP853, LSODA, Radau, BDF) and `odeint`, each at tolerances 1e-3 … "
+         "1e-13, on equations that are compiled beforehand; of small motions also sums of 1 … n undamped modes. "
+         "Extremes are the tops of parabolas through 4001 samples. The error is relative to the largest value"),
+        ("frf[x, F](5 Hz), amplitude(x)", "LU of the matrix at that frequency, sums of 1 … n undamped modes"),
+        ("omega of members", "1 … 128 finite elements a piece, and `eigh`"),
+        ("peak[1](frf[x, F]).value", "grids of 100 … 1,000,000 frequencies, with parabolas and without"),
+    ],
+    "vibcli itself begins with the element data, finds its modes anew, and states a bound, which stands beside its "
+    "true error. Times are of the processor: medians of 7 runs by turns after one that does not count (3 with "
+    "`--quick`, or where one takes over half a second; one where all would take too long), with quartiles. What takes "
+    "over 5 s and a hundred times as long as vibcli itself is stopped. A method that has no answer is left out; one "
+    "that gives a wrong number of values, or refuses, says so instead of an error.",
+    "Below stand the stages of the scene: what each took that was needed, and what those that were skipped would have "
+    "cost. `--skipped` shows for each question which stages it takes, and which packages and rooms of the program it "
+    "imports, by asking it in a process of its own.",
+    "`-o curve.svg` (png, pdf) draws it: relative error across, time up, a cross at the edge for what was refused or "
+    "stopped; `-o table.md` (html, txt) writes the tables; `--json` holds all points. Letters without value are given "
+    "the same ones at every run, which are told. Without FILE the project's own measurements are made, against "
+    "budgets; `--only PART` takes some.",
+]
