@@ -57,9 +57,12 @@ class SceneDocument:
 
     def with_values(self, values: "Given[str, GivenValue]") -> "SceneDocument":
         """The document with values for parameters."""
-        given = {name: (value.expression.tree, value.expression.scalar) for name, value in values.items()}
-        return self._replace(settings={**self.settings, **given})
+        return SceneDocument(self.root, self.file, self._with(values), self._given)
 
     def anew(self, values: "Given[str, GivenValue]") -> "Problem":
         """The Problem that is read with values for parameters, those that it would choose among them."""
-        return settled(Problem(read_alone(self._bare, self.file, self.with_values(values).settings, self._columns)))
+        return settled(Problem(read_alone(self._bare, self.file, self._with(values), self._columns)))
+
+    def _with(self, values):
+        given = {name: (value.expression.tree, value.expression.scalar) for name, value in values.items()}
+        return {**self.settings, **given}
