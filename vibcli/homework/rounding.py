@@ -41,8 +41,8 @@ POWERS = 0.5, 1.0, 1.5, 2.0, 3.0                # of a line in a formula that ot
 def shares_of(problem: "Problem", keys: "Sequence[AnswerKey]",
               values: "Sequence[Mapping[str, GivenValue]]") -> "list[np.ndarray | None]":
     """Of each key Σ a, Σ a², Σ a⁴ and the largest a of what lines of its solution carry to it, relative to it, in
-    variants with these values of the parameters of a scene with numbers, as an array 4 × variants; None of a key that no
-    line tells."""
+    variants with these values of the parameters of a scene with numbers, as an array 4 × variants; None of a key that
+    no line tells."""
     rounding = Rounding(problem)
     looked_at = [values[i] for i in sorted({0, len(values) // 2, len(values) - 1})]
     return rounding.shares(keys, _arrays(values), [rounding.root(key, looked_at) for key in keys])
