@@ -72,7 +72,8 @@ class Students:
         number = int(key.asked.tree.indices[0]) - 1
 
         def omega(row):
-            return np.sqrt(np.sort(np.roots([signs[name] * row[names[name]] for name in sorted(names)[::-1]]).real)[number])
+            squares = np.roots([signs[name] * row[names[name]] for name in sorted(names)[::-1]]).real
+            return np.sqrt(np.sort(squares)[number])
 
         return np.array([omega({j: found[j][k] for j in root}) for k in range(self.count)]) / omega(right)
 

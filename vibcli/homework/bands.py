@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 FIGURES = 3, 4, 5       # that a sheet may ask for
 ROUNDED = 0.005         # of a key, by what is rounded on the way, where no line of its solution tells it
-TAIL = 2.807            # standard deviations: 199 of 200 of a normal distribution, as errors of one variant are no draws
+TAIL = 2.807            # standard deviations: 199 of 200 of a normal distribution, as in a variant errors are no draws
 FLATTER = (TAIL**3 - 3 * TAIL) / 24     # by so many more for an excess kurtosis of 1 (Cornish & Fisher 1938)
 WIDEST = 0.02           # of a key
 

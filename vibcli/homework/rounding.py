@@ -38,13 +38,12 @@ ALIKE = 1e-6                                    # of slopes in logarithms
 POWERS = 0.5, 1.0, 1.5, 2.0, 3.0                # of a line in a formula that other values enter as well
 
 
-def shares_of(problem: "Problem", keys: "Sequence[AnswerKey]",
-              values: "Sequence[Mapping[str, GivenValue]]") -> "list[np.ndarray | None]":
+def shares_of(problem: "Problem", keys: "Sequence[AnswerKey]", values: "Sequence[Mapping[str, GivenValue]]",
+              looked_at: "Sequence[Mapping[str, GivenValue]]") -> "list[np.ndarray | None]":
     """Of each key Σ a, Σ a², Σ a⁴ and the largest a of what lines of its solution carry to it, relative to it, in
-    variants with these values of the parameters of a scene with numbers, as an array 4 × variants; None of a key that no
-    line tells."""
+    variants with these values of the parameters of a scene with numbers, as an array 4 × variants; None of a key that
+    no line tells. looked_at: values at which roots are looked at."""
     rounding = Rounding(problem)
-    looked_at = [values[i] for i in sorted({0, len(values) // 2, len(values) - 1})]
     return rounding.shares(keys, _arrays(values), [rounding.root(key, looked_at) for key in keys])
 
 
@@ -69,20 +68,27 @@ class Rounding:
 
     def root(self, key: "AnswerKey", looked_at: "Sequence[Mapping[str, GivenValue]]") -> "dict[int, float] | None":
         """{line: the largest slope ∂ln key/∂ln line at some variants} of the lines from which a key is found that none
-        tells by itself; None where there are none, or they do not make it up."""
+        tells by itself; None where there are none, or they make it up nowhere."""
         uses = next((self._roots[name] for name in _names(key) if name in self._roots), [])
         if self.line(key) is not None or not uses:
             return None
-        _, slopes = self._slopes(_arrays(looked_at))
+        found = [self._root_at(key, uses, values) for values in looked_at]
+        known = [weights for weights in found if weights is not None]
+        return {j: max((one[k] for one in known), key=abs) for k, j in enumerate(uses)} if known else None
+
+    def _root_at(self, key, uses, values):
+        """∂ln key/∂ln line of each of these lines at a variant; None where there is no such, or they do not make it
+        up."""
         try:
-            own = np.array([self._slopes_of(key, values) for values in looked_at])
+            own = np.array([self._slopes_of(key, values)])
         except (PhysicsError, SpecError):
             return None
+        _, slopes = self._slopes(_arrays([values]))
         weights = _weights(own, [slopes[j] for j in uses])
         left = own - sum(weight[:, None] * slopes[j] for j, weight in zip(uses, weights, strict=True))
         if np.abs(left).max() > MADE_UP * max(1.0, np.abs(own).max()):
             return None
-        return {j: float(weight[np.abs(weight).argmax()]) for j, weight in zip(uses, weights, strict=True)}
+        return [float(weight[0]) for weight in weights]
 
     def shares(self, keys: "Sequence[AnswerKey]", given: "Mapping[str, np.ndarray]",
                roots: "Sequence[dict[int, float] | None]") -> "list[np.ndarray | None]":
