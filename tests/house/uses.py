@@ -11,7 +11,7 @@ import re
 from vibcli.analyses import ANALYSES
 
 FACES = ("bench", "cli", "drawing.symbols", "elements", "language.sections", "mistakes", "quantities",
-         "reader.sections", "report.formats", "report.sections",
+         "reader.sections", "report.formats", "report.sections", "homework.exports",
          *("analyses." + row[0].replace("/", ".") for row in ANALYSES.values()))
 ANY = r"\w+"
 FUNCTION = (ast.FunctionDef, ast.AsyncFunctionDef)

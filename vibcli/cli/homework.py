@@ -9,6 +9,7 @@ import click
 
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError, Where
 from vibcli.cli.common import color_option, patience_option, problem_in, source_of
+from vibcli.homework.exports import FORMATS
 
 if TYPE_CHECKING:
     from vibcli.homework.course import Course, CourseProblem
@@ -25,6 +26,10 @@ LEAST_SALT = 8      # characters
               help="The folder to write, new or empty.")
 @click.option("--students", metavar="FILE", help="The roster: a CSV file with a heading, id and perhaps name.")
 @click.option("--paper", type=click.IntRange(1, 100_000), metavar="N", help="N numbered sheets without names instead.")
+@click.option("--export", "formats", multiple=True, type=click.Choice(list(FORMATS)),
+              help="A package for a course system, several times for several; with --pool.")
+@click.option("--pool", type=click.IntRange(1, 100_000), metavar="N",
+              help="N variants of each problem for the packages, instead of students.")
 @click.option("--salt-file", metavar="FILE", help="A file with a secret text: who gets which variant hangs on it.")
 @click.option("--attempt", type=click.IntRange(1, 1000), default=1, metavar="N", help="Another gives other variants.")
 @click.option("--distinct", is_flag=True, help="Refuse where students would share a variant.")
@@ -32,17 +37,23 @@ LEAST_SALT = 8      # characters
 @click.option("--force", is_flag=True, help="Replace sheets that the folder holds.")
 @patience_option
 @color_option
-def command(course: str, folder: Path, students: str | None, paper: int | None, salt_file: str | None, attempt: int,
-            distinct: bool, from_manifest: bool, force: bool, patience: int) -> int:
+def command(course: str, folder: Path, students: str | None, paper: int | None, formats: Sequence[str],
+            pool: int | None, salt_file: str | None, attempt: int, distinct: bool, from_manifest: bool, force: bool,
+            patience: int) -> int:
     """Hand out a problem, a folder of them or a set.yaml: a sheet for each student, each with values of its own, the
-    keys with worked solutions, and a manifest by which `vibcli grade` marks. See vibcli explain homework."""
+    keys with worked solutions, and a manifest by which `vibcli grade` marks; or a pool of variants as packages for
+    course systems. See vibcli explain homework, and vibcli explain exports."""
     from vibcli.homework.folder import refuse_folder
 
     refuse_folder(folder, force)
     if from_manifest:
-        if students or paper or distinct:
-            raise click.UsageError("--from-manifest knows its students: leave --students, --paper and --distinct out")
+        if students or paper or distinct or pool or formats:
+            raise click.UsageError("--from-manifest knows its students: leave --students, --paper, --distinct, --pool "
+                                   "and --export out")
         return _again(course, folder, force, patience)
+    if pool or formats:
+        _require_pool(pool, formats, students or paper or distinct)
+        return _pool(course, folder, force, patience, _salt(salt_file), pool, list(dict.fromkeys(formats)), attempt)
     if (students is None) == (paper is None):
         raise click.UsageError("say for whom: --students roster.csv, or --paper 30 for numbered sheets")
     salt = _salt(salt_file)
@@ -54,6 +65,51 @@ def command(course: str, folder: Path, students: str | None, paper: int | None, 
     _require_variants(handouts, found, who, distinct)
     assigned = _assigned(salt, found, handouts, who, attempt)
     return _write(folder, force, found, list(handouts.values()), assigned, attempt, salt.decode("utf-8", "replace"))
+
+
+def _require_pool(pool, formats, others):
+    """A usage error where packages are not told apart from sheets."""
+    if not formats:
+        raise click.UsageError(f"--pool is for packages: say for which system, as in --export {next(iter(FORMATS))}")
+    if others:
+        raise click.UsageError("course systems hand out by themselves: leave --students, --paper and --distinct out, "
+                               "and say how many variants they get: --pool 40")
+    if not pool:
+        raise click.UsageError("say how many variants of each problem the packages hold: --pool 40")
+
+
+def _pool(path: str, folder: Path, force: bool, patience: int, salt: bytes, count: int, formats: list[str],
+          attempt: int) -> int:
+    """Write the first so many variants of each problem, in an order by the salt, as packages."""
+    from vibcli.homework.assignment import pooled
+    from vibcli.homework.exports.package import of_pool
+
+    course = _course(path)
+    handouts = [_handout(one, patience) for one in course.problems]
+    for one in handouts:
+        if one.accepted < count:
+            raise PhysicsError(f"{one.name} has {one.accepted} variants, and a pool of {count} is asked for",
+                               f"ask for --pool {min(one.accepted for one in handouts)}, or widen the ranges")
+    assigned = [sheet for one in handouts
+                for sheet in of_pool(one, pooled(salt, one.name, one.accepted, count, attempt))]
+    return _write_pool(folder, force, course, handouts, assigned, attempt, salt.decode("utf-8", "replace"), formats)
+
+
+def _write_pool(folder, force, course, handouts, assigned, attempt, salt, formats):
+    from vibcli.homework.exports.package import pool_files
+    from vibcli.homework.folder import write_folder
+    from vibcli.homework.paper import paper
+
+    on = paper()
+    with handouts[0].base.work.task("the packages") as task:
+        found = pool_files(course, handouts, assigned, attempt, salt, formats, on, task.step)
+        count = write_folder(folder, found, force)
+    click.echo(f"{len(assigned)} variants of {len(handouts)} problem{'s' * (len(handouts) > 1)} for "
+               f"{', '.join(formats)}: {count} files in {os.fspath(folder)}")
+    for one in handouts:
+        if by_hand := one.by_hand:
+            click.echo(f"{one.name}: {', '.join(by_hand)}: marked by hand, since no system compares expressions")
+    return 0
 
 
 def _salt(path):
@@ -152,5 +208,8 @@ def _again(path, folder, force, patience):
     from vibcli.homework.handed_out import handed_out
     from vibcli.homework.manifest import read_manifest
 
-    course, handouts, assigned, attempt = handed_out(read_manifest(path), patience)
+    manifest = read_manifest(path)
+    course, handouts, assigned, attempt = handed_out(manifest, patience)
+    if formats := [one["format"] for one in manifest.get("exports", ())]:
+        return _write_pool(folder, force, course, handouts, assigned, attempt, "", formats)
     return _write(folder, force, course, handouts, assigned, attempt, "")

@@ -31,31 +31,40 @@ class Leak(PhysicsError):
 def files(course: "Course", handouts: "Sequence[Handout]", assigned: Assigned, attempt: int, salt: str,
           on: "Pages | Paper", tell: Callable[[float], None]) -> Iterator[tuple[str, bytes]]:
     """(path in the folder, bytes) of every file; Leak where a sheet would tell a key. tell(part): how far it is."""
-    gone: dict[str, dict[int, list[str]]] = {one.name: {} for one in handouts}
     for number, (student, sheets) in enumerate(assigned, 1):
         documents = student_sheet(course, student, sheets)
-        _require_no_leak(student.id, html.render(documents, listed=False), sheets, salt)
+        require_no_leak(f"the sheet of {student.id}", html.render(documents, listed=False), sheets, salt)
         yield f"{STUDENT}/{student.id}{on.suffix}", on.data(documents)
+        tell(0.5 * number / len(assigned))
+    yield from of_instructor(course, handouts, assigned, attempt, on, tell)
+
+
+def of_instructor(course: "Course", handouts: "Sequence[Handout]", assigned: Assigned, attempt: int,
+                  on: "Pages | Paper", tell: Callable[[float], None],
+                  exports: Sequence[Any] = ()) -> Iterator[tuple[str, bytes]]:
+    """(path in the folder, bytes) of what is for who marks; exports: what the manifest keeps of packages."""
+    gone: dict[str, dict[int, list[str]]] = {one.name: {} for one in handouts}
+    for student, sheets in assigned:
         for handout, variant in sheets:
             gone[handout.name].setdefault(variant, []).append(student.id)
-        tell(0.5 * number / len(assigned))
     for number, handout in enumerate(handouts, 1):
         for variant in sorted(gone[handout.name]):
             yield f"{INSTRUCTOR}/keys/{handout.name}-{variant + 1}{on.suffix}", on.data([key_sheet(handout, variant)])
         tell(0.5 + 0.5 * number / len(handouts))
     yield f"{INSTRUCTOR}/overview{on.suffix}", on.data([overview(course, handouts, len(assigned), gone)])
     yield f"{INSTRUCTOR}/keys.csv", _table(assigned)
-    yield f"{INSTRUCTOR}/manifest.json", _json(manifest(course, handouts, assigned, attempt))
+    yield f"{INSTRUCTOR}/manifest.json", _json(manifest(course, handouts, assigned, attempt, exports))
 
 
-def _require_no_leak(student, page, sheets, salt):
+def require_no_leak(what: str, page: str, sheets: Sequence[Any], salt: str) -> None:
+    """Leak where a page that students see tells a key, the salt or a comment; what: the page in words."""
     keys = [key for handout, variant in sheets for key in handout.variants[variant].keys]
     comments = [line.partition("#")[2].strip() for handout, _ in sheets for line in handout.text.splitlines()
                 if line.lstrip().startswith("#")]
     found = leak(text_of_page(page), [key.value for key in keys if key.value is not None],
                  [salt, *(one for one in comments if len(one) > 3)], [text for key in keys for text in key.hidden])
     if found is not None:
-        raise Leak(f"the sheet of {student} would tell {found}", "nothing was written; take it out of the question or "
+        raise Leak(f"{what} would tell {found}", "nothing was written; take it out of the question or "
                    "of the figure, or vary the parameters otherwise")
 
 

@@ -43,7 +43,7 @@ HOMEWORK = [
     "roster (`--students roster.csv`), by a secret text (`--salt-file F`): under `student/` a sheet for each student, "
     "under `instructor/` the key of each variant with its worked solution, `keys.csv`, an overview and "
     "`manifest.json`. `--paper N` numbers sheets instead. Sheets are PDF where `vibcli[homework]` is installed, else "
-    "HTML pages.",
+    "HTML pages. Packages for Moodle and other systems: `vibcli explain exports`.",
     [
         ("set.yaml", "`{title: Week 3, course: Dynamics, due: Friday, problems: [lever.yaml, {file: shafts.yaml, case: "
          "stiff, points: 4}, {file: more, pick: 2}]}`: of a folder each student gets so many problems. Its schema for "
