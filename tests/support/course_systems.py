@@ -7,6 +7,7 @@ import math
 import re
 from decimal import ROUND_HALF_UP, Decimal
 from html import unescape
+from operator import ge, gt, le, lt
 from types import ModuleType
 from xml.etree import ElementTree
 from zipfile import ZipFile
@@ -112,6 +113,8 @@ def _filled(page, params):
 
 
 def _prairielearn(server, data, name, field):
+    assert field.get("comparison") == "relabs"
+
     def marks(text):
         key = data["correct_answers"][name]
         verdict = element(key, float(field.get("rtol")), float(field.get("atol", "1e-8")),
@@ -173,10 +176,13 @@ def _branch(condition, responses, outcomes):
 
 
 def _compared(sign, responses):
+    if _tag(sign) == "variable":        # of isNull
+        return responses.get(sign.get("identifier")) is None
     value = responses.get(sign[0].get("identifier"))
     if value is None:
         return False
-    return value >= float(sign[1].text) if _tag(sign) == "gte" else value <= float(sign[1].text)
+    compare = {"gte": ge, "lte": le, "gt": gt, "lt": lt}[_tag(sign)]
+    return compare(value, float(sign[1].text))
 
 
 # Canvas: every interval of a package is a right answer; an answer is rounded to four decimals as it is typed.

@@ -24,7 +24,7 @@ def question(item, *keys, words="A block on a spring.", said=None, by_hand=False
                                  None if by_hand else key["value"], () if by_hand else tuple(bands_told(key)))
                      for letter, key in zip("abcdefgh", keys, strict=False))
     names = [one["name"] for key in keys for one in key["mistakes"]]
-    return ExportedQuestion(item, group, int(item.rpartition("-")[2] or 1), "A block", by_hand,
+    return ExportedQuestion(item, group, "block", 1, "A block", by_hand,
                             (words, maths("ω² = k/m")), (), None, "", {}, exported,
                             dict.fromkeys(names, "look again") if said is None else said, ())
 

@@ -50,6 +50,9 @@ EXPORTS = [
         ("qti21", "A player marks where the item is shown, so that who has the item may read the key: give packages "
          "to platforms that mark on their server."),
     ],
-    "The element of PrairieLearn marked 240 answers as the model of it in our tests does. Import by the systems "
-    "themselves is not tried.",
+    "Tried (`make peers` in the sources): `moodle2amc` reads key and band of numerical questions; "
+    "@citolab/qti-components marks each item of QTI in Chromium as `grade` does, and shows its MathML as plain "
+    "letters; packages for Canvas are built as those of `text2qti` are; the element of PrairieLearn marked 240 answers "
+    "as the model of it in the tests. Cloze questions, and import by Moodle, PrairieLearn and Canvas themselves, are "
+    "not tried.",
 ]

@@ -60,7 +60,8 @@ def _assessment(course, name, questions):
             groups.append(_group(f"{group}-{key.letter}", members[0], key, items))
     title = attribute(cleaned(course.title or "Homework"))
     return (f'{HEAD}<questestinterop xmlns="{QTI}" {SCHEMA.format(QTI, QTI + "p1.xsd")}>\n<assessment ident="{name}" '
-            f'title="{title}">\n<section ident="root_section">\n' + "\n".join(groups)
+            f'title="{title}"><qtimetadata><qtimetadatafield><fieldlabel>cc_maxattempts</fieldlabel><fieldentry>1'
+            '</fieldentry></qtimetadatafield></qtimetadata>\n<section ident="root_section">\n' + "\n".join(groups)
             + "\n</section>\n</assessment>\n</questestinterop>\n")
 
 
@@ -79,6 +80,7 @@ def _item(one: ExportedQuestion, key: ExportedKey) -> str:
     text = "\n".join([f"<p>{running(one.question, TEX)}</p>", figure_html(one, place), html(one.given, TEX), links,
                       f"<p>{asked(key, TEX)}</p>"])
     data = {"question_type": kind, "points_possible": f"{key.points:g}",
+            "original_answer_ids": "" if one.by_hand else f"{ident}-answer",
             "assessment_question_identifierref": f"{ident}-q"}
     fields = "".join(f"<qtimetadatafield><fieldlabel>{label}</fieldlabel><fieldentry>{entry}</fieldentry>"
                      "</qtimetadatafield>" for label, entry in data.items())

@@ -42,12 +42,13 @@ class ExportedKey(NamedTuple):
 
 class ExportedQuestion(NamedTuple):
     """A variant of a problem, or what of it is marked by hand. item: a name that no other question has, the same when
-    it is exported again; group: that of the questions of which a student gets one; question: words and Maths; given:
-    the values; described: what the figure shows, in words; files: {name: bytes} that it comes with; said: {mistake:
-    what the student is told}."""
+    it is exported again; group: that of the questions of which a student gets one; problem: its plain name; question:
+    words and Maths; given: the values; described: what the figure shows, in words; files: {name: bytes} that it comes
+    with; said: {mistake: what the student is told}."""
 
     item: str
     group: str
+    problem: str
     variant: int
     title: str
     by_hand: bool
@@ -89,13 +90,13 @@ def questions_of(course: "Course", handout: "Handout", number: int) -> Iterator[
                         () if one.value is None else tuple(bands_told(data[i])))
             for i, (key, points, one) in enumerate(zip(handout.keys, handout.points, handout.variants[number].keys,
                                                        strict=True))]
-    item, group = item_of(handout.name, number), plain_name(handout.name)
+    item, name = item_of(handout.name, number), plain_name(handout.name)
     solution, picture = tuple(handout.solution(number)), _picture(handout)
     for by_hand in (False, True):
         own = tuple(key for key in keys if (key.value is None) == by_hand)
         if own:
             end = f"-{BY_HAND}" if by_hand else ""
-            yield ExportedQuestion(item + end, group + end, number + 1, handout.title, by_hand, sheet.question,
+            yield ExportedQuestion(item + end, name + end, name, number + 1, handout.title, by_hand, sheet.question,
                                    tuple(given), picture, _described(handout, picture),
                                    getattr(handout.document, "files", {}), own, handout.sentences, solution)
 

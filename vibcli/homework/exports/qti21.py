@@ -15,6 +15,7 @@ from vibcli.homework.exports.item import ExportedKey, ExportedQuestion, plain_na
 from vibcli.homework.exports.setting import MATHML, html, running
 from vibcli.homework.exports.told import RIGHT
 from vibcli.homework.exports.zipped import zipped
+from vibcli.notation.as_printed import as_printed
 
 if TYPE_CHECKING:
     from vibcli.homework.course import Course
@@ -65,7 +66,8 @@ def _item(one: ExportedQuestion) -> str:
 def _field(key):
     if key.value is None:
         return f'<extendedTextInteraction responseIdentifier="RESPONSE_{key.letter}" expectedLines="5"/>'
-    return f'<p><textEntryInteraction responseIdentifier="RESPONSE_{key.letter}" expectedLength="12"/></p>'
+    unit = f" {MATHML.words(as_printed(key.unit))}" if key.unit else ""
+    return f'<p><textEntryInteraction responseIdentifier="RESPONSE_{key.letter}" expectedLength="12"/>{unit}</p>'
 
 
 def _response(key: ExportedKey) -> str:
@@ -88,16 +90,16 @@ def _outcomes(key):
 
 
 def _processing(one: ExportedQuestion) -> Iterator[str]:
-    """The score of each key and what is said of it; their sum."""
+    """The score of each key and what is said of it; their sum. No answer is told apart from 0, which players may take
+    it for."""
     for key in one.keys:
         said = {band.mistake: f"M{i}" for i, band in enumerate(key.told)}
-        branches = []
-        for i, band in enumerate(key.told):
-            word = "responseElseIf" if i else "responseIf"
-            then = _set(key, band.mistake == RIGHT, said[band.mistake])
-            branches.append(f"<{word}>{_within(key, band)}{then}</{word}>")
-        yield (f"<responseCondition>{''.join(branches)}<responseElse>{_set(key, False, 'NONE')}</responseElse>"
-               "</responseCondition>")
+        branches = "".join(f"<responseElseIf>{_within(key, band)}"
+                           f"{_set(key, band.mistake == RIGHT, said[band.mistake])}</responseElseIf>"
+                           for band in key.told)
+        nothing, answer = _set(key, False, "NONE"), f'<variable identifier="RESPONSE_{key.letter}"/>'
+        yield (f"<responseCondition><responseIf><isNull>{answer}</isNull>{nothing}</responseIf>{branches}<responseElse>"
+               f"{nothing}</responseElse></responseCondition>")
     scores = "".join(f'<variable identifier="SCORE_{key.letter}"/>' for key in one.keys)
     yield f'<setOutcomeValue identifier="SCORE"><sum>{scores}</sum></setOutcomeValue>'
 
@@ -130,8 +132,7 @@ def _test(course: "Course", questions: Sequence[ExportedQuestion]) -> str:
     parts = []
     for number, part in enumerate(course.parts, 1):
         names = {plain_name(one.name) for one in part.problems}
-        own = [_section(group, members) for group, members in groups.items()
-               if members[0].item.rpartition(f"-{members[0].variant}")[0] in names]
+        own = [_section(group, members) for group, members in groups.items() if members[0].problem in names]
         pick = f'<selection select="{part.pick}"/>' if part.pick < len(part.problems) else ""
         parts.append(f'<assessmentSection identifier="part-{number}" title="{number}" visible="true">{pick}'
                      f"{''.join(own)}</assessmentSection>")

@@ -23,10 +23,13 @@ class ToldBand(NamedTuple):
 
 
 def bands_told(key: Mapping[str, Any]) -> list[ToldBand]:
-    """The ToldBands of a key of a manifest, none of which overlap: first that of the key."""
+    """The ToldBands of a key of a manifest, none of which overlap: first that of the key, then mistakes that give 0 and
+    have no width."""
     value, width = key["value"], reach(key["value"], key["band"])
     right = ToldBand(value - width, value + width, RIGHT)
-    return [right, *_joined(_of_mistakes(key, right))]
+    zero = mistake_near(0.0, 0.0, key) if any(one["value"] == 0.0 for one in key["mistakes"]) else None
+    points = [ToldBand(0.0, 0.0, zero)] if zero is not None and not right.low <= 0.0 <= right.high else []
+    return [right, *points, *_joined(_of_mistakes(key, right))]
 
 
 def _of_mistakes(key, right) -> Iterator[ToldBand]:

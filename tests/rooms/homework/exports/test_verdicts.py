@@ -17,7 +17,7 @@ KEYS = {
     "small": manifest_key(0.00123456, 6.2e-6, {"other": 0.00125, "sign": -0.00123456}, "m"),
     "large": manifest_key(87654.3, 440.0, {"near": 89000.0, "low": 1234.5}, "N/m"),
     "narrow": manifest_key(2.7182818, 2.8e-5, {"next": 2.71834, "other": 2.7}, "m", 5),
-    "degrees": manifest_key(14.3239, 0.07, {"radians": 0.25}, "deg"),
+    "degrees": manifest_key(14.3239, 0.07, {"radians": 0.25, "weight": 0.0}, "deg"),
     "meeting": manifest_key(10.0, 0.05, {"first": 11.0, "second": 11.02, "third": 11.06, "same": 11.02}),
     "touching": manifest_key(10.0, 0.5, {"within": 10.9, "beneath": 9.2}),
     "ratio": manifest_key(0.12541, 0.0001, {"twice": 0.25082}, ""),
