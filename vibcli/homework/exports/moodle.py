@@ -35,7 +35,8 @@ def package(course: "Course", questions: Sequence[ExportedQuestion]) -> Iterator
     for group, members in groupby(questions, key=lambda one: one.group):
         members = list(members)
         found.append(_category(course, group, members[0]))
-        found += map(_question, members)
+        beside = _files(members[0])
+        found += [_question(one, beside) for one in members]
     yield FILE, "\n".join([*found, "</quiz>", ""]).encode()
 
 
@@ -47,12 +48,12 @@ def _category(course, group, question):
             f'<info format="html"><text></text></info><idnumber>{group}</idnumber></question>')
 
 
-def _question(one):
+def _question(one, beside):
     kind, body = (("essay", _essay) if one.by_hand else ("cloze", _cloze) if len(one.keys) > 1 else
                   ("numerical", _numerical))
     text, rest = body(one)
     return "\n".join([f'<question type="{kind}">', f"<name>{_text(f'{one.item}: {one.title}')}</name>",
-                      f'<questiontext format="html">{_html(text)}{_files(one)}</questiontext>',
+                      f'<questiontext format="html">{_html(text)}{beside}</questiontext>',
                       f'<generalfeedback format="html">{_html(html(one.solution, TEX))}</generalfeedback>',
                       f"<defaultgrade>{one.points:.7f}</defaultgrade><penalty>0.3333333</penalty><hidden>0</hidden>"
                       f"<idnumber>{one.item}</idnumber>", rest, "</question>"])
@@ -73,6 +74,7 @@ def _head(one):
 
 
 def _files(one):
+    """What all questions of a problem show, each with a copy of its own."""
     files = dict(one.files) | ({"figure.svg": one.figure.draw("svg")} if one.figure is not None else {})
     return "".join(f'<file name="{attribute(name)}" path="/" encoding="base64">{b64encode(data).decode()}</file>'
                    for name, data in files.items())

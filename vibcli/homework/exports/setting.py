@@ -1,23 +1,60 @@
 """Words, formulas and blocks of reports as HTML that course systems show: formulas in TeX, or in MathML."""
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from html import escape
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.mathml import mathml, row
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, TableBlock
-from vibcli.report.formats.formula import formula, rows, without_words
+from vibcli.report.formats.formula import formula, pieces, rows, without_words
 from vibcli.report.formats.html_page import words as words_of_html
-from vibcli.report.formats.latex import aligned, is_signed
-from vibcli.report.formats.markdown import latex
+from vibcli.report.formats.latex import is_signed
+from vibcli.report.formats.markdown import Protected, latex
 
 if TYPE_CHECKING:
-    from vibcli.report.blocks import Section
+    from vibcli.report.blocks import Line, Section
+    from vibcli.symbolic.node import Node
 
 COLUMNS = 95        # of plain text, in a row of a formula
 SPECIAL = {"{": "&#123;", "}": "&#125;", "$": "<span>$</span>", "\\": "<span>&#92;</span>"}
+
+_COMMAND = re.compile(r"\\[a-zA-Z]+|[{}_^\\ ]")
+
+
+class Remembering(Protected):
+    """LaTeX of the formulas of one block, in which expressions stand several times."""
+
+    def __init__(self, values: Mapping[str, str] = MappingProxyType({})):
+        super().__init__(values)
+        self._written: dict[tuple[Node, int], str] = {}
+        self._terms: dict[Node, list[tuple[bool, str]]] = {}
+
+    def write(self, node: "Node", tightness: int) -> str:
+        """The text of a node, once."""
+        if (node, tightness) not in self._written:
+            self._written[node, tightness] = super().write(node, tightness)
+        return self._written[node, tightness]
+
+    def terms(self, node: "Node") -> list[tuple[bool, str]]:
+        """Its terms, once."""
+        if node not in self._terms:
+            self._terms[node] = super().terms(node)
+        return self._terms[node]
+
+
+def _rows_in_tex(line: "Line", write: Remembering) -> list[str]:
+    """A formula as rows of an alignment, by about so many signs as are seen of them."""
+    found, size = [""], 0
+    for piece in pieces(line.parts, write):
+        seen = len(_COMMAND.sub("", piece))
+        if found[-1] and size + seen > COLUMNS:
+            found, size = [*found, ""], 0
+        found[-1], size = write.beside(found[-1], piece), size + seen
+    label = formula(line.label, write) + r":\quad " if line.label else ""
+    return [label + "& {} " + found[0].strip(), *(r"& {}\qquad " + one.strip() for one in found[1:])]
 
 
 class SetInTeX:
@@ -31,7 +68,8 @@ class SetInTeX:
         return rf"\({escape(formula(parts, latex))}\)"
 
     def equations(self, block: Equations) -> str:
-        lines = " \\\\\n".join(aligned(block, latex))
+        write = Remembering()
+        lines = " \\\\\n".join(row for line in block.lines for row in _rows_in_tex(line, write))
         return f"<p>\\[\\begin{{aligned}}\n{escape(lines)}\n\\end{{aligned}}\\]</p>"
 
     def numeral(self, text: str) -> str:
