@@ -9,12 +9,16 @@ import click
 
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError, Where
 from vibcli.cli.common import color_option, patience_option, problem_in, source_of
+from vibcli.cli.workers import worker_options, workers
 from vibcli.homework.exports import FORMATS
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     from vibcli.homework.course import Course, CourseProblem
     from vibcli.homework.handout import Handout
     from vibcli.homework.manifest import Assigned
+    from vibcli.homework.parts import BegunVariants
     from vibcli.homework.roster import Student
 
 LEAST_SALT = 8      # characters
@@ -35,11 +39,12 @@ LEAST_SALT = 8      # characters
 @click.option("--distinct", is_flag=True, help="Refuse where students would share a variant.")
 @click.option("--from-manifest", is_flag=True, help="SET is the manifest.json of sheets: write them again.")
 @click.option("--force", is_flag=True, help="Replace sheets that the folder holds.")
+@worker_options
 @patience_option
 @color_option
 def command(course: str, folder: Path, students: str | None, paper: int | None, formats: Sequence[str],
             pool: int | None, salt_file: str | None, attempt: int, distinct: bool, from_manifest: bool, force: bool,
-            patience: int) -> int:
+            jobs: int, cluster: str | None, patience: int) -> int:
     """Hand out a problem, a folder of them or a set.yaml: a sheet for each student, each with values of its own, the
     keys with worked solutions, and a manifest by which `vibcli grade` marks; or a pool of variants as packages for
     course systems. See vibcli explain homework, and vibcli explain exports."""
@@ -53,7 +58,11 @@ def command(course: str, folder: Path, students: str | None, paper: int | None, 
         return _again(course, folder, force, patience)
     if pool or formats:
         _require_pool(pool, formats, students or paper or distinct)
-        return _pool(course, folder, force, patience, _salt(salt_file), pool, list(dict.fromkeys(formats)), attempt)
+        salt = _salt(salt_file)
+        found = _course(course)
+        with workers(jobs, cluster) as executor:
+            handouts = _handouts(found, patience, executor)
+        return _pool(found, handouts, folder, force, salt, pool, list(dict.fromkeys(formats)), attempt)
     if (students is None) == (paper is None):
         raise click.UsageError("say for whom: --students roster.csv, or --paper 30 for numbered sheets")
     salt = _salt(salt_file)
@@ -61,7 +70,8 @@ def command(course: str, folder: Path, students: str | None, paper: int | None, 
 
     who = numbered(paper) if students is None else roster(students)
     found = _course(course)
-    handouts = {one.name: _handout(one, patience) for one in found.problems}
+    with workers(jobs, cluster) as executor:
+        handouts = {one.name: one for one in _handouts(found, patience, executor)}
     _require_variants(handouts, found, who, distinct)
     assigned = _assigned(salt, found, handouts, who, attempt)
     return _write(folder, force, found, list(handouts.values()), assigned, attempt, salt.decode("utf-8", "replace"))
@@ -78,14 +88,12 @@ def _require_pool(pool, formats, others):
         raise click.UsageError("say how many variants of each problem the packages hold: --pool 40")
 
 
-def _pool(path: str, folder: Path, force: bool, patience: int, salt: bytes, count: int, formats: list[str],
-          attempt: int) -> int:
+def _pool(course: "Course", handouts: "list[Handout]", folder: Path, force: bool, salt: bytes, count: int,
+          formats: list[str], attempt: int) -> int:
     """Write the first so many variants of each problem, in an order by the salt, as packages."""
     from vibcli.homework.assignment import pooled
     from vibcli.homework.exports.package import of_pool
 
-    course = _course(path)
-    handouts = [_handout(one, patience) for one in course.problems]
     for one in handouts:
         if one.accepted < count:
             raise PhysicsError(f"{one.name} has {one.accepted} variants, and a pool of {count} is asked for",
@@ -135,12 +143,25 @@ def _course(path) -> "Course":
         raise click.UsageError(f"there is no file or folder '{path}'") from None
 
 
-def _handout(one: "CourseProblem", patience: int) -> "Handout":
-    """The Handout of a problem, all its variants solved."""
+def _handouts(course: "Course", patience: int, executor: "Executor | None") -> "list[Handout]":
+    """The Handouts of its problems, all variants solved; with an executor several problems at a time."""
+    from vibcli.homework.handout import Handout
+
+    begun = [(one, *_begun(one, patience, executor)) for one in course.problems]
+    handouts = []
+    for one, text, under_way in begun:
+        found = under_way.solved()
+        if not found.accepted:
+            raise PhysicsError("no variant is left", found.advice, Where(one.path, 1, 1, 0))
+        handouts.append(Handout.of(one, found, under_way.document, text))
+    return handouts
+
+
+def _begun(one: "CourseProblem", patience: int, executor: "Executor | None") -> "tuple[str, BegunVariants]":
+    """(text of its file, its variants under way)."""
     from vibcli.api import given
     from vibcli.homework.document import SceneDocument
-    from vibcli.homework.handout import Handout
-    from vibcli.homework.variants import solve_variants
+    from vibcli.homework.parts import begin_variants
 
     source = source_of(one.path)
     problem = problem_in(source, (), patience)
@@ -153,10 +174,7 @@ def _handout(one: "CourseProblem", patience: int) -> "Handout":
         raise SpecError([Diagnostic(Where(one.path, 1, 1, 0), "this scene says nothing of variants",
                                     "give values under variants: parameters")])
     document = SceneDocument.of(source.node, source.file, one.case)
-    found = solve_variants(problem, document)
-    if not found.accepted:
-        raise PhysicsError("no variant is left", found.advice, Where(one.path, 1, 1, 0))
-    return Handout.of(one, found, document, "\n".join(source.lines))
+    return "\n".join(source.lines), begin_variants(problem, document, executor)
 
 
 def _require_variants(handouts, course, students, distinct):

@@ -3,6 +3,7 @@
 from collections.abc import Mapping as Given
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from vibcli.base.work import Work
 from vibcli.inverse import settled
 from vibcli.reader.read import document_of_case, read_changed, read_spec
 from vibcli.results.problem import Problem
@@ -25,6 +26,10 @@ class SceneDocument(NamedTuple):
     def of(cls, root: "Mapping", file: str, case: str | None, settings: Any = None) -> "SceneDocument":
         """The document of a scene, or of a case of it."""
         return cls(document_of_case(root, case), file, settings or {})
+
+    def problem(self, patience: int = 1) -> "Problem":
+        """The Problem that is read anew as it stands."""
+        return Problem(read_spec(self.root, self.file, (), self.settings), work=Work(patience))
 
     def changed(self, part: "Mapping", remark: str) -> "Spec":
         """The Spec with a part merged over it; SpecError with this remark where that is none."""

@@ -50,7 +50,7 @@ class SolvedCandidates(NamedTuple):
 def solve_candidates(problem: "Problem", rules: "VariantRules", keys: "Sequence[AnswerKey]") -> SolvedCandidates:
     """Those that fulfil what is required and are of the kind of the scene itself; SpecError where this does not fulfil
     it."""
-    own = _own(problem, rules)
+    own = own_scene(problem, rules)
     kind: Regime | None = None if own is None else own[1]
     found: dict[Place, Candidate] = {}
     rejected: list[Rejected] = []
@@ -76,7 +76,7 @@ def counts_rests(problem: "Problem") -> bool:
     return find is not None and find.search is not None
 
 
-def _own(problem, rules):
+def own_scene(problem: "Problem", rules: "VariantRules") -> "tuple[Problem, Regime] | None":
     """The scene with the values of its file, and its Regime; None where it has letters. SpecError where it does not
     fulfil what its variants have to."""
     if (problem.numeric.has_free_symbols and not problem.spec.choices) or any(

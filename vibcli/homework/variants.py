@@ -1,6 +1,6 @@
 """All variants of a problem: every candidate solved once, passed through the gates, and held against a second way."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError, SpecError
@@ -78,9 +78,11 @@ def _nearer(rules, those):
     return words
 
 
-def solve_variants(problem: "Problem", document: "SceneDocument") -> SolvedVariants:
-    """The SolvedVariants of a scene that has VariantRules; document: its own. SpecError where its mistakes are no
-    scenes, or its own values do not fulfil what it requires."""
+def solve_variants(problem: "Problem", document: "SceneDocument",
+                   left_out: "Collection[tuple[str, str]] | None" = None) -> SolvedVariants:
+    """The SolvedVariants of a scene that has VariantRules; document: its own; left_out: (mistake, quantity) that are
+    left out, unless given those that lead to the key in every variant. SpecError where its mistakes are no scenes, or
+    its own values do not fulfil what it requires."""
     rules = problem.spec.get("variants")
     keys = [key_of(problem.spec, one) for one in rules.ask]
     mistakes = mistakes_of(problem, rules, document, keys)
@@ -90,7 +92,7 @@ def solve_variants(problem: "Problem", document: "SceneDocument") -> SolvedVaria
     closed = {} if "routes" in rules.without else hold_against_closed_forms(keys, list(solved.values()))
     wrong = _wrong(problem, rules, keys, mistakes, solved)
     equal = _equal(keys, mistakes, solved, wrong)
-    same = _same(keys, mistakes, solved, equal)
+    same = _same(keys, mistakes, solved, equal) if left_out is None else list(left_out)
     accepted = _accept(keys, bands, solved, wrong, equal, set(same), rejected, "apart" in rules.without)
     rejected.sort(key=lambda one: one.place)
     reread = 0 if "routes" in rules.without else _reread(document, keys, accepted)
