@@ -42,7 +42,7 @@ all: $(BIN)/pytest
 	$(BIN)/pytest -q -n 2
 
 peers: $(BIN)/pytest
-	-$(INSTALL) -e ".[peers]"
+	-$(INSTALL) -e ".[peers,cluster]"
 	-npm install --silent --no-fund --no-audit --prefix .venv/peers @citolab/qti-convert@0.3.52 @citolab/qti-components@7.27.4
 	$(BIN)/pytest -q -rs tests/peers
 
