@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
+from functools import lru_cache
 from html import escape
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
@@ -24,6 +25,16 @@ SPECIAL = {"{": "&#123;", "}": "&#125;", "$": "<span>$</span>", "\\": "<span>&#9
 _COMMAND = re.compile(r"\\[a-zA-Z]+|[{}_^\\ ]")
 
 
+@lru_cache(maxsize=10_000)
+def _symbol(name):
+    return latex.symbol(name)
+
+
+@lru_cache(maxsize=10_000)
+def _notation(text):
+    return latex.notation(text)
+
+
 class Remembering(Protected):
     """LaTeX of the formulas of one block, in which expressions stand several times."""
 
@@ -37,6 +48,14 @@ class Remembering(Protected):
         if (node, tightness) not in self._written:
             self._written[node, tightness] = super().write(node, tightness)
         return self._written[node, tightness]
+
+    def symbol(self, name: str) -> str:
+        """That of a name, once for all formulas."""
+        return _symbol(name)
+
+    def notation(self, text: str) -> str:
+        """A text in notation, likewise."""
+        return _notation(text)
 
     def terms(self, node: "Node") -> list[tuple[bool, str]]:
         """Its terms, once."""
