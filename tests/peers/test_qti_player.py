@@ -34,7 +34,7 @@ def played(package, answers, folder):
     with ZipFile(io.BytesIO(package)) as files:
         files.extractall(folder / "qti2")
     subprocess.run(["node", HERE / "convert.mjs", MODULES, folder / "qti2" / "items", folder / "qti3"], check=True,
-                   capture_output=True, timeout=500)
+                   capture_output=True, timeout=3000)
     items = {path.stem: path.read_text(encoding="utf-8") for path in (folder / "qti3").iterdir()}
     work = json.dumps({"items": items, "answers": answers}).replace("</", "<\\/")
     page = (HERE / "play.html").read_text(encoding="utf-8").replace("WORK", work)
@@ -42,7 +42,7 @@ def played(package, answers, folder):
     shutil.copy(PLAYER, folder)
     shown = subprocess.run([BROWSER, *QUIET, f"--user-data-dir={folder}/profile", "--virtual-time-budget=100000000",
                             "--dump-dom", (folder / "play.html").as_uri()], capture_output=True, text=True,
-                           timeout=900).stdout
+                           timeout=3000).stdout
     found = json.loads(html.unescape(shown.partition('<pre id="found">')[2].partition("</pre>")[0]))
     assert isinstance(found, list), found
     return found

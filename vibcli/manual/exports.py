@@ -19,7 +19,7 @@ EXPORTS = [
          "is the identifier. In the manifest it is a student with this id: `vibcli grade manifest.json "
          "--student lever-17 --answer 'omega[1]=21.9'` says what `grade` gives, and by which band or mistake."),
         ("bands", "The band of a key is that of `grade`, its edges included. Beyond it the bands of mistakes, cut "
-         "where two meet, are wrong and tell the mistake by name."),
+         "where two meet, are wrong and tell the mistake by name; of two that give the same, either."),
         ("by hand", "Expressions and equations, which no system compares, are questions of their own that are marked "
          "by hand; the key stands for who marks, in Canvas under `instructor/keys/` alone. The command tells which."),
         ("files", "A figure is an SVG in letters with its description as alternative text; a file from which a problem "

@@ -78,7 +78,7 @@ def _item(one: ExportedQuestion, key: ExportedKey) -> str:
     ident, place = f"{one.item}-{key.letter}", f"{BASE}files/{one.group}/"
     links = "".join(f'<p><a href="{place}{attribute(name)}">{TEX.words(name)}</a></p>' for name in one.files)
     text = "\n".join([f"<p>{running(one.question, TEX)}</p>", figure_html(one, place), html(one.given, TEX), links,
-                      f"<p>{asked(key, TEX)}</p>"])
+                      f"<p>{asked(key, TEX, False)}</p>"])
     data = {"question_type": kind, "points_possible": f"{key.points:g}",
             "original_answer_ids": "" if one.by_hand else f"{ident}-answer",
             "assessment_question_identifierref": f"{ident}-q"}

@@ -87,7 +87,7 @@ def _numerical(one):
                         f"{_html(TEX.words(told(mistake, one.said)))}</feedback></answer>"
                         for middle, width, mistake in _answers(key))
     rest = "<unitgradingtype>0</unitgradingtype><unitpenalty>0.1</unitpenalty><showunits>3</showunits>"
-    return f"{_head(one)}\n<p>{asked(key, TEX)}</p>", answers + rest + "<unitsleft>0</unitsleft>"
+    return f"{_head(one)}\n<p>{asked(key, TEX, False)}</p>", answers + rest + "<unitsleft>0</unitsleft>"
 
 
 def _answers(key: ExportedKey) -> Iterator[tuple[float, float, str]]:
