@@ -1,5 +1,6 @@
 # make solve: install into .venv and solve a problem.  make lint: style and types.  make bench: speed and error.
 # make quick: lint and tests without sweeps: one problem a chapter, one case of each test of rooms and commands.
+# make peers: packages for course systems, read by programs that are not ours.
 # make test: everything that must hold, as CI runs it; style and types are checked beside the tests.
 PYTHON ?= python3
 BIN := .venv/bin
@@ -8,7 +9,7 @@ PROBLEM ?= problems/6_two_degrees/cart_with_pendulum.yaml
 
 export PYTHONDONTWRITEBYTECODE :=       # what is compiled is kept: commands that tests run and their own files begin with it
 
-.PHONY: solve quick test lint chosen all bench clean
+.PHONY: solve quick test lint chosen all peers bench clean
 
 $(BIN)/vibcli: pyproject.toml
 	$(PYTHON) -m venv .venv
@@ -39,6 +40,11 @@ chosen: $(BIN)/pytest
 
 all: $(BIN)/pytest
 	$(BIN)/pytest -q -n 2
+
+peers: $(BIN)/pytest
+	-$(INSTALL) -e ".[peers,cluster]"
+	-npm install --silent --no-fund --no-audit --prefix .venv/peers @citolab/qti-convert@0.3.52 @citolab/qti-components@7.27.4
+	$(BIN)/pytest -q -rs tests/peers
 
 bench: $(BIN)/vibcli
 	-$(INSTALL) -e ".[bench]"

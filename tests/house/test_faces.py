@@ -10,14 +10,15 @@ from vibcli import analyses, elements, quantities
 from vibcli.api.reports import FOUND_BY
 from vibcli.cli import COMMANDS
 from vibcli.drawing.symbols import SYMBOLS
+from vibcli.homework import exports
 from vibcli.language import sections as of_language
 from vibcli.reader import sections as of_questions
 from vibcli.report import formats
 from vibcli.report import sections as of_report
 from vibcli.symbolic.parser import OF_SIGNALS
 
-FACES = ("analyses", "drawing/symbols", "elements", "language/sections", "quantities", "reader/sections",
-         "report/formats", "report/sections")
+FACES = ("analyses", "drawing/symbols", "elements", "homework/exports", "language/sections", "quantities",
+         "reader/sections", "report/formats", "report/sections")
 
 
 def defines(path, name):
@@ -79,6 +80,12 @@ def test_formats_are_the_files_that_render():
     files = (PACKAGE / "report" / "formats").glob("*.py")
     assert {path.stem for path in files if defines(path, "render")} == set(formats.FORMATS)
     assert all(is_a_line(about) for _, _, about in formats.FORMATS.values())
+
+
+def test_exports_are_the_files_that_write_a_package():
+    files = (PACKAGE / "homework" / "exports").glob("*.py")
+    assert {path.stem for path in files if defines(path, "package")} == set(exports.FORMATS)
+    assert all(is_a_line(about) for about in exports.FORMATS.values())
 
 
 def test_sections_of_a_report_are_the_generators_of_their_files(house):

@@ -10,6 +10,8 @@ from vibcli.base.errors import Diagnostic, PhysicsError, SpecError, Where
 from vibcli.language.document.mapping import text_of
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     from numpy import ndarray
     from numpy.typing import ArrayLike
 
@@ -92,11 +94,12 @@ class Model:
 
         return swept(self._as_read, quantities, parameters)
 
-    def variants(self) -> "HomeworkVariants":
-        """All variants of the scene as homework, as its `variants:` says: solved, and passed through the gates."""
+    def variants(self, executor: "Executor | None" = None) -> "HomeworkVariants":
+        """All variants of the scene as homework, as its `variants:` says: solved, by the executor where one is given,
+        and passed through the gates."""
         from vibcli.api.variants import variants_of
 
-        return variants_of(self._as_read, self._source, self._case, self._settings)
+        return variants_of(self._as_read, self._source, self._case, self._settings, executor)
 
     @property
     def omega(self) -> "ndarray | list[SymbolicExpression]":

@@ -4,9 +4,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import Diagnostic, SpecError, Where
 from vibcli.homework.document import SceneDocument
-from vibcli.homework.variants import solve_variants
+from vibcli.homework.parts import solve_in_parts
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     from vibcli.api.source import SceneSource
     from vibcli.results.problem import Problem
 
@@ -33,12 +35,13 @@ class HomeworkVariants(NamedTuple):
 
 
 def variants_of(problem: "Problem", source: "SceneSource", case: str | None,
-                settings: dict[str, Any]) -> HomeworkVariants:
-    """The HomeworkVariants of a scene; SpecError where it says nothing of variants."""
+                settings: dict[str, Any], executor: "Executor | None" = None) -> HomeworkVariants:
+    """The HomeworkVariants of a scene, solved by the executor where one is given; SpecError where it says nothing of
+    variants."""
     if problem.spec.get("variants") is None or source.node is None:
         raise SpecError([Diagnostic(Where(source.file, 1, 1, 0), "this scene says nothing of variants",
                                     "give values under variants: parameters")])
-    found = solve_variants(problem, SceneDocument.of(source.node, source.file, case, settings))
+    found = solve_in_parts(problem, SceneDocument.of(source.node, source.file, case, settings), executor)
     texts = [key.text for key in found.keys]
     rejected = [(_texts(one.values), one.gate, one.reason) for one in found.rejected]
     return HomeworkVariants([_variant(texts, one) for one in found.accepted], found.counts,

@@ -23,4 +23,5 @@ PARTS = {
     "members_counted": "random members counted against finite elements",
     "sweeps": "quantities over a parameter",
     "homework": "variants of a problem with all gates, and sheets for students",
+    "exports": "packages for course systems; a grid in parts, by one process and by two",
 }

@@ -11,11 +11,16 @@ import click
 from vibcli.base.enumeration import amount
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError, Where
 from vibcli.cli.common import color_option, patience_option, problem_in, source_of
+from vibcli.cli.workers import worker_options, workers
+from vibcli.homework.exports import FORMATS
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     from vibcli.homework.course import Course, CourseProblem
     from vibcli.homework.handout import Handout
     from vibcli.homework.manifest import Assigned
+    from vibcli.homework.parts import BegunVariants
     from vibcli.homework.roster import Student
 
 LEAST_SALT = 8      # characters
@@ -27,24 +32,39 @@ LEAST_SALT = 8      # characters
               help="The folder to write, new or empty.")
 @click.option("--students", metavar="FILE", help="The roster: a CSV file with a heading, id and perhaps name.")
 @click.option("--paper", type=click.IntRange(1, 100_000), metavar="N", help="N numbered sheets without names instead.")
+@click.option("--export", "formats", multiple=True, type=click.Choice(list(FORMATS)),
+              help="A package for a course system, several times for several; with --pool.")
+@click.option("--pool", type=click.IntRange(1, 100_000), metavar="N",
+              help="N variants of each problem for the packages, instead of students.")
 @click.option("--salt-file", metavar="FILE", help="A file with a secret text: who gets which variant hangs on it.")
 @click.option("--attempt", type=click.IntRange(1, 1000), default=1, metavar="N", help="Another gives other variants.")
 @click.option("--distinct", is_flag=True, help="Refuse where students would share a variant.")
 @click.option("--from-manifest", is_flag=True, help="SET is the manifest.json of sheets: write them again.")
 @click.option("--force", is_flag=True, help="Replace sheets that the folder holds.")
+@worker_options
 @patience_option
 @color_option
-def command(course: str, folder: Path, students: str | None, paper: int | None, salt_file: str | None, attempt: int,
-            distinct: bool, from_manifest: bool, force: bool, patience: int) -> int:
+def command(course: str, folder: Path, students: str | None, paper: int | None, formats: Sequence[str],
+            pool: int | None, salt_file: str | None, attempt: int, distinct: bool, from_manifest: bool, force: bool,
+            jobs: int, cluster: str | None, patience: int) -> int:
     """Hand out a problem, a folder of them or a set.yaml: a sheet for each student, each with values of its own, the
-    keys with worked solutions, and a manifest by which `vibcli grade` marks. See vibcli explain homework."""
+    keys with worked solutions, and a manifest by which `vibcli grade` marks; or a pool of variants as packages for
+    course systems. See vibcli explain homework, and vibcli explain exports."""
     from vibcli.homework.folder import refuse_folder
 
     refuse_folder(folder, force)
     if from_manifest:
-        if students or paper or distinct:
-            raise click.UsageError("--from-manifest knows its students: leave --students, --paper and --distinct out")
+        if students or paper or distinct or pool or formats:
+            raise click.UsageError("--from-manifest knows its students: leave --students, --paper, --distinct, --pool "
+                                   "and --export out")
         return _again(course, folder, force, patience)
+    if pool or formats:
+        _require_pool(pool, formats, students or paper or distinct)
+        salt = _salt(salt_file)
+        found = _course(course)
+        with workers(jobs, cluster) as executor:
+            handouts = _handouts(found, patience, executor)
+        return _pool(found, handouts, folder, force, salt, pool, list(dict.fromkeys(formats)), attempt)
     if (students is None) == (paper is None):
         raise click.UsageError("say for whom: --students roster.csv, or --paper 30 for numbered sheets")
     salt = _salt(salt_file)
@@ -52,10 +72,54 @@ def command(course: str, folder: Path, students: str | None, paper: int | None, 
 
     who = numbered(paper) if students is None else roster(students)
     found = _course(course)
-    handouts = {one.name: _handout(one, patience) for one in found.problems}
+    with workers(jobs, cluster) as executor:
+        handouts = {one.name: one for one in _handouts(found, patience, executor)}
     assigned = _assigned(salt, found, handouts, who, attempt)
     _tell_shared(handouts, assigned, distinct)
     return _write(folder, force, found, list(handouts.values()), assigned, attempt, salt.decode("utf-8", "replace"))
+
+
+def _require_pool(pool, formats, others):
+    """A usage error where packages are not told apart from sheets."""
+    if not formats:
+        raise click.UsageError(f"--pool is for packages: say for which system, as in --export {next(iter(FORMATS))}")
+    if others:
+        raise click.UsageError("course systems hand out by themselves: leave --students, --paper and --distinct out, "
+                               "and say how many variants they get: --pool 40")
+    if not pool:
+        raise click.UsageError("say how many variants of each problem the packages hold: --pool 40")
+
+
+def _pool(course: "Course", handouts: "list[Handout]", folder: Path, force: bool, salt: bytes, count: int,
+          formats: list[str], attempt: int) -> int:
+    """Write the first so many variants of each problem, in an order by the salt, as packages."""
+    from vibcli.homework.assignment import pooled
+    from vibcli.homework.exports.package import of_pool
+
+    for one in handouts:
+        if one.accepted < count:
+            raise PhysicsError(f"{one.name} has {one.accepted} variants, and a pool of {count} is asked for",
+                               f"ask for --pool {min(one.accepted for one in handouts)}, or widen the ranges")
+    assigned = [sheet for one in handouts
+                for sheet in of_pool(one, pooled(salt, one.name, one.accepted, count, attempt))]
+    return _write_pool(folder, force, course, handouts, assigned, attempt, salt.decode("utf-8", "replace"), formats)
+
+
+def _write_pool(folder, force, course, handouts, assigned, attempt, salt, formats):
+    from vibcli.homework.exports.package import pool_files
+    from vibcli.homework.folder import write_folder
+    from vibcli.homework.paper import paper
+
+    on = paper()
+    with handouts[0].base.work.task("the packages") as task:
+        found = pool_files(course, handouts, assigned, attempt, salt, formats, on, task.step)
+        count = write_folder(folder, found, force)
+    click.echo(f"{len(assigned)} variants of {len(handouts)} problem{'s' * (len(handouts) > 1)} for "
+               f"{', '.join(formats)}: {count} files in {os.fspath(folder)}")
+    for one in handouts:
+        if by_hand := one.by_hand:
+            click.echo(f"{one.name}: {', '.join(by_hand)}: marked by hand, since no system compares expressions")
+    return 0
 
 
 def _salt(path):
@@ -81,12 +145,25 @@ def _course(path) -> "Course":
         raise click.UsageError(f"there is no file or folder '{path}'") from None
 
 
-def _handout(one: "CourseProblem", patience: int) -> "Handout":
-    """The Handout of a problem, all its variants solved."""
+def _handouts(course: "Course", patience: int, executor: "Executor | None") -> "list[Handout]":
+    """The Handouts of its problems, all variants solved; with an executor several problems at a time."""
+    from vibcli.homework.handout import Handout
+
+    begun = [(one, *_begun(one, patience, executor)) for one in course.problems]
+    handouts = []
+    for one, text, under_way in begun:
+        found = under_way.solved()
+        if not found.accepted:
+            raise PhysicsError("no variant is left", found.advice, Where(one.path, 1, 1, 0))
+        handouts.append(Handout.of(one, found, under_way.document, text))
+    return handouts
+
+
+def _begun(one: "CourseProblem", patience: int, executor: "Executor | None") -> "tuple[str, BegunVariants]":
+    """(text of its file, its variants under way)."""
     from vibcli.api import given
     from vibcli.homework.document import SceneDocument
-    from vibcli.homework.handout import Handout
-    from vibcli.homework.variants import solve_variants
+    from vibcli.homework.parts import begin_variants
 
     source = source_of(one.path)
     problem = problem_in(source, (), patience)
@@ -99,10 +176,7 @@ def _handout(one: "CourseProblem", patience: int) -> "Handout":
         raise SpecError([Diagnostic(Where(one.path, 1, 1, 0), "this scene says nothing of variants",
                                     "give values under variants: parameters")])
     document = SceneDocument.of(source.node, source.file, one.case)
-    found = solve_variants(problem, document)
-    if not found.accepted:
-        raise PhysicsError("no variant is left", found.advice, Where(one.path, 1, 1, 0))
-    return Handout.of(one, found, document, "\n".join(source.lines))
+    return "\n".join(source.lines), begin_variants(problem, document, executor)
 
 
 def _tell_shared(handouts, assigned, distinct):
@@ -160,5 +234,8 @@ def _again(path, folder, force, patience):
     from vibcli.homework.handed_out import handed_out
     from vibcli.homework.manifest import read_manifest
 
-    course, handouts, assigned, attempt = handed_out(read_manifest(path), patience)
+    manifest = read_manifest(path)
+    course, handouts, assigned, attempt = handed_out(manifest, patience)
+    if formats := [one["format"] for one in manifest.get("exports", ())]:
+        return _write_pool(folder, force, course, handouts, assigned, attempt, "", formats)
     return _write(folder, force, course, handouts, assigned, attempt, "")

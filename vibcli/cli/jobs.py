@@ -15,7 +15,7 @@ def in_processes(work: Callable, files: Sequence[str], jobs: int, said: Callable
     from vibcli.cli.progress import teller
 
     tell = teller()
-    pool = ProcessPoolExecutor(jobs, initializer=_leave_interrupts)
+    pool = ProcessPoolExecutor(jobs, initializer=leave_interrupts)
     try:
         order = range(len(files)) if longest is None else sorted(range(len(files)), key=lambda i: -longest(files[i]))
         waiting = {i: pool.submit(work, files[i]) for i in order}
@@ -36,6 +36,6 @@ def in_processes(work: Callable, files: Sequence[str], jobs: int, said: Callable
         pool.shutdown()
 
 
-def _leave_interrupts():
+def leave_interrupts() -> None:
     """An interrupt from the terminal reaches all processes: the first of them ends the others."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -9,6 +9,7 @@ from vibcli.base.errors import Diagnostic, PhysicsError, SpecError, Where
 from vibcli.cli.common import chosen, problem_in, scene_options, settings_in, source_of
 from vibcli.cli.output import print_scenes
 from vibcli.cli.reports import output_of, report_options
+from vibcli.cli.workers import worker_options, workers
 
 
 @click.command("variants")
@@ -17,14 +18,15 @@ from vibcli.cli.reports import output_of, report_options
 @click.option("--table", is_flag=True, help="List the accepted variants, with their keys.")
 @click.option("--rejected", is_flag=True, help="List the rejected candidates, each with its reason.")
 @click.option("--at-least", type=click.IntRange(1), metavar="N", help="Exit with 1 where fewer are accepted.")
+@worker_options
 def command(file: str, settings: Sequence[str], case: Any, as_json: bool, patience: int, timings: bool, table: bool,
-            rejected: bool, at_least: int | None, **report: Any) -> int:
+            rejected: bool, at_least: int | None, jobs: int, cluster: str | None, **report: Any) -> int:
     """Solve all variants of a problem, as its `variants:` says, and tell which of them pass the gates.
 
     Exit code: 0, 1 where fewer than --at-least are accepted, 4 where none is: vibcli explain variants.
     """
     from vibcli.homework.document import SceneDocument
-    from vibcli.homework.variants import solve_variants
+    from vibcli.homework.parts import solve_in_parts
     from vibcli.report.wanted import Wanted
 
     output = output_of(file, as_json, **report)
@@ -34,7 +36,8 @@ def command(file: str, settings: Sequence[str], case: Any, as_json: bool, patien
     if problem.spec.get("variants") is None:
         where = Where(file, 1, 1, 0)
         raise SpecError([Diagnostic(where, "this scene says nothing of variants", _instead(problem))])
-    found = solve_variants(problem, SceneDocument.of(source.node, source.file, case, given))
+    with workers(jobs, cluster) as executor:
+        found = solve_in_parts(problem, SceneDocument.of(source.node, source.file, case, given), executor)
     sections = ("variants", *["variant_table"] * table, *["rejected_variants"] * rejected)
     code = print_scenes([(name, problem)], lambda problem: sections, output, timings, data=("variants",),
                         wanted=Wanted(variants=found))

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from vibcli.homework.course import CoursePart, CourseProblem
     from vibcli.homework.roster import Student
 
+POOL = "a pool"         # in place of a student: no id has a blank
 
 def assigned(salt: bytes, problem: str, students: "Sequence[Student]", count: int, attempt: int = 1,
              suits: "Callable[[Student, int], bool]" = lambda student, number: True) -> list[int]:
@@ -36,6 +37,12 @@ def picked(salt: bytes, number: int, part: "CoursePart", student: "Student", att
     order = _permutation(salt, f"part {number}", student.id, attempt, len(part.problems))
     chosen = sorted(next(order) for _ in range(part.pick))
     return [part.problems[i] for i in chosen]
+
+
+def pooled(salt: bytes, problem: str, count: int, wanted: int, attempt: int = 1) -> list[int]:
+    """The numbers, from 0 and upwards, of so many variants that are handed out by others."""
+    order = _permutation(salt, problem, POOL, attempt, count)
+    return sorted(next(order) for _ in range(wanted))
 
 
 def _permutation(salt, problem, student, attempt, count) -> Iterator[int]:

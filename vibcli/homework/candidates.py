@@ -21,7 +21,10 @@ def candidates(problem: "Problem", rules: "VariantRules", settle: "Callable[[Pro
 
 
 def sampled(rules: "VariantRules") -> list[Place] | None:
-    """So many places as `sample` says, in their order, None where that is all: drawn by a hash of the values alone."""
+    """The places that the rules name, or so many as `sample` says, in their order, None where that is all: drawn by a
+    hash of the values alone."""
+    if rules.places is not None:
+        return rules.places
     lengths = [len(next(iter(axis.values()))) for axis in rules.axes]
     if rules.sample is None or rules.sample >= rules.candidates:
         return None

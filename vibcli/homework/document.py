@@ -5,6 +5,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Diagnostic, SpecError, Where
+from vibcli.base.work import Work
 from vibcli.inverse import settled
 from vibcli.language.data_columns import columns_in, data_beside
 from vibcli.language.document.nodes import Mapping
@@ -50,6 +51,10 @@ class SceneDocument:
     def spec(self) -> "Spec":
         """The Spec of it."""
         return read_alone(self.root, self.file, self.settings, self._columns)
+
+    def problem(self, patience: int = 1) -> "Problem":
+        """The Problem that is read anew as it stands."""
+        return Problem(self.spec(), work=Work(patience))
 
     def changed(self, part: "Mapping", remark: str) -> "Spec":
         """The Spec with a part merged over it; SpecError with this remark where that is none."""

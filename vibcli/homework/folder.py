@@ -34,21 +34,29 @@ def files(course: "Course", handouts: "Sequence[Handout]", assigned: Assigned, a
     """(path in the folder, bytes) of every file; Leak where a student's file would tell a key. tell(part): how far it
     is."""
     yield from _beside(handouts, assigned, salt, on)
-    gone: dict[str, dict[int, list[str]]] = {one.name: {} for one in handouts}
     for number, (student, sheets) in enumerate(assigned, 1):
         documents = student_sheet(course, student, sheets)
-        _require_no_leak(f"the sheet of {student.id}", text_of_page(html.render(documents, listed=False)), sheets, salt)
+        require_no_leak(f"the sheet of {student.id}", text_of_page(html.render(documents, listed=False)), sheets, salt)
         yield f"{STUDENT}/{student.id}{on.suffix}", on.data(documents)
+        tell(0.5 * number / len(assigned))
+    yield from of_instructor(course, handouts, assigned, attempt, on, tell)
+
+
+def of_instructor(course: "Course", handouts: "Sequence[Handout]", assigned: Assigned, attempt: int,
+                  on: "Pages | Paper", tell: Callable[[float], None],
+                  exports: Sequence[Any] = ()) -> Iterator[tuple[str, bytes]]:
+    """(path in the folder, bytes) of what is for who marks; exports: what the manifest keeps of packages."""
+    gone: dict[str, dict[int, list[str]]] = {one.name: {} for one in handouts}
+    for student, sheets in assigned:
         for handout, variant in sheets:
             gone[handout.name].setdefault(variant, []).append(student.id)
-        tell(0.5 * number / len(assigned))
     for number, handout in enumerate(handouts, 1):
         for variant in sorted(gone[handout.name]):
             yield f"{INSTRUCTOR}/keys/{handout.name}-{variant + 1}{on.suffix}", on.data([key_sheet(handout, variant)])
         tell(0.5 + 0.5 * number / len(handouts))
     yield f"{INSTRUCTOR}/overview{on.suffix}", on.data([overview(course, handouts, len(assigned), gone)])
     yield f"{INSTRUCTOR}/keys.csv", _table(assigned)
-    yield f"{INSTRUCTOR}/manifest.json", _json(manifest(course, handouts, assigned, attempt))
+    yield f"{INSTRUCTOR}/manifest.json", _json(manifest(course, handouts, assigned, attempt, exports))
 
 
 def _beside(handouts, assigned, salt, on):
@@ -60,13 +68,14 @@ def _beside(handouts, assigned, salt, on):
             if taken.get(name, data) != data:
                 raise PhysicsError(f"{handout.name} takes numbers from {quoted(name)}, and another file with this name "
                                    "is handed out", "give it another name")
-            _require_no_leak(f"the file {name}", text_of_columns(data.decode()), sheets, salt)
+            require_no_leak(f"the file {name}", text_of_columns(data.decode()), sheets, salt)
             if name not in taken:
                 yield f"{STUDENT}/{name}", data
             taken[name] = data
 
 
-def _require_no_leak(what, text, sheets, salt):
+def require_no_leak(what: str, text: str, sheets: Sequence[Any], salt: str) -> None:
+    """Leak where a text that students see tells a key, the salt or a comment; what: whose text, in words."""
     keys = [key for handout, variant in sheets for key in handout.variants[variant].keys]
     hidden = [comment for handout, _ in sheets for comment in handout.comments]
     found = leak(text, [key.value for key in keys if key.value is not None], [salt, *hidden],

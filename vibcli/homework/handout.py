@@ -57,6 +57,12 @@ class Handout:
         own = [key.points for key in self.keys]
         return [float(one) if self.course.points is None else self.course.points * one / sum(own) for one in own]
 
+    @property
+    def by_hand(self) -> list[str]:
+        """The quantities that are no numbers."""
+        found = next(iter(self.variants.values()))
+        return [key.text for key, one in zip(self.keys, found.keys, strict=True) if one.value is None]
+
     @cached_property
     def comments(self) -> list[str]:
         """What its file says behind #, which is for nobody but who wrote it."""

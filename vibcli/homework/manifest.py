@@ -6,7 +6,8 @@
                  variants: [{variant, values: {parameter: text}, keys: [{quantity, unit, points, value, error, figures,
                              band, mistakes: [{name, value}]}]}]}],     of equations `terms` instead of value and error,
                                                                         of what is in letters `formula` alone
-     students: [{id, name, sheets: [{problem, variant}]}],
+     students: [{id, name, sheets: [{problem, variant}]}],       of a pool the items, an item a sheet
+     exports: [{format, files, units: {item: {quantity: unit}}}],       of a pool; units other than those of the keys
      seal: a hash of all this, by which a manifest that was edited is known}
 """
 
@@ -44,8 +45,9 @@ SHAPE: dict[str, Any] = {
 Assigned = Sequence[tuple[Student, Sequence[tuple["Handout", int]]]]
 
 
-def manifest(course: "Course", handouts: "Sequence[Handout]", assigned: Assigned, attempt: int) -> dict[str, Any]:
-    """The manifest of sheets: (student, (problem, number of the variant) in order) of each."""
+def manifest(course: "Course", handouts: "Sequence[Handout]", assigned: Assigned, attempt: int,
+             exports: Sequence[Any] = ()) -> dict[str, Any]:
+    """The manifest of sheets: (student, (problem, number of the variant) in order) of each; exports: of packages."""
     given: dict[str, set[int]] = {one.name: set() for one in handouts}
     for _, sheets in assigned:
         for handout, number in sheets:
@@ -61,7 +63,8 @@ def manifest(course: "Course", handouts: "Sequence[Handout]", assigned: Assigned
                  "sheets": [{"problem": handout.name, "variant": number + 1} for handout, number in sheets]}
                 for student, sheets in assigned]
     found = {"form": FORM, "version": __version__, "title": course.title, "course": course.course, "due": course.due,
-             "attempt": attempt, "problems": problems, "students": students}
+             "attempt": attempt, "problems": problems, "students": students,
+             **({"exports": list(exports)} if exports else {})}
     return {**found, "seal": seal(found)}
 
 

@@ -91,7 +91,7 @@ class Marker:
         half = given.half if given.half <= COARSE * abs(given.value) else 0.0
         if is_within(given.value, key["value"], half):
             return 0.0, most, WRONG, "", f"right as far as it goes, but {key['figures']} figures are asked"
-        mistake = _mistake(given.value, half, key)
+        mistake = mistake_near(given.value, half, key)
         return 0.0, most, WRONG, mistake or "", self._sentence(problem, mistake)
 
     def _sentence(self, problem, mistake):
@@ -119,15 +119,20 @@ def _unknown(message, word, words):
 
 def is_within(value: float, key: float, band: float) -> bool:
     """Does an answer lie in the band of a key? Its edges count, but for rounding."""
-    return abs(value - key) <= band * (1 + 1e-12) + 1e-15 * abs(key)
+    return abs(value - key) <= reach(key, band)
 
 
-def _mistake(value, half, key):
+def reach(key: float, band: float) -> float:
+    """How far a band reaches, with what rounding may do to its edges."""
+    return band * (1 + 1e-12) + 1e-15 * abs(key)
+
+
+def mistake_near(value: float, half: float, key: Mapping[str, Any]) -> str | None:
     """The name of the mistake to which an answer comes nearest, by the band of the key or half of its own last figure;
     None where it comes to none."""
     near = []
     for number, one in enumerate(key["mistakes"]):
-        width = key["band"] * abs(one["value"] / key["value"])
+        width = key["band"] * abs(one["value"] / key["value"]) if key["value"] else key["band"]
         if is_within(value, one["value"], max(width, half)):
             near.append((abs(value - one["value"]), number, one["name"]))
     return min(near)[2] if near else None

@@ -55,7 +55,7 @@ def solve_candidates(problem: "Problem", rules: "VariantRules", keys: "Sequence[
                      slips: "Sequence[KnownMistake]") -> SolvedCandidates:
     """Those that fulfil what is required and are of the kind of the scene itself; SpecError where this does not fulfil
     it. slips: the mistakes that are made in the scene as it is."""
-    own = _own(problem, rules)
+    own = own_scene(problem, rules)
     kind: Regime | None = None if own is None else own[1]
     found: dict[Place, Candidate] = {}
     rejected: list[Rejected] = []
@@ -82,7 +82,7 @@ def counts_rests(problem: "Problem") -> bool:
     return find is not None and find.search is not None
 
 
-def _own(problem, rules):
+def own_scene(problem: "Problem", rules: "VariantRules") -> "tuple[Problem, Regime] | None":
     """The scene with the values of its file, and its Regime; None where it has letters. SpecError where it does not
     fulfil what its variants have to."""
     if (problem.numeric.has_free_symbols and not problem.spec.choices) or any(

@@ -1,6 +1,6 @@
 """All variants of a problem: every candidate solved once, passed through the gates, and held against a second way."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError, SpecError
@@ -79,9 +79,11 @@ def _nearer(rules, those):
     return words
 
 
-def solve_variants(problem: "Problem", document: "SceneDocument") -> SolvedVariants:
-    """The SolvedVariants of a scene that has VariantRules; document: its own. SpecError where its mistakes are no
-    scenes, or its own values do not fulfil what it requires."""
+def solve_variants(problem: "Problem", document: "SceneDocument",
+                   left_out: "Collection[tuple[str, str]] | None" = None) -> SolvedVariants:
+    """The SolvedVariants of a scene that has VariantRules; document: its own; left_out: (mistake, quantity) that are
+    left out, unless given those that lead to the key in every variant. SpecError where its mistakes are no scenes, or
+    its own values do not fulfil what it requires."""
     rules = problem.spec.get("variants")
     keys = [key_of(problem.spec, one) for one in rules.ask]
     mistakes = mistakes_of(problem, rules, document, keys)
@@ -93,7 +95,7 @@ def solve_variants(problem: "Problem", document: "SceneDocument") -> SolvedVaria
     closed = {} if alone else hold_against_closed_forms(keys, base, solved, scene_at)
     _model_mistakes(problem, rules, keys, mistakes, solved)
     equal = _equal(keys, solved)
-    same = set.intersection(*equal.values()) if equal else set()
+    same = set(left_out) if left_out is not None else set.intersection(*equal.values()) if equal else set()
     accepted = _accept(keys, mistakes, bands, solved, equal, same, rejected, "apart" in rules.without)
     in_order = [(mistake.name, key.text) for mistake in mistakes for key in keys if (mistake.name, key.text) in same]
     rejected.sort(key=lambda one: one.place)

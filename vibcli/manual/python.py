@@ -29,7 +29,8 @@ PYTHON = [
          "`.meetings`, `.gaps`"),
         ("p.variants()", "the variants of a scene as homework: `.accepted`, each with `.values` as they are printed, "
          "`.keys` in the unit asked (expressions and equations as texts), `.bands` and `.mistakes` by quantity; "
-         "`.counts` by gate, `.units`, `.rejected` with their reasons"),
+         "`.counts` by gate, `.units`, `.rejected` with their reasons; `p.variants(executor)` has an executor of "
+         "`concurrent.futures` solve the parts of a large grid"),
         ("p.draw()", "the figure; `p.draw(mode=1, both=True)` a mode shape on it. `.save(\"scene.png\")` writes it, "
          "`.data(\"svg\")` gives its bytes; `.title` and `.about` say in words what it is and shows"),
         ("p.diagrams()", "forces and moments along members in equilibrium; `p.diagrams(mode=2)`, `p.diagrams(at=0.04)` "

@@ -7,6 +7,7 @@ from typing import Any
 
 from vibcli.manual.bench import BENCH
 from vibcli.manual.ci import CI
+from vibcli.manual.exports import EXPORTS
 from vibcli.manual.homework import HOMEWORK, KNOWN_MISTAKES
 from vibcli.manual.members import MEMBERS
 from vibcli.manual.on_paper import DATA, PICTURES, REPORTS
@@ -280,6 +281,7 @@ TOPICS: dict[str, Any] = {
     "sweep": ("quantities over one or two parameters", SWEEP),
     "mistakes": ("known mistakes, and how they are found", KNOWN_MISTAKES),
     "homework": ("variants of a problem, and the gates that they pass", HOMEWORK),
+    "exports": ("packages of variants for the systems of courses: Moodle, PrairieLearn, QTI, Canvas", EXPORTS),
     "frequency_response": ("amplitude and phase over the frequency", FREQUENCY_RESPONSE),
     "signals": ("places, turns, stretches and forces that can be asked for", SIGNALS),
     "ground": ("the fixed end of springs and dampers", GROUND),

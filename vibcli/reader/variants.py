@@ -35,7 +35,7 @@ class VariantRules(NamedTuple):
     """axes: {parameter: values} of those that go together, the grid of all axes being the candidates; require, ask: as
     checked; printed: {chosen parameter: its figures or series}; mistakes: {name: part of the scene, the word `off` of a
     known one that is not looked for}; sample: how many candidates are taken, None of all; without: the gates that are
-    switched off."""
+    switched off; places: of the grid, where only some are solved."""
 
     axes: list[dict[str, list[GivenValue]]]
     require: list[Requirement]
@@ -45,6 +45,7 @@ class VariantRules(NamedTuple):
     sample: int | None
     without: tuple[str, ...]
     where: "Where"
+    places: list[tuple[int, ...]] | None = None
 
     @property
     def candidates(self) -> int:

@@ -1,0 +1,13 @@
+"""Texts as they stand in XML, the same when they are read back."""
+
+from html import escape
+
+
+def cdata(text: str) -> str:
+    """A text in a section without markup, divided where it holds the end of one."""
+    return "<![CDATA[" + text.replace("]]>", "]]]]><![CDATA[>") + "]]>"
+
+
+def attribute(text: str) -> str:
+    """A text in an element, or in an attribute between double quotes, on one line."""
+    return escape(" ".join(text.split()))

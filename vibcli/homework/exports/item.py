@@ -1,0 +1,122 @@
+"""The model of an exported question, from which every format is written: a variant, what is asked of it and told."""
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from hashlib import blake2b
+from math import lcm
+from string import ascii_lowercase
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from vibcli.drawing.drawing import contents
+from vibcli.homework.exports.told import ToldBand, bands_told
+from vibcli.homework.roster import Student
+from vibcli.homework.sheets import student_sheet
+from vibcli.report.blocks import Picture
+
+if TYPE_CHECKING:
+    from vibcli.homework.course import Course
+    from vibcli.homework.handout import Handout
+    from vibcli.report.blocks import Section
+
+NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_.-]{0,63}")
+BY_HAND = "by-hand"
+
+
+class ExportedKey(NamedTuple):
+    """What is asked: the letter by which the question names it, how the quantity is written and what it is, its unit,
+    the figures that are asked, points, how an answer is written; the right answer as it is printed for who marks.
+    Of a number its value and the ToldBands, else None and none."""
+
+    letter: str
+    quantity: str
+    about: str
+    unit: str
+    figures: str
+    points: float
+    form: str
+    answer: Any
+    value: float | None
+    told: tuple[ToldBand, ...]
+
+
+class ExportedQuestion(NamedTuple):
+    """A variant of a problem, or what of it is marked by hand. item: a name that no other question has, the same when
+    it is exported again; group: that of the questions of which a student gets one; problem: its plain name; question:
+    words and Maths; given: the values; described: what the figure shows, in words; files: {name: bytes} that it comes
+    with; said: {mistake: what the student is told}."""
+
+    item: str
+    group: str
+    problem: str
+    variant: int
+    title: str
+    by_hand: bool
+    question: tuple
+    given: "tuple[Section, ...]"
+    figure: Picture | None
+    described: str
+    files: Mapping[str, bytes]
+    keys: tuple[ExportedKey, ...]
+    said: Mapping[str, str]
+    solution: "tuple[Section, ...]"
+
+    @property
+    def points(self) -> float:
+        return sum(key.points for key in self.keys)
+
+
+def item_of(problem: str, number: int) -> str:
+    """The name of a variant, numbered from 0, by which a system and `grade` know it."""
+    return f"{plain_name(problem)}-{number + 1}"
+
+
+def plain_name(name: str) -> str:
+    """A name of a problem as all systems take it: letters, digits, _ . and - of ASCII, a letter first."""
+    if NAME.fullmatch(name):
+        return name
+    cleaned = re.sub(r"[^A-Za-z0-9_.-]+", "_", name)[:40]
+    return f"q_{cleaned}-{blake2b(name.encode(), digest_size=4).hexdigest()}"
+
+
+def questions_of(course: "Course", handout: "Handout", number: int) -> Iterator[ExportedQuestion]:
+    """What is asked of a variant that a system marks, and what is marked by hand, each where there is any."""
+    sheet = student_sheet(course, Student("-"), [(handout, number)])[1]
+    *given, asked = sheet.sections[len(handout.figure):]
+    rows = asked.blocks[0].rows
+    problem, data = handout.problem(number), handout.data(number)["keys"]
+    keys = [ExportedKey(ascii_lowercase[i], key.text, rows[i][1], key.unit, one.figures, points, key.form,
+                        key.printed(problem, one.written), one.value,
+                        () if one.value is None else tuple(bands_told(data[i])))
+            for i, (key, points, one) in enumerate(zip(handout.keys, handout.points, handout.variants[number].keys,
+                                                       strict=True))]
+    item, name = item_of(handout.name, number), plain_name(handout.name)
+    solution, picture = tuple(handout.solution(number)), _picture(handout)
+    for by_hand in (False, True):
+        own = tuple(key for key in keys if (key.value is None) == by_hand)
+        if own:
+            end = f"-{BY_HAND}" if by_hand else ""
+            yield ExportedQuestion(item + end, name + end, name, number + 1, handout.title, by_hand, sheet.question,
+                                   tuple(given), picture, _described(handout, picture),
+                                   getattr(handout.document, "files", {}), own, handout.sentences, solution)
+
+
+def _picture(handout):
+    return next((block for section in handout.figure for block in section.blocks if isinstance(block, Picture)), None)
+
+
+def _described(handout, picture):
+    return f"{picture.caption}: {contents(handout.base.spec)}" if picture is not None else ""
+
+
+def told(name: str, said: Mapping[str, str]) -> str:
+    """What a student is told of a mistake: its name, and its sentence where that says more."""
+    sentence = said.get(name, "")
+    return name if sentence in ("", name) else f"{name}: {sentence}"
+
+
+def whole_weights(points: Sequence[float]) -> list[int]:
+    """Whole numbers in the ratio of points, the points themselves where they are whole."""
+    exact = [Fraction(one).limit_denominator(1000) for one in points]
+    scale = lcm(*(one.denominator for one in exact))
+    return [int(one * scale) for one in exact]
