@@ -90,3 +90,29 @@ def test_a_bar_that_a_gear_moves_is_a_rack(looks, gear):
         middle = plane.middle(*plane.corners(pinion))
         angles = [plane.heading(plane.minus(points[0], middle)) for points in (pinion, pinion_moved)]
         assert angles[1] - angles[0] == pytest.approx(9.0 / gears.PINION, rel=0.05)
+
+
+HOIST = """
+    parameters: {m: 3 kg, J: 1 kg*m^2, r: 0.2 m, k: 9 N*m}
+    bodies: {drum: {inertia: J, turn: phi}, load: {mass: m, slide: r*phi%s}}
+    springs: {s: {torsion: k, between: [ground, drum]}}
+"""
+
+
+@pytest.mark.parametrize("looks, ropes", [("", 1), (", looks: bar", 0)])
+def test_what_a_drum_winds_up_is_tied_to_it_unless_it_is_a_rack(looks, ropes):
+    scene = problem(HOIST % looks)
+    assert gears.wound(scene.scene) == [("drum", "load")] * ropes
+    lines = [part for part in draw(scene) if part.role == "rope"]
+    assert len(lines) == ropes and all(part.dashed for part in lines)
+
+
+@pytest.mark.parametrize("stretch, told", [("x", False), ("-x", False), ("2*x", True)])
+def test_a_spring_that_is_stretched_otherwise_than_drawn_is_told_so(stretch, told):
+    figure = draw(problem(f"""
+        bodies: {{block: {{mass: 2 kg, slide: x}}}}
+        springs: {{s: {{k: 30 N/m, stretch: {stretch}}}}}
+    """))
+    notes = ["".join(run.text for run in part.runs) for part in figure if part.role == "note"]
+    assert any(part.role == "spring" for part in figure) and bool(notes) is told
+    assert notes in ([], ["s: 30 N/m on 2x"])

@@ -1,10 +1,12 @@
 """What moves together is joined in the figure: rods to bodies that expressions place, ropes that motions imply."""
 
+from pathlib import Path
+
 import pytest
-from support.scenes import problem
+from support.scenes import problem, problem_of
 
 from vibcli.drawing.drawing import draw
-from vibcli.drawing.layout import compose, plane
+from vibcli.drawing.layout import compose, letters, plane
 
 PLATFORM = """
     parameters: {{m: 2 kg, M: 5 kg, L: 1 m, g: 9.81 m/s^2}}
@@ -102,3 +104,13 @@ def test_what_is_on_the_rim_itself_hangs_on_no_rope(mass, kind):
     assert not stage.ropes and stage.looks["end"].kind == kind
     assert draw(problem(WHEEL.format(mass=mass)))
     assert stage.ties.carried["wheel"] == [(0.0, pytest.approx(0.3 * stage.sketch.scale))]
+
+
+def test_the_mass_centre_of_a_bent_frame_in_letters_is_drawn_among_its_places():
+    path = Path(__file__).parents[3] / "problems/1_statics_and_energy/three_hinged_shed_in_the_wind.yaml"
+    stage = letters.pleasing(problem_of(path), compose.Scenery)
+    assert letters.crowding(stage) <= letters.ENOUGH < letters.crowding(compose.Scenery(problem_of(path).scene))
+    for name in ("left", "right"):
+        (left, bottom), (right, top) = plane.corners([stage.sketch.pivot(name).drawn, *stage.ties.carried[name]])
+        x, y = stage.sketch.centre(name)
+        assert left <= x <= right and bottom <= y <= top

@@ -227,3 +227,21 @@ def test_a_member_held_by_a_body_of_a_row_is_tied_to_it():
                                                 if isinstance(part, LetterRuns)]
     (strip,) = compose.Scenery(problem(text).scene).strips
     assert dashed[1] == pytest.approx(strip.start)
+
+
+@pytest.mark.parametrize("load", ["{at: tip, force: %sF*sin(W*t)}", "{body: arm, per_length: %sF/(1 m)*sin(W*t)}"])
+def test_a_load_with_a_minus_has_its_arrow_the_other_way(load):
+    senses = {}
+    for sign in ("", "-"):
+        figure = draw(problem(f"""
+            parameters: {{F: 3 N, W: 2 rad/s}}
+            points: {{tip: {{body: arm, at: 2 m}}}}
+            beams: {{arm: {{length: 2 m, EI: 900 N*m^2, mass_per_length: 1 kg/m, left: clamped}}}}
+            forces: {{load: {load % sign}}}
+        """))
+        arrows = [part.points for part in figure if isinstance(part, Polyline) and part.role == "load"]
+        (name,) = ["".join(run.text for run in part.runs) for part in figure
+                   if isinstance(part, LetterRuns) and part.role == "load"]
+        assert arrows and not name.startswith("−")
+        senses[sign] = {tip[1] > start[1] for start, tip in arrows}
+    assert senses == {"": {True}, "-": {False}}

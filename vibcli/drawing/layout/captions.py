@@ -34,12 +34,12 @@ def expression(field: "Expression", sketch: "Sketch", longest: int = SHORT) -> "
         return lettering.named(field.tree.name + "'" * field.tree.primes)
     node = raw(field, sketch.scene)
     if node.op == "number" or not any(letter.isalpha() for letter in text):
-        return lettering.words(_as_printed(text)) if len(text) <= longest else None
+        return lettering.words(as_printed(text)) if len(text) <= longest else None
     runs = lettering.written(node)
     return runs if len(lettering.letters(runs)) <= longest else None
 
 
-def _as_printed(text):
+def as_printed(text: str) -> str:
     """A number with its unit, raised digits and dots of products as in print: m/s^2 is m/s²."""
     return re.sub(r"\^(-?\d+)", lambda power: power[1].translate(RAISED), text).replace("*", "·")
 

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.drawing.canvas.primitives import BODY, SURFACE, Circle, Polyline, extent
-from vibcli.drawing.layout import hung, lumped, plane, rows
+from vibcli.drawing.layout import gears, hung, lumped, plane, rows
 from vibcli.drawing.layout.positions import values_at
 from vibcli.drawing.layout.scale import scale_of
 from vibcli.drawing.layout.sketch import Sketch
@@ -44,6 +44,7 @@ class Scenery:
         self.hung = hung.find(every, self.sketch)
         elsewhere = {*_held_alone(scene), *(one.body for one in self.hung)}
         self.rows = lumped.layouts([row for row in every if not _only(row, elsewhere)], self.sketch, left, top)
+        self.wound = gears.wound(scene) if self.rows else []
         self.sketch.numbers["standing"] = {name for layout in self.rows for name in layout.places}
         if self.rows:
             top = min(layout.y - max(place.height for place in layout.places.values()) for layout in self.rows) - BELOW
@@ -74,7 +75,8 @@ def figure(stage: Scenery, sketch: Any, unit: Any = 1.0,
 
 
 def _tied(stage, sketch, unit, bends):
-    """Dashed lines for what joins lumped bodies to members without a place: to points on them, or to their ends."""
+    """Dashed lines for what joins lumped bodies to members without a place: to points on them, or to their ends; and to
+    each other where one winds the other up."""
     points = sketch.spec.get("member_points") or {}
     strips = {strip.name: strip for strip in stage.strips if not strip.placed}
     places = {name: (place, layout.y - place.height) for layout in stage.rows for name, place in layout.places.items()}
@@ -96,6 +98,12 @@ def _tied(stage, sketch, unit, bends):
     for strip in strips.values():
         for side, x in (("left", 0.0), ("right", strip.metres)):
             found += [tie(strip, x, name) for _, name in member_ends.held(strip.member, side) if name in places]
+    for drum, load in stage.wound:
+        above, below = places[drum][0], places[load][0]
+        head = below.middle[0] + sketch.lumped[load] * unit, below.middle[1] + below.height
+        side = -above.half if head[0] < above.middle[0] else above.half
+        start = plane.plus(above.middle, (side, -0.5 * above.height))
+        found.append(Polyline((start, head), "rope", 1.2, True, SURFACE))
     return found
 
 

@@ -49,6 +49,16 @@ def meshes(scene: "Scene") -> list[Mesh]:
     return found
 
 
+def wound(scene: "Scene") -> list[tuple[str, str]]:
+    """[(what turns, what slides as far as its rim)] of bodies without a place, other than racks: a rope joins them."""
+    lumped = {name: body for name, body in scene.bodies.items() if body.lumped is not None}
+    rates = {name: _rates(body.lumped[1], scene) for name, body in lumped.items()}
+    racks = {mesh.mate for mesh in meshes(scene) if mesh.rack}
+    found = [(drum, load) for load, body in lumped.items() if body.lumped[0] == "slide" and load not in racks
+             for drum, other in lumped.items() if other.lumped[0] == "turn" and _ratio(rates[drum], rates[load])]
+    return list({load: (drum, load) for drum, load in reversed(found)}.values())     # the first drum of each
+
+
 def _rates(node, scene):
     """How fast a body moves with each coordinate and with the time, as drawn."""
     slopes = gradient(node)

@@ -10,7 +10,7 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 if TYPE_CHECKING:
     from vibcli.drawing.layout.compose import Scenery
 
-TRIES, ENOUGH, SAME = 8, 0.05, 1e-9
+TRIES, ENOUGH, SAME, OUTSIDE = 8, 0.05, 1e-9, 0.4
 
 
 def pleasing(problem: Any, stage_of: type[Any]) -> "Scenery":
@@ -52,8 +52,10 @@ def _rates(scene, sample):
 
 
 def crowding(stage: "Scenery") -> float:
-    """How much bodies overlap that are not joined, and how many fixed places lie within bodies."""
-    sketch, looks, total = stage.sketch, stage.looks, 0.0
+    """How much bodies overlap that are not joined, how many fixed places lie within bodies, and how many mass centres
+    lie beyond all places of their bodies."""
+    sketch, looks = stage.sketch, stage.looks
+    total = OUTSIDE * sum(_is_outside(name, stage) for name in looks)
     names = list(looks)
     for i, one in enumerate(names):
         for two in names[i + 1:]:
@@ -67,6 +69,17 @@ def crowding(stage: "Scenery") -> float:
                 if end.carrier != name and any(plane.inside(end.drawn, list(part.points)) for part in look.outlines):
                     total += not _joined(name, end.carrier, sketch) or end.carrier is None
     return total
+
+
+def _is_outside(name, stage):
+    """Does the mass centre of a body lie beyond the box about its pin and the places that it carries?"""
+    pivot, places = stage.sketch.pivot(name), stage.ties.carried.get(name, ())
+    if pivot is None or len(places) < 2:
+        return False
+    (left, bottom), (right, top) = plane.corners([pivot.drawn, *places])
+    x, y = stage.sketch.centre(name)
+    room = SAME * (right - left + top - bottom)
+    return not (left - room <= x <= right + room and bottom - room <= y <= top + room)
 
 
 def _joined(one, two, sketch):

@@ -28,7 +28,7 @@ def lines(stage: "Scenery", box: Sequence[float]) -> "list[LetterRuns]":
 def of(stage: "Scenery") -> "list[tuple[Run, ...]]":
     """The runs of each note."""
     spec, scene = stage.scene.spec, stage.scene
-    shown = {edge.record.name for edge in rows.edges(scene)}
+    shown = {edge.record.name for edge in rows.edges(scene) if _is_plain(edge, scene)}
     found = []
     for record in spec.connections:
         if "stretch" in record and record.name not in shown:
@@ -57,6 +57,16 @@ def of(stage: "Scenery") -> "list[tuple[Run, ...]]":
     return found
 
 
+def _is_plain(edge, scene):
+    """Is an element among lumped bodies stretched by how far they are apart, to either side?"""
+    if "stretch" not in edge.record:
+        return True
+    stretch = captions.raw(edge.record["stretch"], scene)
+    one, two = (scene.table.zero if name is None else captions.raw(rows.motion(scene.bodies[name]), scene)
+                for name in (edge.one, edge.two))
+    return any((stretch - sign * (two - one)).is_zero for sign in (1, -1))
+
+
 def _unplaced(record, sketch):
     """Does an element end at a point on a member that has no place?"""
     points = sketch.spec.get("member_points") or {}
@@ -75,7 +85,10 @@ def _tie(record, sketch):
 def _note(head, scene, *parts):
     runs = list(lettering.words(head, SIZE))
     for field, after in parts:
-        runs += shortened(lettering.written(captions.raw(field, scene), SIZE))
+        node = captions.raw(field, scene)
+        given = node.op == "number"     # which keeps its unit
+        runs += (lettering.words(captions.as_printed(field.text.strip()), SIZE) if given else
+                 shortened(lettering.written(node, SIZE)))
         if after:
             runs += lettering.words(after, SIZE)
     return tuple(runs)

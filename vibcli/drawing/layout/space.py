@@ -11,7 +11,7 @@ from vibcli.drawing.layout import lettering
 CELL, TAKEN, FILLED, CLEAR = 2.5, 1000.0, 0.02, 1.6
 REACHES = (2.0, 4.0, 7.0, 11.0, 16.0, 22.0, 30.0, 40.0, 55.0, 75.0, 100.0, 140.0, 200.0, 280.0)
 DIRECTIONS = [(cos(pi * i / 8), sin(pi * i / 8)) for i in (4, 0, 12, 8, 2, 6, 14, 10, 1, 3, 5, 7, 9, 11, 13, 15)]
-FARNESS = 0.25
+FARNESS, STRUCK = 0.25, 4.0        # the cost of a point away; by which a line through a word in its body counts more
 KEPT_CLEAR = "spring", "damper", "oil"      # roles of what no arrow may cross, beside bodies and other arrows
 CROSSED = 30.0                              # the cost of a cell of theirs
 
@@ -81,7 +81,7 @@ class Space:
         best = None
         for x, y in inside:
             box = x - width / 2, y - height / 2, x + width / 2, y + height / 2
-            best = min(best or (1e9, None), (self.cost(box, 1.0), box))
+            best = min(best or (1e9, None), (STRUCK * self.cost(box, 1.0), box))
         for reach in REACHES:
             if best is not None and best[0] <= FARNESS * reach:
                 break

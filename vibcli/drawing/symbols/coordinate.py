@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 Place = tuple[float, float]
 LENGTH, TICK, WIDE, OVER = 26.0, 5.0, 60.0, 1.5
 ROUND, AROUND = (22.0, 32.0, 44.0), (2, 6, 14, 10, 1, 7, 15, 9, 3, 5, 13, 11, 0, 4, 8, 12)
-LINES, ARCS, BEYOND = (5.0, 11.0, 18.0, 27.0, 38.0), (0.55, 0.7, 0.85, 0.4, 1.0), (0.7, 0.8, 0.9)
+LINES, ARCS = (5.0, 11.0, 18.0, 27.0, 38.0), (0.55, 0.7, 0.85, 0.4, 1.0)
 
 
 class BodyMotion(NamedTuple):
@@ -201,10 +201,9 @@ def _round(motion, sketch, looks):
         radius = min(max(share * far, min(26.0, 0.8 * far), 13.0), 85.0) + 14 * ARCS.index(share) * (share * far > 85)
         span = min(0.5 * pi, max(26.0 / radius, 0.3))
         found.append(_arced(centre, radius, heading, heading + span))
-    return found + [_arced(centre, share * far, heading, heading + 26.0 / (share * far)) for share in BEYOND
-                    if share * far > 85.0]
+    return found
 
 
 def _arced(centre, radius, start, end):
-    path = plane.arc(centre, radius, start, end + 4.0 / radius)
+    path = plane.arc(centre, radius, start + 0.25 * (end - start), end + 4.0 / radius)
     return path, lambda role: arrow.round_(centre, radius, start, end, role)

@@ -89,13 +89,20 @@ def _load(load, strip, here, sketch, space):
         return arrow.round_(here, 15.0, -0.6, 2.2, "load", 1.7), runs, [plane.plus(here, n, 18.0)], "load"
     if strip.placed or "force" not in load or isinstance(load["force"], list):
         return None
-    runs = captions.expression(load["force"], sketch, 18) or lettering.named(load.name)
-    way = n if strip.sideways else strip.e
+    sense, field = _sensed(load["force"])
+    runs = captions.expression(field, sketch, 18) or lettering.named(load.name)
+    way = plane.times(n if strip.sideways else strip.e, sense)
     starts = [here, plane.plus(here, way, -PUSH)] if strip.sideways else [
         here, *(plane.plus(here, n, side * BESIDE) for side in (1, -1))]
     start, tip = min(((place, plane.plus(place, way, PUSH)) for place in starts), key=lambda path: space.arrow(
         [plane.plus(path[0], way, 7), plane.plus(path[1], way, -5)]))
     return arrow.straight(start, tip, "load", 1.7), runs, [tip, start] if strip.sideways else [tip], "load"
+
+
+def _sensed(field):
+    """(−1, the field without its leading minus) of a load that acts the other way; (1, the field)."""
+    shorter = _size(field)
+    return (1.0, field) if shorter is field else (-1.0, shorter)
 
 
 def _spread(load, strip, sketch, space):
@@ -105,15 +112,17 @@ def _spread(load, strip, sketch, space):
     count = max(2, round((end - start) * strip.scale / APART))
     places = [start + (end - start) * i / count for i in range(count + strip.sideways)]
 
+    sense, field = _sensed(load["per_length"])
+
     def row(aside):
-        if strip.sideways:
-            return [(strip.at(x, aside), strip.at(x, aside + ROW)) for x in places]
-        return [(strip.at(x, aside), strip.at(x, aside, 0.7 * APART)) for x in places]
+        found = [(strip.at(x, aside), strip.at(x, aside + ROW) if strip.sideways else strip.at(x, aside, 0.7 * APART))
+                 for x in places]
+        return [path[::int(sense)] for path in found]
 
     aside = min((6.0, 12.0, 16.0, -6.0 - ROW, 24.0)[not strip.sideways:],
                 key=lambda aside: sum(map(space.arrow, row(aside))))
     parts = [part for path in row(aside) for part in arrow.straight(*path, "load", 0.9)]
-    runs = captions.expression(load["per_length"], sketch, 24) or lettering.named(load.name)
+    runs = captions.expression(field, sketch, 24) or lettering.named(load.name)
     middle = (start + end) / 2
     return parts, runs, [strip.at(middle, aside + (ROW + 4 if aside > 0 else -4.0))], "load"
 
