@@ -6,6 +6,7 @@ import pytest
 from mpmath import findroot, mp
 
 import vibcli
+from vibcli.base.errors import PhysicsError
 
 TIP = "points: {tip: {body: b, at: 2 m}}\nforces: {f: {at: tip, force: 10 N*%s}}\n"
 BAR = "bars: {b: {length: 2 m, EA: 4 MN, mass_per_length: 3 kg/m, left: clamped}}\n" + TIP
@@ -61,6 +62,15 @@ def test_as_slow_as_to_be_at_rest(scene, at_rest, load, most):
     assert found == pytest.approx(most * at_rest, rel=2e-3)
 
 
+def test_slow_loads_along_what_also_bends_and_slow_supports():
+    """What a tip is pulled along by does not move the modes that bend, the first ones; a base carries all."""
+    along = vibcli.loads(PLANE.replace("[0 N, 10 N*%s]", "[10 N*%s, 0 N]") % "sin(0.01 rad/s*t)")
+    assert along["max(tip.x)"].value == pytest.approx(5e-6, rel=1e-4)
+    driven = "bodies: {base: {slide: 10 mm*sin(0.01 rad/s*t)}}\n" + BEAM.split("points")[0].replace(
+        "left: clamped", "left: {clamped: base}")
+    assert vibcli.loads(driven)["max(b.u(2 m))"].value == pytest.approx(1e-2, rel=1e-3)
+
+
 def test_moments_smallest_values_and_loads_along_it():
     one = vibcli.loads(BEAM % "sin(0.01 rad/s*t)")
     assert one["max(b.moment(0 m))"].value == pytest.approx(20, rel=2e-3)
@@ -73,3 +83,10 @@ def test_waves_under_loads_that_cancel_at_first():
     """u(L, t) = (1/Z) ∫ F before a wave comes back; F = 10(1 − cos Ωt) holds no digits as a difference."""
     found = vibcli.loads(BAR % "(1-cos(0.02 rad/s*t))")["b.u(2 m)(1 ms)"].value
     assert found == pytest.approx(10 * 0.02**2 * 1e-3**3 / 6 / np.sqrt(12e6), rel=1e-10)
+
+
+@pytest.mark.parametrize("asked", ["max(b.u(2 m))", "max(b.u(2 m)*b.u(1 m))"])
+def test_what_is_too_long_to_be_searched_is_told_before_it_is(asked):
+    one = vibcli.loads(BEAM % "step(t)" + "find: [{response: {until: 1e7 s}}]\n")
+    with pytest.raises(PhysicsError, match="search along a motion by modes is given up after 2000 steps"):
+        one[asked]
