@@ -90,9 +90,10 @@ def tell_impulses(degree: Degree) -> None:
     tau = degree.about.letter(degree.sheet.letter("tau"))
     weight = substitute([_unit(degree, "impulse")], {tau: t - tau})[0]
     Q = degree.sheet.letter("Q")
-    degree.sheet.write(Words("from rest, with the right side Q, the integral from τ = 0 to t of its impulses:  "), name,
-                       " = ", Words("∫ "), Name(Q), "(", tau, ")·", Factor(weight), "·d", tau, settles="convolution",
-                       uses=degree.found.lines)
+    head = [Words("from rest, with the right side "), Name(Q), Words(", the integral from "), tau, " = 0",
+            Words(" to "), t, Words(" of its impulses:  ")]
+    degree.sheet.write(*head, name, " = ", Words("∫ "), Name(Q), "(", tau, ")·", Factor(weight), "·d", tau,
+                       settles="convolution", uses=degree.found.lines)
 
 
 def _begun(wave, factor, begins, time):
