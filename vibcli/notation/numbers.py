@@ -65,7 +65,7 @@ def supported(value: float, error: float, digits: int = SHOWN) -> str:
 
 def with_unit(value: float, dimension: "Mapping[str, Fraction | int]") -> str:
     """`0.0785 m`: a number and the SI unit of its dimension."""
-    return "".join(quantity(value, dimension))
+    return NEGATIVE.sub("−", "".join(quantity(value, dimension)))
 
 
 def quantity(value: float, dimension: "Mapping[str, Fraction | int]", error: float = 0.0) -> tuple[str, str]:

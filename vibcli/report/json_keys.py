@@ -17,6 +17,7 @@ from vibcli.report.sections.phase_plane import KEY as PHASE_PLANE
 from vibcli.report.sections.response import MOTION
 from vibcli.report.sections.spectrum_data import DAMPED_MODES, MODES, POLYNOMIAL
 from vibcli.report.sections.statics import REACTIONS
+from vibcli.report.sections.steps import KEY as STEPS
 from vibcli.report.sections.sweep import KEY as SWEEP
 from vibcli.report.sections.variants import KEY as VARIANTS
 
@@ -31,6 +32,6 @@ KEYS = dict(documented((
     Key("remark", "why a scene in letters, or one with a kink at rest, has no equilibrium, matrices and modes here, or "
         "one without inertia no modes, in words; absent otherwise"),
     MODES._replace(each=(*MODES.each, MEMBERS)), COUNT, DAMPED_MODES, MOTION, FREQUENCY_RESPONSE,
-    EQUIVALENTS, BACKBONE, EXPANSION, PHASE_PLANE, SWEEP, VARIANTS,
+    EQUIVALENTS, BACKBONE, EXPANSION, PHASE_PLANE, SWEEP, VARIANTS, STEPS,
     Key("insight", "only where `find` or --insight asks for it", of=section_keys(OF_MODES)), POLYNOMIAL,
     Key("cases", "{name: the same keys}, where the file has cases"))))

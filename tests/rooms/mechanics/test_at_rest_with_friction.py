@@ -48,7 +48,7 @@ def test_equations_and_places_of_rest_are_told(command, load, ask):
         text = text.replace("dampers: {d: {friction: R, between: [ground, b]}}", "energies: {Phi: R*abs(x')}")
     code, out, err = ask(text, command)
     assert code == 0 and not err
-    assert "R·sign ẋ" in out and "|k·x − F| ≤ R" in out and "which is x from -0.02 m to 0.08 m" in out
+    assert "R·sign ẋ" in out and "|k·x − F| ≤ R" in out and "which is x from −0.02 m to 0.08 m" in out
     assert out.count("at rest wherever") == 1 and "vibcli equations" not in out and "Natural freq" not in out
     code, out, err = ask(text, command, "--json")
     found = json.loads(out)

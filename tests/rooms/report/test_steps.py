@@ -20,6 +20,7 @@ from vibcli.language.parameter_samples import sample_values
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Document, Factor, Name, SumOfTerms, WithNumbers, Words
 from vibcli.report.formats.formula import formula
+from vibcli.report.json_keys import KEYS
 from vibcli.report.sections.steps import section_of
 from vibcli.report.steps.worked import asks_in_full, worked
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -77,6 +78,8 @@ def test_each_line_is_data(tmp_path, capsys):
     assert run(["solve", str(path), "--steps", "--json"]) == 0
     lines = json.loads(capsys.readouterr().out)["steps"]
     told = {line["settles"]: line for line in lines}
+    assert {"steps", *(f"steps[].{key}" for line in lines for key in line)} == {
+        key for key in KEYS if key.startswith("steps")}
     assert [line["number"] for line in lines] == [1, 2, 3, 4, 5, 6, 7, *range(7, 19)]
     assert told["J_O"]["value"] == pytest.approx(0.64) and told["J_O"]["unit"] == "kg·m²"
     assert told["N_s"]["expression"] == "-m*g/2" and told["N_s"]["value"] == pytest.approx(-14.715)

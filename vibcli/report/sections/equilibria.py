@@ -4,9 +4,10 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from vibcli.analyses.modal.stability import FALLING, HELD, NEUTRAL, OPEN, STABLE, UNDECIDED, UNSTABLE, inertless, judged
-from vibcli.notation.numbers import figure, with_unit
+from vibcli.notation.numbers import figure
 from vibcli.report.blocks import Name, Paragraph, Section, TableBlock, Words, maths, paragraph, section, separated
 from vibcli.report.keys import Key
+from vibcli.report.sections.equilibrium import measured
 from vibcli.report.sections.parameters import unit
 
 if TYPE_CHECKING:
@@ -32,8 +33,8 @@ def equilibria(problem: "Problem", _: "Report") -> Iterator[Section]:
     """A table of the equilibria, and where they were searched."""
     listed = _listed(problem)
     warned = [(number, _warning(about, found)) for number, (_, about, found) in enumerate(listed, 1)]
-    limits = [maths(Name(name), Words(f" from {with_unit(low, problem.system.dimension(name))} to "
-                                      f"{with_unit(high, problem.system.dimension(name))}"))
+    limits = [maths(Name(name), *(part for words, end in ((" from ", low), (" to ", high)) for part in (
+        Words(words), *measured(end, problem.system.dimension(name)))))
               for name, (low, high) in problem.equilibria.bounds.items()]
     yield from section(
         "Equilibria", _table(problem, listed) if listed else paragraph("none"),

@@ -42,7 +42,8 @@ def _data(problem):
             for one in worked(problem)]
 
 
-KEY = Key("steps", "the worked solution, a list, an entry to each thing that a line settles", _data, each=(
+KEY = Key("steps", "with --steps alone: the worked solution, a list, an entry to each thing that a line settles",
+          _data, each=(
     Key("number", "of the line; several entries of one line have the same"),
     Key("settles", "the quantity or letter that it tells, empty of words alone"),
     Key("uses", "numbers of the lines that it follows from"),

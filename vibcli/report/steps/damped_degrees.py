@@ -42,12 +42,12 @@ def _proportional(about, sheet, found, of, uses):
         return []
     one, other = (_product(about, found, *pair) for pair in ((0, 1), (1, 0)))
     alike = about.same(one, other)
-    words = "proportional: normal coordinates stay apart" if alike else "not proportional: modes are complex"
+    words = "proportional, normal coordinates stay apart" if alike else "not proportional, modes are complex"
     P = sheet.matrix("P")
-    of_what = [Words("damping: the product of "), Name(of["C"]), Words(", the inverse of "), Name(of["M"]),
-               Words(" and "), Name(of["K"]), Words(" has  ")]
+    of_what = [Words(f"damping: it is {words}, as the product of "), Name(of["C"]), Words(", the inverse of "),
+               Name(of["M"]), Words(" and "), Name(of["K"]), Words(" has  ")]
     return [sheet.write(*of_what, f"{P}₁₂ = ", one, " = " if alike else " ≠ ", f"{P}₂₁", *([] if alike else [
-        " = ", other]), Words(f",  it is {words}"), settles="proportional", uses=uses)]
+        " = ", other]), settles="proportional", uses=uses)]
 
 
 def _is_simple(about, found):

@@ -90,9 +90,10 @@ def tell_impulses(degree: Degree) -> None:
     tau = degree.about.letter(degree.sheet.letter("tau"))
     weight = substitute([_unit(degree, "impulse")], {tau: t - tau})[0]
     Q = degree.sheet.letter("Q")
-    degree.sheet.write(Words("from rest, with the right side Q, the integral from τ = 0 to t of its impulses:  "), name,
-                       " = ", Words("∫ "), Name(Q), "(", tau, ")·", Factor(weight), "·d", tau, settles="convolution",
-                       uses=degree.found.lines)
+    head = [Words("from rest, with the right side "), Name(Q), Words(", the integral from "), tau, " = 0",
+            Words(" to "), t, Words(" of its impulses:  ")]
+    degree.sheet.write(*head, name, " = ", Words("∫ "), Name(Q), "(", tau, ")·", Factor(weight), "·d", tau,
+                       settles="convolution", uses=degree.found.lines)
 
 
 def _begun(wave, factor, begins, time):
@@ -119,14 +120,15 @@ def tell_pieces(degree: Degree, pieces: Sequence[LoadPiece]) -> None:
     if (rest is not None and rest <= 0) or start_in_letters(degree.problem.symbolic) is not None:
         return
     sheet, letters = degree.sheet, {}
-    lines = _resistances(degree, pieces)
-    if lines is None:
+    found = _resistances(degree, pieces)
+    if found is None:
         return
+    Omega, lines = found
     for kind in dict.fromkeys(piece.kind for piece in pieces):
         letters[kind] = sheet.letter(degree.name, kind)
         lightly = ", under-damped," if rest is None and not degree.C.is_zero else ""
         head = Words(f"{KINDS[kind]} at τ = 0 brings about{lightly} from rest  ")
-        lines.append(sheet.write(head, Name(letters[kind]), "(τ) = ", _unit(degree, kind), settles=letters[kind],
+        lines.append(sheet.write(head, Name(letters[kind]), "(τ) = ", _unit(degree, kind, Omega), settles=letters[kind],
                                  uses=degree.found.lines))
     told: list[Any] = []
     for piece in pieces:
@@ -140,30 +142,31 @@ def tell_pieces(degree: Degree, pieces: Sequence[LoadPiece]) -> None:
 
 
 def _resistances(degree, pieces):
-    """Numbers of the lines of Ω, R and S of waves, none of other pieces; None where nothing damps at resonance."""
+    """(Ω of waves, the numbers of the lines of Ω, R and S), (None, []) of other pieces; None where nothing damps at
+    resonance."""
     rate = next((piece.rate for piece in pieces if piece.rate is not None), None)
     if rate is None:
-        return []
+        return None, []
     resists = degree.K - degree.M * rate ** 2
     if degree.C.is_zero and (is_zero(resists) or degree.about.value(resists) == 0.0):
         return None
-    degree.Omega, lines = rate, []
+    Omega, lines = rate, []
     if rate.op != "symbol":
-        degree.Omega = degree.about.letter(degree.sheet.letter("Omega"))
-        lines = [degree.settled([degree.Omega], rate, "rad/s", "Omega of the load", degree.found.lines)]
-        degree.about.know(degree.Omega, degree.about.value(rate))
-    nodes = {"R": degree.K - degree.M * degree.Omega ** 2, "S": degree.C * degree.Omega}
+        Omega = degree.about.letter(degree.sheet.letter("Omega"))
+        lines = [degree.settled([Omega], rate, "rad/s", "Omega of the load", degree.found.lines)]
+        degree.about.know(Omega, degree.about.value(rate))
+    nodes = {"R": degree.K - degree.M * Omega ** 2, "S": degree.C * Omega}
     for letter, node in nodes.items():
         if not node.is_zero:
             symbol = degree.about.letter(degree.sheet.letter(letter))
             lines.append(degree.settled([symbol], node, "", letter, [*lines, *degree.found.lines],
                                         joined=letter == "S"))
-    return lines
+    return Omega, lines
 
 
-def _unit_wave(degree, kind, delta, rate, decay):
-    """The response to a wave that begins at τ = 0."""
-    table, Omega = degree.about.table, degree.Omega
+def _unit_wave(degree, kind, Omega, decays):
+    """The response to a wave that begins at τ = 0; decays: (δ, ω_d, e^{−δτ})."""
+    table, (delta, rate, decay) = degree.about.table, decays
     tau, R = (degree.about.letter(degree.sheet.letter(letter)) for letter in ("tau", "R"))
     S = table.zero if degree.C.is_zero else degree.about.letter(degree.sheet.letter("S"))
     sine, cosine = table.call("sin", rate * tau), table.call("cos", rate * tau)
@@ -177,7 +180,7 @@ def _unit_wave(degree, kind, delta, rate, decay):
     return (kept - decay * (factor * cosine + (delta * factor + Omega * S) * sine / rate)) / size
 
 
-def _unit(degree, kind):
+def _unit(degree, kind, Omega=None):
     """The response to a unit of a kind as a function of τ."""
     table = degree.about.table
     tau, M, K = degree.about.letter(degree.sheet.letter("tau")), degree.M, degree.K
@@ -186,7 +189,7 @@ def _unit(degree, kind):
     sine, cosine = table.call("sin", rate * tau), table.call("cos", rate * tau)
     decay = table.call("exp", -(delta * tau)) if damped else table.one
     if kind in WAVES:
-        return _unit_wave(degree, kind, delta, rate, decay)
+        return _unit_wave(degree, kind, Omega, (delta, rate, decay))
     if kind == "impulse":
         return decay * sine / (M * rate)
     if kind == "step":

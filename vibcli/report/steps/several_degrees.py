@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.plain import lowered
 from vibcli.report.blocks import Name, Words
+from vibcli.report.steps.assumed_shapes import tell_estimates
 from vibcli.report.steps.characteristic import tell_polynomial, tell_roots
 from vibcli.report.steps.damped_degrees import stay_apart, tell_damped
 from vibcli.report.steps.from_modes import tell_from_modes
@@ -43,6 +44,7 @@ class SeveralDegrees:
             self.two.in_letters(lines)
         else:
             tell_roots(self.about, self.sheet, lines)
+        tell_estimates(self.about, self.sheet, lines)
         tell_damped(self.about, self.sheet, self.found, lines)
         tell_from_modes(self.about, self.sheet, self.found, lines)
         tell_steady_states(self.about, self.sheet, self.found)

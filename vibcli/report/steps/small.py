@@ -15,8 +15,9 @@ from vibcli.report.steps.step import WorkedSolution, told
 from vibcli.symbolic.common_denominator import shorter
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters
-from vibcli.symbolic.normal_form import is_zero, textbook
+from vibcli.symbolic.normal_form import is_zero, root_of_square, textbook
 from vibcli.symbolic.rationals import HALF, ONE
 
 if TYPE_CHECKING:
@@ -98,7 +99,33 @@ class AboutRest:
         if self.scene.time not in gradient(s):
             return self.table.zero
         still = {symbol: node for symbol, node in self.place.items() if symbol is not self.scene.time}
-        return textbook(substitute([s], still)[0] - self.rest(s))
+        return textbook(self._unrooted(substitute([s], still)[0]) - self.rest(s))
+
+    def _begun(self, node):
+        """The same with 0 and 1 for steps and ramps of instants that are known to be before or after their begin."""
+        known = {}
+        for call in reachable([node]):
+            if call.op == "call" and call.name in ("step", "ramp") and not call.args[0].mask:
+                argument, = call.args
+                value = self.value(argument)
+                before, after = ((value or 0.0) < 0, (value or 0.0) > 0) if value is not None else map(
+                    self.table.is_positive, (-argument, argument))
+                if before or after:
+                    known[call] = self.table.zero if before else self.table.one if call.name == "step" else argument
+        return substitute([node], known)[0] if known else node
+
+    def _unrooted(self, node):
+        """A function of the time with H − u for √((H − u)²), where that is so while anything acts."""
+        terms = node.args if node.op == "sum" else ((node, ONE),)
+        for part, _ in terms:
+            base = next((base for base, e in part.args if e == HALF and base.mask), None) if (
+                part.op == "product") else None
+            root = None if base is None else root_of_square(base)
+            if root is not None:
+                at_first = evaluate([root], Floats, {**self.samples[0], self.scene.time.name: 0.0})[0]
+                straight = substitute([node], {self.table.power(base, HALF): root if at_first > 0 else -root})[0]
+                node = straight if self.agree_in_motion([straight], [node]) else node
+        return node
 
     def entries(self, found: "Mapping[Any, Node]") -> "dict[Any, Node]":
         """Those at rest that are not zero."""
@@ -108,7 +135,7 @@ class AboutRest:
     def rest(self, node: "Node", named: bool = True) -> "Node":
         """An expression at rest, in its simplest form; where `named` a letter for a long one that has a number, at a
         place that a search found for one that is not short."""
-        found = self.tidy(substitute([node], self.place)[0])
+        found = self.tidy(self._begun(substitute([node], self.place)[0]))
         most = READABLE if self._searched else TOO_LONG
         if not named or self.problem.numeric.has_free_symbols or letters(found) <= most:
             return found

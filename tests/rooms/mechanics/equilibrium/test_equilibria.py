@@ -462,7 +462,7 @@ def test_text_and_json(find, tmp_path, capsys):
     lines = capsys.readouterr().out.split("\n")
     table = lines[lines.index("Equilibria"):]
     assert [line.split()[3] for line in table[2:5]] == ["stable", "unstable", "stable"]
-    assert "grows as exp(2.76043·t)" in table[3] and table[5].startswith("  searched: f from -3.14159 rad (-180°)")
+    assert "grows as exp(2.76043·t)" in table[3] and table[5].startswith("  searched: f from −3.14159 rad (−180°)")
     assert "Natural frequencies" not in "\n".join(lines)
     assert run(["solve", str(path), "--json"]) == 0
     data = json.loads(capsys.readouterr().out)

@@ -1,0 +1,89 @@
+"""The steps from M and K of several degrees of freedom to bounds of their frequencies, where a scene asks for these: by
+assumed shapes Φ the roots of det(ΦᵀKΦ − ω²ΦᵀMΦ) = 0 (Ritz), of one shape Rayleigh's quotient; by each inertia alone
+1/ω² = Σ 1/ωⱼ² (Dunkerley; Rao 2011, sections 7.2, 7.3 and 8.8)."""
+
+from typing import TYPE_CHECKING
+
+from vibcli.base.errors import PhysicsError
+from vibcli.report.blocks import Name, Words
+from vibcli.report.steps.small import AboutRest
+from vibcli.report.steps.step import WorkedSolution, number, told
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+CLOSE = 1e-9        # relative: of ΦᵀMΦ by the lines and the engine's, of what a root leaves
+
+
+def tell_estimates(about: AboutRest, sheet: WorkedSolution, uses: "Sequence[int]") -> None:
+    """Write down what is asked of these; nothing in letters and where the bounds do not hold."""
+    problem = about.problem
+    if problem.numeric.has_free_symbols or problem.scene.pieces:
+        return
+    heads = {tree.head for answer in problem.spec.answers for tree in answer.asked.parts.quantities}
+    find = problem.spec.get("find") or ()
+    for asked, tell in (("ritz", _ritz), ("estimates", _bounds)):
+        before = len(sheet.steps)
+        try:
+            if asked in find or (asked == "estimates" and heads & {"rayleigh", "dunkerley"}):
+                tell(problem, sheet, uses)
+        except PhysicsError:
+            del sheet.steps[before:]
+
+
+def _ritz(problem, sheet, uses):
+    found = problem.modal.result("ritz")
+    M, _, _, K = problem.configuration.linear_system.matrices()
+    if not all(_reduced(matrix, found.shapes, known) for matrix, known in ((M, found.M), (K, found.K))):
+        return
+    names = problem.scene.coordinates
+    letters = [Name(sheet.letter(f"w{k}")) for k in range(1, len(found.shapes) + 1)]
+    shapes = [part for letter, row in zip(letters, found.shapes, strict=True) for part in (
+        Words(",  "), letter, f" = ({', '.join(told(float(x)) for x in row)})")]
+    order = [part for name in names for part in (", ", Name(name))][1:]
+    line = sheet.write(Words("assumed shapes, in the order "), *order, Words(":  "), *shapes[1:], settles="shapes",
+                       uses=uses)
+    entries = [part for letter, matrix in (("M", found.M), ("K", found.K)) for i, row in enumerate(matrix)
+               for j, value in enumerate(row) if j >= i for part in (
+                   Words(",  "), letters[i], "·", Name(sheet.matrix(letter)), "·", letters[j], *number(float(value)))]
+    head = Words("reduced matrices, row by matrix by column:  ")
+    line = sheet.write(head, *entries[1:], settles="reduced matrices", uses=[line])
+    for mode in found.modes:
+        if mode.omega is not None:
+            exact = [] if mode.exact is None else [Words("   (an upper bound of "), told(float(mode.exact)), Words(")")]
+            words = "Rayleigh's quotient, its root" if len(found.modes) == 1 else (
+                f"root {mode.index} of the determinant of the reduced matrices")
+            sheet.write(Words(f"{words}:  "), "ω = " + told(float(mode.omega)), Words(" rad/s"), *exact, uses=[line],
+                        settles=f"ritz[{mode.index}]", value=float(mode.omega), unit="rad/s")
+
+
+def _reduced(matrix, shapes, known):
+    """Is ΦᵀAΦ what the engine has?"""
+    size = max(abs(float(x)) for row in known for x in row)
+    return all(abs(sum(value * float(one[i]) * float(other[j]) for (i, j), value in matrix.items())
+                   - float(known[k][m])) <= CLOSE * size
+               for k, one in enumerate(shapes) for m, other in enumerate(shapes))
+
+
+def _bounds(problem, sheet, uses):
+    """Rayleigh by the static deflection, Dunkerley by each inertia alone."""
+    found = problem.modal.result("estimates")
+    M, _, _, K = problem.configuration.linear_system.matrices()
+    names = problem.scene.coordinates
+    u = [float(found.deflection[name]) for name in names]
+    above, below = (sum(value * u[i] * u[j] for (i, j), value in matrix.items()) for matrix in (K, M))
+    if abs((above / below) ** 0.5 / found.rayleigh - 1) <= CLOSE:
+        shape, letter = ", ".join(map(told, u)), Name(sheet.letter("u"))
+        forms = [part for matrix, value in (("K", above), ("M", below)) for part in (
+            Words(",  "), letter, "·", Name(sheet.matrix(matrix)), "·", letter, *number(value))]
+        line = sheet.write(Words("Rayleigh, with the static deflection  "), letter, f" = ({shape})", *forms,
+                           settles="deflection", uses=uses)
+        sheet.write(Words("the root of their quotient:  "), "ω = " + told(found.rayleigh), Words(
+            " rad/s   (an upper bound)"), settles="rayleigh", value=float(found.rayleigh), unit="rad/s", uses=[line])
+    alone = {name: float(omega) for name, omega in found.alone.items()}
+    if len(alone) > 1 and abs(sum(omega ** -2 for omega in alone.values()) * found.dunkerley ** 2 - 1) <= CLOSE:
+        each = ",  ".join(f"{name} {told(omega)}" for name, omega in alone.items())
+        line = sheet.write(Words(f"Dunkerley, each inertia alone:  {each} rad/s"), settles="alone", uses=uses)
+        sheet.write("1/ω² = ", Words("the sum of "), "1/ω_j²", Words(",  "), "ω = " + told(found.dunkerley), Words(
+            " rad/s   (a lower bound)"), settles="dunkerley", value=float(found.dunkerley), unit="rad/s",
+            uses=[line])
