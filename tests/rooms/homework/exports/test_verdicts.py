@@ -18,6 +18,7 @@ KEYS = {
     "large": manifest_key(87654.3, 440.0, {"near": 89000.0, "low": 1234.5}, "N/m"),
     "narrow": manifest_key(2.7182818, 2.8e-5, {"next": 2.71834, "other": 2.7}, "m", 5),
     "degrees": manifest_key(14.3239, 0.07, {"radians": 0.25, "weight": 0.0}, "deg"),
+    "small angle": manifest_key(-0.0375, 0.0002, {"sign": 0.0375}, "deg", 3),
     "meeting": manifest_key(10.0, 0.05, {"first": 11.0, "second": 11.02, "third": 11.06, "same": 11.02}),
     "touching": manifest_key(10.0, 0.5, {"within": 10.9, "beneath": 9.2}),
     "ratio": manifest_key(0.12541, 0.0001, {"twice": 0.25082}, ""),

@@ -1,0 +1,64 @@
+"""The problems that ship with variants, exported: the right answers of each system are those of `grade`, and so are the
+mistakes that it names."""
+
+from pathlib import Path
+
+import pytest
+from support import course_systems
+from support.exported import grades, on_disk, written
+
+from vibcli.api.source import file_source, problem_of
+from vibcli.homework.course import Course, CoursePart, CourseProblem
+from vibcli.homework.document import SceneDocument
+from vibcli.homework.exports import FORMATS
+from vibcli.homework.exports.canvas import in_unit
+from vibcli.homework.exports.item import BY_HAND, questions_of
+from vibcli.homework.handout import Handout
+from vibcli.homework.variants import solve_variants
+
+PROBLEMS = Path(__file__).parents[4] / "problems"
+WITH_VARIANTS = [path for path in sorted(PROBLEMS.glob("*/*.yaml"))
+                 if "\nvariants:" in path.read_text(encoding="utf-8")]
+SOME = 3
+
+
+def exported(path):
+    """(course, Handout) of some variants of a problem."""
+    source = file_source(path)
+    problem = problem_of(source)
+    rules = problem.spec.get("variants")
+    problem = problem.with_spec(problem.spec.with_sections(variants=rules._replace(sample=SOME)))
+    document, one = SceneDocument.of(source.node, source.file, None), CourseProblem(path.stem, str(path))
+    found = Handout.of(one, solve_variants(problem, document), document, "\n".join(source.lines))
+    return Course("Week 3", "", "", (CoursePart((one,), 1),)), found
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("path", WITH_VARIANTS, ids=lambda path: path.stem)
+def test_a_problem_in_every_format(path, tmp_path):
+    course, handout = exported(path)
+    questions = sorted((one for number in handout.variants for one in questions_of(course, handout, number)),
+                       key=lambda one: one.by_hand)
+    keys = {one.item: dict(zip("abcdefgh", handout.data(one.variant - 1)["keys"], strict=False)) for one in questions}
+    asked = {one.item for one in questions if not one.by_hand}
+    assert len(questions) >= len(handout.variants) > 0 and len({one.item for one in questions}) == len(questions)
+    for name in FORMATS:
+        files = written(name, questions, course)
+        read = getattr(course_systems, name)(files, *((on_disk(files, tmp_path),) * (name == "prairielearn")))
+        assert set(read) == asked and not any(item.endswith(BY_HAND) for item in read)
+        for one in (one for one in questions if not one.by_hand):
+            for key in one.keys:
+                scale = in_unit(one, key).value / key.value if name == "canvas" and key.value else 1.0
+                assert_marked(read[one.item][key.letter], keys[one.item][key.letter], scale, name)
+
+
+def assert_marked(field, key, scale, name):
+    """Key, edges but for what Canvas rounds, and mistakes, of which two may give the same."""
+    here = grades(key)
+    assert field(repr(key["value"] * scale))[0] == "right"
+    for wrong in key["mistakes"]:
+        verdict, said = field(repr(wrong["value"] * scale))
+        assert verdict == here(repr(wrong["value"]))[0] == "wrong"
+        alike = {one["name"] for one in key["mistakes"] if abs(one["value"] - wrong["value"]) <= 1e-12 * abs(
+            wrong["value"])}
+        assert name == "canvas" or any(said.startswith(one) for one in alike), (said, alike)
