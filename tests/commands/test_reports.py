@@ -20,7 +20,7 @@ from vibcli.notation.mathml import mathml
 from vibcli.notation.plain import plain
 from vibcli.notation.typst import typst
 from vibcli.reader.sections.find import INSIGHT, ON_REQUEST
-from vibcli.report.blocks import Document, Name, Picture, Section, Words, maths
+from vibcli.report.blocks import Document, Equations, Name, Picture, Section, Words, line, maths
 from vibcli.report.blocks import TableBlock as Cells
 from vibcli.report.document import EVERYTHING, Report
 from vibcli.report.formats import asciidoc, html, markdown
@@ -250,6 +250,16 @@ def test_hostile_words_in_typst(hostile, tmp_path):
     ("\\u{41}", r"\\u{41}")])
 def test_words_in_typst(text, expected):
     assert render_typst.escaped(text) == expected
+
+
+def test_no_formula_leaves_the_pages_of_typst(tmp_path):
+    """Many lines, each wider than a page, stand on as many pages as they need."""
+    pypdf = pytest.importorskip("pypdf")
+    lines = tuple(line(Words(f"line{i}: " + "a long word " * 12)) for i in range(200))
+    text = render_typst.render([Document("T", None, (), (Section("S", (Equations(lines),)),))], None)
+    pages = pypdf.PdfReader(BytesIO(compiled(text, tmp_path))).pages
+    assert len(pages) >= 4 and "line199:" in pages[-1].extract_text()
+    assert all(page.extract_text().count("line") <= 60 for page in pages)
 
 
 @pytest.mark.parametrize("cells, expected", [

@@ -1,6 +1,7 @@
 """Keys: the quantities that are asked of a variant, in the units in which they are asked, and their values."""
 
 from collections.abc import Sequence
+from decimal import Decimal
 from math import tau
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -9,7 +10,7 @@ from vibcli.base.units import Unit
 from vibcli.homework.bands import Band, KeyBand
 from vibcli.homework.gates import Wrong, is_same, told_apart
 from vibcli.language.given_values import unit_of_text
-from vibcli.notation.numbers import in_figures, plainly
+from vibcli.notation.numbers import in_figures
 from vibcli.quantities.dimensions import unit_of
 from vibcli.quantities.expression import value_of
 from vibcli.quantities.quantity import quantity_of
@@ -44,8 +45,8 @@ class KeyValue(NamedTuple):
 
     @property
     def spread(self) -> str:
-        """How far an answer may be off."""
-        return f"± {plainly(self.band.width)}"
+        """How far an answer may be off, without an exponent."""
+        return f"± {Decimal(f'{self.band.width:.2g}'):f}"
 
     @property
     def hidden(self) -> tuple[str, ...]:

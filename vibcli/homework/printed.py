@@ -10,6 +10,7 @@ from vibcli.inverse import settled
 from vibcli.language.given_values import GivenValue, giver, unit_of_text
 from vibcli.language.parameters import unit_text
 from vibcli.reader.variants import preferred
+from vibcli.results.variants import with_given
 
 if TYPE_CHECKING:
     from vibcli.reader.variants import VariantRules
@@ -30,20 +31,6 @@ def printed_values(found: "Problem", rules: "VariantRules") -> dict[str, GivenVa
     asked = {one.asked.text for one in rules.ask}
     return {name: _rounded(found, name, rules.printed.get(name, FIGURES))
             for name in found.spec.choices if name not in asked and found.choice is not None}
-
-
-def with_given(problem: "Problem", values: dict[str, GivenValue]) -> "Problem":
-    """The problem with values for parameters, which are chosen no longer."""
-    spec = problem.spec
-    parameters = dict(spec.parameters)
-    for name, value in values.items():
-        parameters[name] = parameters[name].with_values({**parameters[name], "value": value.expression})
-    choices = {name: record for name, record in spec.choices.items() if name not in values}
-    sections = {key: value for key, value in spec.sections.items() if key != "choose"}
-    spec = spec._replace(sections=sections, get=sections.get).with_parameters(parameters)
-    if choices:
-        spec = spec.with_sections(choose=choices)
-    return problem.with_spec(spec._replace(choices=choices))
 
 
 def _rounded(found, name, how):

@@ -34,8 +34,8 @@ if TYPE_CHECKING:
 def student_sheet(course: "Course", student: "Student", problems: "Sequence[tuple[Handout, int]]") -> list[Document]:
     """The Documents of a student's sheet: its head, and each problem with the figure, its values and what is asked;
     problems: (problem, number of the variant), in order."""
-    who = f"{student.name} ({student.id})" if student.name else student.id
-    said = [f"Sheet of {who}", *[course.course] * bool(course.course), *[f"due {course.due}"] * bool(course.due)]
+    who = f"Sheet of {student.name} ({student.id})" if student.name else f"Sheet {student.id}"
+    said = [who, *[course.course] * bool(course.course), *[f"due {course.due}"] * bool(course.due)]
     head = Document(course.title or "Homework", None, (" · ".join(said),), ())
     return [head, *(_question(number, *one) for number, one in enumerate(problems, 1))]
 
@@ -63,16 +63,21 @@ def _asked(handout, variant):
     rows = []
     for number, (key, points, one) in enumerate(zip(handout.keys, handout.points, variant.keys, strict=True)):
         quantity = quantity_of(handout.base.spec, key.asked.tree)
-        about = _about(quantity, key.asked.tree) if quantity else "this expression"
+        about = _about(quantity, key.asked.tree, key.text) if quantity else "this expression"
         rows.append((f"({ascii_lowercase[number]})", about, key.text, as_printed(key.unit) or "–",
                      one.figures, figure(points, digits=3)))
     table = TableBlock(("", "what", "written as", "unit", "figures", "points"), tuple(rows))
     return section("Asked", table, *map(paragraph, dict.fromkeys(key.form for key in handout.keys if key.form)))
 
 
-def _about(quantity, tree):
+def _about(quantity, tree, text):
     """What a quantity is, in words, with the number of its mode and the name of what moves."""
     about = re.split("[;:,]", quantity.about)[0]
+    head, _, inner = text.removesuffix(")").partition("(")
+    signal, at = (head, inner) if "at an instant" in about else (inner, "")
+    if signal:
+        about = about.replace("a signal", plain.symbol(signal) if signal.isidentifier() else signal)
+        about = about.replace("an instant", at)
     if tree.indices:
         number = f"mode {tree.indices[0]}"
         about = about.replace("damped mode i", f"damped {number}").replace("mode i", number)

@@ -6,9 +6,9 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError, SpecError
-from vibcli.homework.printed import with_given
 from vibcli.language.given_values import giver, number_and_unit
 from vibcli.reader.read import QUOTE
+from vibcli.results.variants import with_given
 from vibcli.symbolic.parser import plain_name
 
 if TYPE_CHECKING:

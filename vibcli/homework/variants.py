@@ -11,7 +11,7 @@ from vibcli.homework.gates import Wrong, unreadable
 from vibcli.homework.keys import AnswerKey
 from vibcli.homework.leaks import numbers_in
 from vibcli.homework.mistakes import mistakes_of
-from vibcli.homework.printed import with_given, with_printed
+from vibcli.homework.printed import with_printed
 from vibcli.homework.routes import hold_against_closed_forms
 from vibcli.homework.solved import SOLVED, Rejected, mistaken, solve_candidates
 from vibcli.homework.told import untold
@@ -20,6 +20,7 @@ from vibcli.language.given_values import GivenValue, number_and_unit
 from vibcli.mistakes.known import KnownMistake
 from vibcli.reader.read import QUOTE
 from vibcli.reader.sections.variants import GATES
+from vibcli.results.variants import with_given
 
 if TYPE_CHECKING:
     from vibcli.homework.document import SceneDocument

@@ -59,11 +59,8 @@ class Variants:
 
     def at(self, values: Mapping[str, GivenValue]) -> "Problem | SpecError | PhysicsError":
         """The Problem of values that the grid need not have, drawn by itself, or why there is none."""
-        spec, parameters = self.problem.spec, dict(self.problem.spec.parameters)
-        for name, value in values.items():
-            parameters[name] = parameters[name].with_values({**parameters[name], "value": value.expression})
         try:
-            found = self.problem.with_spec(spec.with_parameters(parameters))
+            found = with_given(self.problem, values)
             found.draw()
             return self._settle(found)
         except (SpecError, PhysicsError) as error:
@@ -156,6 +153,20 @@ class Variants:
             except (SpecError, PhysicsError, ArithmeticError):
                 self._structures[place] = None
         return self._structures[place]
+
+
+def with_given(problem: "Problem", values: Mapping[str, GivenValue]) -> "Problem":
+    """The problem with values for parameters, which are chosen no longer."""
+    spec = problem.spec
+    parameters = dict(spec.parameters)
+    for name, value in values.items():
+        parameters[name] = parameters[name].with_values({**parameters[name], "value": value.expression})
+    choices = {name: record for name, record in spec.choices.items() if name not in values}
+    sections = {key: value for key, value in spec.sections.items() if key != "choose"}
+    spec = spec._replace(sections=sections, get=sections.get).with_parameters(parameters)
+    if choices:
+        spec = spec.with_sections(choose=choices)
+    return problem.with_spec(spec._replace(choices=choices))
 
 
 def _block(i, cut):

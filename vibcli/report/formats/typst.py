@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable, Sequence
+from itertools import chain
 
 from vibcli.base.decoding import on_one_line
 from vibcli.notation.numbers import width
@@ -22,6 +23,7 @@ from vibcli.report.formats.formula import formula, rows, without_words
 from vibcli.report.formats.latex import is_signed
 
 COLUMNS = 95        # of plain text, in a row of a formula
+TOGETHER = 12       # rows that one alignment has at most
 WIDEST = 85         # characters of a row of a table that surely fits a page,
 GAP = 2             # with those that a gap between its columns takes
 WORDS = 20          # characters that are left at least to a column that is broken into lines
@@ -42,7 +44,7 @@ HEAD = """\
 #set table(stroke: none, inset: (x: 0.6em, y: 0.35em), align: left)
 #set math.equation(numbering: none)
 #show math.equation.where(block: true): set align(left)
-#show math.equation.where(block: true): set block(breakable: true)
+#show math.equation.where(block: true): set block(breakable: true, spacing: 0.85em)
 #show math.equation.where(block: true): it => pad(left: 1.5em, fitted(it))
 #show heading: set block(above: 1.3em, below: 0.7em)
 """
@@ -88,13 +90,15 @@ def _running(parts):
 
 
 def _equations(block):
-    """One alignment: labels, then formulas, broken where they are long."""
+    """Formulas, broken where they are long: few lines as one alignment, labels before them; many one by one, since what
+    is made smaller stays on one page."""
     lines = []
     for line in block.lines:
         first, *others = rows(line.parts, typst, COLUMNS)
         label = f"{formula(line.label, typst)}: quad " if line.label else ""
-        lines += [f"{label}& {first}", *(f"& quad {other}" for other in others)]
-    return "$ " + " \\\n  ".join(lines) + " $\n"
+        lines.append([f"{label}& {first}", *(f"& quad {other}" for other in others)])
+    together = [list(chain(*lines))] if sum(map(len, lines)) <= TOGETHER else lines
+    return "\n".join("$ " + " \\\n  ".join(one) + " $\n" for one in together)
 
 
 def _paragraph(block):
