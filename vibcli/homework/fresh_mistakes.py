@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING
 
+from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.homework.mistakes import mistakes_of
 from vibcli.inverse import settled
 
@@ -25,12 +26,16 @@ def require_same_mistakes(document: "SceneDocument", fresh: "Problem", keys: "Se
         right = key.found(fresh) if one.wrong else None
         for wrong in one.wrong:
             known = mistakes.get(wrong.mistake)
-            value = None if known is None else key.mistaken(known, _scene(known, fresh), right)
+            scene = None if known is None else _scene(known, fresh)
+            value = None if known is None or scene is None else key.mistaken(known, scene, right)
             if value is None or not key.is_mistaken_so(fresh, one, wrong.value, value):
                 raise RuntimeError(f"two ways to what '{wrong.mistake}' makes of {key.text} differ, "
                                    f"{wrong.value!r} and {value!r}, at {at}")
 
 
-def _scene(mistake: "KnownMistake", fresh: "Problem") -> "Problem":
-    """The scene that a mistake takes for the right one, with what that chooses."""
-    return fresh if mistake.problem is None else settled(mistake.problem)
+def _scene(mistake: "KnownMistake", fresh: "Problem") -> "Problem | None":
+    """The scene that a mistake takes for the right one, with what that chooses; None where it cannot."""
+    try:
+        return fresh if mistake.problem is None else settled(mistake.problem)
+    except (SpecError, PhysicsError):
+        return None

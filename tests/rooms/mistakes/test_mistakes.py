@@ -69,6 +69,13 @@ springs:
   left: {k: 100 N/m, between: [[-1 m, 0], bead], preload: 40 N}
   right: {k: 100 N/m, between: [[1 m, 0], bead], preload: 40 N}
 """
+MOUNTS = """
+parameters: {k: 300 N/m, a: 30 deg, R: 1 m}
+bodies: {bead: {mass: 2 kg, at: [0, 0], move: [x, y, 0]}}
+springs:
+  s: {k: k, between: [[R*cos(a), R*sin(a)], bead]}
+  t: {k: k, between: [[R*cos(a), -R*sin(a)], bead]}
+"""
 
 
 def wrong(scene, text):
@@ -121,6 +128,7 @@ RATE, ZETA = sqrt(800 / 2 - 2**2), 8 / (2 * sqrt(1600))
     (ROW, "omega[1]", {"parallel for series (s)": sqrt(450)}),
     (LEVER, "omega[1]", {"lever ratio once (s)": sqrt(900 * 0.4)}),
     (TAUT, "omega[1]", {"preload forgotten (left)": sqrt(400)}),
+    (MOUNTS, "omega[2]", {"sign of an angle (a of s)": sqrt(300), "sign of an angle (a of t)": sqrt(300)}),
     (TWO, "omega[1]", {"coordinate held (x)": sqrt(800), "coordinate held (y)": sqrt(800)}),
 ])
 def test_what_mistakes_lead_to(scene, asked, expected):
@@ -163,6 +171,7 @@ def test_the_catalogue_is_its_folder():
     (ROD, "omega[1]: 8.58 rad/s", "rod: this takes the moment of inertia about the mass centre for that about the pin"),
     (ROLLER, "omega[1]: 12.25 rad/s", "disc: it rolls: the energy of its rotation is forgotten"),
     (PAIR, "omega[1]: 10.00 rad/s", "s, t: these springs have the same stretch"),
+    (MOUNTS, "omega[2]: 17.32 rad/s", "a of s: the sign of this angle differs"),
     (DRUM, "omega[1]: 22.36 rad/s", "drum: the moment of inertia of the wheel is forgotten"),
 ])
 def test_check_names_mistakes_of_the_model(scene, line, said):
