@@ -14,6 +14,7 @@ RATES = "omega", "omega_d"
 FREQUENCIES = "frequency",
 PERIODS = "period", "period_d", "beat_period"
 AMPLITUDES = "amplitude", "envelope"
+UNSIGNED = (*RATES, *FREQUENCIES, *PERIODS, *AMPLITUDES, "zeta", "decrement", "rms", "mass", "J")
 UNPREFIXED = "", "1", "%", "rad", "deg", "rad/s", "1/s", "s^-1", "rpm", "Hz"        # without prefixes
 
 Part = dict[str, Any]
@@ -27,12 +28,15 @@ class CommonMistake(NamedTuple):
     formula(quantity)               the text of the wrong expression for a quantity, a QuantityRef; None likewise
     model(problem)                  (what it concerns, part of a scene that it changes) of each way to make it; numbers
                                     in it are in SI units, None takes a key out
+
+    single: it concerns scenes of one degree of freedom alone.
     """
 
     sentence: str
     reading: "Callable[[float, str, str], float | None] | None" = None
     formula: "Callable[[QuantityRef], str | None] | None" = None
     model: "Callable[[Problem], Iterator[tuple[str, Part]]] | None" = None
+    single: bool = False
 
 
 def by_reading(factor: float, heads: tuple[str, ...]) -> "Callable[[float, str, str], float | None]":

@@ -1,5 +1,10 @@
-"""The opposite direction."""
+"""The opposite direction, of what has one."""
 
-from vibcli.mistakes.mistake import CommonMistake
+from vibcli.mistakes.mistake import UNSIGNED, CommonMistake
 
-MISTAKE = CommonMistake("the sign differs: which direction is positive?", reading=lambda value, head, unit: -value)
+
+def _wrong(value, head, unit):
+    return -value if head not in UNSIGNED else None
+
+
+MISTAKE = CommonMistake("the sign differs: which direction is positive?", reading=_wrong)
