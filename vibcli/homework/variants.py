@@ -134,17 +134,17 @@ def _look(problem, rules, keys, base, bands, solved, rejected):
 
 
 def _given(spec):
-    """{what it is: number} of the parameters of a file, and of the numbers in the words of its question."""
+    """{what it is: (number, unit)} of the parameters of a file, and of the numbers in the words of its question."""
     written = {name: number_and_unit(record["value"]) for name, record in spec.parameters.items() if "value" in record}
-    numbers = {name: float(found[0]) for name, found in written.items() if found is not None}
-    return numbers | {f"number {said} of the question": value
+    numbers = {name: (float(found[0]), found[1]) for name, found in written.items() if found is not None}
+    return numbers | {f"number {said} of the question": (value, None)
                       for value, _, said in numbers_in(QUOTE.sub(" ", spec.get("question", "")))}
 
 
 def _of_keys(rules, keys, bands, one, told, given):
     """(gate, reason) of what keys with values fail; (None, None) of nothing. told: parameters that are not told; given:
-    {what it is: number} of what all sheets tell."""
-    numbers = {**given, **{name: float(value.number) for name, value in one.values.items()}}
+    {what it is: (number, unit)} of what all sheets tell."""
+    numbers = {**given, **{name: (float(value.number), value.unit) for name, value in one.values.items()}}
     if "readable" not in rules.without and (reason := _unreadable(keys, bands, one, numbers)) is not None:
         return "readable", reason
     return ("told", f"neither question nor figure tells {', '.join(told)}") if told else (None, None)

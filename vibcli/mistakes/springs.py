@@ -8,7 +8,6 @@ from vibcli.language.parameter_samples import sample_values
 from vibcli.notation.scene_language import language
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.expression_graph import reachable
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
@@ -45,8 +44,7 @@ def lever_ratio(problem: "Problem", name: str) -> str | None:
     if slope is None:
         return None
     at, = substitute([slope], {q: scene.drawn.get(q, scene.table.zero)})
-    letters = {node.name for node in reachable([at]) if node.op == "symbol"}
-    if at.is_zero or not letters <= scene.parameters.nodes.keys():
+    if at.is_zero or at.mask:
         return None
     size = -at if _is_negative(problem, at) else at
     return None if size == scene.table.one else language(size)
