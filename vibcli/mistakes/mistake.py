@@ -14,7 +14,6 @@ RATES = "omega", "omega_d"
 FREQUENCIES = "frequency",
 PERIODS = "period", "period_d", "beat_period"
 AMPLITUDES = "amplitude", "envelope"
-UNSIGNED = (*RATES, *FREQUENCIES, *PERIODS, *AMPLITUDES, "zeta", "decrement", "rms", "mass", "J")
 UNPREFIXED = "", "1", "%", "rad", "deg", "rad/s", "1/s", "s^-1", "rpm", "Hz"        # without prefixes
 
 Part = dict[str, Any]

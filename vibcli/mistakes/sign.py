@@ -1,10 +1,5 @@
-"""The opposite direction, of what has one."""
+"""The opposite direction."""
 
-from vibcli.mistakes.mistake import UNSIGNED, CommonMistake
+from vibcli.mistakes.mistake import CommonMistake
 
-
-def _wrong(value, head, unit):
-    return -value if head not in UNSIGNED else None
-
-
-MISTAKE = CommonMistake("the sign differs: which direction is positive?", reading=_wrong)
+MISTAKE = CommonMistake("the sign differs: which direction is positive?", reading=lambda value, head, unit: -value)

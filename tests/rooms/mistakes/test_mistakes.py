@@ -49,6 +49,12 @@ bodies:
   load: {mass: 1 kg, slide: {by: 0.2 m*phi}, at: [0.2 m, -1 m]}
 springs: {s: {k: 500 N/m, stretch: 0.2 m*phi}}
 """
+PLANK = """
+bodies:
+  plank: {shape: rod, mass: 3 kg, from: [-1 m, 0], to: [1 m, 0], pin: {at: [0, 0], by: phi}}
+  load: {mass: 0.5 kg, at: [1 m, 0], weld: plank}
+springs: {s: {torsion: 100 N*m, between: [ground, plank]}}
+"""
 PAIR = """
 parameters: {k1: 300 N/m, k2: 600 N/m}
 bodies: {block: {mass: 2 kg, at: [0, 0], slide: x}}
@@ -104,7 +110,7 @@ RATE, ZETA = sqrt(800 / 2 - 2**2), 8 / (2 * sqrt(1600))
     (OSCILLATOR, "omega_d[1]", {"cycles for radians": RATE / (2 * pi), "revolutions for radians": RATE * 30 / pi,
                                 "period for frequency": 2 * pi / RATE, "natural for damped": 20.0,
                                 "root forgotten": RATE**2, "half the frequency": RATE / 2,
-                                "twice the frequency": 2 * RATE, "sign": None}),
+                                "twice the frequency": 2 * RATE, "sign": -RATE}),
     (OSCILLATOR, "frequency[1]", {"radians for cycles": 20.0, "period for frequency": pi / 10}),
     (OSCILLATOR, "period[1]", {"frequency for period": 10 / pi, "damped for natural": 2 * pi / RATE,
                                "one over rate": 0.05}),
@@ -125,6 +131,7 @@ RATE, ZETA = sqrt(800 / 2 - 2**2), 8 / (2 * sqrt(1600))
                         "inertia about centre (disc)": sqrt(9.81 * 0.5 / 0.02)}),
     (ROLLER, "omega[1]", {"rolling without rotation (disc)": sqrt(150), "diameter for radius (disc)": sqrt(300 / 6)}),
     (DRUM, "omega[1]", {"wheel without inertia (drum)": sqrt(500), "diameter for radius (drum)": sqrt(500 / 9)}),
+    (PLANK, "omega[1]", {"particle for body (plank)": sqrt(200)}),
     (PAIR, "omega[1]", {"series for parallel (s, t)": 10.0}),
     (ROW, "omega[1]", {"parallel for series (s)": sqrt(450)}),
     (LEVER, "omega[1]", {"lever ratio once (s)": sqrt(900 * 0.4)}),
@@ -136,7 +143,7 @@ RATE, ZETA = sqrt(800 / 2 - 2**2), 8 / (2 * sqrt(1600))
 def test_what_mistakes_lead_to(scene, asked, expected):
     found = wrong(scene, asked)
     assert {name: found.get(name) for name in expected} == {
-        name: value and pytest.approx(value, rel=1e-9) for name, value in expected.items()}
+        name: pytest.approx(value, rel=1e-9) for name, value in expected.items()}
 
 
 def test_phase_beyond_resonance():
@@ -151,12 +158,6 @@ def test_a_force_without_its_damper_is_one_of_a_single_degree():
     more = OSCILLATOR.replace("slide: x}}", "slide: x}, b: {mass: 1 kg, slide: y}}").replace(
         "springs: {", "springs: {t: {k: k, between: [block, b]}, ")
     assert "force without damper" in wrong(OSCILLATOR, asked) and "force without damper" not in wrong(more, asked)
-
-
-def test_what_has_a_direction_may_have_another_sign():
-    text = ROD.replace("from: [0, 0], to: [0, -L]", "from: [0, 0], to: [L*sin(0.1), -L*cos(0.1)]")
-    assert wrong(text, "equilibrium[phi]")["sign"] == pytest.approx(0.1, rel=1e-9)
-    assert "sign" not in wrong(text, "period[1]")
 
 
 def test_weight_in_the_stiffness():
