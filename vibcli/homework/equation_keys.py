@@ -8,7 +8,7 @@ from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.check.verdicts import expected_node, verdicts_of
 from vibcli.homework.bands import FIGURES, WIDEST, Band
 from vibcli.homework.formula_keys import AS_EQUATION
-from vibcli.homework.gates import Wrong
+from vibcli.homework.gates import BOUND, Wrong
 from vibcli.homework.in_letters import answer_of, put_in
 from vibcli.homework.keys import ROUTES, AnswerKey
 from vibcli.homework.terms import OF_NUMBERS, alike, terms, terms_of
@@ -103,6 +103,10 @@ class EquationKey(AnswerKey):
         """Does each of what mistakes give equal the key?"""
         return [alike(found, one, ROUTES) for one in wrong]
 
+    def is_mistaken_so(self, problem: "Problem", one: EquationValue, wrong: "Terms", again: "Terms") -> bool:
+        """Is what a mistake gives, as a key has it, what it gives again, within a tenth of the bands?"""
+        return alike(wrong, again, BOUND * one.band.width)
+
     def settled(self, hangs_on: "KeyBand", found: "Terms", wrong: tuple[Wrong, ...],
                 equal: list[bool]) -> tuple[EquationValue, str | None]:
         """(the key with the fewest figures in which no mistake leads into its bands, None), or why there is none."""
@@ -116,10 +120,6 @@ class EquationKey(AnswerKey):
             if near is None or self.rtol is not None:
                 break
         return EquationValue(found, band, wrong), reason
-
-    def same_mistake(self, key: Any, one: "Terms", other: "Terms") -> bool:
-        """Are what a mistake gives, found in two ways, the same?"""
-        return alike(one, other, ROUTES)
 
     def require_same(self, fresh: "Problem", one: EquationValue, at: str) -> None:
         """RuntimeError, a fault of ours, where a scene read anew does not give the key, or `check` does not agree; at:

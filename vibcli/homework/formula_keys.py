@@ -14,6 +14,7 @@ from vibcli.notation.scene_language import language
 from vibcli.quantities.quantity import EQUATION, OF_STATE, declared, kind_of
 from vibcli.reader.sections.answer import Answer
 from vibcli.report.blocks import maths
+from vibcli.symbolic.normal_form import is_zero
 from vibcli.symbolic.syntax import QuantityRef
 
 if TYPE_CHECKING:
@@ -142,15 +143,16 @@ class FormulaKey(AnswerKey):
             raise self._differs(found)
         return agree[1:]
 
+    def is_mistaken_so(self, problem: "Problem", one: FormulaValue, wrong: str, again: str) -> bool:
+        """Is what a mistake gives, as a key has it, what it gives again?"""
+        first, second = (expected_node(problem, answer_of(text, problem.spec, self.asked)) for text in (wrong, again))
+        return wrong == again or is_zero(first - second)
+
     def settled(self, hangs_on: "KeyBand", found: str, wrong: tuple[Wrong, ...],
                 equal: list[bool]) -> tuple[FormulaValue, str | None]:
         """(the key, which mistake leads to it or None)."""
         same = next((one.mistake for one, is_same in zip(wrong, equal, strict=True) if is_same), None)
         return FormulaValue(found, wrong), same and f"'{same}' gives {self.text} itself"
-
-    def same_mistake(self, key: FormulaValue, one: str, other: str) -> bool:
-        """Are what a mistake gives, found in two ways, the same?"""
-        return one == other
 
     def require_same(self, fresh: "Problem", one: FormulaValue, at: str) -> None:
         """RuntimeError, a fault of ours, where numbers in place of the letters of a scene read anew give another key;

@@ -5,6 +5,7 @@ from operator import ge, gt, le, lt
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.homework.bands import FIGURES, WIDEST, Band, KeyBand
+from vibcli.language.given_values import unit_of_text
 from vibcli.notation.numbers import figure, in_figures, plainly
 from vibcli.quantities.expression import value_of
 
@@ -40,23 +41,32 @@ def missed_by(problem: "Problem", one: "Requirement") -> float:
 
 
 def unreadable(keys: "Sequence[AnswerKey]", bands: Sequence[KeyBand], found: Sequence[tuple[float, float]],
-               given: Mapping[str, float]) -> str | None:
+               given: "Mapping[str, tuple[float, str | None]]") -> str | None:
     """Why keys, (value, error bound) of each, can not be asked for: their size, or what is given or asked beside them;
-    given: {what it is: number} that the sheet tells, in whatever unit."""
+    given: {what it is: (number, unit)} that the sheet tells, in whatever unit; None of a number in words."""
     for key, hangs_on, (value, error) in zip(keys, bands, found, strict=True):
         if not LEAST <= abs(value) <= MOST:
             return f"{key.text} is {figure(value)} {key.unit}".rstrip() + ": write it in another unit"
         width = hangs_on.width(value, FIGURES[0])
         if error > BOUND * width:
             return f"{key.text} is known to {plainly(error)} {key.unit} only"
-        for name, number in given.items():
-            if abs(abs(number) - abs(value)) <= width:
+        for name, (number, unit) in given.items():
+            if any(abs(abs(told) - abs(value)) <= width for told in _as_told(key, number, unit)):
                 return f"{key.text} is the given {name}"
     for i, (key, (value, _)) in enumerate(zip(keys, found, strict=True)):
         for other, (its, _) in zip(keys[:i], found, strict=False):
             if other.unit == key.unit and abs(its - value) <= bands[i].width(value, FIGURES[0]):
                 return f"{key.text} is {other.text}"
     return None
+
+
+def _as_told(key, number, unit):
+    """A given number as it stands, and in the unit of a key that measures the same."""
+    yield number
+    if unit is not None and unit != key.unit:
+        its, own = (unit_of_text(text) if text else None for text in (unit, key.unit))
+        if (its.dimension if its else {}) == (own.dimension if own else {}):
+            yield number * (its.in_si(1) if its else 1.0) / (own.in_si(1) if own else 1.0)
 
 
 def told_apart(key: "AnswerKey", hangs_on: KeyBand, value: float,

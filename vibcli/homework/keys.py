@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.base.units import Unit
 from vibcli.homework.bands import Band, KeyBand
-from vibcli.homework.gates import Wrong, is_same, told_apart
+from vibcli.homework.gates import BOUND, SAME, Wrong, is_same, told_apart
 from vibcli.language.given_values import unit_of_text
 from vibcli.notation.numbers import in_figures
 from vibcli.quantities.dimensions import unit_of
@@ -120,15 +120,15 @@ class AnswerKey(NamedTuple):
         """Does each of what mistakes give equal the key?"""
         return [is_same(found[0], one) for one in wrong]
 
+    def is_mistaken_so(self, problem: "Problem", one: Any, wrong: Any, again: Any) -> bool:
+        """Is what a mistake gives, as a key has it, what it gives again, within a tenth of its band?"""
+        return abs(wrong - again) <= BOUND * one.band.width * abs(again / one.value) + SAME * abs(one.value)
+
     def settled(self, hangs_on: KeyBand, found: Any, wrong: tuple[Wrong, ...], equal: list[bool]) -> tuple[Any, Any]:
         """(the key with what it allows, why mistakes are not told from it or None)."""
         value, error = found
         band, reason = told_apart(self, hangs_on, value, wrong)
         return KeyValue(value, error, band, wrong), reason
-
-    def same_mistake(self, key: Any, one: Any, other: Any) -> bool:
-        """Are what a mistake gives, found in two ways, the same, of a key with its value?"""
-        return abs(one - other) <= max(ROUTES, key.error / abs(key.value)) * abs(other)
 
     def require_same(self, fresh: "Problem", one: Any, at: str) -> None:
         """RuntimeError, a fault of ours, where a scene read anew does not give the key; at: the values in words."""

@@ -68,9 +68,9 @@ class Rounding:
 
     def root(self, key: "AnswerKey", looked_at: "Sequence[Mapping[str, GivenValue]]") -> "dict[int, float] | None":
         """{line: the largest slope ∂ln key/∂ln line at some variants} of the lines from which a key is found that none
-        tells by itself; None where there are none, or they make it up nowhere."""
+        tells by itself; None where there are none, or they make it up nowhere, and of what is no number."""
         uses = next((self._roots[name] for name in _names(key) if name in self._roots), [])
-        if self.line(key) is not None or not uses:
+        if self.line(key) is not None or key.form or not uses:
             return None
         found = [self._root_at(key, uses, values) for values in looked_at]
         known = [weights for weights in found if weights is not None]

@@ -7,6 +7,7 @@ from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.homework.asked_keys import key_of
 from vibcli.homework.bands import KeyBand
 from vibcli.homework.candidates import candidates
+from vibcli.homework.fresh_mistakes import require_same_mistakes
 from vibcli.homework.gates import Wrong, unreadable
 from vibcli.homework.keys import AnswerKey
 from vibcli.homework.leaks import numbers_in
@@ -15,7 +16,6 @@ from vibcli.homework.printed import with_printed
 from vibcli.homework.routes import hold_against_closed_forms
 from vibcli.homework.solved import SOLVED, Rejected, mistaken, solve_candidates
 from vibcli.homework.told import untold
-from vibcli.inverse import settled
 from vibcli.language.given_values import GivenValue, number_and_unit
 from vibcli.mistakes.known import KnownMistake
 from vibcli.reader.read import QUOTE
@@ -100,7 +100,7 @@ def solve_variants(problem: "Problem", document: "SceneDocument",
     accepted = _accept(keys, mistakes, bands, solved, equal, same, rejected, "apart" in rules.without)
     in_order = [(mistake.name, key.text) for mistake in mistakes for key in keys if (mistake.name, key.text) in same]
     rejected.sort(key=lambda one: one.place)
-    reread = 0 if "routes" in rules.without else _reread(document, rules, keys, accepted)
+    reread = 0 if "routes" in rules.without else _reread(document, keys, accepted)
     return SolvedVariants(problem, rules, keys, mistakes, accepted, rejected, in_order, reread, closed)
 
 
@@ -136,17 +136,17 @@ def _look(problem, rules, keys, base, bands, solved, rejected):
 
 
 def _given(spec):
-    """{what it is: number} of the parameters of a file, and of the numbers in the words of its question."""
+    """{what it is: (number, unit)} of the parameters of a file, and of the numbers in the words of its question."""
     written = {name: number_and_unit(record["value"]) for name, record in spec.parameters.items() if "value" in record}
-    numbers = {name: float(found[0]) for name, found in written.items() if found is not None}
-    return numbers | {f"number {said} of the question": value
+    numbers = {name: (float(found[0]), found[1]) for name, found in written.items() if found is not None}
+    return numbers | {f"number {said} of the question": (value, None)
                       for value, _, said in numbers_in(QUOTE.sub(" ", spec.get("question", "")))}
 
 
 def _of_keys(rules, keys, bands, one, told, given):
     """(gate, reason) of what keys with values fail; (None, None) of nothing. told: parameters that are not told; given:
-    {what it is: number} of what all sheets tell."""
-    numbers = {**given, **{name: float(value.number) for name, value in one.values.items()}}
+    {what it is: (number, unit)} of what all sheets tell."""
+    numbers = {**given, **{name: (float(value.number), value.unit) for name, value in one.values.items()}}
     if "readable" not in rules.without and (reason := _unreadable(keys, bands, one, numbers)) is not None:
         return "readable", reason
     return ("told", f"neither question nor figure tells {', '.join(told)}") if told else (None, None)
@@ -212,37 +212,23 @@ def _accept(keys, mistakes, bands, solved, equal, same, rejected, all_pass):
     return accepted
 
 
-def _reread(document, rules, keys, accepted: Sequence[ProblemVariant]) -> int:
+def _reread(document, keys, accepted: Sequence[ProblemVariant]) -> int:
     """Hold some variants, keys and mistakes, against the scene read anew from the values that are printed;
     RuntimeError, a fault of ours, where one differs."""
     step = max(1, len(accepted) // REREAD)
     chosen = accepted[::step][:REREAD]
     for variant in chosen:
-        fresh = read_anew(document, keys, variant)
-        mistakes = mistakes_of(fresh, rules, document.with_values(variant.values), keys)
-        _require_same_mistakes({one.name: one for one in mistakes}, keys, variant, fresh)
+        read_anew(document, keys, variant)
     return len(chosen)
 
 
-def _require_same_mistakes(mistakes, keys, variant, fresh):
-    """RuntimeError where one of {name: mistake} in a scene read anew does not give what it gave."""
-    for key, value in zip(keys, variant.keys, strict=True):
-        found = key.found(fresh)
-        for wrong in value.wrong:
-            mistake = mistakes.get(wrong.mistake)
-            scene = fresh if mistake is None or mistake.problem is None else settled(mistake.problem)
-            other = None if mistake is None else key.mistaken(mistake, scene, found)
-            if other is None or not key.same_mistake(value, wrong.value, other):
-                at = ", ".join(one.text for one in variant.values.values())
-                raise RuntimeError(f"two ways to '{wrong.mistake}' of {key.text} differ, {wrong.value!r} and "
-                                   f"{other!r}, at {at}")
-
-
 def read_anew(document: "SceneDocument", keys: Sequence[AnswerKey], variant: ProblemVariant) -> "Problem":
-    """The Problem of a variant, read anew from what is printed; RuntimeError, a fault of ours, where a key is not
-    the one that was found."""
+    """The Problem of a variant, read anew from what is printed; RuntimeError, a fault of ours, where a key, or what
+    a mistake makes of it, is not what was found."""
     fresh = document.anew(variant.values)
     at = ", ".join(one.text for one in variant.values.values())
     for key, one in zip(keys, variant.keys, strict=True):
         key.require_same(fresh, one, at)
+    if variant.place:       # what mistakes made of it when a manifest was written is not what they may make of it today
+        require_same_mistakes(document, fresh, keys, variant, at)
     return fresh

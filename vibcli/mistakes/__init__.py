@@ -40,5 +40,6 @@ MISTAKES = {
     "parallel_for_series": (MODEL, "springs one behind the other as side by side"),
     "lever_ratio_once": (MODEL, "a lever ratio once instead of squared"),
     "damper_forgotten": (MODEL, "the scene without a damper"),
+    "sign_of_an_angle": (MODEL, "an angle to the other side where an element is inclined by it"),
     "coordinate_held": (MODEL, "a coordinate that does not move"),
 }

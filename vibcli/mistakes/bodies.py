@@ -25,6 +25,11 @@ def pinned_at_centre(body: "Body") -> bool:
     return "pin" in body.record and all((c - o).is_zero for c, o in zip(body.centre, body.frame.drawn, strict=True))
 
 
+def is_wheel(body: "Body") -> bool:
+    """Is it round, or of no shape that is told, and turns about its mass centre?"""
+    return pinned_at_centre(body) and ("shape" not in body.record or "radius" in body.record)
+
+
 def without_inertia(name: str) -> "Part":
     """The part of the scene in which a body has no moment of inertia of its own."""
     return {"bodies": {name: {"inertia": "0"}}}

@@ -10,4 +10,5 @@ def _wrong(asked):
     return f"{asked.text}/sqrt(1 + (2*zeta[1]*({place})/omega[1])^2)"
 
 
-MISTAKE = CommonMistake("the damper passes a force on, too: √(1 + (2ζr)²) in the numerator", formula=_wrong)
+MISTAKE = CommonMistake("the damper passes a force on, too: √(1 + (2ζr)²) in the numerator", formula=_wrong,
+                        single=True)

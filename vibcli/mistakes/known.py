@@ -59,6 +59,8 @@ def of_catalogue(problem: "Problem", root: "Mapping | None", asked: Sequence[Exp
     for name, one in by_kind(READING).items():
         yield KnownMistake(_words(name), READING, one.sentence, reading=one.reading)
     for name, one in by_kind(FORMULA).items():
+        if one.single and len(problem.scene.q) != 1:
+            continue
         if one.reading is not None:
             yield KnownMistake(_words(name), FORMULA, one.sentence, reading=one.reading)
         elif instead := _formulas(problem.spec, one, asked):

@@ -27,12 +27,15 @@ class CommonMistake(NamedTuple):
     formula(quantity)               the text of the wrong expression for a quantity, a QuantityRef; None likewise
     model(problem)                  (what it concerns, part of a scene that it changes) of each way to make it; numbers
                                     in it are in SI units, None takes a key out
+
+    single: it concerns scenes of one degree of freedom alone.
     """
 
     sentence: str
     reading: "Callable[[float, str, str], float | None] | None" = None
     formula: "Callable[[QuantityRef], str | None] | None" = None
     model: "Callable[[Problem], Iterator[tuple[str, Part]]] | None" = None
+    single: bool = False
 
 
 def by_reading(factor: float, heads: tuple[str, ...]) -> "Callable[[float, str, str], float | None]":

@@ -1,12 +1,12 @@
 """A body that turns without a moment of inertia of its own."""
 
-from vibcli.mistakes.bodies import massive, pinned_at_centre, without_inertia
+from vibcli.mistakes.bodies import is_wheel, massive, without_inertia
 from vibcli.mistakes.mistake import CommonMistake
 
 
 def _changed(problem):
     for name, body in massive(problem):
-        if "roll" not in body.record and not pinned_at_centre(body):
+        if "roll" not in body.record and not is_wheel(body):
             yield name, without_inertia(name)
 
 

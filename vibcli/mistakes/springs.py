@@ -4,9 +4,10 @@ from collections.abc import Iterator
 from itertools import combinations
 from typing import TYPE_CHECKING
 
+from vibcli.language.parameter_samples import sample_values
 from vibcli.notation.scene_language import language
 from vibcli.symbolic.derivatives import gradient, substitute
-from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
@@ -32,8 +33,8 @@ def _end(end):
 
 
 def lever_ratio(problem: "Problem", name: str) -> str | None:
-    """∂s/∂q of a spring as drawn, in the language of scenes, where there is one coordinate and it is one of parameters;
-    None elsewhere, and where it is 1."""
+    """|∂s/∂q| of a spring as drawn, in the language of scenes, where there is one coordinate and it is one of
+    parameters; None elsewhere, and where it is 1."""
     scene = problem.scene
     stretch = next((spring.s for spring in scene.springs if spring.owner == name), None)
     if len(scene.q) != 1 or stretch is None:
@@ -43,6 +44,15 @@ def lever_ratio(problem: "Problem", name: str) -> str | None:
     if slope is None:
         return None
     at, = substitute([slope], {q: scene.drawn.get(q, scene.table.zero)})
-    if at.is_zero or at == scene.table.one or q in reachable([at]):
+    if at.is_zero or at.mask:
         return None
-    return language(at)
+    size = -at if _is_negative(problem, at) else at
+    return None if size == scene.table.one else language(size)
+
+
+def _is_negative(problem, node):
+    """Is an expression of parameters negative at the values that these have, or at some of letters?"""
+    parameters = problem.scene.parameters
+    values = problem.numeric.floats if not problem.numeric.has_free_symbols else parameters.values(
+        Floats, sample_values(parameters.free, 0))
+    return evaluate([node], Floats, values)[0] < 0

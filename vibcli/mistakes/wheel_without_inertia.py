@@ -1,12 +1,12 @@
 """A wheel, pulley or drum that turns about its centre without a moment of inertia."""
 
-from vibcli.mistakes.bodies import massive, pinned_at_centre, without_inertia
+from vibcli.mistakes.bodies import is_wheel, massive, without_inertia
 from vibcli.mistakes.mistake import CommonMistake
 
 
 def _changed(problem):
     for name, body in massive(problem):
-        if pinned_at_centre(body):
+        if is_wheel(body):
             yield name, without_inertia(name)
 
 

@@ -10,12 +10,13 @@ from vibcli.api.source import problem_of, text_source
 from vibcli.cli import run
 from vibcli.homework.document import SceneDocument
 from vibcli.homework.formula_keys import FormulaKey
+from vibcli.homework.gates import Wrong
 from vibcli.homework.leaks import leak
 from vibcli.homework.manifest import read_manifest
 from vibcli.homework.marked_expressions import typed
 from vibcli.homework.marks import Marker
 from vibcli.homework.terms import alike
-from vibcli.homework.variants import solve_variants
+from vibcli.homework.variants import read_anew, solve_variants
 
 ROD = """title: A rod on a spring
 question: A rod of mass {m} hangs from a pin; a spring {k} acts at {a} from it, and the rod is {n} times as long.
@@ -98,6 +99,20 @@ def test_two_ways_that_differ_are_a_fault(monkeypatch):
     monkeypatch.setattr(FormulaKey, "found", lambda self, problem: right(self, problem).replace("981", "982"))
     with pytest.raises(RuntimeError, match="two ways to omega"):
         solved(ROD)
+
+
+@pytest.mark.parametrize("text, key, right", [(ROD, 1, "text"), (BLOCK, 0, "terms")])
+def test_a_mistake_that_is_said_to_give_the_right_equation_is_a_fault(text, key, right):
+    source = text_source(text)
+    document = SceneDocument.of(source.node, source.file, None)
+    found = solve_variants(problem_of(source), document)
+    variant = found.accepted[0]
+    one = variant.keys[key]
+    wrong = (Wrong(one.wrong[0].mistake, getattr(one, right)), *one.wrong[1:])
+    keys = [*variant.keys]
+    keys[key] = one._replace(wrong=wrong)
+    with pytest.raises(RuntimeError, match=r"two ways to what '.*' makes of equation\[.*\] differ"):
+        read_anew(document, found.keys, variant._replace(keys=tuple(keys)))
 
 
 def test_a_scene_whose_letters_all_get_values_has_numbers():

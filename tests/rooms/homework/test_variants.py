@@ -131,6 +131,11 @@ def test_keys_that_cannot_be_read():
     assert reasons(found)["readable"] == "omega[1] is omega_d[1]"
     given = solved(BLOCK + GRID + '  ask: {"K[x,x]": N/m}\n')
     assert reasons(given)["readable"] == "K[x,x] is the given k"
+    for unit in ("kN/m", "N/mm"):
+        assert reasons(solved(BLOCK + GRID + f'  ask: {{"K[x,x]": {unit}}}\n'))["readable"] == "K[x,x] is the given k"
+    share = BLOCK.partition("dampers")[0].replace("c: 8 N*s/m", "z: 5 %").replace("a damper {c}", "with {z}") + (
+        'damping: {modal: z}\nanswers: {"omega[1]": 20.00 rad/s}\n' + GRID + '  ask: {"zeta[1]": , "omega[1]": }\n')
+    assert reasons(solved(share))["readable"] == "zeta[1] is the given z"
 
 
 def test_a_mistake_asks_for_more_figures_or_rejects():

@@ -12,6 +12,7 @@ from vibcli.check.verdicts import check
 from vibcli.inverse import settled
 from vibcli.mistakes import FORMULA, MISTAKES, MODEL, READING
 from vibcli.mistakes.known import by_kind, of_catalogue
+from vibcli.mistakes.springs import lever_ratio
 from vibcli.quantities.dimensions import unit_of
 from vibcli.quantities.expression import value_of
 
@@ -48,6 +49,12 @@ bodies:
   load: {mass: 1 kg, slide: {by: 0.2 m*phi}, at: [0.2 m, -1 m]}
 springs: {s: {k: 500 N/m, stretch: 0.2 m*phi}}
 """
+PLANK = """
+bodies:
+  plank: {shape: rod, mass: 3 kg, from: [-1 m, 0], to: [1 m, 0], pin: {at: [0, 0], by: phi}}
+  load: {mass: 0.5 kg, at: [1 m, 0], weld: plank}
+springs: {s: {torsion: 100 N*m, between: [ground, plank]}}
+"""
 PAIR = """
 parameters: {k1: 300 N/m, k2: 600 N/m}
 bodies: {block: {mass: 2 kg, at: [0, 0], slide: x}}
@@ -68,6 +75,13 @@ bodies: {bead: {mass: 0.1 kg, at: [0, 0], slide: {by: y, along: [0, 1]}}}
 springs:
   left: {k: 100 N/m, between: [[-1 m, 0], bead], preload: 40 N}
   right: {k: 100 N/m, between: [[1 m, 0], bead], preload: 40 N}
+"""
+MOUNTS = """
+parameters: {k: 300 N/m, a: 30 deg, R: 1 m}
+bodies: {bead: {mass: 2 kg, at: [0, 0], move: [x, y, 0]}}
+springs:
+  s: {k: k, between: [[R*cos(a), R*sin(a)], bead]}
+  t: {k: k, between: [[R*cos(a), -R*sin(a)], bead]}
 """
 
 
@@ -117,10 +131,13 @@ RATE, ZETA = sqrt(800 / 2 - 2**2), 8 / (2 * sqrt(1600))
                         "inertia about centre (disc)": sqrt(9.81 * 0.5 / 0.02)}),
     (ROLLER, "omega[1]", {"rolling without rotation (disc)": sqrt(150), "diameter for radius (disc)": sqrt(300 / 6)}),
     (DRUM, "omega[1]", {"wheel without inertia (drum)": sqrt(500), "diameter for radius (drum)": sqrt(500 / 9)}),
+    (PLANK, "omega[1]", {"particle for body (plank)": sqrt(200)}),
     (PAIR, "omega[1]", {"series for parallel (s, t)": 10.0}),
     (ROW, "omega[1]", {"parallel for series (s)": sqrt(450)}),
     (LEVER, "omega[1]", {"lever ratio once (s)": sqrt(900 * 0.4)}),
+    (LEVER.replace("a*phi", "-a*phi"), "omega[1]", {"lever ratio once (s)": sqrt(900 * 0.4)}),
     (TAUT, "omega[1]", {"preload forgotten (left)": sqrt(400)}),
+    (MOUNTS, "omega[2]", {"sign of an angle (a of s)": sqrt(300), "sign of an angle (a of t)": sqrt(300)}),
     (TWO, "omega[1]", {"coordinate held (x)": sqrt(800), "coordinate held (y)": sqrt(800)}),
 ])
 def test_what_mistakes_lead_to(scene, asked, expected):
@@ -136,9 +153,22 @@ def test_phase_beyond_resonance():
     assert abs(found) < pi / 2
 
 
+def test_a_force_without_its_damper_is_one_of_a_single_degree():
+    asked = "transmissibility[ground.force, pull](30 rad/s)"
+    more = OSCILLATOR.replace("slide: x}}", "slide: x}, b: {mass: 1 kg, slide: y}}").replace(
+        "springs: {", "springs: {t: {k: k, between: [block, b]}, ")
+    assert "force without damper" in wrong(OSCILLATOR, asked) and "force without damper" not in wrong(more, asked)
+
+
 def test_weight_in_the_stiffness():
     text = ROD + "springs: {s: {k: 500 N/m, stretch: L/2*phi}}\n"
     assert wrong(text, "omega[1]")["weight forgotten"] == pytest.approx(sqrt(500 * 0.16 / 0.64), rel=1e-12)
+
+
+def test_a_lever_ratio_in_letters_has_no_sign():
+    for sign in ("", "-"):
+        text = LEVER.replace("0.4 m", "").replace("stretch: a*phi", f"stretch: {sign}a*phi")
+        assert lever_ratio(problem_of(text_source(text)), "s") == "a"
 
 
 def test_angles():
@@ -163,6 +193,7 @@ def test_the_catalogue_is_its_folder():
     (ROD, "omega[1]: 8.58 rad/s", "rod: this takes the moment of inertia about the mass centre for that about the pin"),
     (ROLLER, "omega[1]: 12.25 rad/s", "disc: it rolls: the energy of its rotation is forgotten"),
     (PAIR, "omega[1]: 10.00 rad/s", "s, t: these springs have the same stretch"),
+    (MOUNTS, "omega[2]: 17.32 rad/s", "a of s: the sign of this angle differs"),
     (DRUM, "omega[1]: 22.36 rad/s", "drum: the moment of inertia of the wheel is forgotten"),
 ])
 def test_check_names_mistakes_of_the_model(scene, line, said):
