@@ -15,6 +15,7 @@ from vibcli.results.problem import Problem
 if TYPE_CHECKING:
     from vibcli.language.given_values import GivenValue
     from vibcli.language.spec import Spec
+    from vibcli.reader.variants import VariantRules
 
 
 class SceneDocument:
@@ -47,6 +48,11 @@ class SceneDocument:
         if data is None:
             raise SpecError([Diagnostic(Where(self.file, 1, 1, 0), *problem)])
         return data
+
+    @cached_property
+    def rules(self) -> "VariantRules":
+        """What it says of variants."""
+        return self.spec().get("variants")
 
     def spec(self) -> "Spec":
         """The Spec of it."""
