@@ -56,7 +56,7 @@ def test_later_ones_are_those_of_a_motion_that_ends_soon(long_one):
 def test_what_fronts_hide_goes_by_modes(long_one):
     found = long_one.response.signal(with_places(parse("rod.u(1.01 m)"), long_one.spec.members))
     assert found.read_at(0.5) is not found
-    assert found.read_at(9e3) is found
+    assert type(found.read_at(9e3)) is type(found)
     assert np.isfinite(found.values(np.array([9e3]))).all()
 
 
