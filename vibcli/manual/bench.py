@@ -23,6 +23,9 @@ BENCH = [
     "Below stand the stages of the scene: what each took that was needed, and what those that were skipped would have "
     "cost. `--skipped` shows for each question which stages it takes, and which packages and rooms of the program it "
     "imports, by asking it in a process of its own.",
+    "`vibcli bench FILE --json > old.json`, and later `vibcli bench FILE --against old.json`: the ratios of run times "
+    "to those of the other methods beside the older ones; a row is worse where its ratio has grown by more than 30 % "
+    "and by three times its spread, in two runs out of two (exit code 1).",
     "`-o curve.svg` (png, pdf) draws it: relative error across, time up, a cross at the edge for what was refused or "
     "stopped; `-o table.md` (html, txt) writes the tables; `--json` holds all points. Letters without value are given "
     "the same ones at every run, which are told. Without FILE the project's own measurements are made, against "
