@@ -9,7 +9,7 @@ PROBLEM ?= problems/6_two_degrees/cart_with_pendulum.yaml
 
 export PYTHONDONTWRITEBYTECODE :=       # what is compiled is kept: commands that tests run and their own files begin with it
 
-.PHONY: solve quick test lint chosen all peers bench clean
+.PHONY: solve quick test lint chosen all peers evidence bench clean
 
 $(BIN)/vibcli: pyproject.toml
 	$(PYTHON) -m venv .venv
@@ -45,6 +45,9 @@ peers: $(BIN)/pytest
 	-$(INSTALL) -e ".[peers,cluster]"
 	-npm install --silent --no-fund --no-audit --prefix .venv/peers @citolab/qti-convert@0.3.52 @citolab/qti-components@7.27.4
 	$(BIN)/pytest -q -rs tests/peers
+
+evidence: $(BIN)/vibcli
+	$(BIN)/python -m vibcli.bench.kept
 
 bench: $(BIN)/vibcli
 	-$(INSTALL) -e ".[bench]"
