@@ -30,7 +30,7 @@ def _panel(one, named):
         if found:
             curves.append(Curve(method, tuple(x for x, _ in found), tuple(y for _, y in found)))
     if ours.error is not None and ours.bound is not None:
-        curves.append(Curve("bound that vibcli states", (_drawn(ours.bound),), (ours.seconds[1],), "markers"))
+        curves.append(Curve("bound that is stated", (_drawn(ours.bound),), (ours.seconds[1],), "markers"))
     low = min(x for curve in curves for x in curve.x)
     label = "relative error" + f" of {one.subject.asked}" * named
     return Panel(label, "processor time [s]", True, True, tuple(curves), x_range=(low / MARGIN, edge))

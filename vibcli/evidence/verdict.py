@@ -14,7 +14,7 @@ def verdict(points: Sequence[Point]) -> str:
     ours, *others = points
     plain = [point for point in others if point.error is not None and point.method != ours.method]
     if ours.error is None:
-        return f"vibcli refuses: {ours.why}"
+        return f"vibcli itself refuses: {ours.why}"
     if not plain:
         return "vibcli alone answers: there is nothing to compare it with"
     reaching = [point for point in plain if point.error <= max(AS_GOOD * ours.error, ROUNDED)]

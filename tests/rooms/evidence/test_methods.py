@@ -55,7 +55,7 @@ def test_the_sentence(others, said):
 
 def test_a_refusal_of_ours_is_said():
     refused = Point("vibcli", "", (0.1, 0.1, 0.1), 0, None, None, "it is singular")
-    assert verdict([refused, point("eigh", 1e-4, 1e-3)]) == "vibcli refuses: it is singular"
+    assert verdict([refused, point("eigh", 1e-4, 1e-3)]) == "vibcli itself refuses: it is singular"
 
 
 def runs(**methods):
@@ -106,4 +106,4 @@ def test_stiff_and_soft_springs_show_what_assembled_matrices_lose():
     assert "nothing plain reaches" in verdict(one.points)
     panel, = figure([one]).panels
     assert panel.x_log and panel.y_log
-    assert {curve.label for curve in panel.curves} >= {"vibcli", "scipy eigh", "numpy eig", "bound that vibcli states"}
+    assert {curve.label for curve in panel.curves} >= {"vibcli", "scipy eigh", "numpy eig", "bound that is stated"}

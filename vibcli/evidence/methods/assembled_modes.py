@@ -14,11 +14,11 @@ def attempts(subject: Subject) -> Iterator[MethodRun]:
 
     M, _, K = subject.data
     if _is_definite(M) and (K == K.T).all():
-        yield MethodRun("scipy eigh", "", lambda _: _rates(scipy.linalg.eigh(K, M, eigvals_only=True)))
-        yield MethodRun("numpy eigh", "", lambda _: _rates(_by_cholesky(M, K)))
+        yield MethodRun("scipy eigh", "", lambda _: rates_of(scipy.linalg.eigh(K, M, eigvals_only=True)))
+        yield MethodRun("numpy eigh", "", lambda _: rates_of(_by_cholesky(M, K)))
     if np.linalg.matrix_rank(M) == len(M):
-        yield MethodRun("numpy eig", "", lambda _: _rates(np.linalg.eigvals(np.linalg.solve(M, K))))
-    yield MethodRun("scipy eig", "", lambda _: _rates(scipy.linalg.eigvals(K, M)))
+        yield MethodRun("numpy eig", "", lambda _: rates_of(np.linalg.eigvals(np.linalg.solve(M, K))))
+    yield MethodRun("scipy eig", "", lambda _: rates_of(scipy.linalg.eigvals(K, M)))
 
 
 def _by_cholesky(M, K):
@@ -28,7 +28,7 @@ def _by_cholesky(M, K):
     return np.linalg.eigvalsh((A + A.T) / 2)
 
 
-def _rates(squares: np.ndarray) -> MethodAnswer:
+def rates_of(squares: np.ndarray) -> MethodAnswer:
     """√−ω² of those that are finite, with Im λ ≥ 0."""
     rates = np.sqrt(-squares[np.isfinite(squares)].astype(complex))
     return MethodAnswer(np.where(rates.imag < 0, -rates, rates).tolist())

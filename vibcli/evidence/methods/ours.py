@@ -1,4 +1,4 @@
-"""What vibcli finds, with the bound that it states."""
+"""The program's own answer, with the bound that it states."""
 
 from collections.abc import Iterator
 from functools import partial

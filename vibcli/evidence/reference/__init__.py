@@ -1,1 +1,1 @@
-"""True values in mpmath, from the element data alone: nothing here calls what vibcli solves with."""
+"""True values in mpmath, from the element data alone: nothing here calls the methods that are compared."""

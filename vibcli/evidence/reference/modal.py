@@ -39,10 +39,14 @@ def squares(elements: Elements, digits: int = DIGITS) -> TrueValues:
 
 def rates(elements: Elements, digits: int = DIGITS) -> TrueValues:
     """λ = √−ω² of the same, with Im λ ≥ 0 and ω² ascending: iω of what oscillates."""
-    found = squares(elements, digits + 1)
+    return as_rates(squares(elements, digits + 1))
+
+
+def as_rates(found: TrueValues) -> TrueValues:
+    """√−ω² of each, with Im λ ≥ 0."""
     with mpmath.workdps(found.working):
         roots = [mpmath.sqrt(-x) for x in found.values]
-        return found._replace(values=[-x if mpmath.im(x) < 0 else x for x in roots], digits=digits)
+        return found._replace(values=[-x if mpmath.im(x) < 0 else x for x in roots], digits=found.digits - 1)
 
 
 def matrices(elements: Elements) -> tuple:

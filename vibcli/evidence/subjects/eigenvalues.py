@@ -4,18 +4,23 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.modal.modal_analysis import ModalAnalysis
 from vibcli.base.errors import PhysicsError
-from vibcli.evidence.reference import modal
+from vibcli.evidence.reference import members, modal
 from vibcli.evidence.reference.settled import relative_error
 from vibcli.evidence.subject import MethodAnswer, Subject
+from vibcli.evidence.subjects import NATURAL, SUBJECTS
 from vibcli.quantities.modal import counted
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
+LEAST, MOST = 3, 12     # modes of members
 
-def natural(problem: "Problem", _: Any) -> Subject:
-    """The rates of the modes without dampers: iω of those that oscillate."""
+
+def natural(problem: "Problem", tree: Any) -> Subject:
+    """The rates of the modes without dampers: iω of those that oscillate; of members the lowest."""
     elements = _element_data(problem)
+    if elements.pieces:
+        return _of_members(problem, elements, tree)
     configuration = problem.configuration
     M, _, G, K = elements.arrays()
     gyroscopic = bool(elements.G)
@@ -23,13 +28,35 @@ def natural(problem: "Problem", _: Any) -> Subject:
         lambda digits: _undamped(configuration.precise_system(digits)))
 
     def ours():
-        modes = ModalAnalysis(configuration).modes
-        return MethodAnswer([complex(mode.growth_rate or 0.0, mode.omega or 0.0) for mode in modes],
-                     max(mode.error for mode in modes))
+        return _rates(ModalAnalysis(configuration).modes)
 
     kind = "damped modes" if gyroscopic else "modes"
     return Subject(kind, "omega", f"natural modes, {counted(len(true.values), 'rate')} λ = iω", problem, true, ours,
                    (M, G, K), relative_error)
+
+
+def _of_members(problem, elements, tree):
+    """As many as the highest that is asked for, at least so many."""
+    configuration, count = problem.configuration, _highest(problem, tree)
+    true = modal.as_rates(members.squares(lambda digits: _undamped(configuration.precise_system(digits)), count))
+
+    def ours():
+        return _rates(ModalAnalysis(configuration).modes.first(count))
+
+    return Subject("member modes", "omega", f"natural modes of members, the lowest {count} rates λ = iω", problem, true,
+                   ours, (elements.each(float), count), relative_error)
+
+
+def _highest(problem, tree):
+    asked = [*(part for answer in problem.spec.answers for part in answer.asked.parts.quantities), *[tree] * bool(tree)]
+    numbers = [int(part.indices[0]) for part in asked
+               if SUBJECTS.get(part.head) == NATURAL and part.indices and part.indices[0].isdecimal()]
+    return min(max([*numbers, LEAST]), MOST)
+
+
+def _rates(modes):
+    return MethodAnswer([complex(mode.growth_rate or 0.0, mode.omega or 0.0) for mode in modes],
+                        max(mode.error for mode in modes))
 
 
 def damped(problem: "Problem", _: Any) -> Subject:

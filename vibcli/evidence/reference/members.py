@@ -1,0 +1,171 @@
+"""Natural frequencies of members to many digits: roots of a determinant that has no poles, by power series.
+
+Each piece, B u⁗ − ((N + n x) u′)′ + (k − μ z) u = 0, z = ω², has the solutions Σ aₖ xᵏ that its first four coefficients
+start (two where B = 0). The unknowns are these and the coordinates q, the equations that its ends move with q, and
+(K − z M) q + Σ Sᵀ F = 0 with the forces F at its ends. No stiffness is formed, so nothing is divided by. Roots are
+begun from finite elements, and kept where they are as many and as near.
+"""
+
+from typing import TYPE_CHECKING, Any
+
+import mpmath
+import numpy as np
+
+from vibcli.analyses.continuous.finite_elements import finite_elements, slack_ends
+from vibcli.base.errors import PhysicsError
+from vibcli.evidence.reference.modal import Elements
+from vibcli.evidence.reference.settled import DIGITS, DoesNotSettle, TrueValues, settled
+from vibcli.numerics.pieces.piece import Piece
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.factored_system import FactoredSystem
+
+START = 80              # digits: of what cancels in the series
+LARGEST = 60            # unknowns
+ELEMENTS = 24           # of a piece and a mode, at first
+NEAR, APART = 1e-2, 1e-8        # of a root: to what it was begun from, to its neighbours
+TINY = 1e-30            # an ω² beside which all others are large
+STEPS, STEP = 60, 1e-7
+
+
+def squares(elements: Elements, count: int) -> TrueValues:
+    """The lowest ω² of so many modes; PhysicsError where two of them are too close, and of pieces of other kinds."""
+    first = elements(30)
+    _require_plain(first)
+    near = by_elements(first, count, ELEMENTS * count)
+    free = _zeros(elements(START))
+    if any(b - a <= APART * abs(b) for a, b in zip(near[free:], near[free + 1:], strict=False)):
+        raise PhysicsError("two frequencies are so close that no reference is found of them")
+    near[:free] = [0.0] * min(free, len(near))
+    return settled(lambda: (_roots(elements(mpmath.mp.dps), near), None), DIGITS + 1, START)
+
+
+def _require_plain(elements):
+    unknowns = elements.n + sum(placed.piece.order for placed in elements.pieces)
+    if any(type(placed.piece) is not Piece or slack_ends(placed) for placed in elements.pieces) or elements.G:
+        raise PhysicsError("no reference is found of members that vary along their length, end without tension or are "
+                           "gyroscopic")
+    if unknowns > LARGEST:
+        raise PhysicsError(f"the reference takes too long: {unknowns} unknowns, of up to {LARGEST}")
+
+
+def by_elements(elements: "FactoredSystem", count: int, divisions: int) -> list[float]:
+    """The lowest eigenvalues in floats, each piece being so many finite elements."""
+    import scipy.linalg
+
+    K, M = finite_elements(elements.each(float), divisions)
+    return np.sort(scipy.linalg.eigh(K, M, eigvals_only=True, subset_by_index=[0, min(count, len(K)) - 1])).tolist()
+
+
+def _zeros(elements):
+    """How many eigenvalues are zero: the power of z by which the determinant begins."""
+    with mpmath.workdps(START):
+        one, two = (determinant(elements, mpmath.mpf(TINY) * k) for k in (1, 2))
+        return int(mpmath.nint(mpmath.log(abs(two / one), 2)))
+
+
+def _roots(elements, near):
+    found = []
+    for z in near:
+        if not z:
+            found.append(mpmath.mpf(0))
+            continue
+        root = _root(elements, z)
+        if abs(root - z) > NEAR * abs(z) or any(abs(root - other) <= APART * abs(root) for other in found):
+            raise DoesNotSettle("the reference does not settle: a root lies elsewhere than finite elements have it")
+        found.append(root)
+    return found
+
+
+def _root(elements, near):
+    """By secants."""
+    x, y = mpmath.mpf(near), mpmath.mpf(near) * (1 - mpmath.mpf(STEP))
+    at_x, at_y = determinant(elements, x), determinant(elements, y)
+    for _ in range(STEPS):
+        if at_x == at_y:
+            return y
+        x, y, at_x = y, y - at_y * (y - x) / (at_y - at_x), at_y
+        if abs(y - x) <= mpmath.eps * 10**12 * abs(y):
+            return y
+        at_y = determinant(elements, y)
+    raise ValueError("no root is found near by")
+
+
+def determinant(elements: "FactoredSystem", z: Any) -> Any:
+    """Of all equations at z = ω², whose roots are the eigenvalues."""
+    size = elements.n + sum(placed.piece.order for placed in elements.pieces)
+    M, _, _, K = elements.with_parts(pieces=()).matrices()
+    A = mpmath.zeros(size, size)
+    for (i, j), x in K.items():
+        A[i, j] += x
+    for (i, j), x in M.items():
+        A[i, j] -= z * x
+    column = elements.n
+    for placed in elements.pieces:
+        moves, forces = ends(placed.piece, z)
+        for place, (row, move, force) in enumerate(zip(placed.rows, moves, forces, strict=True)):
+            for i, x in row.items():
+                A[column + place, i] -= x
+                for k, f in enumerate(force):
+                    A[i, column + k] += x * f
+            for k, u in enumerate(move):
+                A[column + place, column + k] += u
+        column += placed.piece.order
+    return _determinant(A.tolist())
+
+
+def _determinant(A):
+    """By elimination with pivots."""
+    found = mpmath.mpf(1)
+    for i in range(len(A)):
+        best = max(range(i, len(A)), key=lambda k: abs(A[k][i]))
+        if not A[best][i]:
+            return mpmath.mpf(0)
+        if best != i:
+            A[i], A[best], found = A[best], A[i], -found
+        found *= A[i][i]
+        for row in A[i + 1:]:
+            if row[i]:
+                factor = row[i] / A[i][i]
+                row[i:] = [x - factor * y for x, y in zip(row[i:], A[i][i:], strict=True)]
+    return found
+
+
+def ends(piece: Piece, z: Any) -> tuple[list, list]:
+    """(displacements and turns, forces and moments) of both ends, each as a row over the solutions of the piece."""
+    order, L, B = piece.order, piece.length, piece.bending
+    far = [_derivatives(piece, z, k) for k in range(order)]
+    begin = [[mpmath.mpf(int(k == i)) * (1, 1, 2, 6)[i] for k in range(order)] for i in range(order)]
+    end = [[one[i] for one in far] for i in range(order)]
+    N, N_end = piece.tension, piece.tension + piece.gradient * L
+    if order == 2:
+        return [begin[0], end[0]], [[-N * x for x in begin[1]], [N_end * x for x in end[1]]]
+    return [begin[0], begin[1], end[0], end[1]], [
+        [B * third - N * first for third, first in zip(begin[3], begin[1], strict=True)], [-B * x for x in begin[2]],
+        [N_end * first - B * third for third, first in zip(end[3], end[1], strict=True)], [B * x for x in end[2]]]
+
+
+def _derivatives(piece, z, number):
+    """[u, u′, u″, u‴] at the far end of the solution that begins with xⁿᵘᵐᵇᵉʳ: of the coefficients aₖ of (x/L)ᵏ."""
+    order, L = piece.order, piece.length
+    N, n, kappa = piece.tension, piece.gradient * L, (piece.foundation - piece.inertia * z) * L**2
+    a = [mpmath.mpf(0)] * order
+    a[number] = L**number
+    k, small = 0, 0
+    while small <= 2 * order:
+        if order == 4:      # B/L² (k+4)(k+3)(k+2)(k+1) aₖ₊₄ = N (k+2)(k+1) aₖ₊₂ + n (k+1)² aₖ₊₁ − κ aₖ
+            right = N * (k + 2) * (k + 1) * a[k + 2] + n * (k + 1) ** 2 * a[k + 1] - kappa * a[k]
+            a.append(right / (piece.bending / L**2 * (k + 4) * (k + 3) * (k + 2) * (k + 1)))
+        else:               # N (k+2)(k+1) aₖ₊₂ = κ aₖ − n (k+1)² aₖ₊₁
+            a.append((kappa * a[k] - n * (k + 1) ** 2 * a[k + 1]) / (N * (k + 2) * (k + 1)))
+        k += 1
+        small = small + 1 if abs(a[-1]) * k**3 <= mpmath.eps * max(map(abs, a[:order])) else 0
+    return [sum(_falling(j, i) * x for j, x in enumerate(a)) / L**i for i in range(4)]
+
+
+def _falling(j, i):
+    """j (j − 1) … of i factors."""
+    result = 1
+    for k in range(i):
+        result *= j - k
+    return result
