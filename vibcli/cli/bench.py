@@ -32,14 +32,18 @@ ONE_THREAD = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
 @click.option("--force", is_flag=True, help="Replace files that exist.")
 @click.option("--quick", is_flag=True, help="3 runs of each instead of 7.")
 @click.option("--only", multiple=True, metavar="PART", help="Without FILE: only this part; may be given several times.")
+@click.option("--skipped", is_flag=True, help="What each question takes of a scene and of the program, and what it "
+              "skips; of FILE, else of an example.")
 @patience_option
 @color_option
 def command(file: str | None, quantities: Sequence[str], settings: Sequence[str], case: str | None, as_json: bool,
-            outputs: Sequence[str], force: bool, quick: bool, only: Sequence[str], patience: int) -> int:
+            outputs: Sequence[str], force: bool, quick: bool, only: Sequence[str], skipped: bool, patience: int) -> int:
     """Run time against true error of all methods that answer, each number beside one of many digits.
 
     Without FILE the project's own measurements, which take minutes: vibcli explain bench.
     """
+    if skipped:
+        return _skipped(file, as_json)
     if file is None:
         if quantities or settings or case or outputs:
             raise click.UsageError("--of, --set, --case and -o are for a scene: name its FILE")
@@ -57,6 +61,18 @@ def command(file: str | None, quantities: Sequence[str], settings: Sequence[str]
     for path in map(Path, outputs):
         _write(found, path, force)
     return 0 if found.compared or all(one.why == ALONE for one in found.left_out) else 4
+
+
+def _skipped(file, as_json):
+    import json
+
+    from vibcli.evidence import skipped
+    from vibcli.report.formats.text import render
+
+    found = skipped.every_question(file or skipped.example())
+    click.echo(json.dumps(skipped.data(found), ensure_ascii=False, indent=1) if as_json else
+               render([skipped.document(found)]))
+    return 0
 
 
 def _own_measurements(quick, as_json, only):

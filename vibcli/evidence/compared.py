@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.asked import NotCompared, subjects
 from vibcli.evidence.methods import METHODS
+from vibcli.evidence.stages import StageCost, stage_costs
 from vibcli.evidence.subject import MethodRun, Subject
 from vibcli.evidence.timing import PATIENCE, RUNS, Point, measured
 
@@ -25,12 +26,14 @@ class WorkPrecision(NamedTuple):
 
 
 class Evidence(NamedTuple):
-    """problem: the scene in numbers; drawn: {letter: value} that were drawn for letters that have none."""
+    """problem: the scene in numbers; drawn: {letter: value} that were drawn for letters that have none;
+    stages: what the answers took of it, and what they skipped."""
 
     problem: "Problem"
     drawn: dict[str, str]
     compared: list[WorkPrecision]
     left_out: list[NotCompared]
+    stages: list[StageCost]
 
 
 def evidence(problem: "Problem", asked: "Iterable[Expression]", runs: int = RUNS) -> Evidence:
@@ -45,7 +48,8 @@ def evidence(problem: "Problem", asked: "Iterable[Expression]", runs: int = RUNS
             left.append(one)
         else:
             compared.append(WorkPrecision(one, measured(one, _attempts(one), runs, min(PATIENCE, WHOLE / several))))
-    return Evidence(problem, drawn, compared, left)
+    kinds = {one.subject.kind for one in compared}
+    return Evidence(problem, drawn, compared, left, stage_costs(problem, kinds) if compared else [])
 
 
 def in_numbers(problem: "Problem") -> "tuple[Problem, dict[str, str]]":

@@ -23,7 +23,7 @@ def document(found: "Evidence", pictures: bool = False) -> Document:
         values = ", ".join(f"{name} = {value}" for name, value in found.drawn.items())
         sections.insert(0, Section("Values", (paragraph(
             f"{values}: drawn for letters that have none, the same at every run; --set gives others."),)))
-    return Document(title, None, (), (*sections, *_left_out(found)))
+    return Document(title, None, (), (*sections, *_left_out(found), *_stages(found)))
 
 
 def _section(one, pictures, number):
@@ -67,6 +67,19 @@ def _left_out(found: "Evidence") -> tuple[Section, ...]:
     return (Section("Not compared", tuple(_reason(*pair) for pair in by_reason.items())),)
 
 
+def _stages(found: "Evidence") -> tuple[Section, ...]:
+    if not found.stages:
+        return ()
+    rows = tuple((one.stage, _ms(one) if one.taken else "", one.why or _ms(one) if not one.taken else "")
+                 for one in found.stages)
+    table = TableBlock(("stage", "taken", "skipped, would cost"), rows)
+    return (Section("Stages, and what was skipped [ms]", (table,)),)
+
+
+def _ms(cost):
+    return "" if cost.seconds is None else f"{1e3 * cost.seconds:.3g}"
+
+
 def _reason(why: str, asked: Sequence[str]) -> Paragraph:
     return paragraph(f"{', '.join(dict.fromkeys(asked))}: {why}.")
 
@@ -75,6 +88,8 @@ def data(found: "Evidence") -> dict[str, Any]:
     """The same as data; seconds are of processor time."""
     return {"title": found.problem.spec.get("title"), "drawn": found.drawn or None,
             "compared": [_data(one) for one in found.compared],
+            "stages": [{"stage": one.stage, "taken": one.taken, "seconds": one.seconds, "why": one.why or None}
+                       for one in found.stages],
             "not compared": [{"asked": asked, "why": why} for asked, why in found.left_out]}
 
 

@@ -20,6 +20,9 @@ BENCH = [
     "`--quick`, or where one takes over half a second; one where all would take too long), with quartiles. What takes "
     "over 5 s and a hundred times as long as vibcli itself is stopped. A method that has no answer is left out; one "
     "that gives a wrong number of values, or refuses, says so instead of an error.",
+    "Below stand the stages of the scene: what each took that was needed, and what those that were skipped would have "
+    "cost. `--skipped` shows for each question which stages it takes, and which packages and rooms of the program it "
+    "imports, by asking it in a process of its own.",
     "`-o curve.svg` (png, pdf) draws it: relative error across, time up, a cross at the edge for what was refused or "
     "stopped; `-o table.md` (html, txt) writes the tables; `--json` holds all points. Letters without value are given "
     "the same ones at every run, which are told. Without FILE the project's own measurements are made, against "

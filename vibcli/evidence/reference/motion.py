@@ -161,4 +161,4 @@ def _settled(motion, until, work, look):
     def found():
         return look(motion.steps(until, mpmath.mp.dps, work))
 
-    return settled(found, digits, first, LIMIT, GROWTH)
+    return settled(found, digits, first, LIMIT, GROWTH, sized=True)

@@ -28,9 +28,10 @@ class TrueValues(NamedTuple):
 
 
 def settled(found: "Callable[[], tuple[Sequence, Any]]", digits: int = DIGITS, start: int = START,
-            limit: int = LIMIT, growth: float = 2.0) -> TrueValues:
+            limit: int = LIMIT, growth: float = 2.0, sized: bool = False) -> TrueValues:
     """The values that `found()`, (numbers, anything), gives at the working precision, at `growth` times as many digits
-    until `digits` of each agree; DoesNotSettle where they do not within `limit`."""
+    until `digits` of each agree, of what is `sized` relative to `anything`, the size of them all; DoesNotSettle where
+    they do not within `limit`."""
     before, last, working = None, 0, start
     while working <= limit:
         with mpmath.workdps(working):
@@ -39,19 +40,20 @@ def settled(found: "Callable[[], tuple[Sequence, Any]]", digits: int = DIGITS, s
             except LOST:
                 values = None
             else:
-                if before is not None and alike(before, values, digits):
+                if before is not None and alike(before, values, digits, about if sized else None):
                     return TrueValues(list(values), digits, working, last, about)
         before, last, working = values, working, int(growth * working)
     raise DoesNotSettle(f"the reference does not settle: {digits} digits of it are not alike up to {limit}",
                         "leave this quantity out of the comparison")
 
 
-def alike(before: Sequence, values: Sequence, digits: int) -> bool:
-    """Are these as many numbers, each part of each the same to so many digits? A zero is one in both."""
+def alike(before: Sequence, values: Sequence, digits: int, size: Any = None) -> bool:
+    """Are these as many numbers, each part of each the same to so many digits, of itself unless a size is given? A zero
+    is one in both, but for a size."""
     if len(before) != len(values):
         return False
     small = mpmath.mpf(10) ** -digits
-    return all(abs(a - b) <= small * abs(b) for pair in zip(before, values, strict=True)
+    return all(abs(a - b) <= small * (abs(b) if size is None else size) for pair in zip(before, values, strict=True)
                for a, b in zip(*map(_parts, pair), strict=True))
 
 

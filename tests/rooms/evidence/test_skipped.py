@@ -1,0 +1,63 @@
+"""What each question takes and skips, as it is found by asking."""
+
+import pytest
+
+from vibcli.api.source import problem_of, text_source
+from vibcli.bench import scenes
+from vibcli.evidence import skipped
+from vibcli.evidence.stages import stage_costs
+from vibcli.results.problem import STAGES
+
+ALWAYS = {"read", "spec", "scene", "linearisation", "equilibrium"}
+MODAL = {"linear_system", "modes", "damped"}
+TAKEN = {       # of a driven damped mass, in numbers
+    "solve": ALWAYS | MODAL, "equations": ALWAYS | {"linear_system", "energies", "equations"},
+    "solve --insight": ALWAYS | MODAL | {"shares", "sensitivities", "estimates"},
+    "solve --steps": ALWAYS,
+    "frequencies": ALWAYS | MODAL | {"closed_forms"}, "frequencies --digits 30": ALWAYS | MODAL | {"closed_forms"},
+    "response": ALWAYS | MODAL, "frf": ALWAYS | {"linear_system"}, "check": set()}
+
+
+@pytest.fixture(scope="module")
+def found():
+    return skipped.every_question(skipped.example())
+
+
+@pytest.mark.parametrize("question", skipped.QUESTIONS)
+def test_stages_that_a_question_takes_are_those_that_it_needs(found, question):
+    one = found[question]
+    assert {stage for stage, taken in one.stages.items() if taken} == TAKEN[question]
+    assert set(one.stages) in (set(), {"read", "spec", *STAGES})
+
+
+@pytest.mark.parametrize("question", skipped.QUESTIONS)
+def test_packages_that_a_question_imports(found, question):
+    digits = {"mpmath"} if question in ("solve --insight", "frequencies --digits 30") else set()
+    assert set(found[question].packages) == ({"numpy"} | digits if question != "equations" else set())
+    assert not {"drawing", "plots", "bench", "evidence", "inverse", "mistakes", "testing"} & set(found[question].rooms)
+    assert ("report" in found[question].rooms) == (question != "check")
+
+
+def test_both_tables_are_told(found):
+    stages, modules = skipped.document(found).sections
+    table = stages.blocks[0]
+    assert table.head == ("stage", *skipped.QUESTIONS) and table.head[-2:] == ("frf", "check")
+    assert [row[-2:] for row in table.rows[:2]] == [("•", "?")] * 2
+    assert {row[0]: row[-2] for row in table.rows}["modes"] == ""
+    assert modules.blocks[0].rows[-1][0] == "modules of its own"
+    assert skipped.data(found)["check"]["stages"] is None
+
+
+def test_a_question_that_fails_is_told():
+    with pytest.raises(RuntimeError, match="leaves with 2"):
+        skipped.taken("solve", "no such file.yaml")
+
+
+def test_what_is_skipped_would_have_a_cost():
+    problem = problem_of(text_source(scenes.TWO_DRIVEN))
+    found = {one.stage: one for one in stage_costs(problem, {"modes"})}
+    assert set(found) == set(STAGES)
+    assert {stage for stage, one in found.items() if one.taken} == (ALWAYS | MODAL) - {"read", "spec"}
+    assert found["energies"].seconds > 0 and not found["energies"].taken and "no shapes" in found["ritz"].why
+    many = {one.stage: one for one in stage_costs(problem_of(text_source(scenes.chain(5))), {"modes"})}
+    assert many["closed_forms"].why == many["equilibria"].why == "not measured"

@@ -1,0 +1,53 @@
+"""What the answer took of the stages of a scene, and what those that it skipped would have cost, found by taking them
+afterwards; dear ones of many coordinates are not measured."""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+from vibcli.analyses import OF_MODES
+from vibcli.base.errors import PhysicsError
+from vibcli.results.problem import STAGES, Problem
+
+DEAR, FEW = ("closed_forms", "equilibria"), 3       # stages, and the coordinates up to which they are measured
+
+
+class StageCost(NamedTuple):
+    """A stage; seconds: that it took, or would take; taken: was it needed? why: it has no cost."""
+
+    stage: str
+    seconds: float | None
+    taken: bool
+    why: str = ""
+
+
+def stage_costs(problem: Problem, kinds: set[str]) -> list[StageCost]:
+    """Of a problem whose subjects are of these kinds; a scene that is built anew."""
+    fresh = Problem(problem.spec, problem.numeric.given)
+    fresh.modal.modes  # noqa: B018
+    if "damped modes" in kinds or problem.modal.damps:
+        fresh.modal.damped  # noqa: B018
+    if kinds & {"motion", "full motion"}:
+        fresh.response  # noqa: B018
+    needed = set(fresh.timings)
+    return [_cost(fresh, stage, stage in needed) for stage in STAGES]
+
+
+def _cost(problem, stage, taken):
+    if taken:
+        return StageCost(stage, problem.timings[stage], True)
+    if stage in DEAR and (len(problem.scene.q) > FEW or problem.scene.pieces):
+        return StageCost(stage, None, False, "not measured")
+    try:
+        _touch(stage)(problem)
+    except PhysicsError as error:
+        return StageCost(stage, None, False, f"not found: {error.message}")
+    return StageCost(stage, problem.timings.get(stage), False)
+
+
+def _touch(stage: str) -> Callable[[Problem], object]:
+    """What takes a stage of a Problem."""
+    if stage in OF_MODES:
+        return lambda problem: problem.modal.result(stage)
+    parts = {"damped": "modal", "energies": "symbolic", "equations": "symbolic", "reactions": "configuration"}
+    return lambda problem: getattr(getattr(problem, parts[stage]) if stage in parts else problem, stage)
+
