@@ -45,3 +45,37 @@ def test_what_is_broken_ends_with_1(monkeypatch, capsys):
     monkeypatch.setattr(claims, "measure", lambda *args: (plain(*args)[0], 1e-20))
     assert run(["stress", "--family", "long_times"]) == 1
     assert "broken" in capsys.readouterr().out
+
+
+SCENE = """parameters: {m: 2.00 kg, k: %s}
+bodies: {a: {mass: m, slide: x}}
+springs: {s: {k: k, between: [ground, a]}}
+answers: {"omega[1]": 20 rad/s}
+cases: {stiff: {parameters: {k: 801 N/m}, answers: {"omega[1]": 10 rad/s}}}
+"""
+
+
+@pytest.fixture
+def scene(tmp_path):
+    path = tmp_path / "one.yaml"
+    path.write_text(SCENE % "800 N/m", encoding="utf-8")
+    return str(path)
+
+
+def test_a_scene_is_shaken_and_its_digits_are_told(scene, capsys):
+    assert run(["stress", scene]) == 0
+    out = capsys.readouterr().out
+    assert "springs as two in series              1      equal" in out and "omega[1]  20     2.8     m" in out
+    assert run(["stress", scene, "--case", "stiff", "--set", "m=8 kg", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert [one["verdict"] for one in found["shaken"]] == ["equal"] * 7
+    assert [one["parameter"] for one in found["supported"]] == ["k"]
+
+
+def test_what_does_not_go_together_or_cannot_be_shaken(scene, tmp_path, capsys):
+    assert run(["stress", scene, "--family", "mass_ratio"]) == 2
+    assert run(["stress", "--set", "m=1 kg"]) == 2
+    letters = tmp_path / "letters.yaml"
+    letters.write_text(SCENE.partition("cases")[0] % "", encoding="utf-8")
+    assert run(["stress", str(letters)]) == 4
+    assert "a scene in letters is not shaken" in capsys.readouterr().err

@@ -51,4 +51,11 @@ STRESS = [
     ],
     "`--family NAME` takes some; `-o FOLDER` draws error, bound and plain method of each over its knob; `--json` "
     "holds them as data.",
+    "`vibcli stress FILE` shakes a scene without members. Its modes are found again of the same element data written "
+    "otherwise: masses, dampers and stiffnesses by four, times by a half, the units of some coordinates by two, or "
+    "these the other way round, which has to leave every bit of them as it is; coordinates and elements from the last "
+    "to the first, each spring as two in parallel or in series, which have to stay within the bounds of both. Then "
+    "each parameter that is written with three digits or more (fewer are exact) is moved by half a unit of its last "
+    "digit: told is how many digits of each answer the data support, −log₁₀ of the sum of the relative changes, and "
+    "which parameter takes most of them. Figures that stand outside `parameters` are not moved.",
 ]

@@ -5,7 +5,7 @@ from importlib import import_module
 import pytest
 
 from vibcli.base.errors import PhysicsError
-from vibcli.evidence.stress import claims, point, sweep
+from vibcli.evidence.stress import claims, point, shaken, supported, sweep
 from vibcli.evidence.stress.claims import Claim
 from vibcli.evidence.stress.families import FAMILIES
 from vibcli.evidence.stress.point import BROKEN, ESCALATED, HELD, REFUSED, UNKNOWN, measured
@@ -77,3 +77,51 @@ def test_more_digits_are_seen_to_be_taken():
         problem, more = scene_problem(family("close_modes").scene(knob))
         claims.measure(problem, problem.spec.answers[0].asked.tree)
         assert more() == taken
+
+
+SCENE = {"parameters": {"m": "2.00 kg", "k": "800 N/m", "c": "8 N*s/m", "a": "1.25 cm"},
+         "bodies": {"one": {"mass": "m", "slide": "x"}, "two": {"mass": "2*m", "slide": "y"}},
+         "springs": {"s": {"k": "k", "between": ["ground", "one"]}, "t": {"k": "k", "between": ["one", "two"]}},
+         "dampers": {"d": {"c": "c", "between": ["ground", "one"]}}, "initial": {"x": "a"},
+         "answers": {"omega[1]": "1 rad/s", "x(1 s)": "1 cm", "stable": "true", "T": "m*x'^2/2 + m*y'^2"}}
+
+
+def test_a_scene_that_is_shaken_keeps_every_bit_of_its_modes():
+    found = list(shaken.shaken(scene_problem(SCENE)[0]))
+    assert [one.verdict for one in found] == [shaken.EQUAL] * 7 and {one.modes for one in found} == {4}
+
+
+def test_of_many_coordinates_they_stay_within_their_bounds():
+    found = list(shaken.shaken(scene_problem(family("many_coordinates").scene("50"))[0]))
+    assert [one.verdict for one in found[:4]] == [shaken.EQUAL] * 4
+    assert {one.verdict for one in found} == {shaken.EQUAL, shaken.WITHIN} and max(one.apart for one in found) <= 1
+
+
+@pytest.mark.parametrize("law", [
+    shaken.Rewriting("a wrong rate", shaken._weighed(1, 2, 4), 3, True),
+    shaken.Rewriting("another mass", shaken._weighed(2, 1, 1), 1, False),
+    shaken.Rewriting("a spring lost", lambda elements: elements.with_parts(springs=elements.springs[1:], rational_rows=None),
+               1, False)])
+def test_a_law_that_does_not_hold_is_broken(law, monkeypatch):
+    monkeypatch.setattr(shaken, "LAWS", (law,))
+    one, = shaken.shaken(scene_problem(SCENE)[0])
+    assert one.verdict == shaken.BROKEN
+
+
+def test_digits_that_the_data_support():
+    """ω ~ √(k/m): half of 0.005/2 and of 0.5/800; x ~ a besides."""
+    problem, _ = scene_problem(SCENE)
+
+    def remade(name, text):
+        return scene_problem({**SCENE, "parameters": {**SCENE["parameters"], name: text}})[0]
+
+    omega, x = supported.supported(problem, remade)
+    assert omega.asked == "omega[1]" and omega.parameter == "m"
+    assert 10**-omega.digits == pytest.approx(0.5 * 0.005 / 2 + 0.5 * 0.5 / 800, rel=2e-3)
+    assert x.digits < omega.digits
+
+
+def test_data_of_few_digits_are_exact():
+    exact = {**SCENE, "parameters": {"m": "2 kg", "k": "0.8 N/mm", "c": "8 N*s/m", "a": "1 cm"}}
+    problem, _ = scene_problem(exact)
+    assert [one.digits for one in supported.supported(problem, None)] == [None, None]

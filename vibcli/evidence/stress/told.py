@@ -5,6 +5,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from vibcli.evidence.stress.point import StressPoint
+from vibcli.evidence.stress.shaken import Shake
+from vibcli.evidence.stress.supported import SupportedAnswer
 from vibcli.evidence.stress.sweep import FamilyPoints, about, counts
 from vibcli.report.blocks import Section, TableBlock, paragraph
 
@@ -41,3 +43,27 @@ def data(found: Sequence[FamilyPoints]) -> dict[str, Any]:
         {"name": one.name, "about": about(one.name), "knob": one.family.knob, "plain": one.plain,
          "points": [{key: None if isinstance(x, float) and not math.isfinite(x) else x
                      for key, x in point._asdict().items()} for point in one.points]} for one in found]}
+
+
+def scene_sections(shakes: Sequence[Shake], answers: Sequence[SupportedAnswer]) -> list[Section]:
+    """Of a scene of the user's: what was shaken, and how far its data reach."""
+    rows = tuple((one.change, str(one.modes), one.verdict, one.why or (f"{one.apart:.2g}" if one.apart else ""))
+                 for one in shakes)
+    found = [Section("Shaken", (TableBlock(("change", "modes", "verdict", "apart/bounds"), rows),))]
+    if answers:
+        lines = tuple((one.asked, "" if one.value is None else f"{one.value:.6g}", _digits(one),
+                       one.parameter or one.why) for one in answers)
+        found.append(Section("Digits that the data support", (
+            TableBlock(("answer", "value", "digits", "taken most by"), lines),
+            paragraph("Each parameter of three digits or more was moved by half a unit of its last digit."))))
+    return found
+
+
+def _digits(one: SupportedAnswer) -> str:
+    return "" if one.value is None else "all" if one.digits is None else f"{one.digits:.1f}"
+
+
+def scene_data(shakes: Sequence[Shake], answers: Sequence[SupportedAnswer]) -> dict[str, Any]:
+    """The same as data."""
+    return {"shaken": [{**one._asdict(), "apart": one.apart if math.isfinite(one.apart) else None} for one in shakes],
+            "supported": [one._asdict() for one in answers]}
