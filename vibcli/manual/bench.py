@@ -58,4 +58,7 @@ STRESS = [
     "each parameter that is written with three digits or more (fewer are exact) is moved by half a unit of its last "
     "digit: told is how many digits of each answer the data support, −log₁₀ of the sum of the relative changes, and "
     "which parameter takes most of them. Figures that stand outside `parameters` are not moved.",
+    "Of any scene `--timings` tells residual ratios of what was found, as LAPACK's tests have them: of modes ‖λ²Mφ + λ(C + "
+    "G)φ + Kφ‖ over (|λ|²‖M‖ + |λ|‖C + G‖ + ‖K‖)‖φ‖ n ε, of their orthogonality ‖ΦᵀMΦ − I‖/(n ε): up to 20 they are "
+    "rounding; of the balance of forces at rest what is left of them over ε and the size of their terms.",
 ]

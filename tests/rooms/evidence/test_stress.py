@@ -100,8 +100,8 @@ def test_of_many_coordinates_they_stay_within_their_bounds():
 @pytest.mark.parametrize("law", [
     shaken.Rewriting("a wrong rate", shaken._weighed(1, 2, 4), 3, True),
     shaken.Rewriting("another mass", shaken._weighed(2, 1, 1), 1, False),
-    shaken.Rewriting("a spring lost", lambda elements: elements.with_parts(springs=elements.springs[1:], rational_rows=None),
-               1, False)])
+    shaken.Rewriting("a spring lost", lambda elements: elements.with_parts(
+        springs=elements.springs[1:], rational_rows=None), 1, False)])
 def test_a_law_that_does_not_hold_is_broken(law, monkeypatch):
     monkeypatch.setattr(shaken, "LAWS", (law,))
     one, = shaken.shaken(scene_problem(SCENE)[0])
