@@ -8,7 +8,7 @@ PROBLEM ?= problems/6_two_degrees/cart_with_pendulum.yaml
 
 export PYTHONDONTWRITEBYTECODE :=       # what is compiled is kept: commands that tests run and their own files begin with it
 
-.PHONY: solve quick test lint chosen all bench clean
+.PHONY: solve quick test lint chosen all bench evidence clean
 
 $(BIN)/vibcli: pyproject.toml
 	$(PYTHON) -m venv .venv
@@ -39,6 +39,9 @@ chosen: $(BIN)/pytest
 
 all: $(BIN)/pytest
 	$(BIN)/pytest -q -n 2
+
+evidence: $(BIN)/vibcli
+	$(BIN)/python -m vibcli.bench.kept
 
 bench: $(BIN)/vibcli
 	-$(INSTALL) -e ".[bench]"

@@ -138,3 +138,30 @@ def test_without_a_file_the_own_measurements_are_made(monkeypatch):
     monkeypatch.setattr(bench.subprocess, "run", started)
     assert run(["bench", "--quick", "--json", "--only", "growth", "--only", "files"]) == 1
     assert made == [["-m", "vibcli.bench", "--quick", "--json", "--only", "growth", "--only", "files"]]
+
+
+def test_beside_an_older_comparison(scene, tmp_path, capsys, monkeypatch):
+    old = tmp_path / "old.json"
+    data = json.loads(out_of(capsys, scene, "--of", "omega", "--json").out)
+    for point in data["compared"][0]["points"][1:]:     # by far the faster then, each without spread
+        point["seconds"] *= 1e4
+        point["quartiles"] = [point["seconds"]] * 2
+    data["machine"], data["compared"][0]["points"][-1]["method"] = "an older one", "scipy svd"
+    old.write_text(json.dumps(data), encoding="utf-8")
+    told = out_of(capsys, scene, "--of", "omega", "--against", str(old), code=1).out
+    assert told.count("worse") == 3 and "The older one is of machine an older one." in told
+    assert "On one side alone: omega: scipy eig, omega: scipy svd." in told
+    for point in data["compared"][0]["points"][1:]:
+        point["seconds"] /= 1e8
+        point["quartiles"] = [point["seconds"]] * 2
+    old.write_text(json.dumps(data), encoding="utf-8")
+    assert "worse" not in out_of(capsys, scene, "--of", "omega", "--against", str(old)).out
+
+
+@pytest.mark.parametrize(("text", "said"), [("{", "it is no JSON"), ("{}", "it holds no comparison"),
+                                            ('{"compared": [{"points": [1, 2]}]}', "it holds no comparison")])
+def test_what_is_no_older_comparison(scene, tmp_path, capsys, text, said):
+    old = tmp_path / "old.json"
+    old.write_text(text, encoding="utf-8")
+    assert said in out_of(capsys, scene, "--against", str(old), code=2).err
+    assert "does not exist" in out_of(capsys, scene, "--against", str(tmp_path / "none.json"), code=2).err

@@ -92,7 +92,7 @@ REPORTED = {"--digits", "--json", "--of", "--steps"}     # in answers to these, 
 def test_hints_from_within_can_be_followed_in_every_command():
     """What is refused while scenes are solved is told by `check` too: the options that it names are there."""
     for path in FILES:
-        if {"cli", "manual"}.intersection(path.parts) or path.name == "page.py":
+        if {"cli", "evidence", "manual"}.intersection(path.parts) or path.name == "page.py":
             continue
         found, described = read(path)
         for line, text in found:

@@ -32,12 +32,15 @@ ONE_THREAD = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
 @click.option("--force", is_flag=True, help="Replace files that exist.")
 @click.option("--quick", is_flag=True, help="3 runs of each instead of 7.")
 @click.option("--only", multiple=True, metavar="PART", help="Without FILE: only this part; may be given several times.")
+@click.option("--against", metavar="OLD.json", type=click.Path(exists=True, dir_okay=False), help="Compare ratios of "
+              "run times with those of an older --json; exit code 1 where one is worse in two runs out of two.")
 @click.option("--skipped", is_flag=True, help="What each question takes of a scene and of the program, and what it "
               "skips; of FILE, else of an example.")
 @patience_option
 @color_option
 def command(file: str | None, quantities: Sequence[str], settings: Sequence[str], case: str | None, as_json: bool,
-            outputs: Sequence[str], force: bool, quick: bool, only: Sequence[str], skipped: bool, patience: int) -> int:
+            outputs: Sequence[str], force: bool, quick: bool, only: Sequence[str], against: str | None, skipped: bool,
+            patience: int) -> int:
     """Run time against true error of all methods that answer, each number beside one of many digits.
 
     Without FILE the project's own measurements, which take minutes: vibcli explain bench.
@@ -45,8 +48,8 @@ def command(file: str | None, quantities: Sequence[str], settings: Sequence[str]
     if skipped:
         return _skipped(file, as_json)
     if file is None:
-        if quantities or settings or case or outputs:
-            raise click.UsageError("--of, --set, --case and -o are for a scene: name its FILE")
+        if quantities or settings or case or outputs or against:
+            raise click.UsageError("--of, --set, --case, --against and -o are for a scene: name its FILE")
         return _own_measurements(quick, as_json, only)
     if only:
         raise click.UsageError("--only names parts of the project's own measurements, which take no FILE")
@@ -56,7 +59,11 @@ def command(file: str | None, quantities: Sequence[str], settings: Sequence[str]
         os.environ.setdefault(name, "1")
     from vibcli.evidence.subject import ALONE
 
-    found = _evidence(chosen(load(file, settings, patience), case)[0][1], quantities, quick)
+    before = _older(against)
+    problem = chosen(load(file, settings, patience), case)[0][1]
+    found = _evidence(problem, quantities, quick)
+    if before is not None:
+        return _against(before, found, lambda: _evidence(problem, quantities, quick))
     _told(found, as_json)
     for path in map(Path, outputs):
         _write(found, path, force)
@@ -91,13 +98,50 @@ def _evidence(problem, quantities, quick):
     return evidence(problem, trees, FEW if quick else RUNS)
 
 
+def _older(path):
+    """An older comparison as data; a usage error of what is none."""
+    import json
+
+    from vibcli.evidence.against import beside
+
+    if path is None:
+        return None
+    try:
+        found = json.loads(Path(path).read_text(encoding="utf-8"))
+        beside(found, found)
+    except ValueError as error:
+        reason = "it is no JSON" if isinstance(error, (json.JSONDecodeError, UnicodeDecodeError)) else str(error)
+        raise click.UsageError(f"--against {path}: {reason}") from None
+    return found
+
+
+def _against(before, found, again):
+    from vibcli.evidence.against import beside, document, worse_in_both
+    from vibcli.report.formats.text import render
+
+    first = beside(before, _data(found))
+    last = beside(before, _data(again())) if any(row.worse for row in first.rows) else first
+    worse = worse_in_both(first, last)
+    click.echo(render([document(last, worse)]))
+    return 1 if worse else 0
+
+
+def _data(found):
+    import platform
+
+    from vibcli import __version__
+    from vibcli.evidence.told import data
+
+    return {"version": __version__, "machine": f"{platform.system()} {platform.machine()}", **data(found)}
+
+
 def _told(found: "Evidence", as_json: bool) -> None:
     import json
 
     from vibcli.evidence import told
     from vibcli.report.formats.text import render
 
-    click.echo(json.dumps(told.data(found), ensure_ascii=False, allow_nan=False, indent=1) if as_json else
+    click.echo(json.dumps(_data(found), ensure_ascii=False, allow_nan=False, indent=1) if as_json else
                render([told.document(found)]))
 
 

@@ -29,7 +29,8 @@ def scene_options(function: Any) -> Callable:
         click.option("--case", "case", metavar="NAME", help="Only this case of the file."),
         click.option("--json", "as_json", is_flag=True, help="Machine-readable results in SI units."),
         patience_option,
-        click.option("--timings", is_flag=True, help="What each stage cost and which were skipped, and residual ratios, on stderr."),
+        click.option("--timings", is_flag=True,
+                     help="What each stage cost and which were skipped, and residual ratios, on stderr."),
         color_option,
     ]
     return reduce(lambda f, option: option(f), reversed(options), function)

@@ -9,7 +9,7 @@ from vibcli.evidence.asked import NotCompared, subjects
 from vibcli.evidence.methods import METHODS
 from vibcli.evidence.stages import StageCost, stage_costs
 from vibcli.evidence.subject import MethodRun, Subject
-from vibcli.evidence.timing import PATIENCE, RUNS, Point, measured
+from vibcli.evidence.timing import RUNS, Point, measured
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression
@@ -36,8 +36,9 @@ class Evidence(NamedTuple):
     stages: list[StageCost]
 
 
-def evidence(problem: "Problem", asked: "Iterable[Expression]", runs: int = RUNS) -> Evidence:
-    """The Evidence of the quantities that are asked, of those in the file's own answers where none is."""
+def evidence(problem: "Problem", asked: "Iterable[Expression]", runs: int = RUNS, whole: float = WHOLE) -> Evidence:
+    """The Evidence of the quantities that are asked, of those in the file's own answers where none is; whole: s for the
+    runs of all."""
     asked = list(asked) or [answer.asked for answer in problem.spec.answers]
     problem, drawn = in_numbers(problem)
     compared, left = [], []
@@ -47,7 +48,7 @@ def evidence(problem: "Problem", asked: "Iterable[Expression]", runs: int = RUNS
         if isinstance(one, NotCompared):
             left.append(one)
         else:
-            compared.append(WorkPrecision(one, measured(one, _attempts(one), runs, min(PATIENCE, WHOLE / several))))
+            compared.append(WorkPrecision(one, measured(one, _attempts(one), runs, whole / several)))
     kinds = {one.subject.kind for one in compared}
     return Evidence(problem, drawn, compared, left, stage_costs(problem, kinds) if compared else [])
 

@@ -1,5 +1,5 @@
-"""What each question takes and what it skips: the stages of its scene, as `--timings` tells them, and the packages and
-rooms that a process of its own imports. Found by asking, never written down."""
+"""What each question takes and what it skips: the stages of its scene, as commands tell their timings, and the packages
+and rooms that a process of its own imports. Found by asking, never written down."""
 
 import json
 import subprocess

@@ -29,7 +29,7 @@ class Subject(NamedTuple):
     title: str
     problem: "Problem"
     true: "TrueValues"
-    ours: Callable[..., MethodAnswer]
+    ours: Callable[[], MethodAnswer]
     data: Any
     error: Callable[[Sequence[Any], "TrueValues"], float]
     scale: float = 1.0

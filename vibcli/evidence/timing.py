@@ -12,7 +12,7 @@ from vibcli.evidence.subject import Deadline, MethodAnswer, MethodRun, Subject, 
 RUNS, FEW, SLOW = 7, 3, 0.5     # of each; of those whose one run takes longer [s]
 STOP, TIMES = 5.0, 100.0        # s, and times ours, after which a method is stopped
 LEAST, SHORT = 1e-3, 0.02       # s of one measurement, which repeats what is shorter; of runs that are never spared
-PATIENCE, LONGER = 15.0, 1.5    # s for all runs of a quantity; by which the next setting of a method takes longer
+LONGER = 1.5                    # times that the next setting of a method takes
 STOPPED, SPENT = "stopped", "left out: too long"
 
 
@@ -30,9 +30,9 @@ class Point(NamedTuple):
 
 
 def measured(subject: Subject, attempts: Sequence[MethodRun], runs: int = RUNS,
-             patience: float = PATIENCE) -> list[Point]:
+             patience: float = math.inf) -> list[Point]:
     """A Point of each attempt, the first of which is ours. After one that was stopped the later ones of its method are
-    left out: their settings take longer; so are those for which no time is left."""
+    left out: their settings take longer; so are those for which no time is left, of `patience` s for all runs."""
     tried, over, last, left = [], set(), {}, patience / 2
     for attempt in attempts:
         method = attempt.method
@@ -48,7 +48,9 @@ def measured(subject: Subject, attempts: Sequence[MethodRun], runs: int = RUNS,
         if one[3] == STOPPED:
             over.add(method)
     spent = _by_turns(tried, runs, left + patience / 2)
-    return [_point(subject, *one, times) for one, times in zip(tried, spent, strict=True)]
+    points = [_point(subject, *one, times) for one, times in zip(tried, spent, strict=True)]
+    order = list(dict.fromkeys(point.method for point in points))
+    return sorted(points, key=lambda point: order.index(point.method))
 
 
 def _tried(attempt, allowed):

@@ -38,6 +38,14 @@ def _section(one, pictures, number):
     return Section(f"{one.subject.asked}: {one.subject.title}", tuple(blocks))
 
 
+def markdown(one: "WorkPrecision") -> str:
+    """The table of a quantity and its sentence, without a title."""
+    from vibcli.report.formats.markdown import render
+
+    page = render([Document("", None, (), (_section(one, False, 1),))], None)
+    return page.split("\n## ", 1)[1].split("\n", 1)[1].strip()
+
+
 def _shown(points):
     """Those of a table: of a method with many settings every third, and the last."""
     for _, some in groupby(points, key=lambda point: point.method):

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 
-from vibcli.evidence.timing import Point
+from vibcli.evidence.timing import SPENT, STOPPED, Point
 
 AS_GOOD = 10 ** 0.5         # times our error
 ROUNDED = 2.0 ** -51        # below which errors differ by the rounding of what is printed
@@ -21,8 +21,8 @@ def verdict(points: Sequence[Point]) -> str:
     if reaching:
         return _reached(ours, min(reaching, key=lambda point: point.seconds[1]))
     best = min(plain, key=lambda point: point.error)
-    return (f"{_times(ours, best)} of {named(best)} and {_digits(ours, best)} more; nothing plain reaches "
-            f"{_decade(best.error)}")
+    none = "of what ended in time none" if any(point.why in (STOPPED, SPENT) for point in others) else "nothing plain"
+    return f"{_times(ours, best)} of {named(best)} and {_digits(ours, best)} more; {none} reaches {_decade(best.error)}"
 
 
 def _reached(ours, other):

@@ -23,6 +23,9 @@ BENCH = [
     "Below stand the stages of the scene: what each took that was needed, and what those that were skipped would have "
     "cost. `--skipped` shows for each question which stages it takes, and which packages and rooms of the program it "
     "imports, by asking it in a process of its own.",
+    "`vibcli bench FILE --json > old.json`, and later `vibcli bench FILE --against old.json`: the ratios of run times "
+    "to those of the other methods beside the older ones; a row is worse where its ratio has grown by more than 30 % "
+    "and by three times its spread, in two runs out of two (exit code 1).",
     "`-o curve.svg` (png, pdf) draws it: relative error across, time up, a cross at the edge for what was refused or "
     "stopped; `-o table.md` (html, txt) writes the tables; `--json` holds all points. Letters without value are given "
     "the same ones at every run, which are told. Without FILE the project's own measurements are made, against "
@@ -58,7 +61,7 @@ STRESS = [
     "each parameter that is written with three digits or more (fewer are exact) is moved by half a unit of its last "
     "digit: told is how many digits of each answer the data support, −log₁₀ of the sum of the relative changes, and "
     "which parameter takes most of them. Figures that stand outside `parameters` are not moved.",
-    "Of any scene `--timings` tells residual ratios of what was found, as LAPACK's tests have them: of modes ‖λ²Mφ + λ(C + "
-    "G)φ + Kφ‖ over (|λ|²‖M‖ + |λ|‖C + G‖ + ‖K‖)‖φ‖ n ε, of their orthogonality ‖ΦᵀMΦ − I‖/(n ε): up to 20 they are "
-    "rounding; of the balance of forces at rest what is left of them over ε and the size of their terms.",
+    "Of any scene `--timings` tells residual ratios of what was found, as LAPACK's tests have them: of modes ‖λ²Mφ + "
+    "λ(C + G)φ + Kφ‖ over (|λ|²‖M‖ + |λ|‖C + G‖ + ‖K‖)‖φ‖ n ε, of their orthogonality ‖ΦᵀMΦ − I‖/(n ε): up to 20 they "
+    "are rounding; of the balance of forces at rest what is left of them over ε and the size of their terms.",
 ]

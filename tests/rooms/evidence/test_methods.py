@@ -53,6 +53,12 @@ def test_the_sentence(others, said):
     assert verdict([point("vibcli", 1e-3, 1e-16, 1e-15), *others]) == said
 
 
+def test_what_did_not_end_counts_for_nothing():
+    slow = Point("RK45", "1e-13", (5.0, 5.0, 5.0), 0, None, None, STOPPED)
+    said = verdict([point("vibcli", 1e-3, 1e-16, 1e-15), point("RK45", 1e-1, 1e-4, setting="1e-03"), slow])
+    assert said == "1/100 of the time of RK45 at 1e-03 and 12 digits more; of what ended in time none reaches 1e-5"
+
+
 def test_a_refusal_of_ours_is_said():
     refused = Point("vibcli", "", (0.1, 0.1, 0.1), 0, None, None, "it is singular")
     assert verdict([refused, point("eigh", 1e-4, 1e-3)]) == "vibcli itself refuses: it is singular"

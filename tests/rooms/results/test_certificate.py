@@ -36,7 +36,7 @@ def test_a_value_and_a_shape_that_are_off_are_seen():
     modes = [(1j * np.sqrt(square), shape) for square, shape in zip(squares, shapes.T, strict=True)]
     assert residual_ratio(M, 0 * M, K, modes) <= ROUNDING and orthogonality(M, shapes) <= ROUNDING
     (first, shape), second = modes
-    wrong = (first * (1 + 1e-13), shape), (first, shape + [0, 1e-13]), (first, second[1])
+    wrong = (first * (1 + 1e-13), shape), (first, shape + np.array([0, 1e-13])), (first, second[1])
     for off in ([one, second] for one in wrong):
         assert residual_ratio(M, 0 * M, K, off) > ROUNDING
     assert orthogonality(M, shapes * (1 + 1e-13)) > ROUNDING

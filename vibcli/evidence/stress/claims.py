@@ -1,4 +1,4 @@
-"""What vibcli states of a scene: numbers with bounds of their errors, each beside its true one."""
+"""What is stated of a scene: numbers with bounds of their errors, each beside its true one."""
 
 from typing import Any, NamedTuple
 

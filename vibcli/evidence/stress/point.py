@@ -1,4 +1,4 @@
-"""One scene of a family: what vibcli answers and states, and what a plain method answers, beside the true value."""
+"""One scene of a family: what is answered and stated, and what a plain method answers, beside the true value."""
 
 import math
 import warnings

@@ -38,9 +38,8 @@ def of_motion(problem: "Problem", tree: QuantityRef) -> Subject:
     plain = None if motion.parts.gaps else plain_equations(motion, node, float(until), tree.head
                                                            if tree.head in SENSES else "value")
 
-    def ours(accuracy: float | None = None) -> MethodAnswer:
-        fresh = problem.afresh() if accuracy is None else problem.afresh().with_accuracy(accuracy)
-        value, bound = measure(fresh, tree)
+    def ours() -> MethodAnswer:
+        value, bound = measure(problem.afresh(), tree)
         return MethodAnswer([value], bound * abs(value) / scale)
 
     return Subject(KINDS[kind], tree.text, f"of {problem.response.words}{cut}", problem, true, ours, plain,
