@@ -10,6 +10,7 @@ from vibcli import analyses, elements, quantities
 from vibcli.api.reports import FOUND_BY
 from vibcli.cli import COMMANDS
 from vibcli.drawing.symbols import SYMBOLS
+from vibcli.evidence.stress.families import FAMILIES
 from vibcli.homework import exports
 from vibcli.language import sections as of_language
 from vibcli.reader import sections as of_questions
@@ -17,8 +18,8 @@ from vibcli.report import formats
 from vibcli.report import sections as of_report
 from vibcli.symbolic.parser import OF_SIGNALS
 
-FACES = ("analyses", "drawing/symbols", "elements", "homework/exports", "language/sections", "quantities",
-         "reader/sections", "report/formats", "report/sections")
+FACES = ("analyses", "drawing/symbols", "elements", "evidence/stress/families", "homework/exports", "language/sections",
+         "quantities", "reader/sections", "report/formats", "report/sections")
 
 
 def defines(path, name):
@@ -42,6 +43,12 @@ def test_a_face_tells_of_every_file_of_its_folder(table, folder):
     files = {path.stem for path in (PACKAGE / folder).glob("*.py")} - {"__init__"}
     assert list(table) == sorted(files)
     assert [name for name, about in table.items() if not is_a_line(about)] == []
+
+
+def test_families_of_stress_are_the_files_that_define_one():
+    files = (PACKAGE / "evidence" / "stress" / "families").glob("*.py")
+    assert [path.stem for path in sorted(files) if defines(path, "FAMILY")] == list(FAMILIES)
+    assert all(map(is_a_line, FAMILIES.values()))
 
 
 def test_elements_are_the_files_that_define_one():

@@ -10,8 +10,9 @@ import re
 
 from vibcli.analyses import ANALYSES
 
-FACES = ("bench", "cli", "drawing.symbols", "elements", "evidence.methods", "evidence.subjects", "homework.exports",
-         "language.sections", "mistakes", "quantities", "reader.sections", "report.formats", "report.sections",
+FACES = ("bench", "cli", "drawing.symbols", "elements", "evidence.methods", "evidence.stress.families",
+         "evidence.subjects", "homework.exports", "language.sections", "mistakes", "quantities", "reader.sections",
+         "report.formats", "report.sections",
          *("analyses." + row[0].replace("/", ".") for row in ANALYSES.values()))
 ANY = r"\w+"
 FUNCTION = (ast.FunctionDef, ast.AsyncFunctionDef)

@@ -64,6 +64,19 @@ def stage_costs(problem: "Problem") -> "dict[str, float | None]":
     return read | {stage: problem.timings.get(stage) for stage in STAGES}
 
 
+def residual_ratios(problem: "Problem") -> dict[str, float]:
+    """{what was found: its residual over that of rounding}; nothing of a scene in letters, or one that is refused."""
+    from vibcli.base.errors import PhysicsError
+    from vibcli.results.certificate import certificate
+
+    if problem.numeric.has_free_symbols:
+        return {}
+    try:
+        return certificate(problem)
+    except PhysicsError:
+        return {}
+
+
 def text_source(text: str, folder: "str | os.PathLike[str]" = ".") -> SceneSource:
     """The text of a scene as it is read; `folder`: where its records lie. SpecError where it is too long."""
     file = os.path.normpath(os.path.join(os.fspath(folder), UNNAMED))

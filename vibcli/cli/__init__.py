@@ -29,6 +29,7 @@ COMMANDS = {
     "view": "Report, figures and moving modes in the browser, as the file is edited.",
     "check": "Compare the answers in scene files with the results.",
     "bench": "Run time against true error of what a scene asks, beside other methods.",
+    "stress": "Scenes that one knob makes ever harder: true errors beside the bounds that are stated.",
     "explain": "The manual of the scene language, word by word.",
     "schema": "The JSON Schema of scene files, for editors.",
     "new": "A commented scene to start from.",

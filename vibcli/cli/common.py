@@ -29,7 +29,8 @@ def scene_options(function: Any) -> Callable:
         click.option("--case", "case", metavar="NAME", help="Only this case of the file."),
         click.option("--json", "as_json", is_flag=True, help="Machine-readable results in SI units."),
         patience_option,
-        click.option("--timings", is_flag=True, help="What each stage cost and which were skipped, on stderr."),
+        click.option("--timings", is_flag=True,
+                     help="What each stage cost and which were skipped, and residual ratios, on stderr."),
         color_option,
     ]
     return reduce(lambda f, option: option(f), reversed(options), function)
@@ -222,13 +223,15 @@ def colored(stream: Any) -> bool:
 
 
 def show_timings(problems: "Sequence[tuple[str | None, Problem]]"):
-    """What each stage cost, on stderr."""
-    from vibcli.api.source import stage_costs
+    """What each stage cost, and residual ratios of what was found, on stderr."""
+    from vibcli.api.source import residual_ratios, stage_costs
 
     for name, problem in problems:
         click.echo("stage            ms" + (f"   (case {name})" if name else ""), err=True)
         for stage, cost in stage_costs(problem).items():
             click.echo(f"{stage:<14} {'skipped' if cost is None else f'{1e3 * cost:7.2f}'}", err=True)
+        for what, ratio in residual_ratios(problem).items():
+            click.echo(f"residual ratio of {what}: {ratio:.2g}", err=True)
 
 
 def require_quick(problem: "Problem", digits: int | None) -> None:

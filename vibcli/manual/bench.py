@@ -1,4 +1,4 @@
-"""The page of the manual on run time against true error. Data alone."""
+"""The pages of the manual on run time against true error, and on stress. Data alone."""
 
 BENCH = [
     "`vibcli bench FILE` answers what the file asks (or `--of omega`, `--of 'max(x)'`; all modes are one) by every "
@@ -32,4 +32,38 @@ BENCH = [
     "stopped; `-o table.md` (html, txt) writes the tables; `--json` holds all points. Letters without value are given "
     "the same ones at every run, which are told. Without FILE the project's own measurements are made, against "
     "budgets; `--only PART` takes some.",
+]
+
+STRESS = [
+    "`vibcli stress` solves families of scenes, each of which one knob makes harder from point to point: stiff beside "
+    "soft springs, damping from 1e-12 to 1e8, loads ever nearer to resonance or to buckling, ever longer times … Each "
+    "point is answered as every scene is, and stands beside its true value: one that mpmath finds from the element "
+    "data, with more and more digits until two numbers of digits agree, or a closed form in as many. Errors and bounds "
+    "are relative: of modes to each eigenvalue, of motions to their largest value; of several numbers those are told "
+    "whose error comes nearest to its bound.",
+    [
+        ("condition", "what the plain way multiplies the rounding of its data with: of modes (ω_max/ω_min)², of damped "
+         "ones the largest of their eigenvalues', of a response that of K + iΩC − Ω²M, of a peak |λ|/(2 |Re λ|), of a "
+         "motion ω t"),
+        ("plain error", "that of a method without such care: eigh or eig of assembled matrices, an integrator, a grid "
+         "of frequencies, a formula in floats; none where it gives no answer"),
+        ("held", "the error is within the bound that is stated"),
+        ("escalated", "so it is, by more digits of the data than floats have"),
+        ("refused", "no answer is given, with the reason"),
+        ("broken", "the error exceeds the bound: a fault of the program; exit code 1"),
+        ("idle bound", "a bound over 1e4 times as large as the error and the rounding of the value (1e6 where a motion "
+         "is integrated): true, but of little use"),
+    ],
+    "`--family NAME` takes some; `-o FOLDER` draws error, bound and plain method of each over its knob; `--json` "
+    "holds them as data.",
+    "`vibcli stress FILE` shakes a scene without members. Its modes are found again of the same element data written "
+    "otherwise: masses, dampers and stiffnesses by four, times by a half, the units of some coordinates by two, or "
+    "these the other way round, which has to leave every bit of them as it is; coordinates and elements from the last "
+    "to the first, each spring as two in parallel or in series, which have to stay within the bounds of both. Then "
+    "each parameter that is written with three digits or more (fewer are exact) is moved by half a unit of its last "
+    "digit: told is how many digits of each answer the data support, −log₁₀ of the sum of the relative changes, and "
+    "which parameter takes most of them. Figures that stand outside `parameters` are not moved.",
+    "Of any scene `--timings` tells residual ratios of what was found, as LAPACK's tests have them: of modes ‖λ²Mφ + "
+    "λ(C + G)φ + Kφ‖ over (|λ|²‖M‖ + |λ|‖C + G‖ + ‖K‖)‖φ‖ n ε, of their orthogonality ‖ΦᵀMΦ − I‖/(n ε): up to 20 they "
+    "are rounding; of the balance of forces at rest what is left of them over ε and the size of their terms.",
 ]

@@ -5,7 +5,7 @@ A topic is a list of parts: a text is a paragraph, a list of pairs a table. REMA
 
 from typing import Any
 
-from vibcli.manual.bench import BENCH
+from vibcli.manual.bench import BENCH, STRESS
 from vibcli.manual.ci import CI
 from vibcli.manual.exports import EXPORTS
 from vibcli.manual.homework import HOMEWORK, KNOWN_MISTAKES
@@ -289,6 +289,7 @@ TOPICS: dict[str, Any] = {
     "exit": ("exit codes", None),
     "ci": ("problem sets that a server checks: forms of the report, rules, what is kept", CI),
     "bench": ("run time against true error, beside other methods", BENCH),
+    "stress": ("families of scenes that one knob makes ever harder: true errors beside bounds", STRESS),
     "patience": ("long work: what is told of it, and where it is given up", PATIENCE),
     "pictures": ("figures of scenes, moving modes, plots of responses", PICTURES),
     "reports": (", ".join(FORMATS), REPORTS),

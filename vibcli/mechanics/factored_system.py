@@ -130,11 +130,19 @@ def require_dense(n: int, what: str = "this") -> None:
 
 
 def summed(one: Any, two: Mapping[Any, Any]):
-    """The sum of two matrices {(i, j): entry}."""
+    """The sum of two matrices {(i, j): entry}; of numbers of mpmath exactly, whatever the precision about them is."""
     found = dict(one)
     for pair, x in two.items():
-        found[pair] = found[pair] + x if pair in found else x
+        found[pair] = _added(found[pair], x) if pair in found else x
     return found
+
+
+def _added(x, y):
+    if hasattr(x, "_mpf_") and hasattr(y, "_mpf_"):
+        import mpmath
+
+        return mpmath.fadd(x, y, exact=True)
+    return x + y
 
 
 def _as_array(entries, n):

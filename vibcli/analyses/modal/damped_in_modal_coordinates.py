@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from vibcli.mechanics.factored_system import summed
 from vibcli.numerics import fixed_point as fx
 from vibcli.numerics.components import clusters, components
 from vibcli.numerics.general_eigenvalues import Root, eigenvalues
@@ -217,7 +218,4 @@ def vanishing(found: Sequence[Root], zeros: int | None, bits: int, top: float) -
 
 def turning(elements: Any) -> "dict[tuple[int, int], float | Fraction]":
     """C + G as one dict."""
-    out = dict(elements.C)
-    for at, x in elements.G.items():
-        out[at] = out.get(at, 0) + x
-    return out
+    return summed(elements.C, elements.G)

@@ -5,6 +5,7 @@ import random
 import mpmath
 import pytest
 from support import families
+from support.scenes import problem
 from support.spectra import nearest, rate
 
 from vibcli.analyses.modal.modes import natural_modes
@@ -59,3 +60,28 @@ def test_many_coordinates_held_by_spin_do_not_seem_to_grow():
     g |= {(j, i): -x for (i, j), x in g.items()}
     modes = natural_modes(FactoredSystem(n, base.inertias, base.springs, G=g, K={(0, 0): -40.0, (1, 1): -40.0}))
     assert [mode.kind for mode in modes] == ["oscillation"] * n
+
+
+TURNTABLE = """
+parameters: {m: 2 kg, k: 300 N/m, turning: %s, h: 2*turning*sqrt(k*m)}
+coordinates: {x: along the first springs, y: along the second springs}
+matrices:
+  M: [[m, 0], [0, m]]
+  C: [[0, -h], [h, 0]]
+  K: [[k, k/7], [k/7, 2*k]]
+"""
+
+
+@pytest.mark.parametrize("turning", [1, 100, 10**8])
+def test_digits_are_those_of_the_data_whatever_precision_is_worked_in_outside(turning):
+    """m² ω⁴ − (3 k m + h²) ω² + 2 k² − (k/7)² = 0: modes in floats within their bounds, and thirty digits."""
+    with mpmath.workdps(15):
+        modal = problem(TURNTABLE % turning).modal
+        floats, digits = list(modal.modes), list(modal.modes_to(30))
+    m, k = 2, mpmath.mpf(300)
+    b, c = 3 * k * m + 4 * turning**2 * k * m, 2 * k**2 - (k / 7) ** 2
+    high = (b + mpmath.sqrt(b * b - 4 * m * m * c)) / (2 * m * m)
+    for near, mode, square in zip(floats, digits, (c / (m * m * high), high), strict=True):
+        omega = mpmath.sqrt(square)
+        assert abs(near.omega - omega) <= near.error * omega
+        assert abs(mode.omega - omega) <= mpmath.mpf(10) ** -30 * omega

@@ -1,0 +1,105 @@
+"""`vibcli stress`: families of scenes with one knob, each point beside its true value; a FILE is shaken."""
+
+import json
+import os
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import click
+
+from vibcli.cli.common import chosen, color_option, problem_in, source_of
+from vibcli.cli.pictures import FILE, refuse, write
+
+
+@click.command("stress")
+@click.argument("file", type=click.Path(), required=False)
+@click.option("--set", "settings", multiple=True, metavar="NAME=VALUE",
+              help="Of a FILE: give a parameter another value: k=500 in the file's unit, or 'k=0.5 N/mm'.")
+@click.option("--case", "case", metavar="NAME", help="Of a FILE: this case, instead of the scene itself.")
+@click.option("--family", "names", multiple=True, metavar="NAME", help="Only this family; may be given several times.")
+@click.option("--json", "as_json", is_flag=True, help="Machine-readable: relative errors and bounds.")
+@click.option("-o", "--output", metavar="FOLDER", type=FILE, help="Write a picture of each family there (.svg).")
+@click.option("--force", is_flag=True, help="Replace pictures that exist.")
+@color_option
+def command(file: str | None, settings: Sequence[str], case: str | None, names: Sequence[str], as_json: bool,
+            output: str | None, force: bool) -> int:
+    """Families of scenes that one knob makes ever harder, each point beside its true value of many digits.
+
+    With a FILE that scene is shaken: written otherwise, its modes have to stay; and the digits of its answers are told
+    that its data support. Exit code: 0, 1 where a bound is exceeded: vibcli explain stress.
+    """
+    if file is not None:
+        if names or output:
+            raise click.UsageError("--family and -o are for the families: leave FILE out")
+        return _scene(file, settings, case, as_json)
+    if settings or case:
+        raise click.UsageError("--set and --case are for a scene: name its FILE")
+    from vibcli.evidence.stress import sweep, told
+
+    wanted = _known(names)
+    pictures = {name: Path(output) / f"{name}.svg" for name in wanted} if output else {}
+    _prepared(output, pictures, force)
+    found = []
+    for one in sweep.solved(wanted):
+        found.append(one)
+        if not as_json:
+            _print([told.section(one)])
+        if output:
+            _draw(one, pictures[one.name], force)
+    click.echo(json.dumps(told.data(found), ensure_ascii=False, allow_nan=False, indent=1) if as_json else
+               told.summary(found))
+    return int(sweep.is_broken(found))
+
+
+def _scene(file: str, settings: Sequence[str], case: str | None, as_json: bool) -> int:
+    """Shake a scene of the user's."""
+    from vibcli.evidence.stress import told
+    from vibcli.evidence.stress.shaken import BROKEN, shaken
+    from vibcli.evidence.stress.supported import supported
+
+    source = source_of(file)
+
+    def remade(*more: str) -> Any:
+        return chosen(problem_in(source, [*settings, *more]), case)[0][1]
+
+    problem = remade()
+    shakes = list(shaken(problem))
+    answers = list(supported(problem, lambda name, text: remade(f"{name}={text}")))
+    if as_json:
+        click.echo(json.dumps(told.scene_data(shakes, answers), ensure_ascii=False, allow_nan=False, indent=1))
+    else:
+        _print(told.scene_sections(shakes, answers))
+    return int(any(one.verdict == BROKEN for one in shakes))
+
+
+def _print(sections: Sequence[Any]) -> None:
+    from vibcli.report.formats.text import section_lines, shown
+
+    click.echo(shown([*section_lines(sections)[1:], ""]))
+
+
+def _known(names):
+    from vibcli.base.spelling import nearest
+    from vibcli.evidence.stress.families import FAMILIES
+
+    for name in names:
+        if name not in FAMILIES:
+            raise click.UsageError(f"there is no family '{name}'; {nearest(name, FAMILIES)}")
+    return list(dict.fromkeys(names)) or list(FAMILIES)
+
+
+def _prepared(folder: str | None, pictures: dict[str, Path], force: bool) -> None:
+    if folder is None:
+        return
+    if os.path.exists(folder) and not os.path.isdir(folder):
+        raise click.UsageError(f"'{folder}' is no folder: name one for the pictures")
+    os.makedirs(folder, exist_ok=True)
+    for path in pictures.values():
+        refuse(path, (".svg",), force)
+
+
+def _draw(one: Any, path: Path, force: bool) -> None:
+    from vibcli.evidence.stress.picture import drawn
+
+    write(path, drawn(one, "svg"), force)

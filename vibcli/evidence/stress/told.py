@@ -1,0 +1,69 @@
+"""Families in tables, and as data."""
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+from vibcli.evidence.stress.point import StressPoint
+from vibcli.evidence.stress.shaken import Shake
+from vibcli.evidence.stress.supported import SupportedAnswer
+from vibcli.evidence.stress.sweep import FamilyPoints, about, counts
+from vibcli.report.blocks import Section, TableBlock, paragraph
+
+
+def section(one: FamilyPoints) -> Section:
+    """A family's table; errors and bounds are relative, of the number whose error comes nearest to its bound."""
+    head = (one.family.knob, "condition", "true error", "bound stated", "plain error", "verdict")
+    refused = [f"{point.knob}: {point.why}" for point in one.points if point.why]
+    rows = tuple((point.knob, *map(_shown, (point.condition, point.error, point.bound, point.plain)), _verdict(point))
+                 for point in one.points)
+    return Section(f"{one.name}: {about(one.name)}", (
+        TableBlock(head, rows), paragraph(f"plain: {one.plain}"), *map(paragraph, refused)))
+
+
+def _shown(number):
+    return "" if number is None else "none" if math.isinf(number) else f"{number:.1e}"
+
+
+def _verdict(point: StressPoint) -> str:
+    return f"{point.verdict}, idle bound" if point.idle else point.verdict
+
+
+def summary(found: Sequence[FamilyPoints]) -> str:
+    """How many points there are of each verdict."""
+    words = counts(found)
+    idle, total = words.pop("idle"), sum(words.values())
+    return (f"{total} points of {len(found)} famil{'y' if len(found) == 1 else 'ies'}: "
+            + ", ".join(f"{count} {word}" for word, count in words.items()) + f"; {idle} bounds idle")
+
+
+def data(found: Sequence[FamilyPoints]) -> dict[str, Any]:
+    """The same as data; what is not finite is null."""
+    return {"counts": counts(found), "families": [
+        {"name": one.name, "about": about(one.name), "knob": one.family.knob, "plain": one.plain,
+         "points": [{key: None if isinstance(x, float) and not math.isfinite(x) else x
+                     for key, x in point._asdict().items()} for point in one.points]} for one in found]}
+
+
+def scene_sections(shakes: Sequence[Shake], answers: Sequence[SupportedAnswer]) -> list[Section]:
+    """Of a scene of the user's: what was shaken, and how far its data reach."""
+    rows = tuple((one.change, str(one.modes), one.verdict, one.why or (f"{one.apart:.2g}" if one.apart else ""))
+                 for one in shakes)
+    found = [Section("Shaken", (TableBlock(("change", "modes", "verdict", "apart/bounds"), rows),))]
+    if answers:
+        lines = tuple((one.asked, "" if one.value is None else f"{one.value:.6g}", _digits(one),
+                       one.parameter or one.why) for one in answers)
+        found.append(Section("Digits that the data support", (
+            TableBlock(("answer", "value", "digits", "taken most by"), lines),
+            paragraph("Each parameter of three digits or more was moved by half a unit of its last digit."))))
+    return found
+
+
+def _digits(one: SupportedAnswer) -> str:
+    return "" if one.value is None else "all" if one.digits is None else f"{one.digits:.1f}"
+
+
+def scene_data(shakes: Sequence[Shake], answers: Sequence[SupportedAnswer]) -> dict[str, Any]:
+    """The same as data."""
+    return {"shaken": [{**one._asdict(), "apart": one.apart if math.isfinite(one.apart) else None} for one in shakes],
+            "supported": [one._asdict() for one in answers]}

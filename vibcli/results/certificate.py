@@ -1,0 +1,63 @@
+"""Residual ratios of what was found, as LAPACK's tests have them: what is up to 20 is rounding.
+
+    ‖λ² M φ + λ (C + G) φ + K φ‖ / ((|λ|² ‖M‖ + |λ| ‖C + G‖ + ‖K‖) ‖φ‖ n ε),   ‖ΦᴴMΦ − I‖ / (n ε)
+
+in floats on assembled matrices, in coordinates scaled to m_ii = 1, so that units do not matter: Anderson et al., LAPACK
+Users' Guide (1999), section 4.7. They tell that values and shapes belong together, which the bounds of both do not.
+"""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from vibcli.results.problem import Problem
+
+EPSILON = 2.0**-52
+
+
+def certificate(problem: "Problem") -> dict[str, float]:
+    """{what: its ratio} of the modes of lumped bodies and of the equilibrium, of stages that were computed alone."""
+    found, configuration = {}, problem.configuration
+    if "equilibrium" in problem.timings:
+        found["force balance"] = configuration.equilibrium.residual / EPSILON
+    if not {"modes", "damped"} & problem.timings.keys() or problem.modal.many or problem.scene.pieces:
+        return found
+    scale, M, C, G, K = _scaled(configuration.element_data.arrays())
+    if "modes" in problem.timings and len(problem.modal.modes):
+        modes = [(complex(mode.growth_rate or 0.0, mode.omega or 0.0), mode.shape / scale)
+                 for mode in problem.modal.modes]
+        found["modes"] = residual_ratio(M, G, K, modes)
+        if not G.any() and (K == K.T).all() and len(modes) == len(M):
+            found["orthogonality"] = orthogonality(M, np.array([shape for _, shape in modes]).T)
+    if "damped" in problem.timings and problem.modal.damped:
+        found["damped modes"] = residual_ratio(M, C + G, K, [(complex(mode.eigenvalue), mode.shape / scale)
+                                                             for mode in problem.modal.damped])
+    return found
+
+
+def residual_ratio(M: Any, C: Any, K: Any, modes: "Sequence[tuple[complex, Any]]") -> float:
+    """The largest one of modes (λ, φ)."""
+    sizes = [np.abs(matrix).sum(axis=0).max() for matrix in (M, C, K)]
+    worst = 0.0
+    for rate, shape in modes:
+        left = np.abs(rate * rate * (M @ shape) + rate * (C @ shape) + K @ shape).sum()
+        size = (abs(rate) ** 2 * sizes[0] + abs(rate) * sizes[1] + sizes[2]) * np.abs(shape).sum()
+        worst = max(worst, float(left / size)) if size else worst
+    return worst / (len(M) * EPSILON)
+
+
+def orthogonality(M: Any, shapes: Any) -> float:
+    """‖ΦᴴMΦ − I‖ / (n ε)."""
+    off = shapes.conj().T @ M @ shapes - np.eye(shapes.shape[1])
+    return float(np.abs(off).sum(axis=0).max() / (len(M) * EPSILON))
+
+
+def _scaled(matrices):
+    """(the unit of each coordinate in which m_ii = 1, the matrices in these)."""
+    M, K = matrices[0], matrices[3]
+    diagonal = np.where(M.diagonal() > 0, M.diagonal(), np.where(K.diagonal() != 0, abs(K.diagonal()), 1.0))
+    unit = 1 / np.sqrt(diagonal)
+    return unit, *(unit[:, None] * matrix * unit for matrix in matrices)
