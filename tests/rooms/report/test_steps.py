@@ -450,3 +450,14 @@ def test_forces_that_nothing_asks_for_are_not_found(monkeypatch):
     assert worked(problem(ROD + 'answers: {"omega[1]": 1 rad/s}'))
     with pytest.raises(AssertionError, match="nothing asks"):
         worked(problem(ROD + "find: [frequencies, reactions]"))
+
+
+def test_a_factor_that_a_sheet_asks_for_is_told():
+    asked = ROD.rstrip() + """
+answers: {"omega[1]": 1 rad/s}
+variants: {parameters: {k: [1 kN/m, 1.2 kN/m]}, ask: {"M[phi,phi]": , "K[phi,phi]": , "omega[1]": }}
+"""
+    told = {line.settles: line for line in worked(problem(asked))}
+    assert told["M[phi,phi]"].value == pytest.approx(3 * 0.8**2 / 3) and told["M[phi,phi]"].unit == "kg·m²"
+    assert told["K[phi,phi]"].value == pytest.approx(1200 * 0.8**2) and told["K[phi,phi]"].unit == "N·m/rad"
+    assert not {"M[phi,phi]", "K[phi,phi]"} & {line.settles for line in worked(problem(ROD))}

@@ -98,7 +98,7 @@ def questions_of(course: "Course", handout: "Handout", number: int) -> Iterator[
             end = f"-{BY_HAND}" if by_hand else ""
             yield ExportedQuestion(item + end, name + end, name, number + 1, handout.title, by_hand, sheet.question,
                                    tuple(given), picture, _described(handout, picture),
-                                   getattr(handout.document, "files", {}), own, handout.sentences, solution)
+                                   handout.document.files, own, handout.sentences, solution)
 
 
 def _picture(handout):

@@ -2,7 +2,6 @@
 start."""
 
 from math import tau
-from typing import TYPE_CHECKING
 
 from vibcli.analyses.closed_form.free_response import CRITICAL, OVER, UNDAMPED, UNDER, regime_at
 from vibcli.base.errors import PhysicsError
@@ -13,9 +12,8 @@ from vibcli.report.steps.step import number
 from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.normal_form import is_zero
 
-if TYPE_CHECKING:
-    pass
-
+FACTORS = {"M": ("acceleration", "kg", "kg·m²"), "C": ("speed", "N·s/m", "N·m·s/rad"),
+           "K": ("coordinate", "N/m", "N·m/rad")}       # {matrix: what it stands before, its unit, that of a turn}
 ROUNDING = 2.0**-50         # of ζ that is 1
 
 
@@ -31,6 +29,7 @@ class OneDegree:
         """Write down all of them."""
         if self.M.is_zero or self.K.is_zero:
             return
+        self._factors()
         square = single(self.K / self.M)
         value = self.about.value(square)
         if value is not None and value < 0:
@@ -45,6 +44,22 @@ class OneDegree:
         of_delta = None if self.C.is_zero else self._damping(of_omega)
         self._free_motion([of_omega, of_delta])
         tell_forced(self.degree)
+
+    def _factors(self):
+        """The factors of acceleration, speed and coordinate that sheets ask for."""
+        rules = self.problem.spec.get("variants")
+        asked = [one.asked for one in rules.ask] if rules is not None else []
+        told = {one.text: one.tree.head for one in asked if one.tree.kind == "quantity" and one.tree.head in FACTORS
+                and not one.tree.component and not one.tree.args and not self._is_read_off(one.tree.head)}
+        for i, (text, head) in enumerate(told.items()):
+            words, unit, turning = FACTORS[head]
+            self.degree.settled([Words(f"factor of the {words}:  "), self.about.letter(self.sheet.letter(head))],
+                                single(getattr(self, head)), unit if self.degree.unit == "m" else turning, text,
+                                self.found.lines, joined=i > 0)
+
+    def _is_read_off(self, head):
+        """Is a factor nothing, or a letter?"""
+        return getattr(self, head).is_zero or getattr(self, head).op == "symbol"
 
     def _frequency(self, square):
         omega = self.degree.root(square)
