@@ -6,23 +6,12 @@ from xml.etree import ElementTree
 
 import pytest
 from support import course_systems
+from support.homework_scenes import EIGHTEEN as SCENE
 
 from vibcli.cli import run
 from vibcli.homework.exports import FORMATS
 from vibcli.manual.exports import EXPORTS
 
-SCENE = """# the answer is easy
-title: A block
-question: A block {m} on a spring {k} and a damper {c}.
-parameters: {m: 2 kg, k: 800 N/m, c: 8 N*s/m}
-bodies: {block: {mass: m, slide: x}}
-springs: {s: {k: k, between: [ground, block]}}
-dampers: {d: {c: c, between: [ground, block]}}
-answers: {"omega_d[1]": 19.90 rad/s}
-variants:
-  parameters: {m: {from: 1.2 kg, to: 3.2 kg, step: 0.4 kg}, k: [620 N/m, 820 N/m, 1.1 kN/m]}
-  ask: {"omega_d[1]": {unit: rad/s, points: 2}, "zeta[1]": }
-"""
 LETTERS = """title: A block in letters
 question: A block {m} on a spring {k}.
 parameters: {m: {}, k: {}, n: 1}

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import click
 import pytest
+from support.homework_scenes import BLOCK
 
 from vibcli.api.source import problem_of, text_source
 from vibcli.base.errors import PhysicsError
@@ -18,13 +19,7 @@ from vibcli.homework.document import SceneDocument
 from vibcli.homework.parts import begin_variants, solve_in_parts
 from vibcli.homework.variants import solve_variants
 
-SCENE = """title: A block
-question: A block {m} on a spring {k} and a damper {c}.
-parameters: {m: 2 kg, k: 800 N/m, c: 8 N*s/m}
-bodies: {block: {mass: m, slide: x}}
-springs: {s: {k: k, between: [ground, block]}}
-dampers: {d: {c: c, between: [ground, block]}}
-variants:
+SCENE = BLOCK + """variants:
   parameters:
     m: {from: 1.2 kg, to: 3.2 kg, step: 0.4 kg}
     k: [620 N/m, 820 N/m, 1.1 kN/m]
