@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.homework.exports.item import ExportedQuestion, item_of, questions_of
 from vibcli.homework.folder import INSTRUCTOR, of_instructor, require_no_leak
-from vibcli.homework.leaks import text_of_page
+from vibcli.homework.leaks import text_of_columns, text_of_page
 from vibcli.homework.roster import Student
 from vibcli.homework.sheets import student_sheet
 from vibcli.report.formats import html
@@ -27,6 +27,10 @@ def pool_files(course: "Course", handouts: "Sequence[Handout]", assigned: "Assig
                formats: Sequence[str], on: "Pages | Paper",
                tell: Callable[[float], None]) -> Iterator[tuple[str, bytes]]:
     """(path in the folder, bytes) of every file; Leak where a question would tell a key. tell(part): how far it is."""
+    for handout in handouts:
+        own = [sheet for _, sheets in assigned for sheet in sheets if sheet[0] is handout]
+        for name, data in handout.document.files.items():
+            require_no_leak(f"the file {name}", text_of_columns(data.decode()), own, salt)
     questions: list[ExportedQuestion] = []
     for number, (student, sheets) in enumerate(assigned, 1):
         shown = text_of_page(html.render(student_sheet(course, student, sheets), listed=False))
