@@ -44,7 +44,7 @@ class Students:
         root = None if end is not None else self.rounding.root(key, [self.at])
         if end is None and root is None:
             return None
-        last = end if end is not None else max(root)
+        last = end if end is not None else max(root, default=-1)
         found, letters, by_letters = [], {}, 0
         for i, (line, _) in enumerate(self.rounding._lines[:last + 1]):
             value = self._by_letters(line, letters, float(self.values[i][0]))

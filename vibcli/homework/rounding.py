@@ -69,9 +69,11 @@ class Rounding:
     def root(self, key: "AnswerKey", looked_at: "Sequence[Mapping[str, GivenValue]]") -> "dict[int, float] | None":
         """{line: the largest slope ∂ln key/∂ln line at some variants} of the lines from which a key is found that none
         tells by itself; None where there are none, or they make it up nowhere, and of what is no number."""
-        uses = next((self._roots[name] for name in _names(key) if name in self._roots), [])
-        if self.line(key) is not None or key.form or not uses:
+        uses = next((self._roots[name] for name in _names(key) if name in self._roots), None)
+        if self.line(key) is not None or key.form or uses is None:
             return None
+        if not uses:
+            return {}           # found from what is given
         found = [self._root_at(key, uses, values) for values in looked_at]
         known = [weights for weights in found if weights is not None]
         return {j: max((one[k] for one in known), key=abs) for k, j in enumerate(uses)} if known else None
@@ -94,7 +96,7 @@ class Rounding:
                roots: "Sequence[dict[int, float] | None]") -> "list[np.ndarray | None]":
         """The same over arrays of given values, {parameter: SI}; roots: what `root` gives of each key."""
         ends = [self.line(key) for key in keys]
-        if not self._lines or all(end is None and not root for end, root in zip(ends, roots, strict=True)):
+        if not self._lines or all(end is None and root is None for end, root in zip(ends, roots, strict=True)):
             return [None] * len(keys)
         values, slopes = self._slopes(given)
         weights = [_weights(slopes[i], [slopes[j] for j in uses]) for i, uses in enumerate(self._uses)]
@@ -182,7 +184,8 @@ def _lines(problem: "Problem") -> "tuple[list[tuple[WorkedLine, list[int]]], dic
         if line in with_numbers:
             found.append((line, list(uses)))
         roots[line.settles] = [line.number] if line in with_numbers else list(uses)
-    return found, {settles: uses for settles, uses in roots.items() if settles and uses}
+    searched = {line.settles for line in told if line.value is not None and line.node is None}
+    return found, {settles: uses for settles, uses in roots.items() if settles and (uses or settles in searched)}
 
 
 def _known(problem: "Problem", node: Any) -> bool:

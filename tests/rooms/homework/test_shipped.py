@@ -7,6 +7,7 @@ import pytest
 from support.students import Students
 
 from vibcli.api.source import file_source, problem_of
+from vibcli.homework.bands import half_a_unit
 from vibcli.homework.candidates import sampled
 from vibcli.homework.course import course_of
 from vibcli.homework.document import SceneDocument
@@ -84,3 +85,15 @@ def test_sets(path):
     found = course_of(str(path))
     assert found.title and len(found.problems) >= 3
     assert {Path(one.path).resolve() for one in found.problems} <= {one.resolve() for one in WITH_VARIANTS}
+
+
+def test_what_a_search_finds_from_given_values_has_half_a_unit():
+    """The angle of rest of a boom, and the mass factor of a cylinder: no line before them is rounded."""
+    for stem, number in (("sagging_boom", 0), ("eccentric_cylinder", 1)):
+        path = next(path for path in WITH_VARIANTS if path.stem == stem)
+        source = file_source(path)
+        problem = problem_of(source)
+        rules = problem.spec.get("variants")._replace(sample=2)
+        problem = problem.with_spec(problem.spec.with_sections(variants=rules))
+        for one in solve_variants(problem, SceneDocument.of(source.node, source.file, None)).accepted:
+            assert one.keys[number].band.width == half_a_unit(one.keys[number].value, one.keys[number].band.figures)

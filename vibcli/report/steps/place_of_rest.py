@@ -58,7 +58,7 @@ def _about_numbers(problem, sheet):
         it = (Name(name), Words(RECKONED[1])) if first else (Words("all are counted from there"),)
         sheet.write(*([Words("at rest  ")] if first else []), Name(name), " = ", Name(letter[name]), *number(
             values[name], unit), *((Words(f"  by a search ({how}); {RECKONED[0]}"), *it) if last else ()),
-            settles=letter[name], value=values[name], unit=unit, joined=not first)
+            settles=f"equilibrium[{name}]", value=values[name], unit=unit, joined=not first)
     symbols = {moving[name]: scene.table.parameter(letter[name], positive=False) for name in moved}
     return AboutRest(problem, {**scene.drawn_position, **symbols}, {letter[name]: values[name] for name in moved},
                      sheet)
