@@ -225,7 +225,7 @@ def test_json_keys_are_those_that_are_printed(capsys, tmp_path):
                            ("hanging_rod",), ("mast_on_two_stays",), ("ropes_and_links",), ("buckled_post",),
                            ("forced_vibration",), ("frequency_response",), ("dry_friction",),
                            ("shear_frame_by_ritz",), ("atwoods_machine",), ("concurrent_springs",),
-                           ("swing_by_amplitude",), ("expanded_about_rest",)):
+                           ("swing_by_amplitude",), ("expanded_about_rest",), ("wide_swing", "--steps")):
         code, out, _ = call(capsys, "solve", "--json", *options, scenes.path(name))
         assert code == 0
         printed |= _paths(json.loads(out))
