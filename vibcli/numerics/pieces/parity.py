@@ -79,41 +79,37 @@ def _put(found, part, chosen):
 
 
 def _series(nu, chi, numbers, steep):
-    """X_k = (Aᵏ + Bᵏ)/2 and Y_k = (Aᵏ − Bᵏ)/(A − B) by their recurrence.
+    """X_k = (Aᵏ + Bᵏ)/2 and Y_k = (Aᵏ − Bᵏ)/(A − B) by their recurrence, both as one array, (2, …).
 
     Arrays stand before numbers in products: a number of mpmath before an array writes it out in full to refuse it.
     """
     total, product = 2 * nu, nu * nu - 4 * chi
     zero = nu * chi * 0
-    x, y = [zero + 1, zero + nu], [zero, zero + 1]
+    powers = [np.stack([zero + 1, zero]), np.stack([zero + nu, zero + 1])]
     for k in range(1, terms(ALIKE, numbers)):
-        x.append(total * x[k] - product * x[k - 1])
-        y.append(total * y[k] - product * y[k - 1])
-    c = s = d = sigma = zero
+        powers.append(total * powers[k] - product * powers[k - 1])
     weights = [numbers.array(1)]
-    for k in range(1, 2 * len(x)):
+    for k in range(1, 2 * len(powers)):
         weights.append(weights[-1] / k)
-    for k in range(len(x) - 1, -1, -1):
-        even, odd = weights[2 * k], weights[2 * k + 1]
-        c, s = c + x[k] * even, s + y[k] * (2 * even)
-        d, sigma = d + x[k] * odd, sigma + y[k] * (2 * odd)
-    slopes = (sigma / 2, *_series_slopes(total, product, y, weights)) if steep else ()
+    even_odd = np.array(weights).reshape(-1, 2, 1)          # of each power
+    (c, s), (d, sigma) = _summed(np.array(powers)[:, None] * np.stack([even_odd, even_odd * 2], axis=2))
+    slopes = (sigma / 2, *_series_slopes(total, product, np.array(powers)[:, 1], even_odd)) if steep else ()
     return (c, s, d, sigma, c * d - chi * s * sigma, chi * sigma * sigma - d * d, c * sigma - d * s), slopes
 
 
-def _series_slopes(total, product, y, weights):
+def _series_slopes(total, product, y, even_odd):
     """Of s, d and σ by χ, from the derivatives of Y_k by their recurrence."""
-    zero = product * 0
-    dy = [zero, zero]
+    dy, added = [product * 0, product * 0], y * 4
     for k in range(1, len(y) - 1):
-        dy.append(total * dy[k] - product * dy[k - 1] + 4 * y[k - 1])
-    s_slope = d_slope = sigma_slope = zero
-    for k in range(len(y) - 1, -1, -1):
-        even, odd = weights[2 * k], weights[2 * k + 1]
-        s_slope, sigma_slope = s_slope + dy[k] * (2 * even), sigma_slope + dy[k] * (2 * odd)
-        if k:
-            d_slope = d_slope + y[k - 1] * (2 * k * odd)
+        dy.append(total * dy[k] - product * dy[k - 1] + added[k - 1])
+    s_slope, sigma_slope = _summed(np.array(dy)[:, None] * (even_odd * 2))
+    d_slope = _summed(y[:-1] * (even_odd[1:, 1] * (2 * np.arange(1, len(y)))[:, None]))
     return s_slope, d_slope, sigma_slope
+
+
+def _summed(terms_):
+    """The sum from the last on, which are least."""
+    return np.add.accumulate(terms_[::-1])[-1]
 
 
 def _by_roots(nu, chi, numbers, steep):

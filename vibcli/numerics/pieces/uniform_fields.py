@@ -149,20 +149,17 @@ def _by_means(nu, chi, xi, near, numbers):
 def _by_series(nu, chi, xi, near, numbers):
     """Means and divided differences of Pᵏ by their recurrence."""
     zero = nu * chi * 0
-    means, differences = [zero + 1, zero + nu / 2], [zero, zero + 1]
+    powers = [np.stack([zero + 1, zero]), np.stack([zero + nu / 2, zero + 1])]      # means, differences
     for k in range(1, terms(ALIKE, numbers)):
-        means.append(nu * means[k] - chi * means[k - 1])
-        differences.append(nu * differences[k] - chi * differences[k - 1])
+        powers.append(nu * powers[k] - chi * powers[k - 1])
 
     def pairs(square):
-        found, weight = [[zero, zero], [zero, zero]], numbers.array(1) + square * 0
-        for k, pair in enumerate(zip(means, differences, strict=True)):
-            if k:
-                weight = weight * square / (2 * k * (2 * k - 1))
-            for j in range(2):
-                found[0][j] = found[0][j] + weight * pair[j]
-                found[1][j] = found[1][j] + weight * pair[j] / (2 * k + 1)
-        return _Pair(*found[0]), _Pair(*found[1])
+        weights = [numbers.array(1) + square * 0]
+        for k in range(1, len(powers)):
+            weights.append(weights[-1] * square / (2 * k * (2 * k - 1)))
+        parts = np.array([weight * power for weight, power in zip(weights, powers, strict=True)])
+        odd = (2 * np.arange(len(parts)) + 1).reshape(-1, *[1] * (parts.ndim - 1))
+        return _Pair(*parts.cumsum(axis=0)[-1]), _Pair(*(parts / odd).cumsum(axis=0)[-1])
 
     (c, s), (even, odd) = pairs(nu * 0 + 1), pairs(xi * xi)
     times, cross = _of_means(nu, chi)
