@@ -82,8 +82,7 @@ class ComposedOfModes(ComposedSignal):
         with self.work.task("the search along a motion by modes", MOST) as task:
             for count in [*(level for level in LEVELS if level < total), total]:
                 for part in self.signals.values():
-                    cells = divided(cells, part.modal, part.reads, count)
-                task.step(steps=len(self.signals) * len(cells) * count / 1e5)
+                    cells = divided(cells, part.modal, part.reads, count, task)
                 known = {name: part.modal.values(part.reads, cells, modes=count)
                          for name, part in self.signals.items()}
                 values = self.composed(cells, known)

@@ -1,10 +1,11 @@
 """The motion in time of scenes with members by modes beside what loads do exactly: of beams, and of bars, shafts and
 strings whose waves are not followed."""
 
-from functools import cached_property
+from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.results.enough_modes import enough, finest, first_modes
 from vibcli.results.not_by_modes import CoupledModes, NotByModes, ShakenSupports
 from vibcli.results.response_of_members import ResponseOfMembers
 from vibcli.results.resting_shape import quartic_at_rest
@@ -12,7 +13,6 @@ from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.modal_motion import ModalMotion
-    from vibcli.analyses.excitation.linear_output import LinearOutput
     from vibcli.analyses.modal.mode_sequence import Modes
     from vibcli.mechanics.factored_system import FactoredSystem
     from vibcli.results.part_of_members import PartOfMembers
@@ -22,7 +22,6 @@ if TYPE_CHECKING:
 FIRST = 128         # modes
 FEWEST = 32
 MOST = {True: 2048, False: 512}     # modes of a uniform member by itself, and of others
-CLOSE = 1e-10       # of the largest value: a remainder that is small enough
 
 
 class ModalResponse(ResponseOfMembers):
@@ -79,10 +78,13 @@ class ModalResponse(ResponseOfMembers):
     @cached_property
     def most(self) -> int:
         """So many modes are counted at most."""
-        if self._graded:
-            return FIRST
-        return MOST[self.natural.first(1)[0].motion.system is not None and len(self.placed) == 1
-                    and not any(part.any() for part in self.matrices)]
+        return FIRST if self._graded else MOST[self.closed]
+
+    @cached_property
+    def closed(self) -> bool:
+        """Is it a uniform member by itself, whose modes are known in closed form?"""
+        return (not self._graded and self.natural.first(1)[0].motion.system is not None and len(self.placed) == 1
+                and not any(part.any() for part in self.matrices))
 
     def motion(self, count: int) -> "ModalMotion":
         """That of so many modes; a refusal is kept as a motion is."""
@@ -101,7 +103,7 @@ class ModalResponse(ResponseOfMembers):
         from vibcli.analyses.continuous.mode_basis import ModeBasis
         from vibcli.analyses.continuous.real_modes import RealModes
 
-        transfer, modes = self._transfer, self.natural.first(count)
+        transfer, modes = self._transfer, first_modes(self.natural, count)
         basis = ModeBasis(modes, self.linear.pieces)
         inputs, damping, given = self._felt(basis), self._damping(basis), self.problem.modal.member_damping
         creeping = given is not None and given.creeps
@@ -204,7 +206,7 @@ class ModalResponse(ResponseOfMembers):
 
         given = self.problem.modal.member_damping
         if given is not None:
-            return np.array([float(given.rate(mode)) for mode in self.natural.first(len(basis.squares))])
+            return np.array([float(given.rate(mode)) for mode in first_modes(self.natural, len(basis.squares))])
         rates = {placed.piece.drag / placed.piece.inertia for placed in self._transfer.pieces}
         most = max(rates)
         if any(placed.retardation for placed in self.linear.pieces):
@@ -264,29 +266,11 @@ class ModalResponse(ResponseOfMembers):
         """The same motion, read with nodes of the time on further channels."""
         return self.alone.under(self.forcing(direct)) if direct else self.alone
 
-    def _enough(self, motion: "ModalMotion", output: "LinearOutput"):
-        """The motion by so many modes that the remainder of an output is small, or by the most."""
-        from vibcli.analyses.continuous.modal_motion import TooSlow
-
-        count = motion.count
-        while True:
-            try:
-                if motion.is_near(output, CLOSE) or 2 * count > self.most:
-                    return motion
-            except TooSlow:
-                if 2 * count > self.most:
-                    raise
-            count *= 2
-            try:
-                motion = self.motion(count).under(motion.reads)
-            except PhysicsError:        # frequencies that digits do not tell stand among so many
-                return motion
-
     def _linear(self, constant, terms, source=()):
         from vibcli.results.modal_signals import ModalSignal
 
         motion, output = self._driven(constant, terms)
-        return ModalSignal(self._enough(motion, output), output, source)
+        return ModalSignal(enough(self, motion, output), output, source, partial(finest, self))
 
     def _composed(self, node, parts, source=()):
         return self.composed_of({symbol.name: self._one(part) for symbol, part in parts.items()}, node, source)

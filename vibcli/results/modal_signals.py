@@ -7,6 +7,8 @@ from vibcli.base.errors import NoBound, PhysicsError
 from vibcli.results.signal import Signal
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     import numpy as np
 
     from vibcli.analyses.continuous.modal_motion import ModalMotion
@@ -14,15 +16,20 @@ if TYPE_CHECKING:
 
 
 class ModalSignal(Signal):
-    """A linear output of a ModalMotion; asked: the response and the tree that it was asked as."""
+    """A linear output of a ModalMotion; asked: the response and the tree that it was asked as; finest(motion, output):
+    the motion that instants are read of."""
 
     KIND = "a motion that is followed by modes of members"
 
-    def __init__(self, motion: "ModalMotion", output: "LinearOutput", asked: tuple = ()):
-        self.modal, self.reads, self.work, self.asked = motion, output, motion.work, asked
+    def __init__(self, motion: "ModalMotion", output: "LinearOutput", asked: tuple = (),
+                 finest: "Callable | None" = None):
+        self.modal, self.reads, self.work, self.asked, self._finest = motion, output, motion.work, asked, finest
 
     def read_at(self, t: float) -> Signal:
-        return by_waves(self, self.asked, t)
+        found = by_waves(self, self.asked, t)
+        if found is not self or self._finest is None:
+            return found
+        return ModalSignal(self._finest(self.modal, self.reads), self.reads)
 
     def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
         self.require_bound(float(max(times, default=0.0)) if hasattr(times, "__len__") else float(times), order)

@@ -212,15 +212,15 @@ class ModalMotion:
         rest = remainder(self._amplitudes(read, stretch))
         return rest * float(np.exp(self.modes.fading * (t - stretch.start))) if 0 < rest < inf else rest
 
-    def is_near(self, output: "LinearOutput", share: float) -> bool:
-        """Is the remainder below a share of how large the output becomes on the first stretches?"""
-        read = Read(self, output, 0)
+    def left_share(self, output: "LinearOutput") -> float:
+        """The remainder as a share of how large the output becomes on the first stretches, the largest."""
+        read, found = Read(self, output, 0), 0.0
         for stretch in self.stretches(0.0)[:8]:
             tau = np.linspace(0, 2 * np.pi / (self.slowest or 1.0), 65)
             most = float(np.abs(self._on(read, stretch, tau, 64)).max())
-            if self._uncounted(read, stretch, stretch.start) > share * most:
-                return False
-        return True
+            left = self._uncounted(read, stretch, stretch.start)
+            found = max(found, left / most if most else inf if left else 0.0)
+        return found
 
     def _amplitudes(self, read, stretch):
         """That of each mode on a stretch, in order of frequency."""

@@ -76,7 +76,7 @@ class Modes(Sequence):
     def numbered(self, first: int, last: int) -> list[Any]:
         """Those of the indices from `first` to `last`, fewer where there are no more."""
         if not self.finite:
-            if last - first >= MOST:
+            if last - max(first - 1, self._reached) > MOST:
                 raise _too_many(last - first + 1)
             if first > self._reached + FAR:
                 return self._jumped(first, last)
