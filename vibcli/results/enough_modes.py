@@ -27,19 +27,17 @@ def first_modes(modes: "Modes", count: int) -> list[Any]:
 
 def enough(response: "ModalResponse", motion: "ModalMotion", output: "LinearOutput") -> "ModalMotion":
     """The motion by so many modes that the remainder of an output is small, or by the most."""
-    count = motion.count
-    while True:
+    while 2 * motion.count <= response.most:
         try:
-            if motion.left_share(output) <= CLOSE or 2 * count > response.most:
-                return motion
+            if motion.left_share(output) <= CLOSE:
+                break
         except TooSlow:
-            if 2 * count > response.most:
-                raise
-        count *= 2
+            pass
         try:
-            motion = response.motion(count).under(motion.reads)
+            motion = response.motion(2 * motion.count).under(motion.reads)
         except PhysicsError:        # frequencies that digits do not tell stand among so many
-            return motion
+            break
+    return motion
 
 
 def finest(response: "ModalResponse", motion: "ModalMotion", output: "LinearOutput") -> "ModalMotion":

@@ -6,6 +6,7 @@ import pytest
 from mpmath import findroot, mp
 
 import vibcli
+from vibcli.base.errors import PhysicsError
 
 TIP = "points: {tip: {body: b, at: 2 m}}\nforces: {f: {at: tip, force: 10 N*%s}}\n"
 BAR = "bars: {b: {length: 2 m, EA: 4 MN, mass_per_length: 3 kg/m, left: clamped}}\n" + TIP
@@ -73,3 +74,10 @@ def test_waves_under_loads_that_cancel_at_first():
     """u(L, t) = (1/Z) ∫ F before a wave comes back; F = 10(1 − cos Ωt) holds no digits as a difference."""
     found = vibcli.loads(BAR % "(1-cos(0.02 rad/s*t))")["b.u(2 m)(1 ms)"].value
     assert found == pytest.approx(10 * 0.02**2 * 1e-3**3 / 6 / np.sqrt(12e6), rel=1e-10)
+
+
+@pytest.mark.parametrize("asked", ["max(b.u(2 m))", "max(b.u(2 m)*b.u(1 m))"])
+def test_what_is_too_long_to_be_searched_is_told_before_it_is(asked):
+    one = vibcli.loads(BEAM % "step(t)" + "find: [{response: {until: 1e7 s}}]\n")
+    with pytest.raises(PhysicsError, match="search along a motion by modes is given up after 2000 steps"):
+        one[asked]

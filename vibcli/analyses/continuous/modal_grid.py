@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 TURN = 0.4          # of the fastest state that is felt, from place to place
 FELT = 1e-15        # of all amplitudes: what is felt
 FEWEST = 16         # cells
-AT_ONCE = 100_000   # values of one mode each in a step
+AT_ONCE, LEAST = 100_000, 12    # values of one mode each in a step; so many a cell counts for at least
 
 
 def divided(cells: np.ndarray, motion: "ModalMotion", output: "LinearOutput", count: int,
@@ -29,7 +29,7 @@ def divided(cells: np.ndarray, motion: "ModalMotion", output: "LinearOutput", co
     low, high, middle = low[within], high[within], middle[within]
     parts = np.ceil((high - low) / steps[np.searchsorted(edges, middle, side="right") - 1]).astype(int)
     if task is not None:
-        task.step(steps=float(parts.sum()) * max(count, 1) / AT_ONCE)
+        task.step(steps=float(parts.sum()) * max(count, LEAST) / AT_ONCE)
     number = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
     low, width = np.repeat(low, parts), np.repeat((high - low) / parts, parts)
     last = number + 1 == np.repeat(parts, parts)
