@@ -62,6 +62,15 @@ def test_as_slow_as_to_be_at_rest(scene, at_rest, load, most):
     assert found == pytest.approx(most * at_rest, rel=2e-3)
 
 
+def test_slow_loads_along_what_also_bends_and_slow_supports():
+    """What a tip is pulled along by does not move the modes that bend, the first ones; a base carries all."""
+    along = vibcli.loads(PLANE.replace("[0 N, 10 N*%s]", "[10 N*%s, 0 N]") % "sin(0.01 rad/s*t)")
+    assert along["max(tip.x)"].value == pytest.approx(5e-6, rel=1e-4)
+    driven = "bodies: {base: {slide: 10 mm*sin(0.01 rad/s*t)}}\n" + BEAM.split("points")[0].replace(
+        "left: clamped", "left: {clamped: base}")
+    assert vibcli.loads(driven)["max(b.u(2 m))"].value == pytest.approx(1e-2, rel=1e-3)
+
+
 def test_moments_smallest_values_and_loads_along_it():
     one = vibcli.loads(BEAM % "sin(0.01 rad/s*t)")
     assert one["max(b.moment(0 m))"].value == pytest.approx(20, rel=2e-3)

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
 LEVELS = 0, 1, 3, 12, 48, 192, 768      # modes
+NARROWED, NARROWEST = 4, 1e-9   # by fewer modes cells are divided again, down to that part of the end,
+PARTS, SHRUNK = 4, 0.7          # into so many parts, as long as no more of them is left
 FEW = 48                        # modes on a window
 MOST = 2_000                    # steps of 100,000 values
 BENT = 0.5                      # of the largest second difference beside it: how far a value rises between places
@@ -130,12 +132,30 @@ def _searched(motion, output, start, end, chosen):
     with motion.work.task("the search along a motion by modes", MOST) as task:
         for count in [*(level for level in LEVELS if level < total), total]:
             cells = divided(cells, motion, output, count, task)
-            values = motion.values(output, cells, modes=count)
             rest = max(motion.bound(output, t, modes=count) for t in _beginnings(motion, end))
-            cells = cells[chosen(cells, values, rest)]
+            while True:
+                before = _widths(cells).sum()
+                cells = cells[chosen(cells, motion.values(output, cells, modes=count), rest)]
+                left = _widths(cells)
+                if (count >= NARROWED or not len(cells) or left.min() <= NARROWEST * end
+                        or left.sum() > SHRUNK * before):
+                    break
+                cells = _in_parts(cells)
+                task.step(steps=len(cells) / 1e5)
             if not len(cells):
                 break
     return cells
+
+
+def _widths(cells):
+    return cells[:, 1] - cells[:, 0]
+
+
+def _in_parts(cells):
+    """Each of the cells in equal parts."""
+    edges = cells[:, :1] + _widths(cells)[:, None] * (np.arange(PARTS + 1) / PARTS)
+    edges[:, -1] = cells[:, 1]
+    return np.stack([edges[:, :-1].ravel(), edges[:, 1:].ravel()], axis=1)
 
 
 def _lifted(motion, output, stretch, window, enough, top):
