@@ -20,6 +20,8 @@ BENCH = [
     "`--quick`, or where one takes over half a second; one where all would take too long), with quartiles. What takes "
     "over 5 s and a hundred times as long as vibcli itself is stopped. A method that has no answer is left out; one "
     "that gives a wrong number of values, or refuses, says so instead of an error.",
+    "All runs of a file share half a minute of processor time: what would take longer is left out, and says so. A full "
+    "motion whose true values take more is compared up to an earlier end, which is told.",
     "Below stand the stages of the scene: what each took that was needed, and what those that were skipped would have "
     "cost. `--skipped` shows for each question which stages it takes, and which packages and rooms of the program it "
     "imports, by asking it in a process of its own.",

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 SMALL, FULL = (40, 60), (30, 45)        # digits that have to be alike, and those of the first attempt
 GROWTH, LIMIT = 1.3, 240
-WORK = 4e8              # products of numbers of one motion
+WORK = 5e7              # products of numbers of one motion, some ten seconds
 
 
 class Motion(NamedTuple):
