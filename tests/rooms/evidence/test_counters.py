@@ -17,7 +17,7 @@ NAMED = (
     "4_free_damped/galloping_sign_arm", "4_free_damped/relay_armature_in_oil", "5_forced/half_power_of_a_braked_lever",
     "5_forced/press_with_two_blows", "5_forced/accelerometer_on_a_casing", "6_two_degrees/cart_with_pendulum",
     "6_two_degrees/double_pendulum_rods", "7_forced_two_degrees/washing_machine_on_a_bench",
-    "7_forced_two_degrees/absorber_with_equal_peaks", "7_more_degrees/six_storeys_shaken_at_the_top",
+    "7_forced_two_degrees/two_storeys_on_shaken_ground", "7_more_degrees/six_storeys_shaken_at_the_top",
     "8_continuous/cantilever_with_tip_mass", "8_continuous/portal_frame", "8_continuous/mast_on_a_cart",
     "8_continuous/hanging_chain")
 
