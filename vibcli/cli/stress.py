@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from vibcli.cli.common import chosen, color_option, problem_in, source_of
+from vibcli.cli.common import chosen, color_option, patience_option, problem_in, source_of
 from vibcli.cli.pictures import FILE, refuse, write
 
 
@@ -21,9 +21,10 @@ from vibcli.cli.pictures import FILE, refuse, write
 @click.option("--json", "as_json", is_flag=True, help="Machine-readable: relative errors and bounds.")
 @click.option("-o", "--output", metavar="FOLDER", type=FILE, help="Write a picture of each family there (.svg).")
 @click.option("--force", is_flag=True, help="Replace pictures that exist.")
+@patience_option
 @color_option
 def command(file: str | None, settings: Sequence[str], case: str | None, names: Sequence[str], as_json: bool,
-            output: str | None, force: bool) -> int:
+            output: str | None, force: bool, patience: int) -> int:
     """Families of scenes that one knob makes ever harder, each point beside its true value of many digits.
 
     With a FILE that scene is shaken: written otherwise, its modes have to stay; and the digits of its answers are told
@@ -32,7 +33,7 @@ def command(file: str | None, settings: Sequence[str], case: str | None, names: 
     if file is not None:
         if names or output:
             raise click.UsageError("--family and -o are for the families: leave FILE out")
-        return _scene(file, settings, case, as_json)
+        return _scene(file, settings, case, as_json, patience)
     if settings or case:
         raise click.UsageError("--set and --case are for a scene: name its FILE")
     from vibcli.evidence.stress import sweep, told
@@ -52,7 +53,7 @@ def command(file: str | None, settings: Sequence[str], case: str | None, names: 
     return int(sweep.is_broken(found))
 
 
-def _scene(file: str, settings: Sequence[str], case: str | None, as_json: bool) -> int:
+def _scene(file: str, settings: Sequence[str], case: str | None, as_json: bool, patience: int) -> int:
     """Shake a scene of the user's."""
     from vibcli.evidence.stress import told
     from vibcli.evidence.stress.shaken import BROKEN, shaken
@@ -61,7 +62,7 @@ def _scene(file: str, settings: Sequence[str], case: str | None, as_json: bool) 
     source = source_of(file)
 
     def remade(*more: str) -> Any:
-        return chosen(problem_in(source, [*settings, *more]), case)[0][1]
+        return chosen(problem_in(source, [*settings, *more], patience), case)[0][1]
 
     problem = remade()
     shakes = list(shaken(problem))

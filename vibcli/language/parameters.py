@@ -48,7 +48,10 @@ def _in_unit(record, tree, scalar):
     """A bare number in the unit in which the file gives a parameter; all else as it is."""
     number = whole_literal(tree)
     if number and not number.units and (unit := unit_text(record)):
-        return _with_unit(tree, parse("1 " + unit).units), Scalar(f"{scalar.text} {unit}", scalar.where)
+        units = parse("1 " + unit).units        # each where it stands in the text
+        moved = len(scalar.text) - 1
+        placed = tuple(one._replace(start=one.start + moved, end=one.end + moved) for one in units)
+        return _with_unit(tree, placed), Scalar(f"{scalar.text} {unit}", scalar.where)
     return tree, scalar
 
 
@@ -74,7 +77,7 @@ def _with_unit(tree, units):
     if isinstance(tree, Sum):
         sign, number = tree.parts[0]
         return tree._replace(parts=((sign, _with_unit(number, units)),))
-    return tree._replace(units=units)
+    return tree._replace(units=units, end=units[-1].end)
 
 
 def _may_be_negative(tree):

@@ -281,7 +281,7 @@ TOPICS: dict[str, Any] = {
     "sweep": ("quantities over one or two parameters", SWEEP),
     "mistakes": ("known mistakes, and how they are found", KNOWN_MISTAKES),
     "homework": ("variants of a problem, and the gates that they pass", HOMEWORK),
-    "exports": ("packages of variants for the systems of courses: Moodle, PrairieLearn, QTI, Canvas", EXPORTS),
+    "exports": ("packages of variants for course systems: Moodle, PrairieLearn, QTI, Canvas", EXPORTS),
     "frequency_response": ("amplitude and phase over the frequency", FREQUENCY_RESPONSE),
     "signals": ("places, turns, stretches and forces that can be asked for", SIGNALS),
     "ground": ("the fixed end of springs and dampers", GROUND),

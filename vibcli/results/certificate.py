@@ -8,8 +8,6 @@ Users' Guide (1999), section 4.7. They tell that values and shapes belong togeth
 
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
@@ -25,6 +23,8 @@ def certificate(problem: "Problem") -> dict[str, float]:
         found["force balance"] = configuration.equilibrium.residual / EPSILON
     if not {"modes", "damped"} & problem.timings.keys() or problem.modal.many or problem.scene.pieces:
         return found
+    import numpy as np
+
     scale, M, C, G, K = _scaled(configuration.element_data.arrays())
     if "modes" in problem.timings and len(problem.modal.modes):
         modes = [(complex(mode.growth_rate or 0.0, mode.omega or 0.0), mode.shape / scale)
@@ -40,6 +40,8 @@ def certificate(problem: "Problem") -> dict[str, float]:
 
 def residual_ratio(M: Any, C: Any, K: Any, modes: "Sequence[tuple[complex, Any]]") -> float:
     """The largest one of modes (λ, φ)."""
+    import numpy as np
+
     sizes = [np.abs(matrix).sum(axis=0).max() for matrix in (M, C, K)]
     worst = 0.0
     for rate, shape in modes:
@@ -51,12 +53,16 @@ def residual_ratio(M: Any, C: Any, K: Any, modes: "Sequence[tuple[complex, Any]]
 
 def orthogonality(M: Any, shapes: Any) -> float:
     """‖ΦᴴMΦ − I‖ / (n ε)."""
+    import numpy as np
+
     off = shapes.conj().T @ M @ shapes - np.eye(shapes.shape[1])
     return float(np.abs(off).sum(axis=0).max() / (len(M) * EPSILON))
 
 
 def _scaled(matrices):
     """(the unit of each coordinate in which m_ii = 1, the matrices in these)."""
+    import numpy as np
+
     M, K = matrices[0], matrices[3]
     diagonal = np.where(M.diagonal() > 0, M.diagonal(), np.where(K.diagonal() != 0, abs(K.diagonal()), 1.0))
     unit = 1 / np.sqrt(diagonal)

@@ -116,7 +116,7 @@ def test_another_regime():
 def test_what_is_told_nowhere():
     text = BLOCK.replace("question: A block {m} on a spring {k} and a damper {c}.", "question: A block.")
     assert len(solved(text + GRID).accepted) == 15          # k, c and m are lettered in the figure
-    hidden = BLOCK.replace("c: 8", "r: 1.5, c: 8").replace("stretch: x}}\ndampers", "stretch: r*x}}\ndampers")
+    hidden = BLOCK.replace("c: 8", "r: 1.5, K: r*k, c: 8").replace("{k: k, stretch", "{k: K, stretch")
     found = solved(hidden + GRID)
     assert not found.accepted and found.counts["told"] == 15 and "figure tells r" in found.advice
     assert len(solved(hidden.replace("a damper {c}", "a damper {c}, {r} times") + GRID).accepted) == 15

@@ -145,7 +145,7 @@ def test_signs_and_images():
     agrees(PENDULUM, "fold[1, M](phi)", mpmath.pi / 2)
     agrees(PENDULUM, "fold[1, m]", mpf("0.1"))
     agrees(PENDULUM.replace("M: 1 N*m", "M: -1 N*m"), "fold[1, M]", -10)
-    with pytest.raises(PhysicsError, match=r"no fold 2 of 'M': only 1 is met .* from -10 N·m to 10 N·m") as error:
+    with pytest.raises(PhysicsError, match=r"no fold 2 of 'M': only 1 is met .* from −10 N·m to 10 N·m") as error:
         asked(PENDULUM, "fold[2, M]")
     assert "`sign: any`" in error.value.hint
     agrees(PENDULUM.replace("M: 1 N*m", "M: {value: 1 N*m, sign: any}"), "fold[2, M]", -10)

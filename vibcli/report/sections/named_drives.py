@@ -60,11 +60,14 @@ class NamedDrives:
 
     def drive(self, i: int, whole: "Node") -> "list[tuple[Node, Node]] | None":
         """[(factor, symbol)] of what drives a coordinate in small oscillations; None where that is not `whole`, the
-        engine's."""
+        engine's, or not told in letters."""
         from vibcli.mechanics.lagrange import equation_of
         from vibcli.report.steps.agreement import same_in_motion
 
-        opened, at_rest = self._opened, self._problem.symbolic.equilibrium_position
+        try:
+            opened, at_rest = self._opened, self._problem.symbolic.equilibrium_position
+        except PhysicsError:        # where it rests is known in numbers alone
+            return None
         slopes = gradient(equation_of(opened, i))
         rest = zip(map(opened.symbol, at_rest), copied(list(at_rest.values()), opened.table), strict=True)
         place = dict.fromkeys((*opened.q, *opened.v, *opened.a, opened.time), opened.table.zero) | dict(rest)
