@@ -5,8 +5,9 @@ from typing import NamedTuple
 
 FIGURES = 3, 4, 5       # that a sheet may ask for
 ROUNDED = 0.005         # of a key, by what is rounded on the way, where no line of its solution tells it
-TAIL = 2.807            # standard deviations: 199 of 200 of a normal distribution, as in a variant errors are no draws
+TAIL = 2.7              # standard deviations: 993 of 1000 of a normal distribution, as errors in a variant are no draws
 FLATTER = (TAIL**3 - 3 * TAIL) / 24     # by so many more for an excess kurtosis of 1 (Cornish & Fisher 1938)
+SELDOM = 0.001          # of cases in which two even errors are larger together than what is allowed for them
 WIDEST = 0.02           # of a key
 
 
@@ -19,22 +20,31 @@ class Band(NamedTuple):
 
 class KeyBand(NamedTuple):
     """What the Bands of a key hang on: the relative tolerance that the file gives, None where it gives none; Σ a, Σ a²,
-    Σ a⁴ and the largest a of what lines of its solution with three figures carry to it, relative to it, None where none
-    tells it."""
+    Σ a⁴ and the largest a of what lines of its solution with 3, 4 and 5 figures carry to it, relative to it, None where
+    none tells it."""
 
     rtol: float | None
-    carried: tuple[float, ...] | None
+    carried: tuple[tuple[float, ...], ...] | None
 
     def band(self, value: float, figures: int) -> Band:
         """The Band of a key, or of what a mistake makes of it, for answers with so many figures, lines being rounded to
         as many: of independent errors, even within ±a each of a line that every other student rounds, and within ±b of
         the answer,
 
-            σ² = Σ a²/6 + b²/3      κ σ⁴ = Σ a⁴/60 − 2 b⁴/15      |Δ| ≤ min(Σ a + b, (2.807 + 0.57 κ) σ)
+            σ² = Σ a²/6 + b²/3      κ σ⁴ = Σ a⁴/60 − 2 b⁴/15      |Δ| ≤ min(Σ a + b, (2.7 + 0.48 κ) σ)
 
-        in 99 of 100 cases and more; and as half of the students round the line with the largest a, not less than a + b.
+        in 99 of 100 cases and more; and as half of the students round the line with the largest a, not less than what
+        one of a thousand of these exceeds, a + b − √(4 ab/1000).
         """
         return Band(figures, self.width(value, figures))
+
+    def most(self, figures: int) -> float:
+        """No band is wider, relative to what it is of."""
+        last = 0.5 * 10.0**(1 - figures)
+        if self.rtol is not None:
+            return self.rtol
+        return last + (ROUNDED * 10.0**(FIGURES[0] - figures) if self.carried is None else
+                       self.carried[FIGURES.index(figures)][0])
 
     def width(self, value: float, figures: int) -> float:
         """That of the Band."""
@@ -43,12 +53,13 @@ class KeyBand(NamedTuple):
         last, finer = half_a_unit(value, figures), 10.0**(FIGURES[0] - figures)
         if self.carried is None:
             return ROUNDED * finer * abs(value) + last
-        size = finer * abs(value)
-        total, squares, fourths, most = (part * size**power
-                                         for part, power in zip(self.carried, (1, 2, 4, 1), strict=True))
+        size = abs(value)
+        total, squares, fourths, most = (part * size**power for part, power in zip(
+            self.carried[FIGURES.index(figures)], (1, 2, 4, 1), strict=True))
         variance = squares / 6 + last**2 / 3
         kurtosis = (fourths / 60 - 2 * last**4 / 15) / variance**2 if variance else 0.0
-        return min(total + last, max(most + last, (TAIL + FLATTER * kurtosis) * sqrt(variance)))
+        least = most + last - 2 * sqrt(SELDOM * most * last)
+        return min(total + last, max(least, (TAIL + FLATTER * kurtosis) * sqrt(variance)))
 
 
 def half_a_unit(value: float, figures: int) -> float:

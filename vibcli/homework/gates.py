@@ -1,6 +1,7 @@
 """The gates of a variant with its keys: each gives the reason for which it is rejected, None where it passes."""
 
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 from operator import ge, gt, le, lt
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -50,8 +51,10 @@ def unreadable(keys: "Sequence[AnswerKey]", bands: Sequence[KeyBand], found: Seq
         width = hangs_on.width(value, FIGURES[0])
         if error > BOUND * width:
             return f"{key.text} is known to {plainly(error)} {key.unit} only"
+        size = abs(value)
         for name, (number, unit) in given.items():
-            if any(abs(abs(told) - abs(value)) <= width for told in _as_told(key, number, unit)):
+            told, factor = abs(number), _ratio(unit, key.unit)
+            if abs(told - size) <= width or (factor and abs(told * factor - size) <= width):
                 return f"{key.text} is the given {name}"
     for i, (key, (value, _)) in enumerate(zip(keys, found, strict=True)):
         for other, (its, _) in zip(keys[:i], found, strict=False):
@@ -60,35 +63,42 @@ def unreadable(keys: "Sequence[AnswerKey]", bands: Sequence[KeyBand], found: Seq
     return None
 
 
-def _as_told(key, number, unit):
-    """A given number as it stands, and in the unit of a key that measures the same."""
-    yield number
-    if unit is not None and unit != key.unit:
-        its, own = (unit_of_text(text) if text else None for text in (unit, key.unit))
-        if (its.dimension if its else {}) == (own.dimension if own else {}):
-            yield number * (its.in_si(1) if its else 1.0) / (own.in_si(1) if own else 1.0)
+@lru_cache(maxsize=1000)
+def _ratio(unit: str | None, other: str) -> float:
+    """What one of a unit is in another; 0 where that is told already, or measures something else."""
+    if unit is None or unit == other:
+        return 0.0
+    its, own = (unit_of_text(text) if text else None for text in (unit, other))
+    if (its.dimension if its else {}) != (own.dimension if own else {}):
+        return 0.0
+    return (its.in_si(1) if its else 1.0) / (own.in_si(1) if own else 1.0)
 
 
 def told_apart(key: "AnswerKey", hangs_on: KeyBand, value: float,
                wrong: Sequence[Wrong]) -> tuple[Band, str | None]:
-    """(Band with the fewest figures in which no mistake leads into it, None), or the last one and why there is none."""
-    found = hangs_on.band(value, FIGURES[0])
-    if found.width > WIDEST * abs(value):
-        return found, f"the band of {key.text} is {plainly(100 * found.width / abs(value))} % of it"
+    """(Band with the fewest figures that is not too wide and into which no mistake leads, None), or the last one and
+    why there is none."""
     for figures in FIGURES:
-        found = hangs_on.band(value, figures)
+        found, near = hangs_on.band(value, figures), None
+        if found.width > WIDEST * abs(value):
+            if key.rtol is not None:
+                break
+            continue
         near = next((one for one in wrong if one.value is not None and _meet(hangs_on, value, found, one.value)), None)
         if near is None:
             return found, None
         if key.rtol is not None:
             break
+    if near is None:
+        return found, f"the band of {key.text} is {plainly(100 * found.width / abs(value))} % of it"
     return found, (f"'{near.mistake}' gives {in_figures(near.value, found.figures)} for the "
                    f"{in_figures(value, found.figures)} {key.unit}".rstrip() + f" of {key.text}")
 
 
 def _meet(hangs_on, value, found, wrong):
     """Does the band of a mistake, rounded likewise, meet that of the key?"""
-    return abs(wrong - value) <= found.width + hangs_on.width(wrong, found.figures)
+    apart = abs(wrong - value) - found.width
+    return apart <= hangs_on.most(found.figures) * abs(wrong) and apart <= hangs_on.width(wrong, found.figures)
 
 
 def is_same(value: float, wrong: float) -> bool:

@@ -60,7 +60,7 @@ def solve_candidates(problem: "Problem", rules: "VariantRules", keys: "Sequence[
     found: dict[Place, Candidate] = {}
     rejected: list[Rejected] = []
     base = None if own is None else own[0]
-    concerned = [(slip, [slip.concerns(key.asked) for key in keys]) for slip in slips]
+    concerned = [(slip, [slip.concerns(key.asked, key.unit) for key in keys]) for slip in slips]
     variants = candidates(problem, rules, lambda one: with_printed(one, rules))
     count = rules.candidates if rules.sample is None else min(rules.sample, rules.candidates)
     with problem.work.task("the variants") as task:

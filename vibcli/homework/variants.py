@@ -90,7 +90,7 @@ def solve_variants(problem: "Problem", document: "SceneDocument",
     mistakes = mistakes_of(problem, rules, document, keys)
     solved, rejected, base, scene_at = solve_candidates(problem, rules, keys,
                                                         [one for one in mistakes if one.problem is None])
-    bands = _bands(rules, base, keys, solved)
+    bands = _bands(base, keys, solved)
     _look(problem, rules, keys, base, bands, solved, rejected)
     alone = "routes" in rules.without or base is None
     closed = {} if alone else hold_against_closed_forms(keys, base, solved, scene_at)
@@ -104,7 +104,7 @@ def solve_variants(problem: "Problem", document: "SceneDocument",
     return SolvedVariants(problem, rules, keys, mistakes, accepted, rejected, in_order, reread, closed)
 
 
-def _bands(rules, base, keys, solved) -> "dict[Place, list[KeyBand]]":
+def _bands(base, keys, solved) -> "dict[Place, list[KeyBand]]":
     """{place: the KeyBand of each key}."""
     if base is None or not solved:
         return {}
@@ -112,17 +112,9 @@ def _bands(rules, base, keys, solved) -> "dict[Place, list[KeyBand]]":
     if not base.numeric.has_free_symbols:
         from vibcli.homework.rounding import shares_of
 
-        shares = shares_of(base, keys, [one.values for one in solved.values()], _looked_at(rules, base))
-    return {place: [KeyBand(key.rtol, None if share is None else tuple(share[:, i].tolist()))
+        shares = shares_of(base, keys, [one.values for one in solved.values()])
+    return {place: [KeyBand(key.rtol, None if share is None else tuple(map(tuple, share[:, :, i].tolist())))
                     for key, share in zip(keys, shares, strict=True)] for i, place in enumerate(solved)}
-
-
-def _looked_at(rules, base):
-    """Values at both ends and in the middle of all axes, whatever is solved; of a scene that chooses its own."""
-    if base.spec.choices:
-        return [{}]
-    return [{name: values[place(len(values))] for axis in rules.axes for name, values in axis.items()}
-            for place in (lambda count: 0, lambda count: count // 2, lambda count: count - 1)]
 
 
 def _look(problem, rules, keys, base, bands, solved, rejected):
@@ -156,7 +148,7 @@ def _model_mistakes(problem, rules, keys, mistakes, solved):
     """Add to what is solved what mistakes give that change the scene."""
     for mistake in mistakes:
         if mistake.problem is not None:
-            concerns = [mistake.concerns(key.asked) for key in keys]
+            concerns = [mistake.concerns(key.asked, key.unit) for key in keys]
             for place, scene in _scenes(problem, rules, mistake, solved):
                 one = solved[place]
                 one.wrong[mistake.name] = mistaken(keys, mistake, concerns, scene, one.found)

@@ -3,9 +3,9 @@
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError
-from vibcli.inverse.symbolic_quantity_conditions import quantity_in_letters, response_of, size_of
 from vibcli.quantities.energies import equation_number, require_sum
 from vibcli.quantities.expression import lowered
+from vibcli.quantities.in_letters import quantity_in_letters, response_of, size_of
 from vibcli.quantities.quantity import declared
 from vibcli.symbolic.syntax import QuantityRef, parts_of
 

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.inverse.conditions import summed
-from vibcli.inverse.symbolic_quantity_conditions import equal_heights, response_is, response_of, side
+from vibcli.inverse.symbolic_quantity_conditions import equal_heights, response_is, side
 from vibcli.mechanics.static_preload import pivots, solve_linear
+from vibcli.quantities.in_letters import response_of
 from vibcli.quantities.modal import one_degree
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.equations.elimination import solve_equations

@@ -1,15 +1,12 @@
-"""Quantities in letters, as sides of conditions: omega[1] of one degree, K[x, x], equilibrium[s.stretch], J[disc], and
-amplitudes of responses: amplitude(x), abs(frf[x, F](Ω)), transmissibility[x, base](Ω)."""
+"""Conditions on quantities in letters: their sides, responses of a given size, fixed points equally high."""
 
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters
-from vibcli.quantities.cycle_count import counts_cycles
 from vibcli.quantities.expression import lowered
-from vibcli.quantities.quantity import OF_STATE, about_which, declared
+from vibcli.quantities.in_letters import quantity_in_letters
 from vibcli.symbolic.equations.univariate import polynomial
-from vibcli.symbolic.semantics import lower
-from vibcli.symbolic.syntax import Call, NameRef, QuantityRef, parts_of
+from vibcli.symbolic.syntax import QuantityRef
 from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
@@ -27,45 +24,6 @@ def side(problem: "Problem", expression: "Expression") -> "Node":
                    else scene.parameters.nodes[name])
 
 
-def quantity_in_letters(problem: "Problem", tree: QuantityRef) -> "Node":
-    """A quantity as an expression of the parameters; NotInLetters where it is found in numbers."""
-    response = response_of(problem, tree)
-    if response is not None:
-        return size_of(problem, response)
-    quantity = declared(tree)
-    known = quantity is not None and quantity.symbolic is not None and quantity.kind not in OF_STATE
-    if not known or about_which(tree)[1] is not None:
-        raise NotInLetters(f"'{tree.text}' is found in numbers")
-    return quantity.symbolic(problem, tree)
-
-
-def response_of(problem: Any, tree: Any) -> "Formula | None":
-    """The Formula of amplitude(x), abs(frf[…](…)) or transmissibility[…](…); None of another tree."""
-    asked = tree.head if isinstance(tree, QuantityRef) else None
-    if isinstance(tree, Call) and tree.name == "abs" and getattr(tree.args[0], "head", None) == "frf":
-        tree = tree.args[0]
-    elif asked == "amplitude":
-        return _steady(problem, tree.args[0])
-    elif asked != "transmissibility":
-        return None
-    return problem.symbolic_frequency_response(*tree.indices, _frequency(problem, tree.args[0]))
-
-
-def _steady(problem, signal):
-    if not isinstance(signal, NameRef):
-        raise NotInLetters("amplitudes of sums and products are found in numbers")
-    return problem.symbolic_steady_state(signal.name + "'" * signal.primes).formula
-
-
-def _frequency(problem, tree):
-    """The angular frequency at which a response is asked for, as a node of the scene."""
-    if parts_of(tree).quantities:
-        raise NotInLetters("a response at such a frequency is found in numbers")
-    scene = problem.scene
-    node = lower(tree, scene.table, lambda name, primes, part: scene.parameters.nodes[name])
-    return node * 2 * scene.table.pi if counts_cycles(problem.spec, tree) else node
-
-
 def response_is(problem: "Problem", response: "Formula", value: "Node") -> "list[Node]":
     """[expression] that vanishes where |H| has a value: the parts of N where that is 0, else |N|² − value² |D|², in
     factors where there is no damping."""
@@ -77,13 +35,6 @@ def response_is(problem: "Problem", response: "Formula", value: "Node") -> "list
         return [(above - value * below) * (above + value * below)]
     above, below = copied(response.square, table)
     return [above - value * value * below]
-
-
-def size_of(problem: "Problem", response: "Formula"):
-    """|H| as an expression."""
-    table = problem.scene.table
-    size, = copied([response.amplitude], table)
-    return size if table.is_positive(size) else table.call("abs", size)
 
 
 def equal_heights(problem: "Problem", one: Any, other: Any) -> "Node | None":

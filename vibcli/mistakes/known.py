@@ -31,19 +31,25 @@ class KnownMistake(NamedTuple):
     instead: "dict[str, Expression]" = {}
     reading: "Callable[[float, str, str], float | None] | None" = None
 
-    def concerns(self, asked: Expression) -> bool:
-        """May it give something else for what is asked?"""
-        return self.reading is not None or self.problem is not None or asked.text in self.instead
+    def concerns(self, asked: Expression, unit: str) -> bool:
+        """May it give something else for what is asked in a unit?"""
+        if self.reading is not None:
+            return self.reading(1.0, _head(asked), unit) is not None
+        return self.problem is not None or asked.text in self.instead
 
     def wrong(self, asked: Expression, unit: str, right: float,
               value: Callable[[Expression], float]) -> float | None:
         """What it gives for what is asked, None where it does not concern it; right: the right value in a unit; value:
         that of any expression in the scene that it takes for the right one, in the same unit."""
         if self.reading is not None:
-            return self.reading(right, asked.tree.head if isinstance(asked.tree, QuantityRef) else "", unit)
-        if not self.concerns(asked):
+            return self.reading(right, _head(asked), unit)
+        if not self.concerns(asked, unit):
             return None
         return value(self.instead.get(asked.text, asked))
+
+
+def _head(asked):
+    return asked.tree.head if isinstance(asked.tree, QuantityRef) else ""
 
 
 def by_kind(kind: str) -> dict[str, CommonMistake]:

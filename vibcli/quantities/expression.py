@@ -26,7 +26,15 @@ NODES: "WeakKeyDictionary[Scene, dict[Any, Node]]" = WeakKeyDictionary()    # of
 
 
 def measure(problem: "Problem", tree: QuantityRef) -> tuple[float, float]:
-    """(value, relative error bound) of a quantity tree."""
+    """(value, relative error bound) of a quantity tree; what has no arguments is found once."""
+    if tree.args:
+        return _found(problem, tree)
+    if tree.text not in problem.measured:
+        problem.measured[tree.text] = _found(problem, tree)
+    return problem.measured[tree.text]
+
+
+def _found(problem, tree):
     if not tree.args and is_choice(problem.spec, tree) and problem.choice is not None:
         return problem.choice.value(tree.head, int(tree.indices[0])), ROUNDING
     quantity = declared(tree)

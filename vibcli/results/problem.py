@@ -60,6 +60,7 @@ class Problem:
         self.choice, self.earlier, self.end, self.signed = choice, earlier or {}, end, signed
         self.digits = digits
         self._cases, self._curves, self._limits = {}, {}, {}
+        self.measured: dict[str, tuple[float, float]] = {}     # {quantity as it is written: (value, error)}
 
     @cached_property
     def scene(self) -> "Scene":

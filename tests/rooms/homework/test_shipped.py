@@ -4,20 +4,27 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from support.students import Students
+from support.students import Students, rounded
 
 from vibcli.api.source import file_source, problem_of
-from vibcli.homework.bands import half_a_unit
-from vibcli.homework.candidates import sampled
+from vibcli.homework.asked_keys import key_of
+from vibcli.homework.bands import KeyBand, half_a_unit
+from vibcli.homework.candidates import candidates, sampled
 from vibcli.homework.course import course_of
 from vibcli.homework.document import SceneDocument
 from vibcli.homework.marks import is_within
+from vibcli.homework.rounding import Rounding
 from vibcli.homework.variants import solve_variants
+from vibcli.inverse import settled
+from vibcli.results.variants import with_given
 
 PROBLEMS = Path(__file__).parents[3] / "problems"
 WITH_VARIANTS = [path for path in sorted(PROBLEMS.glob("*/*.yaml"))
                  if "\nvariants:" in path.read_text(encoding="utf-8")]
-SOME, SEVERAL, STUDENTS = 12, 4, 500
+SOME, STUDENTS, MANY = 12, 500, 2000
+UNTOLD = {("roller_let_go_overdamped", "x(0 s)"), ("three_discs_on_fixed_shaft", "dunkerley"),
+          ("three_storeys_on_shaking_ground", "amplitude(c1.force)"),
+          ("pendulum_that_swings_widely", "backbone[1](phi)(90 deg)"), ("ring_on_five_spokes", "stiffness[hub].max")}
 
 
 def test_how_many_there_are():
@@ -44,14 +51,58 @@ def test_variants_of_a_problem(path):
 
 
 def assert_students_pass(problem, found):
-    """Of those who follow the lines and round some of them, 98 of 100 at least, in each variant."""
-    for one in found.accepted[:SEVERAL]:
-        students = Students(problem, one, STUDENTS)
-        for key, value in zip(found.keys, one.keys, strict=True):
-            answers = students.answers(key, value.band.figures)
-            if answers is not None:
-                off = np.abs(answers[0] * value.value)
-                assert np.mean(off <= value.band.width * (1 + 1e-9)) >= 0.98, (key.text, one.values)
+    """Of those who follow the lines and round some of them to the figures asked, their few variants dealt out in turn,
+    95 of 100 at least, since in a variant what is rounded first is off by what it is."""
+    dealt = [found.accepted[i % len(found.accepted)] for i in range(STUDENTS)]
+    students = Students(settled(with_given(problem, dealt[0].values)), [one.values for one in dealt])
+    right = []
+    for number, key in enumerate(found.keys):
+        keys = [one.keys[number] for one in dealt]
+        answers = students.answers(key, np.array([one.band.figures for one in keys]))
+        if answers is not None:
+            right += [is_within(float(f"{one.value * ratio:.{one.band.figures}g}"), one.value, one.band.width)
+                      for one, ratio in zip(keys, answers[0], strict=True)]
+    assert not right or np.mean(right) >= 0.95
+
+
+@pytest.mark.parametrize("path", WITH_VARIANTS, ids=lambda path: path.stem)
+def test_a_band_is_the_99th_percentile_of_what_rounding_does(path):
+    """Within a fifth, of 2,000 students with the candidates of a problem, of whom 98 of 100 pass; where the key's own
+    last figure is all, no more than that."""
+    problem = problem_of(file_source(path))
+    rules = problem.spec.get("variants")
+    if problem.spec.choices or problem.numeric.has_free_symbols:
+        pytest.skip("what is printed is found variant by variant")
+    variants = candidates(problem, rules, lambda one: one)
+    places = list(sampled(rules) or variants.places)
+    values = [variants.values_at(places[i * len(places) // MANY]) for i in range(MANY)]
+    students = Students(problem, values)
+    keys = [key_of(problem.spec, one) for one in rules.ask]
+    shares = students.rounding.shares(keys, students.given)
+    for key, share in zip(keys, shares, strict=True):
+        if share is None:
+            continue
+        right = students.right(key)
+        told = [KeyBand(None, tuple(map(tuple, share[:, :, i].tolist()))) for i in range(MANY)]
+        for figures in (3, 4):
+            bands = np.array([one.width(value, figures) for one, value in zip(told, right, strict=True)])
+            answers = rounded(right * students.answers(key, np.full(MANY, figures))[0], figures)
+            off = np.abs(answers - right) / bands
+            own = np.allclose(bands, [half_a_unit(value, figures) for value in right])
+            assert np.mean(off <= 1 + 1e-9) >= 0.98, key.text
+            assert own or 0.8 <= np.quantile(off, 0.99) <= 1.2, key.text
+
+
+def test_of_which_keys_no_line_tells_how():
+    """As it tells their number alone; their band is half a per cent, and there are no more of them."""
+    found = set()
+    for path in WITH_VARIANTS:
+        problem = problem_of(file_source(path))
+        if not problem.spec.choices and not problem.numeric.has_free_symbols:
+            rounding = Rounding(problem)
+            found |= {(path.stem, key.text) for key in (key_of(problem.spec, one) for one in problem.spec.get(
+                "variants").ask) if rounding.end(key) is None}
+    assert found == UNTOLD
 
 
 def assert_no_mistake_is_marked_right(found):
@@ -65,19 +116,18 @@ def assert_no_mistake_is_marked_right(found):
 
 
 def test_students_evaluate_lines_by_their_letters():
-    """ω_d = √(ω² − δ²) and ζ = δ/ω of a bell crank; one who rounds nothing answers right."""
-    path = next(path for path in WITH_VARIANTS if path.stem == "bell_crank_dashpot")
-    source = file_source(path)
-    problem = problem_of(source)
-    rules = problem.spec.get("variants")
-    problem = problem.with_spec(problem.spec.with_sections(variants=rules._replace(sample=2)))
-    found = solve_variants(problem, SceneDocument.of(source.node, source.file, None))
-    students = Students(problem, found.accepted[0], 50)
-    for key in found.keys:
-        off, by_letters = students.answers(key, 12)
-        assert by_letters >= 1 and np.abs(off).max() < 1e-10
-        off, _ = students.answers(key, 2)
-        assert np.abs(off).max() > 1e-3
+    """ω_d = √(ω² − δ²) and ζ = δ/ω of a bell crank, the roots of the determinant of a car; one who rounds nothing
+    answers right."""
+    for stem, lines in (("bell_crank_dashpot", 1), ("quarter_car_damped", 2)):
+        problem = problem_of(file_source(next(path for path in WITH_VARIANTS if path.stem == stem)))
+        rules = problem.spec.get("variants")
+        variants = candidates(problem, rules, lambda one: one)
+        students = Students(problem, [variants.values_at(place) for place in list(variants.places)[:50]])
+        for key in (key_of(problem.spec, one) for one in rules.ask):
+            ratio, by_letters = students.answers(key, np.full(50, 14))
+            assert by_letters >= lines and np.abs(ratio - 1).max() < 1e-10
+            ratio, _ = students.answers(key, np.full(50, 2))
+            assert np.abs(ratio - 1).max() > 1e-3
 
 
 @pytest.mark.parametrize("path", sorted(PROBLEMS.glob("sets/*")), ids=lambda path: path.name)

@@ -12,6 +12,7 @@ from vibcli.inverse import settled
 from vibcli.notation.plain import plain
 from vibcli.report.formats.formula import formula
 from vibcli.report.steps.worked import worked
+from vibcli.symbolic.evaluation import Floats, evaluate
 
 G = 9.81
 
@@ -29,6 +30,10 @@ def text(line):
 def value(line, sign="= "):
     """The last number that a line prints."""
     return float(text(line).rpartition(sign)[2].split()[0])
+
+
+def evaluated(node, **values):
+    return evaluate([node], Floats, values)[0]
 
 
 def printed(lines, key, found, digits=6):
@@ -72,6 +77,10 @@ def test_a_quarter_of_a_car(lines):
             " ", "").replace("±", " ").split()))]
         D = [[root**2 * M[i][j] + root * C[i][j] + K[i][j] for j in range(2)] for i in range(2)]
         assert abs(D[0][0] * D[1][1] - D[0][1] * D[1][0]) < 1e-4 * abs(D[0][0] * D[1][1])
+        assert lines[f"decay[{k}]"].value == pytest.approx(-root.real, rel=1e-5)
+        assert lines[f"omega_d[{k}]"].value == pytest.approx(root.imag, rel=1e-5)
+    for name, found in (("c4", a2), ("c3", c * (mu + ms)), ("c2", a1), ("c1", c * kt), ("c0", a0)):
+        assert lines[name].value == pytest.approx(found)
     assert c * (mu + ms) * ks != c * (mu * ks + ms * kt + ms * ks) and "not proportional" in text(lines["proportional"])
 
 
@@ -120,3 +129,13 @@ def test_a_cantilever_with_a_mass(lines):
         assert math.cosh(x) * math.cos(x) + 1 == pytest.approx(
             -M * x * (math.sinh(x) * math.cos(x) - math.sin(x) * math.cosh(x)) / (L * mu), rel=1e-9)
         printed(lines, f"omega[{k}]", x**2 * math.sqrt(EI / mu) / L**2)
+
+
+@pytest.mark.parametrize("lines", ["accelerometer_on_a_casing"], indirect=True)
+def test_what_a_sheet_asks_is_told_last(lines):
+    """The stretch of the spring, Z = Y r²/√((1 − r²)² + (2ζr)²)."""
+    m, k, c, Y, Omega = 0.012, 7600, 11, 0.2e-3, 500
+    r, zeta = Omega / math.sqrt(k / m), c / (2 * math.sqrt(k * m))
+    found = Y * r**2 / math.sqrt((1 - r**2)**2 + (2 * zeta * r)**2)
+    assert value(lines["amplitude(s.stretch)"]) == pytest.approx(found, rel=1e-5)
+    assert evaluated(lines["amplitude(s.stretch)"].node, m=m, k=k, c=c, Y=Y, Omega=Omega) == pytest.approx(found)

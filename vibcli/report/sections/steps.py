@@ -23,7 +23,10 @@ def section_of(found: "Sequence[WorkedLine]") -> tuple[Section, ...]:
     """The lines as a section."""
     told: dict = {}
     for one in found:
-        told[one.number] = [*told[one.number], Words(",  "), *one.parts] if one.number in told else one.parts
+        if one.number not in told:
+            told[one.number] = one.parts
+        elif one.parts:
+            told[one.number] = [*told[one.number], Words(",  "), *one.parts]
     digits = len(str(len(told)))
     heads = {number: Words(f"{number:\u00a0>{digits}}\u00a0\u00a0") for number in told}
     return section("Steps", blocks.equations(

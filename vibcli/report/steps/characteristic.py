@@ -6,7 +6,7 @@ and of two with gyroscopic terms, where det(K + iωG − ω²M) has G₁₂² ω
 """
 
 from collections.abc import Sequence
-from itertools import combinations
+from itertools import combinations, product
 from typing import TYPE_CHECKING
 
 from vibcli.report.blocks import Name, Words
@@ -31,6 +31,24 @@ def coefficients(about: AboutRest, found: SmallEquations) -> "list[Node]":
         for k in range(n, -1, -1)]
 
 
+def polynomial(names: "Sequence[Node]", omega: "Node") -> "Node":
+    """aₙ ω²ⁿ − aₙ₋₁ ω²ⁿ⁻² + … of [aₙ, …, a₀]."""
+    n = len(names) - 1
+    return omega.table.total([a * omega ** (2 * (n - k)) * (-1) ** k for k, a in enumerate(names)])
+
+
+def damped_coefficients(about: AboutRest, found: SmallEquations) -> "list[Node]":
+    """[c₂ₙ, …, c₀] of det(λ²M + λ(C + G) + K) = Σ cₖ λᵏ."""
+    n, zero = len(about.scene.q), about.table.zero
+    parts = (found.K,), (found.C, found.G), (found.M,)
+    rows = [[[about.table.total([part[i, j] for part in of if (i, j) in part] or [zero]) for j in range(n)]
+             for i in range(n)] for of in parts]
+    sums: list = [[] for _ in range(2 * n + 1)]
+    for powers in product(range(3), repeat=n):
+        sums[sum(powers)].append(determinant([rows[power][i] for i, power in enumerate(powers)]))
+    return [about.tidy(about.table.total(terms)) for terms in reversed(sums)]
+
+
 def determinant(rows: "Sequence[Sequence[Node]]") -> "Node":
     """Along the first row."""
     if len(rows) == 1:
@@ -43,14 +61,13 @@ def determinant(rows: "Sequence[Sequence[Node]]") -> "Node":
 def tell_polynomial(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, uses: list[int]
                     ) -> "tuple[list[Node], list[Node], list[int]]":
     """Write down det(K − ω²M) = 0 and its coefficients: (their letters, the coefficients, the numbers of the lines)."""
-    n, table = len(about.scene.q), about.table
+    n = len(about.scene.q)
     names = [about.letter(sheet.letter(f"a{power}")) for power in range(n, -1, -1)]
     omega, of_M, of_K = about.letter(sheet.letter("omega")), sheet.matrix("M"), sheet.matrix("K")
     sign = (-1) ** n
-    polynomial = table.total([a * omega ** (2 * (n - k)) * (-1) ** k for k, a in enumerate(names)])
     turned = [" + i·", omega, "·", Name(sheet.matrix("G"))] if found.G else []
     head = sheet.write(*["−"] * (sign < 0), "det(", Name(of_K), *turned, " − ", omega ** 2, "·", Name(of_M), ") = ",
-                       polynomial, " = 0", settles="det(K - omega^2*M)", uses=uses)
+                       polynomial(names, omega), " = 0", settles="det(K - omega^2*M)", uses=uses)
     known = coefficients(about, found)
     lines = [head]
     for letter, node in zip(names, known, strict=True):

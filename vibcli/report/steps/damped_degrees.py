@@ -5,12 +5,17 @@ from typing import TYPE_CHECKING
 
 from vibcli.mechanics.given_damping_in_letters import proportional
 from vibcli.report.blocks import Name, Words
+from vibcli.report.steps.characteristic import LONG, damped_coefficients
 from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.small import AboutRest
-from vibcli.report.steps.step import WorkedSolution, told
+from vibcli.report.steps.step import WorkedSolution, number, told
+from vibcli.symbolic.nested_form import letters
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
+
+DETERMINANT = "det(lambda^2*M + lambda*C + K)"
+MOST = 3            # coordinates, beyond which the determinant is not multiplied out
 
 
 def tell_damped(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, uses: list[int]) -> None:
@@ -24,16 +29,60 @@ def tell_damped(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, 
         return
     rates = [part for letter in "CG" if letter in of for part in (" + ", Name(of[letter]))][1:]
     head = ["det(λ²·", Name(of["M"]), " + λ·", *(["(", *rates, ")"] if len(rates) > 1 else rates), " + ", Name(of["K"]),
-            ") = 0", Words(" has the roots")]
+            ")"]
     if not proportional(problem.spec):
-        head = [Words("`damping:` adds what damps each mode by itself:  "), "λ = −ζ·ω ± ω·√(1 − ζ²)·i"]
-    line = sheet.write(*head, settles="det(lambda^2*M + lambda*C + K)", uses=uses)
+        lines, polynomial = [sheet.write(Words("`damping:` adds what damps each mode by itself:  "),
+                                       "λ = −ζ·ω ± ω·√(1 − ζ²)·i", settles=DETERMINANT, uses=uses)], None
+    elif len(about.scene.q) > MOST:
+        lines, polynomial = [sheet.write(*head, " = 0", Words(" has the roots"), settles=DETERMINANT, uses=uses)], None
+    else:
+        lines, polynomial = _polynomial(about, sheet, found, head, uses)
     for mode in damped:
-        value, parts = complex(mode.eigenvalue), []
+        value = complex(mode.eigenvalue)
         if value.imag:
-            parts = [f" ± {told(abs(value.imag))}·i", Words(" 1/s,  "), f"ζ = {told(float(mode.zeta))}"]
-        sheet.write(f"λ = {told(value.real)}", *(parts or [Words(" 1/s")]), uses=[line],
-                    settles=f"eigenvalue[{mode.index}]")
+            _tell_pair(about, sheet, mode, lines, polynomial)
+        else:
+            sheet.write(f"λ = {told(value.real)}", Words(" 1/s"), uses=lines, settles=f"eigenvalue[{mode.index}]")
+
+
+def _polynomial(about, sheet, found, head, uses):
+    """Write down the determinant by powers of λ and its coefficients: (the numbers of the lines, the letters of the
+    coefficients from the highest power on)."""
+    known = damped_coefficients(about, found)
+    names = [about.letter(sheet.letter(f"c{power}")) for power in range(len(known) - 1, -1, -1)]
+    here = [(name, node) for name, node in zip(names, known, strict=True) if not node.is_zero]
+    powers = about.table.total([name * about.letter(sheet.letter("lambda")) ** power for power, name in zip(
+        range(len(known) - 1, -1, -1), names, strict=True) if name in dict(here)])
+    lines = [sheet.write(*head, " = ", powers, " = 0", settles=DETERMINANT, uses=uses)]
+    for name, node in here:
+        value = about.value(node)
+        shown = [] if letters(node) > LONG else [" = ", node]
+        lines.append(sheet.write(name, *shown, *([] if node.op == "number" else number(value)), settles=name.name,
+                                 node=node, value=value, uses=uses))
+    return lines, [name if name in dict(here) else about.table.zero for name in names]
+
+
+def _tell_pair(about, sheet, mode, lines, polynomial):
+    """λ = −δ ± iω_d and ζ; each vanishing with the real and the imaginary part of the polynomial."""
+    value, table, k = complex(mode.eigenvalue), about.table, mode.index
+    sheet.write(f"λ = {told(value.real)} ± {told(abs(value.imag))}·i", Words(" 1/s"), uses=lines,
+                settles=f"eigenvalue[{k}]")
+    delta, omega_d = (about.letter(sheet.letter(f"{name}{k}")) for name in ("delta", "omega_d"))
+    parts = [None, None] if polynomial is None else _at(table, polynomial, -delta, omega_d)
+    for name, letter, size, part in (("decay", delta, -value.real, parts[0]),
+                                     ("omega_d", omega_d, abs(value.imag), parts[1])):
+        sheet.write(settles=f"{name}[{k}]", value=size, unit="1/s" if name == "decay" else "rad/s", uses=lines,
+                    letter=letter.name, vanishes=part, joined=True)
+    sheet.write(f"ζ = {told(float(mode.zeta))}", settles=f"zeta[{k}]", node=delta / table.sqrt(delta**2 + omega_d**2),
+                value=float(mode.zeta), uses=lines, joined=True)
+
+
+def _at(table, polynomial, x, y):
+    """[real part, imaginary part] of a polynomial at x + iy."""
+    real = imaginary = table.zero
+    for coefficient in polynomial:
+        real, imaginary = real * x - imaginary * y + coefficient, real * y + imaginary * x
+    return [real, imaginary]
 
 
 def _proportional(about, sheet, found, of, uses):

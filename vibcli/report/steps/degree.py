@@ -38,13 +38,14 @@ class Degree:
     def settled(self, head: Iterable[Any], node: "Node", unit: str, settles: str, uses: Iterable[int | None],
                 letters: bool = True, more: Iterable[Any] = (), joined: bool = False) -> int:
         """A line `head = expression = with numbers = value`, and `more`, or joined to the last one; its number."""
-        value, numbers = self.about.value(node), self.about.numbers()
+        value, numbers, head = self.about.value(node), self.about.numbers(), list(head)
+        letter = head[-1].name if getattr(head[-1], "op", "") == "symbol" else ""
         parts: list[Any] = [*head, *([" = ", node] if letters or value is None else [])]
         if value is not None:
             put_in = {name: self._as_given(name, x) for name, x in numbers.items()}
             parts += [" = ", WithNumbers(node, put_in), *number(value, unit)]
         return self.sheet.write(*parts, *more, settles=settles, node=node, value=value, unit=unit, uses=list(uses),
-                                joined=joined)
+                                joined=joined, letter=letter)
 
     def _as_given(self, name, x):
         """A number to put in: of an angle that the file gives in degrees these, with its sign in brackets."""

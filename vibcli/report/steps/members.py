@@ -174,11 +174,14 @@ class MemberSteps:
             middle = (low + high) / 2
             low, high = (middle, high) if residual(middle) < 0 else (low, middle)
         root = (low + high) / 2
-        terms = [coefficient * self.table.product(*((self.table.call(name, found.arguments[i]), 1)
-                                                    for i, *called in functions for name in called))
-                 for functions, coefficient in found.function.items()]
-        values, beside = (evaluate(terms, Floats, {**floats, x.name: at}) for at in (root, BESIDE * root))
+        values, beside = (evaluate(self._terms(found), Floats, {**floats, x.name: at}) for at in (root, BESIDE * root))
         return root if abs(sum(values)) <= CLOSE * sum(map(abs, beside)) else None
+
+    def _terms(self, found):
+        """Those of the frequency equation, whose sum vanishes."""
+        return [coefficient * self.table.product(*((self.table.call(name, found.arguments[i]), 1)
+                                                   for i, *called in functions for name in called))
+                for functions, coefficient in found.function.items()]
 
     def _of_mode(self, found, mode, root, equation, frequency):
         x, order, k = found.wave_number, found.order, lowered(mode.index)
@@ -187,6 +190,7 @@ class MemberSteps:
         node = self.table.sqrt(found.square) if x in reachable([alone]) else x ** (order // 2) * self.table.sqrt(alone)
         put_in = {name: figure(value) for name, value in self.problem.numeric.floats.items()} | {x.name: figure(root)}
         line = self.sheet.write(Words(f"root {mode.index}:  "), "βL = " + told(root), Words("   (by a search)"),
-                                settles=f"βL[{mode.index}]", value=root, uses=[equation])
+                                settles=f"βL[{mode.index}]", value=root, uses=[equation],
+                                letter=x.name, vanishes=self.table.total(self._terms(found)))
         self.sheet.write(f"ω{k} = ", WithNumbers(node, put_in), *number(omega, "rad/s"), *of_time(self.sheet, omega),
                          settles=f"omega[{mode.index}]", node=node, value=omega, unit="rad/s", uses=[line, frequency])

@@ -3,10 +3,12 @@
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters
+from vibcli.mechanics.linearisation import residual_terms
 from vibcli.notation.numbers import figure
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
@@ -48,6 +50,8 @@ def _about_numbers(problem, sheet):
                                       problem.numeric.floats), strict=True))
     moved = [name for name in moving if abs(values[name] - drawn[name]) > UNMOVED * (1 + abs(drawn[name]))]
     letter = {name: sheet.letter(f"{name}0") for name in moved}
+    symbols = {moving[name]: scene.table.parameter(letter[name], positive=False) for name in moved}
+    vanishes = _conditions(problem, {**scene.drawn_position, **symbols})
     left = problem.configuration.equilibrium.residual
     how = "the forces balance exactly"
     if left:
@@ -58,7 +62,18 @@ def _about_numbers(problem, sheet):
         it = (Name(name), Words(RECKONED[1])) if first else (Words("all are counted from there"),)
         sheet.write(*([Words("at rest  ")] if first else []), Name(name), " = ", Name(letter[name]), *number(
             values[name], unit), *((Words(f"  by a search ({how}); {RECKONED[0]}"), *it) if last else ()),
-            settles=f"equilibrium[{name}]", value=values[name], unit=unit, joined=not first)
-    symbols = {moving[name]: scene.table.parameter(letter[name], positive=False) for name in moved}
+            settles=f"equilibrium[{name}]", value=values[name], unit=unit, joined=not first, letter=letter[name],
+            vanishes=vanishes.get(name))
     return AboutRest(problem, {**scene.drawn_position, **symbols}, {letter[name]: values[name] for name in moved},
                      sheet)
+
+
+def _conditions(problem, place):
+    """{coordinate: an expression that vanishes where it rests}: the force along it, or of loops a condition."""
+    scene = problem.scene
+    still = {**place, **dict.fromkeys((*scene.v, *scene.a), scene.table.zero)}
+    forces = [scene.table.total(terms) for terms in residual_terms(problem.system.linearisation)]
+    of = dict(zip([q.name for q in scene.q], forces, strict=True))
+    if scene.loops is not None:
+        of |= zip(scene.loops.names, scene.loops.conditions, strict=True)
+    return dict(zip(of, substitute(list(of.values()), still), strict=True))

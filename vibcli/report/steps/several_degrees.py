@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.notation.plain import lowered
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.assumed_shapes import tell_estimates
-from vibcli.report.steps.characteristic import tell_polynomial, tell_roots
+from vibcli.report.steps.characteristic import polynomial, tell_polynomial, tell_roots
 from vibcli.report.steps.damped_degrees import stay_apart, tell_damped
 from vibcli.report.steps.from_modes import tell_from_modes
 from vibcli.report.steps.held import SmallEquations
@@ -32,12 +32,16 @@ class SeveralDegrees:
 
     def write(self) -> None:
         """Write down all of them."""
-        lines = [self._matrix(words, letter, getattr(self.found, letter)) for words, letter in MATRICES
-                 if getattr(self.found, letter)]
+        matrices = [self._matrix(words, letter, getattr(self.found, letter)) for words, letter in MATRICES
+                    if getattr(self.found, letter)]
+        lines = list(matrices)
+        self._letters: list[Node] = []
         if self.two is not None:
             lines += self.two.determinant(lines)
+            self._letters = self.two.letters
         elif len(self.about.scene.q) == 3 and not self.found.G:
-            lines += tell_polynomial(self.about, self.sheet, self.found, lines)[2]
+            self._letters, _, told_in = tell_polynomial(self.about, self.sheet, self.found, lines)
+            lines += told_in
         if not self.problem.numeric.has_free_symbols:
             self._modes(lines)
         elif self.two is not None:
@@ -45,7 +49,7 @@ class SeveralDegrees:
         else:
             tell_roots(self.about, self.sheet, lines)
         tell_estimates(self.about, self.sheet, lines)
-        tell_damped(self.about, self.sheet, self.found, lines)
+        tell_damped(self.about, self.sheet, self.found, matrices)
         tell_from_modes(self.about, self.sheet, self.found, lines)
         tell_steady_states(self.about, self.sheet, self.found)
 
@@ -102,9 +106,10 @@ class SeveralDegrees:
         if not self._by_ratio:
             times += [Words(",  "), *ratio]
         node = self.two.frequency(mode.index, omega) if self.two is not None else None
-        letter = self.sheet.letter(f"omega{mode.index}")
-        return self.sheet.write(Name(letter), *number(omega, "rad/s"), *times, uses=uses, node=node,
-                                settles=f"omega[{mode.index}]", value=omega, unit="rad/s")
+        letter = self.about.letter(self.sheet.letter(f"omega{mode.index}"))
+        return self.sheet.write(letter, *number(omega, "rad/s"), *times, uses=uses, node=node, letter=letter.name,
+                                settles=f"omega[{mode.index}]", value=omega, unit="rad/s", vanishes=polynomial(
+                                    self._letters, letter) if self._letters and node is None else None)
 
 
 def _complex(x):

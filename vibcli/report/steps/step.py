@@ -17,8 +17,10 @@ MATRICES = {"M": "DHN", "C": "BRW", "G": "YXU", "K": "SEZ", "P": "QLJ", "Z": "AO
 class WorkedLine(NamedTuple):
     """What a numbered line tells; what is joined to it has the same number. settles: the quantity or letter that it
     tells, '' of words alone; uses: numbers of the lines that it follows from; parts: what it says, as mathematics;
-    node: the expression that it settles, None of words; value: that in SI units, None in letters; unit: of the
-    value."""
+    node: the expression that it settles, None of words and of what a search found; value: that in SI units, None in
+    letters; unit: of the value; letter: the name of the symbol that stands for it in later lines, where that is not
+    what it settles; vanishes: of what a search found a function of the letter, and of those of lines before it and
+    joined to it, that is zero there, None where it is not known."""
 
     number: int
     settles: str
@@ -27,6 +29,8 @@ class WorkedLine(NamedTuple):
     node: Any = None
     value: float | None = None
     unit: str = ""
+    letter: str = ""
+    vanishes: Any = None
 
 
 class WorkedSolution:
@@ -63,11 +67,12 @@ class WorkedSolution:
         return found
 
     def write(self, *parts: Any, settles: str = "", uses: Sequence[int | None] = (), node: "Node | None" = None,
-              value: float | None = None, unit: str = "", joined: bool = False) -> int:
+              value: float | None = None, unit: str = "", joined: bool = False, letter: str = "",
+              vanishes: "Node | None" = None) -> int:
         """Write a line, or what is `joined` to the last one, and give its number."""
         number = self.last if joined else self.last + 1
         known = tuple(sorted({use for use in uses if use and use < number}))
-        self.steps.append(WorkedLine(number, settles, known, parts, node, value, unit))
+        self.steps.append(WorkedLine(number, settles, known, parts, node, value, unit, letter, vanishes))
         return number
 
 

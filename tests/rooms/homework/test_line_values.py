@@ -1,0 +1,85 @@
+"""Lines of worked solutions over many values: searched numbers against solutions, slopes against lines that move."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from vibcli.api.source import file_source, problem_of
+from vibcli.homework.asked_keys import key_of
+from vibcli.homework.line_values import LineValues
+from vibcli.homework.rounding import Rounding, _carried
+from vibcli.quantities.expression import measure
+from vibcli.results.variants import Variants
+from vibcli.symbolic.parser import parse
+
+PROBLEMS = Path(__file__).parents[3] / "problems"
+AROUND = 1e-6       # relative: by how much a line is moved
+
+
+def problem_named(stem):
+    return problem_of(file_source(next(PROBLEMS.glob(f"*/{stem}.yaml"))))
+
+
+def values_of(problem, count):
+    variants = Variants(problem, problem.spec.get("variants").axes)
+    places = list(variants.places)
+    return [variants.values_at(places[i * len(places) // count]) for i in range(count)]
+
+
+def given(values):
+    return {name: np.array([float(one[name].exact) for one in values]) for name in values[0]}
+
+
+@pytest.mark.parametrize("stem, texts", [
+    ("rod_with_inclined_spring", ("equilibrium[phi]", "omega[1]")),     # a search for rest
+    ("cantilever_with_tip_mass", ("omega[1]",)),                        # the root of a frequency equation
+    ("three_discs_on_fixed_shaft", ("omega[1]", "omega[3]")),           # of a polynomial of the third degree
+    ("quarter_car_damped", ("zeta[1]", "omega_d[2]")),                  # a pair of complex roots
+])
+def test_lines_tell_what_solutions_do(stem, texts):
+    problem = problem_named(stem)
+    values, known = values_of(problem, 7), LineValues(problem)
+    found = known.values(given(values))
+    for i, one in enumerate(values):
+        fresh = Variants(problem, []).at(one)
+        for text in texts:
+            assert found[known.number(text)][i] == pytest.approx(measure(fresh, parse(text))[0], rel=1e-9), (text, one)
+
+
+@pytest.mark.parametrize("stem", ["rod_with_inclined_spring", "cantilever_with_tip_mass", "quarter_car_damped",
+                                  "bead_on_swinging_rod", "stepped_bar"])
+def test_what_lines_carry_is_what_moving_them_does(stem):
+    """Each line with a letter moved by itself, all lines after it evaluated or searched anew."""
+    problem = problem_named(stem)
+    rounding, at = Rounding(problem), given(values_of(problem, 3))
+    known = rounding.known
+    values, weights = rounding.weighed(at)
+    numbers, count = known.parameters(at), len(known.lines)
+    named = {j for letters in known.letters for j in letters}
+    assert named
+    for j in named:
+        moved = [*values[:j], values[j] * (1 + AROUND)]
+        for i in range(j + 1, count):
+            if known.letters[i]:
+                first = i - known.place_in_group(i)
+                moved += known.at(first, numbers, [*moved, *values[len(moved):]], values)[i - first:i - first + 1]
+            else:
+                moved.append(values[i])
+        for end in range(j + 1, count):
+            alone = [[np.full_like(values[0], 1.0 * (i == j)) for i in range(count)]]
+            ends = dict(zip(rounding.uses[end], weights[end], strict=True)) if known.letters[end] else {}
+            carried = _carried(ends, rounding.uses, weights, alone)[0][0] if ends else np.zeros(3)
+            felt = np.abs(moved[end] / values[end] - 1) / AROUND
+            names = known.lines[j].settles, known.lines[end].settles
+            assert carried == pytest.approx(felt, rel=1e-3, abs=1e-3), names
+
+
+def test_what_no_search_finds_is_told_by_no_line(monkeypatch):
+    """Where the way from the values of the file ends, as behind a fold, the band is the one without lines."""
+    problem = problem_named("rod_with_inclined_spring")
+    rounding, keys = Rounding(problem), [key_of(problem.spec, one) for one in problem.spec.get("variants").ask]
+    at = given(values_of(problem, 3))
+    assert all(share is not None for share in rounding.shares(keys, at))
+    monkeypatch.setattr(LineValues, "_search", lambda self, group, known, near: np.full((len(group), 3), np.nan))
+    assert rounding.shares(keys, at) == [None] * len(keys)

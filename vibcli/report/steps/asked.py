@@ -1,0 +1,55 @@
+"""What a sheet asks that no line before tells: by its expression in letters where that is short, else its number."""
+
+from typing import TYPE_CHECKING
+
+from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.notation.as_printed import as_printed
+from vibcli.quantities.dimensions import unit_of
+from vibcli.quantities.expression import value_of
+from vibcli.quantities.in_letters import quantity_in_letters
+from vibcli.report.blocks import Words
+from vibcli.report.steps.characteristic import LONG
+from vibcli.report.steps.small import tidy
+from vibcli.report.steps.step import WorkedSolution, number
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.nested_form import letters
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Expression
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
+
+CLOSE = 1e-9        # relative: of an expression and the engine's number
+BESIDE = "frequency", "period", "period_d", "decrement", "eigenvalue"       # told beside another number of the mode
+
+
+def tell_asked(problem: "Problem", sheet: WorkedSolution) -> None:
+    """Write down a line to each number that the variants of a scene ask and no line settles."""
+    rules, told = problem.spec.get("variants"), {line.settles for line in sheet.steps}
+    if rules is None or problem.numeric.has_free_symbols:
+        return
+    for one in rules.ask:
+        tree = one.asked.tree
+        if tree.kind == "quantity" and tree.head not in BESIDE and one.asked.text not in told:
+            _tell(problem, sheet, one.asked)
+
+
+def _tell(problem, sheet, asked):
+    try:
+        value = float(value_of(problem, asked)[0])
+    except (PhysicsError, SpecError):
+        return
+    node, unit = _in_letters(problem, asked, value), as_printed(unit_of(problem.spec, asked))
+    sheet.write(Words(f"{as_printed(asked.text)}{':  ' * (node is not None)}"), *([] if node is None else [node]), *number(
+        value, "" if unit == "1" else unit), settles=asked.text, node=node, value=value, unit=unit,
+        uses=[sheet.last])
+
+
+def _in_letters(problem: "Problem", asked: "Expression", value: float) -> "Node | None":
+    """Its expression where that is not long and has the engine's number; None of others."""
+    try:
+        node = tidy(quantity_in_letters(problem, asked.tree), [problem.numeric.floats])
+    except (PhysicsError, SpecError):
+        return None
+    found, = evaluate([node], Floats, problem.numeric.floats)
+    return node if letters(node) <= LONG and abs(found - value) <= CLOSE * abs(value) else None
