@@ -2,8 +2,9 @@
 (Kovacić & Radomirović 2018, §1.3), speeds to the first order about rest."""
 
 from collections.abc import Collection, Iterator
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Factor, Name, SumOfTerms, Words
 from vibcli.report.steps.step import WorkedSolution, number

@@ -5,8 +5,9 @@ centrifugal forces.
 """
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.bodies import LONG, EnergyPart
 from vibcli.report.steps.connections import SECOND, Acting
