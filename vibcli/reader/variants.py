@@ -214,7 +214,7 @@ def _series(reader, values, low, high):
 
 
 def _steps(reader, values, unit, low, high):
-    """From one end to the other, which the last step reaches; within 1e-12 of a step, as decimals stand for radians too."""
+    """From one end to the other, which the last step reaches but for 1e-12 of it: decimals stand for radians too."""
     found = number_and_unit(values["step"])
     step = None if found is None else _in_unit(found, unit)
     if step is None:

@@ -8,8 +8,8 @@ from support.scenes import problem
 from vibcli.base.errors import SpecError
 
 SCENE = ("parameters: {{rho: 1000 kg/m^3, A: 4 cm^2, L: 0.9 m, a: 30 deg, g: 9.81 m/s^2}}\n"
-         "coordinates: {{x: along it}}\nenergies: {{T: rho*A*L*x'^2/2, V: rho*A*g*sin(a)*x^2}}\nanswers:\n  omega[1]: sqrt(2*g*sin(a)/L)\n"
-         "variants: {{parameters: {{a: {{{written}}}}}}}\n")
+         "coordinates: {{x: along it}}\nenergies: {{T: rho*A*L*x'^2/2, V: rho*A*g*sin(a)*x^2}}\n"
+         "answers:\n  omega[1]: sqrt(2*g*sin(a)/L)\nvariants: {{parameters: {{a: {{{written}}}}}}}\n")
 
 
 def values(written):

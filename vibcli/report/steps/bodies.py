@@ -139,7 +139,8 @@ class Bodies:
                 v, " = ", speeds[0][1], Words(",  ")])
         if told and not _is_plain(speeds, omega):
             lines.append(self.sheet.write(Words(f"speeds of {body.name}{about.order_of_speeds}:  "), *told, uses=lines))
-        formula = [body.mass * v ** 2 / 2] * bool(speeds and body.mass) + [body.inertia * turn ** 2 / 2] * bool(turns)
+        formula = [body.mass * v ** 2 / 2] * bool(speeds and body.mass) + [
+            body.inertia * turn ** 2 / 2] * bool(turns and not omega.is_zero)
         shown = [] if body.pieces or _is_plain(speeds, omega) else formula
         return self._energy(body.name, parts, lines[-1], shown, lines=lines)
 

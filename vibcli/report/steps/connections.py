@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 AT_ONCE = 4         # letters of a stretch or speed, up to which its energy stands in the same line
 FIRST = "   (first order: it bears nothing at rest)"
 SECOND = "   (second order: its force at rest counts)"
+STRAIGHT = "   (second order, as its force at rest counts: there is no such term)"
 
 
 class Acting(NamedTuple):
@@ -117,12 +118,16 @@ class Connections:
 
     def _told(self, term, small, moves, letter, loaded):
         """The line of a stretch, counted from rest, and whether it is told exactly."""
-        s = textbook(self.about.shifted(term.s) - self.about.rest(term.s, named=False))
-        exact = not small.bends and plain(s) == plain(textbook(moves))
+        s, exact = self._exactly(small, moves)
         parts = [] if exact or letters(s) > LONG else [s, " = "]
-        more = () if exact else (" + …", Words(SECOND if loaded else FIRST))
+        more = () if exact else (" + …", Words(FIRST if not loaded else SECOND if small.bends else STRAIGHT))
         return self.sheet.write(Words(f"stretch of {term.owner}, from rest:  "), Name(letter), " = ", *parts,
                                 moves, *more, settles=letter, node=moves), exact
+
+    def _exactly(self, small, moves):
+        """What a function of the coordinates is, counted from rest, and whether it is what is told of it."""
+        s = textbook(self.about.shifted(small.s) - self.about.rest(small.s, named=False))
+        return s, not small.bends and plain(s) == plain(textbook(moves))
 
     def _turns(self, s):
         """Does what moves along s turn in time, so that a weight is a load in time there?"""
@@ -133,8 +138,9 @@ class Connections:
         acting = [Acting(term.owner, term.weight, term.weight, None, self.about.small(term.s), None)
                   for term in self.scene.weights if not self._turns(term.s)]
         about, total = self.about, self.scene.table.total
-        terms = {one.name: total([other.tension * (about.first(other.s, self.scene.q) + about.bent(other.s))
-                                  for other in acting if other.name == one.name]) for one in acting}
+        moves = {one: about.first(one.s, self.scene.q) + about.bent(one.s) for one in acting}
+        terms = {one.name: total([other.tension * moves[other] for other in acting if other.name == one.name])
+                 for one in acting}
         terms = {name: node for name, node in terms.items() if not node.is_zero}
         acting = [one for one in acting if one.name in terms]
         if not acting:
@@ -142,9 +148,10 @@ class Connections:
         V = self._letter("V", next(iter(terms)) if len(terms) == 1 else "g")
         words = "weight of" if len(terms) == 1 else "weights of"
         node = total(list(terms.values()))
+        exact = all(self._exactly(one.s, moves[one])[1] for one in acting)
+        more = () if exact else (" + …", Words(SECOND if any(one.s.bends for one in acting) else STRAIGHT))
         line = self.sheet.write(Words(f"{words} {listed(terms)}, counted from rest:  "), Name(V), " = ", SumOfTerms(
-            tuple(terms.values())), *((" + …", Words(SECOND)) if any(one.s.bends for one in acting) else ()),
-            settles=V, node=node)
+            tuple(terms.values())), *more, settles=V, node=node)
         for i, one in enumerate(acting):
             yield EnergyPart(V, node if not i else None, line), one._replace(line=line)
 
