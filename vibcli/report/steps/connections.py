@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 AT_ONCE = 4         # letters of a stretch or speed, up to which its energy stands in the same line
 FIRST = "   (first order: it bears nothing at rest)"
 SECOND = "   (second order: its force at rest counts)"
+SLOPES = {("k", "N"): "N/m", ("k", "N·m"): "N·m/rad", ("c", "N"): "N·s/m", ("c", "N·m"): "N·m·s/rad"}
 STRAIGHT = "   (second order, as its force at rest counts: there is no such term)"
 
 
@@ -78,10 +79,18 @@ class Connections:
         slope = gradient(law.derivative).get(law.x, self.scene.table.zero)
         node = self.about.rest(substitute([slope], {law.x: at})[0])
         name = self.sheet.letter(letter, law.owner)
-        value = self.about.value(node)
-        self.sheet.write(Words(f"{what} of {law.owner} at rest, the slope of its law:  "), Name(name), " = ", node,
-                         *(() if value is None else number(value)), settles=name, node=node, value=value)
+        value, unit = self.about.value(node), SLOPES[letter, self._unit(law.owner)]
+        shown = [" = ", node] if value is None or node.op != "number" else []
+        self.sheet.write(Words(f"{what} of {law.owner} at rest, the slope of its law:  "), Name(name), *shown,
+                         *(() if value is None else number(value, unit)), settles=name, node=node, value=value,
+                         unit="" if value is None else unit)
         return node
+
+    def _unit(self, owner):
+        """That of the force of an element."""
+        spec = self.about.problem.spec
+        elements = {**(spec.get("springs") or {}), **(spec.get("dampers") or {})}
+        return "N·m" if "torsion" in elements.get(owner, {}) else "N"
 
     def _spring(self, term, k):
         about, sheet = self.about, self.sheet
@@ -176,8 +185,10 @@ class Connections:
             told = self.sheet.write(Words(f"speed across {term.owner}:  "), Name(u + "'"), " = ", rate, Words(first),
                                     settles=u, node=rate)
             node = self.about.half_squares([(c, small)], rates=True)
-            line = self.sheet.write(Name(letter), " = ", c * self.about.letter(u + "'") ** 2 / 2, " = ", node,
-                                    settles=letter, node=node, uses=[told], joined=letters(rate) <= AT_ONCE)
+            formula = c * self.about.letter(u + "'") ** 2 / 2
+            shown = [] if formula.is_zero else [" = ", formula]
+            line = self.sheet.write(Name(letter), *shown, " = ", node, settles=letter, node=node, uses=[told],
+                                    joined=letters(rate) <= AT_ONCE)
             yield EnergyPart(letter, node, line)
 
     def loads(self) -> "Iterator[tuple[EnergyPart, Acting]]":
