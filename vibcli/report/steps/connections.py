@@ -14,6 +14,7 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Name, SumOfTerms, Words
 from vibcli.report.steps.bodies import LONG, EnergyPart
+from vibcli.report.steps.parts_in_series import tell_parts
 from vibcli.report.steps.small import AboutRest, Small
 from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.derivatives import gradient, substitute
@@ -76,6 +77,7 @@ class Connections:
 
     def _slope(self, law, at, letter, what):
         """The slope of a law at rest, told with a letter of its own."""
+        tell_parts(self.about.problem, self.sheet, law.owner)
         slope = gradient(law.derivative).get(law.x, self.scene.table.zero)
         node = self.about.rest(substitute([slope], {law.x: at})[0])
         name = self.sheet.letter(letter, law.owner)

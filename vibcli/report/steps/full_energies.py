@@ -9,6 +9,7 @@ from vibcli.report.blocks import Name, Words
 from vibcli.report.sections.too_long import brief
 from vibcli.report.steps.bodies import LONG, EnergyPart
 from vibcli.report.steps.in_motion import InMotion, short_form
+from vibcli.report.steps.parts_in_series import tell_parts
 from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.nested_form import letters
@@ -109,6 +110,7 @@ class FullEnergies:
 
     def _of_law(self, law: "Law", letter, energy, s, words) -> EnergyPart:
         """The integral of the law at s."""
+        tell_parts(self.motion.problem, self.sheet, law.owner)
         at, uses = self._told(law, letter, s, words)
         name = self._letter(energy, law.owner)
         formula, node = (substitute([law.integral], {law.x: x})[0] for x in (at, s))
