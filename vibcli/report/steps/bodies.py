@@ -131,7 +131,9 @@ class Bodies:
                     self.sheet.letter("v", there)), Words(",  ")], lines=[self._lines[there]])
         lines = [None if self._goes_straight(moves) else self._placed(body, x, y)]
         told = [part for axis, node in speeds for part in (Words(",  "), Name(f"{axis}_C'"), " = ", node)][1:]
-        if speeds and not _is_plain(speeds, omega):
+        if len(speeds) == 1:
+            told = [v, " = ", speeds[0][1]]
+        elif speeds:
             told += [Words(",  "), v ** 2, " = ", about.square([node for _, node in speeds])]
         told += [Words(",  " * bool(told)), turn, " = ", omega] if turns else []
         if omega is None and len(speeds) == 1 and speeds[0][1].op != "symbol":

@@ -9,12 +9,13 @@ from vibcli.analyses.closed_form.member_shapes import shape, unstrained
 from vibcli.analyses.closed_form.textbook_equation import sides
 from vibcli.base.errors import PhysicsError
 from vibcli.notation.numbers import figure
-from vibcli.notation.plain import GREEK, lowered, plain
+from vibcli.notation.plain import GREEK, lowered
 from vibcli.report.blocks import Factor, Name, WithNumbers, Words
 from vibcli.report.sections.members import SIMPLE, carried, differential, station_conditions
 from vibcli.report.steps.ends import Ends
 from vibcli.report.steps.held import HINT
 from vibcli.report.steps.step import WorkedSolution, number, of_time, told
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
@@ -158,7 +159,7 @@ class MemberSteps:
                              uses=[frequency])
         for mode, root in [(mode, root) for mode, root in known if root is not None][:FIRST]:
             ends.hold(root, floats)
-            self._of_mode(found, mode, root, equation, frequency, simple and self._multiple(root))
+            self._of_mode(found, mode, root, equation, frequency, self._multiple(root) if simple else None)
 
     def _root_of(self, found, mode, floats):
         """βL of a mode; None of one that grows, moves freely or belongs to other members."""
@@ -196,10 +197,10 @@ class MemberSteps:
         omega = float(mode.omega)
         alone = textbook(found.square / x ** order)
         node = self.table.sqrt(found.square) if x in reachable([alone]) else x ** (order // 2) * self.table.sqrt(alone)
-        put_in = {name: figure(value) for name, value in self.problem.numeric.floats.items()} | {
-            x.name: plain(exact) if exact else figure(root)}
-        how = [exact] if exact else [told(root), Words("   (by a search)")]
+        shown = node if exact is None else substitute([node], {x: exact})[0]
+        put_in = {name: figure(value) for name, value in self.problem.numeric.floats.items()} | {x.name: figure(root)}
+        how = [exact] if exact is not None else [told(root), Words("   (by a search)")]
         line = self.sheet.write(Words(f"root {mode.index}:  "), "βL = ", *how, settles=f"βL[{mode.index}]", node=exact,
                                 value=root, uses=[equation])
-        self.sheet.write(f"ω{k} = ", WithNumbers(node, put_in), *number(omega, "rad/s"), *of_time(self.sheet, omega),
+        self.sheet.write(f"ω{k} = ", WithNumbers(shown, put_in), *number(omega, "rad/s"), *of_time(self.sheet, omega),
                          settles=f"omega[{mode.index}]", node=node, value=omega, unit="rad/s", uses=[line, frequency])
