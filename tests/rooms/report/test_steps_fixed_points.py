@@ -45,6 +45,11 @@ def test_they_are_told_where_they_are_asked():
     assert "fixed points" not in told(problem(ABSORBER + "answers:\n  amplitude(x1): 0.04 m\n"))
 
 
+def test_a_load_that_is_another_at_each_frequency_has_none():
+    lines = told(problem(ABSORBER.replace("F0*sin", "0.125 kg*m*Omega^2*sin").replace("F0: 50 N, ", "") + ASKED))
+    assert "fixed points" not in lines and "amplitude(x1)" in lines
+
+
 def test_the_spring_that_makes_them_equally_high():
     lines = told(settled(kept_problem_of(Path("vibcli/examples/damped_absorber.yaml"))))
     heights = [lines[f"height of fixed point {letter}"].value for letter in "PQ"]

@@ -8,12 +8,14 @@ n and d being functions of ω². With + the stretch of the damper is zero, or it
 from math import isclose, sqrt, tau
 from typing import TYPE_CHECKING, Any
 
+from vibcli.base.errors import PhysicsError
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.held import HINT, UNTOLD, SmallEquations, Untold
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import expanded, textbook
 from vibcli.symbolic.radicals import root
@@ -37,11 +39,16 @@ def tell_fixed_points(about: AboutRest, sheet: WorkedSolution, found: SmallEquat
     scene = about.scene
     if len(scene.q) != 2 or len(scene.dampers) != 1 or found.G or any(law.damper for law in scene.laws):
         return
-    asked = _asked(about.problem)
+    if Omega.op == "symbol" and any(Omega in reachable([force]) for force in forces):
+        return          # the load is another at each frequency
+    asked, before = _asked(about.problem), len(sheet.steps)
     for k, name in enumerate(scene.coordinates):
         points = _FixedPoints(about, sheet, found, forces, Omega, k)
         if points.stand and (name in asked or points.hold()):
-            points.write(name, asked.get(name), uses)
+            try:
+                points.write(name, asked.get(name), uses)
+            except PhysicsError:
+                del sheet.steps[before:]
             return
 
 
@@ -71,7 +78,9 @@ class _FixedPoints:
         self.n0, n1, self.d0, d1 = (about.tidy(node) for node in (
             *above, p * s - q * r, a * a * s + b * b * p - a * b * (q + r)))
         self.n1, self.d1, self._per = n1 * self.omega, d1 * self.omega, (n1, d1)
-        self.stand = not (self.n0.is_zero or n1.is_zero or d1.is_zero)
+        alone = all(about.same(found.C.get((i, j), zero), self.c * (a, b)[i] * (a, b)[j])
+                    for i in range(2) for j in range(2))
+        self.stand = alone and not (self.n0.is_zero or n1.is_zero or d1.is_zero)
         if self.stand:
             self.equation = self._in_powers(self.d0 + about.tidy(self.n0 * d1 / n1))
             self.stand = len(self.equation) == 3
@@ -161,6 +170,8 @@ class _FixedPoints:
             return
         damper = self.about.scene.dampers[0].owner
         drivers = [driver] if driver else list(self.about.problem.spec.get("forces") or {})
+        if not drivers:
+            raise Untold(UNTOLD, HINT)
         known = [point.Omega for point in self.about.problem.frequency_response(name, drivers[0]).fixed_points(damper)]
         if len(known) != 2 or any(not isclose(x, value, rel_tol=CLOSE) for x, (_, value) in zip(
                 known, places, strict=True)):
