@@ -41,7 +41,8 @@ def tell_fixed_points(about: AboutRest, sheet: WorkedSolution, found: SmallEquat
         return
     if Omega.op == "symbol" and any(Omega in reachable([force]) for force in forces):
         return          # the load is another at each frequency
-    asked, before = _asked(about.problem), len(sheet.steps)
+    alone = sum(not force.is_zero for force in forces) == 1
+    asked, before = _asked(about.problem) if alone else {}, len(sheet.steps)
     for k, name in enumerate(scene.coordinates):
         points = _FixedPoints(about, sheet, found, forces, Omega, k)
         if points.stand and (name in asked or points.hold()):
