@@ -116,7 +116,7 @@ def check_tree(node, lines, depth=0):
     assert depth <= 32
     if isinstance(node, Scalar):
         assert len(node.text) <= 4096
-        assert not decoding.FORBIDDEN.search(node.text)
+        assert not decoding.forbidden().search(node.text)
         if node.inset is not None and decoding.STAND_IN not in node.text:
             where = node.place(0, len(node.text))
             assert lines[where.line - 1][where.column - 1 :].startswith(node.text)

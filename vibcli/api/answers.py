@@ -4,13 +4,14 @@ import os
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from math import log10
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from vibcli.api.asked import ASKED
 from vibcli.api.expressions import node_of
 from vibcli.api.source import problem_of, settled, text_source
 from vibcli.api.values import quantity_asked, quantity_value
 from vibcli.base.errors import NotInLetters, PhysicsError, SpecError, Where
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.document.insertion import with_entries
 from vibcli.language.document.nodes import Mapping as Node
 from vibcli.language.document.nodes import Scalar

@@ -1,9 +1,10 @@
 """The scene as a figure, a mode shape on it, or either moving."""
 
 from os import PathLike
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from vibcli.api.source import settled
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.report.sections.force_diagrams import WhichForces

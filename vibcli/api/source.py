@@ -2,10 +2,11 @@
 
 import os
 from time import perf_counter
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from vibcli.base.decoding import MAX_BYTES, lines, too_long
 from vibcli.base.errors import Diagnostic, SpecError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.work import Work
 from vibcli.language.document.document import read, read_file
 from vibcli.language.document.nodes import Mapping, Scalar, Sequence

@@ -1,12 +1,13 @@
 """Quantities of a scene over arrays of values of its parameters, for Python."""
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from vibcli.api.axis import of_numbers
 from vibcli.api.source import settled
 from vibcli.api.values import checked_quantity, given_expression
 from vibcli.base.errors import Diagnostic, SpecError, Where
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.quantities.dimensions import unit_of
 from vibcli.quantities.quantity import OF_STATE, kind_of
 from vibcli.quantities.sweep import Sweep, SweptAxis

@@ -1,11 +1,12 @@
 """A quantity asked for by its text: its value with unit and error bound, or its expression in letters."""
 
 from contextlib import suppress
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from vibcli.api import given
 from vibcli.api.expressions import SymbolicExpression
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError, Where
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.reader import Reader
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.dimensions import unit_of

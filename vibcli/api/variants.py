@@ -1,8 +1,9 @@
 """Variants of a scene as homework, for Python."""
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Diagnostic, SpecError, Where
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.homework.document import SceneDocument
 from vibcli.homework.parts import solve_in_parts
 

@@ -1,6 +1,7 @@
 """From the bytes of a scene file to its text: UTF-8, without characters that could steer a terminal or a reader."""
 
 import re
+from functools import cache
 from typing import Any
 
 from vibcli.base.errors import Diagnostic, Where
@@ -11,9 +12,18 @@ MAX_SHOWN = 20  # odd characters are named one by one up to here
 BIDI = "\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069"
 INVISIBLE = "\xad\u200b\u2028\u2029\u2060-\u2065\u206a-\u206f\ufeff\ufff9-\ufffb\U000e0000-\U000e007f"
 CONTROL = "\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\ud800-\udfff\ufffe\uffff"
-FORBIDDEN = re.compile(f"[{CONTROL}{BIDI}{INVISIBLE}]")
-
 STAND_IN = "\ufffd"  # takes the place of a forbidden character, so that reading goes on with all columns kept
+
+
+@cache
+def forbidden() -> re.Pattern[str]:
+    """Matches one character that no file may have; compiled where a text holds what does not print."""
+    return re.compile(f"[{CONTROL}{BIDI}{INVISIBLE}]")
+
+
+def prints(text: str) -> bool:
+    """Whether all of the text prints but its tabs and line breaks, so that nothing in it is forbidden."""
+    return text.replace("\n", "").replace("\t", "").replace("\r", "").isprintable()
 
 
 def decode(data: bytes, file: str) -> tuple[str, list[Any]]:
@@ -53,7 +63,7 @@ def place(text: Any, index: int, file: str, width: int = 1) -> Where:
 
 def cleaned(text: str) -> str:
     """The text with a stand-in for every control, bidirectional and invisible character; lines stay."""
-    return FORBIDDEN.sub(STAND_IN, text).replace("\r", STAND_IN)
+    return forbidden().sub(STAND_IN, text).replace("\r", STAND_IN)
 
 
 def on_one_line(text: str) -> str:
@@ -88,7 +98,7 @@ def _not_utf8(data, index, file):
 
 def _without_forbidden(text, file):
     problems = []
-    for found in FORBIDDEN.finditer(text):
+    for found in () if prints(text) else forbidden().finditer(text):
         where = place(text, found.start(), file)
         if len(problems) == MAX_SHOWN:
             problems.append(Diagnostic(where, "more characters of this kind: reading stops here",
@@ -96,7 +106,7 @@ def _without_forbidden(text, file):
             return None, problems
         problems.append(Diagnostic(where, f"found {name_of(found[0])}", "delete it"))
     if problems:
-        text = FORBIDDEN.sub(STAND_IN, text)
+        text = forbidden().sub(STAND_IN, text)
     lone = re.search("\r(?!\n)", text) if "\r" in text else None
     if lone:
         problems.append(Diagnostic(place(text, lone.start(), file),

@@ -1,7 +1,9 @@
 """Errors and where they are: places in a file, diagnostics, physical refusals."""
 
 from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple
+from typing import Any
+
+from vibcli.base.named_tuple import NamedTuple
 
 
 class Where(NamedTuple):

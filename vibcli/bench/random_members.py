@@ -1,7 +1,9 @@
 """Random rows of members with springs, masses and oscillators, as scenes and, by themselves, in finite elements."""
 
 import random
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
+
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     import numpy as np

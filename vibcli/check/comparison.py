@@ -8,9 +8,10 @@ A bound that grows can turn either into uncertain, never one into the other.
 """
 
 from math import log10
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.check.tolerance import tolerance
 from vibcli.quantities.expression import bounded
 

@@ -5,9 +5,10 @@ constant, at random states. A scene with symbols is checked at several sets of r
 """
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.check.comparison import compared
 from vibcli.check.instances import Instances
 from vibcli.check.tolerance import EXACT, is_exact

@@ -9,7 +9,6 @@ from vibcli.cli.common import chosen, load, number_options, scene_options
 from vibcli.cli.output import print_scenes
 from vibcli.cli.pictures import FILE
 from vibcli.cli.reports import output_of, report_options
-from vibcli.cli.sampled import PICTURES, cases_to_show, refuse_targets, show_curves
 from vibcli.report.wanted import Wanted
 
 
@@ -28,12 +27,15 @@ def command(file: str, settings: Sequence[str], case: Any, as_json: bool, patien
             digits: int | None, normalise: str, count: int | None, backbone: bool, plot: bool,
             saves: Sequence[str], **report: Any) -> int:
     """Equilibrium, natural frequencies, damping and mode shapes."""
-    refuse_targets(saves, report["force"], PICTURES)
+    if saves:
+        from vibcli.cli import sampled
+
+        sampled.refuse_targets(saves, report["force"], sampled.PICTURES)
     if plot and as_json:
         raise click.UsageError("--plot does not go with --json")
     output = output_of(file, as_json, **report)
     wanted = Wanted() if count is None else _lowest(count)
-    problems = cases_to_show(chosen(load(file, settings, patience), case), saves)
+    problems = chosen(load(file, settings, patience), case)[:1 if saves else None]
     sections = ("chosen", "equilibrium", *(("backbone",) if backbone else ("frequencies", "damping", "modes")))
     return print_scenes(problems, lambda problem: sections, output, timings, digits, normalise, ("frequencies",),
                         wanted=wanted,
@@ -49,6 +51,8 @@ def _lowest(count):
 def _shown(problem, wanted, backbone, plot, saves, force):
     if not (plot or saves):
         return
+    from vibcli.cli.sampled import show_curves
+
     if backbone:
         from vibcli.report.sections.backbone import curve_figure
 

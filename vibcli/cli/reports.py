@@ -4,11 +4,12 @@ from collections.abc import Callable, Sequence
 from functools import reduce
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from vibcli.base.enumeration import listed
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.cli.pictures import FILE
 from vibcli.report.formats import FORMATS, WITHIN
 

@@ -7,11 +7,12 @@ picture for each kind of force; each of the others has panels of its own, below 
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.drawing.canvas import primitives
 from vibcli.drawing.canvas.primitives import BEHIND, ELEMENT, JOINT, SURFACE, Circle, Polygon, Polyline, extent
 from vibcli.drawing.layout import lettering, plane

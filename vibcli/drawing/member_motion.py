@@ -1,8 +1,9 @@
 """Modes along members, from their exact fields."""
 
 from bisect import bisect_right
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.drawing.layout.strips import Strip, resting
 from vibcli.drawing.symbols.member import LEAST, Bend
 from vibcli.drawing.symbols.member_ends import hanging

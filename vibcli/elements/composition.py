@@ -5,8 +5,9 @@ In parallel the forces add up. In series Σ dᵢ = x at one force:  k = 1/Σ 1/k
 c = (Σ cᵢ^(−1/n))^(−n);  of N equal laws F(x/N);  of others the inner equilibrium is solved where it is asked for.
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.elements.faults_in_series import not_in_series
 from vibcli.elements.force_laws import force_and_energy
 from vibcli.elements.series import KEYS

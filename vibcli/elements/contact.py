@@ -7,7 +7,9 @@ the tangent t, which is n turned clockwise. The slip of the body's point of cont
     on a line   (c − c₀)·e + s r θ          on a circle   ρ ψ − σ r θ, ψ being the turn of the line of centres
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression

@@ -5,8 +5,9 @@
     rectangle [b, h]  A = b h             I = b h³/12, h in the plane of bending; I_o is not its torsion constant
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Many, Quantity
 

@@ -1,7 +1,8 @@
 """What keeps a law from standing in series: its force is to be continuous, and undeformed it is to rest."""
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.expression_graph import called_functions, reachable
 

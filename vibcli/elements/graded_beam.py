@@ -5,8 +5,9 @@ Cut into parts so short that their power series serve, joined at the cuts. Stiff
 k x − n and the forces −N₀, N_l, for u = 1 the load k, so that small tensions are told beside large stiffnesses.
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.elements.graded_part import GradedPart, graded_part
 
 if TYPE_CHECKING:

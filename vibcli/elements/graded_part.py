@@ -10,7 +10,9 @@ of half the length, so that −π ≤ η ≤ π: no factor is then rational, and
 
 from fractions import Fraction
 from math import pi
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node

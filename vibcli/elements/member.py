@@ -8,8 +8,9 @@ counts as a member besides, `wing.along`.
 """
 
 from functools import partial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.elements.member_attachments import attach
 from vibcli.elements.member_ends import HOLDS
 from vibcli.elements.member_fields import LENGTHWISE, MemberKind, members_of

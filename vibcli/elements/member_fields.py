@@ -1,7 +1,8 @@
 """The fields that bars, shafts, beams and strings share, and the kinds of members."""
 
-from typing import Any, NamedTuple
+from typing import Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.elements.cross_sections import SECTION
 from vibcli.elements.member_ends import FREE, HOLDS, attachment, end_kind
 from vibcli.language.fields import Element, Field

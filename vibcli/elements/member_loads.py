@@ -6,8 +6,9 @@ Pieces without inertia and drag deflect at all times as at rest, under what vari
 SpreadForce.
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.elements.graded_beam import graded_mean
 from vibcli.elements.loaded_rest import by_parts, end_forces
 from vibcli.elements.member_pieces import pieces_of

@@ -1,7 +1,8 @@
 """Places along a member: its ends, steps of section, and all that stands somewhere on it."""
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.elements.member_ends import HOLDS
 from vibcli.elements.member_fields import MemberKind, members_of
 from vibcli.language.member_signals import oscillator_parts

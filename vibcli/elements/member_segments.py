@@ -1,7 +1,8 @@
 """Segments of members: length, stiffness and mass per length of each, from what it or else its member says."""
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.elements.cross_sections import CrossSection, cross_section
 from vibcli.elements.member_fields import MemberKind
 

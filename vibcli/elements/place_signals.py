@@ -7,8 +7,9 @@ At a station the piece on its right counts, at the right end and where it is ask
 inertia deflects as at rest.
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.elements.member_line import Station
 from vibcli.language.member_signals import OF_COORDINATES
 

@@ -7,8 +7,9 @@
 
 from fractions import Fraction
 from math import factorial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.elements.member_springs import SMALL, even_solutions, odd_solutions, share_along
 
 TERMS = 20      # of power series

@@ -1,8 +1,9 @@
 """Bodies as built, and what the motion of each refers to."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.elements import ELEMENTS
 
 if TYPE_CHECKING:

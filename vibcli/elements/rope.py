@@ -13,8 +13,9 @@ all sides as an eyelet does.
 
 from itertools import pairwise
 from math import atan2, hypot, pi, sqrt, tau
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import PLACE, Many, NameOf, OneOf, Quantity, vector
 from vibcli.symbolic.derivatives import substitute

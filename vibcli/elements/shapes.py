@@ -10,7 +10,9 @@ With R the radius, α the half angle, O the centre of a sector's or arch's circl
 """
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any
+
+from vibcli.base.named_tuple import NamedTuple
 
 NEEDS = {"particle": (), "disc": ("radius",), "ring": ("radius",), "rod": ("from", "to"),
          "rectangle": ("width", "height"), "ellipse": ("a", "b"), "sector": ("radius", "half_angle"),

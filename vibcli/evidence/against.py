@@ -5,8 +5,9 @@ runs out of two.
 """
 
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.blocks import Document, Section, TableBlock, paragraph
 
 GROWN, SPREADS = 1.3, 3.0

@@ -2,9 +2,10 @@
 
 from collections.abc import Callable, Iterable, Iterator
 from importlib import import_module
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.subject import ALONE, Subject
 from vibcli.evidence.subjects import DAMPED, NATURAL, SUBJECTS
 from vibcli.quantities.quantity import declared, named

@@ -2,9 +2,10 @@
 
 from collections.abc import Iterable
 from importlib import import_module
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.asked import NotCompared, subjects
 from vibcli.evidence.methods import METHODS
 from vibcli.evidence.stages import StageCost, stage_costs

@@ -2,10 +2,11 @@
 expressions; and what is read off its solution."""
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.array_arithmetic import Arrays
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import evaluate

@@ -6,8 +6,9 @@ import subprocess
 import sys
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.blocks import Document, Section, TableBlock, paragraph
 
 PACKAGES = ("numpy", "mpmath", "scipy", "sympy", "matplotlib")

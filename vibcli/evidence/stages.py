@@ -2,10 +2,10 @@
 afterwards; dear ones of many coordinates are not measured."""
 
 from collections.abc import Callable
-from typing import NamedTuple
 
 from vibcli.analyses import OF_MODES
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.results.problem import STAGES, Problem
 
 DEAR, FEW = ("closed_forms", "equilibria"), 3       # stages, and the coordinates up to which they are measured

@@ -2,7 +2,9 @@
 
 from collections.abc import Callable, Sequence
 from time import process_time
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.evidence.reference.settled import TrueValues

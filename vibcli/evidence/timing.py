@@ -4,9 +4,9 @@ import math
 from collections.abc import Sequence
 from statistics import quantiles
 from time import process_time
-from typing import NamedTuple
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.subject import Deadline, MethodAnswer, MethodRun, Subject, TimeIsOver
 
 RUNS, FEW, SLOW = 7, 3, 0.5     # of each; of those whose one run takes longer [s]

@@ -1,7 +1,8 @@
 """How far an answer may lie from its key: what rounding on the way to it does, and its own last figure."""
 
 from math import floor, log10, sqrt
-from typing import NamedTuple
+
+from vibcli.base.named_tuple import NamedTuple
 
 FIGURES = 3, 4, 5       # that a sheet may ask for
 ROUNDED = 0.005         # of a key, by what is rounded on the way, where no line of its solution tells it

@@ -1,9 +1,10 @@
 """What is handed out: a problem file, a folder of them, or a set.yaml that names some."""
 
 import os
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import Diagnostic, SpecError, Where
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.spelling import nearest
 from vibcli.homework import SET
 from vibcli.language.document.document import Mapping, read_file

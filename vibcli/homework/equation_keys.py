@@ -2,9 +2,10 @@
 
 import re
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.check.verdicts import expected_node, verdicts_of
 from vibcli.homework.bands import FIGURES, WIDEST, Band
 from vibcli.homework.formula_keys import AS_EQUATION

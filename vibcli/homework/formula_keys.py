@@ -3,9 +3,10 @@
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from math import isclose, log2, pi
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.check.verdicts import expected_node, verdicts_of
 from vibcli.homework.gates import Wrong
 from vibcli.homework.in_letters import answer_of, expression_of, put_in, text_in_letters, text_of_node

@@ -3,8 +3,9 @@
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from operator import ge, gt, le, lt
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.homework.bands import FIGURES, WIDEST, Band, KeyBand
 from vibcli.language.given_values import unit_of_text
 from vibcli.notation.numbers import figure, in_figures, plainly

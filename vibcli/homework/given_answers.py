@@ -2,8 +2,8 @@
 
 import re
 from math import isfinite
-from typing import NamedTuple
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.given_values import unit_of_text
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.syntax import ExpressionError, Number

@@ -3,9 +3,10 @@
 from collections.abc import Sequence
 from decimal import Decimal
 from math import tau
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.units import Unit
 from vibcli.homework.bands import Band, KeyBand
 from vibcli.homework.gates import BOUND, SAME, Wrong, is_same, told_apart

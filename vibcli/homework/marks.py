@@ -1,8 +1,9 @@
 """Marks: answers of students against the keys of a manifest, each with the mistake that it shows."""
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.spelling import nearest
 from vibcli.homework import MISSING, RIGHT, UNREADABLE, WRONG
 from vibcli.homework.given_answers import read_answer

@@ -5,8 +5,9 @@ together in the order of the grid. The parts are the same however many workers t
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
 from itertools import islice, product
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.homework.asked_keys import key_of
 from vibcli.homework.candidates import sampled
 from vibcli.homework.mistakes import mistakes_of

@@ -1,8 +1,9 @@
 """The kind of a solution: what must be the same in all variants, so that one worked solution is true of all."""
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem

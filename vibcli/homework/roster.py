@@ -1,10 +1,10 @@
 """The students of a course, from a CSV file with a heading, or numbered sheets without names."""
 
 import re
-from typing import NamedTuple
 
 from vibcli.base.diagnostics import quoted
 from vibcli.base.errors import Diagnostic, SpecError, Where
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.homework.tables import FORMULA, read_table
 
 MOST = 100_000

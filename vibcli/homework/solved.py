@@ -1,9 +1,10 @@
 """Candidates with their solutions: those of which there is a scene with answers, of the kind that is required."""
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.homework.candidates import candidates
 from vibcli.homework.gates import failed, missed_by
 from vibcli.homework.printed import with_printed

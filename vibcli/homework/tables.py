@@ -3,9 +3,9 @@
 import csv
 import io
 import re
-from typing import NamedTuple
 
 from vibcli.base.errors import Diagnostic, SpecError, Where
+from vibcli.base.named_tuple import NamedTuple
 
 MAX_BYTES = 50 * 2**20
 SHOWN = 500                 # characters of a cell

@@ -1,9 +1,10 @@
 """All variants of a problem: every candidate solved once, passed through the gates, and held against a second way."""
 
 from collections.abc import Collection, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.homework.asked_keys import key_of
 from vibcli.homework.bands import KeyBand
 from vibcli.homework.candidates import candidates

@@ -1,10 +1,11 @@
 """Where a chosen parameter is looked for: its admissible range, and a grid over it about the natural scale."""
 
 import math
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.reader import Expression
 from vibcli.quantities.expression import lowered
 from vibcli.symbolic.evaluation import Floats, evaluate

@@ -3,8 +3,9 @@ the next, to a limit point (fold) where it meets an unstable one and both vanish
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.equilibrium.continuation import Branch
 from vibcli.numerics.root_finding import bracketed
 

@@ -8,9 +8,10 @@ all of them is not told.
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from math import isfinite, pi
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.inverse.admissible_ranges import ends, known, natural_scale, turns
 from vibcli.language.parameter_samples import sample_values
 from vibcli.quantities.expression import lowered

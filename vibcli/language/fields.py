@@ -1,9 +1,10 @@
 """Fields of elements: what may stand where. One declaration gives the reading, the messages, manual and schema."""
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.diagnostics import quoted
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.spelling import near, nearest
 from vibcli.language.document.document import Mapping, Scalar
 from vibcli.language.reader import Record, article

@@ -2,9 +2,10 @@
 
 from collections.abc import Callable
 from fractions import Fraction
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import Where
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.document.nodes import Scalar
 from vibcli.language.reader import Expression
 from vibcli.symbolic.parser import parse

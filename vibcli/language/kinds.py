@@ -4,9 +4,10 @@ A kind reads a document node into a value, or reports what was expected and foun
 as trees; what their names mean and whether their dimensions fit is settled by the reader, once all names are known.
 """
 
-from typing import Any, NamedTuple
+from typing import Any
 
 from vibcli.base import units
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.spelling import near
 from vibcli.language.document.document import Mapping, Scalar, Sequence
 from vibcli.language.reader import Expression, Reference, check_name

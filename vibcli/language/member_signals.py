@@ -1,8 +1,9 @@
 """Signals of continuous members, each at a place that is counted from the left end: `rod.u(L/2)`."""
 
 from itertools import count
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.spelling import nearest
 
 if TYPE_CHECKING:

@@ -2,8 +2,9 @@
 
 from collections.abc import Callable
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.document.document import Mapping
 from vibcli.language.fields import Element
 from vibcli.language.reader import check_name

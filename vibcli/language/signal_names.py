@@ -2,7 +2,8 @@
 
 import re
 from functools import lru_cache
-from typing import NamedTuple
+
+from vibcli.base.named_tuple import NamedTuple
 
 LEFT_OF = "⁻"       # behind a place: the value on its left, where it jumps; of signals that the program itself asks for
 _SIGNAL = re.compile(r"([^.'(]*)(?:\.([^'(]*))?('*)(?:\((.+)\))?('*)", re.DOTALL)

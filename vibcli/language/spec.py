@@ -1,8 +1,9 @@
 """A scene file as read: records by section, coordinates in order, dimensions of all names."""
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.units import Dimensions
 from vibcli.language.reader import Record
 

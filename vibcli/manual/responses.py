@@ -169,7 +169,8 @@ STEPS = [
          "harmonic or several, from the complex equation; the first harmonics of a square or sawtooth wave; steps, "
          "ramps and impulses piece by piece from rest; what follows a growing load. Of several the complex amplitudes "
          "under each harmonic, of two and three by determinants of K − Ω²M + iΩC; of two or three, undamped or with "
-         "modes that damping leaves apart, what each mode starts with and their sum, beats as a product."),
+         "modes that damping leaves apart, what each mode starts with and their sum, beats as a product; "
+         "where they are asked, points of a response that the one damper of two degrees does not move."),
         ("wide motions", "of one coordinate that keeps its energy: the integral ½ m q̇² + V = E, where it turns, its "
          "greatest speed and its period; under dry friction the half cycles until it rests"),
         ("members", "differential equation, standing waves and their general solution, what holds at each station, "

@@ -1,9 +1,10 @@
 """Accelerations in letters, from rest in the drawn position: M q̈ = −h(q, q̇ = 0, t = 0), which no equilibrium is
 needed for; constant where M and h do not change with the motion."""
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 from vibcli.mechanics.lagrange import LETTERS, equation_of
 from vibcli.mechanics.numeric_equations import massless

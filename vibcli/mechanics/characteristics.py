@@ -2,9 +2,10 @@
 and the coefficients of F = Σ aₙ Dⁿ (Kovacić & Radomirović 2018, 9.3)."""
 
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.scene.laws import Law
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate

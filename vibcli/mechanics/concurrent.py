@@ -8,10 +8,11 @@ with k the slope of the tension N over the distance l of the ends and n the dire
     kmax, kmin = ½ (Σ κᵢ ± √(Σ κᵢ² + 2 Σ_{i<j} κᵢ κⱼ cos 2(αᵢ − αⱼ))) + Σ Nᵢ/lᵢ
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.enumeration import listed
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.nonsmooth import KINKED, SIDES
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.expression_graph import reachable

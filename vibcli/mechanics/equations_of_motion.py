@@ -6,8 +6,9 @@ From the scalar functions s(q, t) of the scene, with s̈ = Σ sⱼ q̈ⱼ + b:
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.energies import dissipation, potential
 from vibcli.mechanics.lagrange import gyroscopic
 from vibcli.symbolic.derivatives import gradient

@@ -5,9 +5,10 @@ asin of that error over half the difference of the eigenvalues.
 """
 
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.concurrent import Concurrent, isotropic, tensor
 from vibcli.mechanics.nonsmooth import jumps
 from vibcli.symbolic.evaluation import Floats, evaluate

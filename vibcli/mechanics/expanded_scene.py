@@ -7,9 +7,10 @@ Radomirović 2018, 9.5). The coordinates still count from the drawn position; th
 
 from collections.abc import Mapping
 from fractions import Fraction
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.energies import dissipation, generalised_force, kinetic, potential
 from vibcli.mechanics.expansion import (
     cleared,

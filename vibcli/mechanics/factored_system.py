@@ -10,9 +10,10 @@ gives (follower forces) make K₊, and with it K, a matrix that is not symmetric
 """
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.scene.energy_terms import Spring

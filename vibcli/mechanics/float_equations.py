@@ -5,8 +5,9 @@ The equations M q̈ = −h are solved by elimination without pivots, M being pos
 
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.numeric_code import NUMPY, PLAIN, Source
 
 if TYPE_CHECKING:

@@ -9,9 +9,10 @@ which modal damping counts velocities: C_u = Σ (c/ω²) rᵢ φᵢᵀ K_u; that
 """
 
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.factored_system import FactoredSystem, summed
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 

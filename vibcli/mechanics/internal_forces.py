@@ -4,11 +4,12 @@ Within a piece the deflection is that between its ends under its weight and load
 """
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.member_signals import PARTS, STRETCHING
 from vibcli.mechanics.smooth_forms import smooth_form
 from vibcli.numerics.pieces.fields import fields

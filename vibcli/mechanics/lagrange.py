@@ -6,9 +6,10 @@ in letters where the equilibrium is the drawn position or plays no part, else wi
 
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.energies import dissipation, generalised_force, kinetic, potential
 from vibcli.mechanics.given_damping_in_letters import proportional
 from vibcli.symbolic.derivatives import gradient

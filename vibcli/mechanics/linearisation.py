@@ -1,8 +1,9 @@
 """The Linearisation of a scene: rows ∇s and weights as expressions, anywhere or in one position."""
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.factored_system import PlacedPiece
 from vibcli.symbolic.derivatives import substitute
 

@@ -5,8 +5,9 @@ the conditions G that hold them together have multipliers, Σ λₖ ∂Gₖ/∂q
 with F − Σ λₖ ∂Gₖ/∂t; of a beam that stretches N is EA Δ/l beside its preload.
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.scene.member_tensions import along_pieces, force_along, is_held_along, placed_members
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate

@@ -1,8 +1,9 @@
 """A Linearisation in numbers of any arithmetic: element data, residual, and the sizes of what they were summed from."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.factored_system import FactoredSystem
 from vibcli.mechanics.linearisation import Linearisation, nodes_of
 from vibcli.symbolic.evaluation import evaluate, evaluate_rational

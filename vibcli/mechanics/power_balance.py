@@ -9,8 +9,9 @@ the last two sums because loads and dampers count with the whole of ṡ, that wh
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.normal_form import textbook

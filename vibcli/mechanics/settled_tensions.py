@@ -5,9 +5,10 @@ found: g(N). What is sought is N = g(N). Where statics alone tells all, that is 
 """
 
 from fractions import Fraction
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.configuration import Configuration
 from vibcli.mechanics.member_tensions import tensions_at_rest
 from vibcli.mechanics.numeric_system import NumericSystem

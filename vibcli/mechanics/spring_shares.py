@@ -8,9 +8,10 @@ and the rest is of the geometry.
 """
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.expansion import Powers, cleared, expanded_by, side_in_letters, symbols_of
 from vibcli.symbolic.evaluation import Floats
 from vibcli.symbolic.normal_form import is_zero, textbook

@@ -7,10 +7,11 @@ Beside each stands the sum of the sizes of its terms, the scale of its rounding.
 
 from collections import Counter
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.linearisation import nodes_of
 from vibcli.mechanics.numeric_linearisation import ALIKE
 from vibcli.symbolic.array_arithmetic import Arrays

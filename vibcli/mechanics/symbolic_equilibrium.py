@@ -9,9 +9,10 @@ some speed) the position that depends on letters is preferred.
 import math
 from collections.abc import Iterator, Sequence
 from itertools import islice
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.parameter_samples import given_values
 from vibcli.mechanics.linearisation import Linearisation, nodes_of, residual_terms
 from vibcli.symbolic.angle_addition import opened, openings

@@ -2,9 +2,10 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from importlib import import_module
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError, SpecError, Where
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.document.nodes import Mapping, Scalar
 from vibcli.language.reader import Expression, Reader
 from vibcli.mistakes import FORMULA, MISTAKES, MODEL, READING

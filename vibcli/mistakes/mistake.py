@@ -1,8 +1,9 @@
 """A mistake, as its file declares it: what it tells the student, and how its wrong value is found."""
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.syntax import QuantityRef
 
 if TYPE_CHECKING:

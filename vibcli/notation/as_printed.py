@@ -1,4 +1,4 @@
-"""A value as it was typed, 40 N*s/m, as it is set in print: 40 N·s/m, 30°, 9.81 m/s², 2·π·f₁."""
+"""A value as it was typed, 40 N*s/m, as it is set in print: 40 N·s/m, 30°, 9.81 m/s², √(2)·π·f₁."""
 
 import re
 from collections.abc import Collection
@@ -23,6 +23,8 @@ def as_printed(text: str, names: Collection[str] = ()) -> str:
             part = part[1:].strip().translate(SUPERSCRIPT)
         elif kind == "minus":
             part = "−"
+        elif kind == "name" and part == "sqrt":
+            part = "√"
         elif kind == "name" and part in known:
             part = plain.symbol(part)
         found.append(part)

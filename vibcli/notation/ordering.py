@@ -65,14 +65,16 @@ def _most_primes(node):
 
 
 def factor_rank(pair: "tuple[Node, Fraction | int]") -> tuple[int, int]:
-    """Numbers, parameters, brackets, then functions and variables; velocities and accelerations last."""
+    """Numbers, parameters, brackets, coordinates, then functions, so that no argument seems to go on: y·sin φ;
+    velocities and accelerations last."""
     base = pair[0]
     if base.op == "number" or (base.op == "sum" and is_constant(base)):
         kind = -1 if base.op == "number" else 0
     elif base.op in ("symbol", "pi") and not base.mask:
         kind = 1
     elif base.op in ("sum", "call"):
-        kind = 2 if base.op == "sum" else 3
+        kind = 2 if base.op == "sum" else 4
     else:
-        kind = 4 + _most_primes(base)
+        deepest = _most_primes(base)
+        kind = 4 + deepest if deepest else 3
     return kind, base.index

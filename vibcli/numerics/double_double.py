@@ -3,9 +3,11 @@
 Errors of sums by Knuth (1969), of products by Dekker (1971). What is rounded is below 2^-102 of the magnitudes added.
 """
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
+
+from vibcli.base.named_tuple import NamedTuple
 
 UNIT = 2.0**-102
 SPLIT = 2.0**27 + 1

@@ -5,10 +5,11 @@ K − σM = L D Lᵀ without exchanges, by SuperLU in an order of little fill. T
 that of a σ at most ‖Δ‖/τ away, where τ M's smallest eigenvalue is above.
 """
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.work import counted
 from vibcli.numerics.sparse_form import UNIT, SparseForm
 

@@ -7,10 +7,9 @@ from θ_j, the eigenvalues of the slice are off by at most those of H − Θ and
 norm being that of M⁻¹.
 """
 
-from typing import NamedTuple
-
 import numpy as np
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.work import counted
 from vibcli.numerics import double_double as dd
 from vibcli.numerics.double_double import DoubleDouble

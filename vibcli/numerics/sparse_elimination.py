@@ -5,9 +5,11 @@ magnitudes of what an entry was added from.
 """
 
 from collections.abc import Iterable
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
+
+from vibcli.base.named_tuple import NamedTuple
 
 
 class EliminationStep(NamedTuple):

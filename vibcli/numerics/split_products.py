@@ -4,10 +4,9 @@ Rows of the left factor and columns of the right one are cut into slices of so f
 rounds, in whatever order it is summed (Ozaki, Ogita, Oishi & Rump 2012).
 """
 
-from typing import NamedTuple
-
 import numpy as np
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics import double_double as dd
 from vibcli.numerics.double_double import DoubleDouble
 

@@ -1,10 +1,10 @@
 """Curves along a line in stretches, between which they may jump: their zeros and extremes."""
 
 from collections.abc import Callable
-from typing import NamedTuple
 
 import numpy as np
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.bracketing import maxima_between, zeros_between
 
 PARTS, SECTIONS = 48, 20        # by which a stretch is shown; of a search for an extreme

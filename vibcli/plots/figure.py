@@ -1,6 +1,6 @@
 """The data of a plot, before any paper: curves in panels, panels in a figure. Labels are plain text, `x [mm]`."""
 
-from typing import NamedTuple
+from vibcli.base.named_tuple import NamedTuple
 
 
 class Curve(NamedTuple):

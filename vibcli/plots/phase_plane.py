@@ -2,10 +2,10 @@
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import NamedTuple
 
 import numpy as np
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.plots.figure import Curve, Figure, Panel
 from vibcli.plots.prefixes import labelled, readable
 

@@ -1,8 +1,8 @@
 """What may stand in the square brackets of a quantity, by its kind: a mode, a coordinate, a body …"""
 
 from collections.abc import Callable
-from typing import NamedTuple
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.signals import coordinate_name, near_signals, signal_dimension
 from vibcli.language.spec import MEMBERS
 from vibcli.quantities.signal_dimensions import input_dimension, inputs, output_dimension

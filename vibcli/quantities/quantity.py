@@ -7,8 +7,9 @@ from collections.abc import Callable, Sequence
 from functools import lru_cache
 from importlib import import_module
 from math import tau
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.quantities import FAMILIES, FORMS
 from vibcli.symbolic.parser import IN_TWO_BRACKETS
 from vibcli.symbolic.running_errors import UNIT, error_in, number_in

@@ -3,9 +3,10 @@
 from collections.abc import Callable, Sequence
 from functools import cached_property
 from itertools import product
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.given_values import GivenValue
 from vibcli.quantities.expression import value_of
 from vibcli.quantities.quantity import declared

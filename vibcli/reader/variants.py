@@ -2,11 +2,12 @@
 
 from collections.abc import Iterator
 from fractions import Fraction
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.spelling import nearest
 from vibcli.language.document.document import Scalar
-from vibcli.language.given_values import GivenValue, converted, giver, number_and_unit, unit_of_text
+from vibcli.language.given_values import FIGURES, GivenValue, converted, giver, number_and_unit, unit_of_text
 from vibcli.language.reader import Expression, Reader, Record
 from vibcli.quantities.quantity import FUNCTION, OF_STATE, TRUTH, kind_of
 from vibcli.reader.answer_check import as_quantity, check_question, checked
@@ -213,7 +214,7 @@ def _series(reader, values, low, high):
 
 
 def _steps(reader, values, unit, low, high):
-    """From one end to the other, which the last step reaches."""
+    """From one end to the other, which the last step reaches but for 1e-12 of it: decimals stand for radians too."""
     found = number_and_unit(values["step"])
     step = None if found is None else _in_unit(found, unit)
     if step is None:
@@ -224,10 +225,10 @@ def _steps(reader, values, unit, low, high):
     if count > MOST_VALUES:
         return reader.report(values.place("step"), f"{int(count) + 1} values; the limit is {MOST_VALUES}",
                              "widen the step")
-    if count.denominator != 1:
+    if not round(count) or abs(count - round(count)) > Fraction(1, 10**FIGURES):
         last = giver(unit, "")(low + int(count) * step).expression.text
         return reader.report(values.place("to"), f"the steps miss '{values['to'].text}'", f"the last one is {last}")
-    return [low + k * step for k in range(int(count) + 1)]
+    return [*(low + k * step for k in range(round(count))), high]
 
 
 def _comparison(spec, reader, one):

@@ -20,7 +20,9 @@ those of the first.
 
 from collections.abc import Iterable
 from itertools import compress
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node

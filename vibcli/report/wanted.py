@@ -1,6 +1,8 @@
 """What a command asks of responses beyond the file: signals, their end, the input, the range, how phases are told."""
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.analyses.modal.mode_sequence import Selection

@@ -8,9 +8,10 @@ the other's shape gradually, veer (Leissa 1974).
 
 from collections.abc import Callable, Sequence
 from math import inf
-from typing import NamedTuple
 
 import numpy as np
+
+from vibcli.base.named_tuple import NamedTuple
 
 CLEAR = 0.8             # of an overlap that leaves no doubt
 NARROW = 1e-13          # of the range: within which branches that change places cross

@@ -2,9 +2,10 @@
 store, energies, and equations of motion."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Kinked, NotInLetters, PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.expansion import (
     expanded_about,
     expression_in_numbers,

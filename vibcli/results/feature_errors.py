@@ -1,9 +1,10 @@
 """First-order bounds of the errors of what is read off signals of small motions, absolute each."""
 
 from math import inf, log, pi
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from vibcli.analyses.transient import steady_errors
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.results import signal_features, steady_features
 
 if TYPE_CHECKING:

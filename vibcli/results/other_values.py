@@ -8,10 +8,11 @@ they have the same expressions. What is no such value is not found here, and is 
 
 from collections.abc import Mapping
 from functools import cached_property, partial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.modal.modal_analysis import ModalAnalysis
 from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.parameters import Parameters, alike
 from vibcli.mechanics.configuration import Configuration
 from vibcli.mechanics.numeric_system import NumericSystem

@@ -1,7 +1,7 @@
 """The phase plane of a Problem with one degree of freedom: its equilibria, each of its kind, and what is drawn."""
 
 from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -25,6 +25,7 @@ from vibcli.analyses.nonlinear.state_field import StateField
 from vibcli.analyses.nonlinear.turning_points import TurningPoint
 from vibcli.analyses.nonlinear.well import Well
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.energies import relative_potential
 from vibcli.mechanics.equilibrium.all_equilibria import find_equilibria
 from vibcli.mechanics.equilibrium.scaled_forces import typical_length

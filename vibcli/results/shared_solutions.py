@@ -7,13 +7,14 @@ itself. Nothing that arrays find is taken where at one of them they find somethi
 from collections.abc import Mapping, Sequence
 from itertools import product
 from math import prod
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.analyses.modal.stacked_damped import StackedDamped
 from vibcli.analyses.modal.stacked_modes import StackedModes
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.equilibrium.equilibrium import Equilibrium
 from vibcli.mechanics.stacked_equilibria import StackedEquilibria
 from vibcli.mechanics.stacked_matrices import StackedMatrices, stacked_matrices

@@ -1,8 +1,9 @@
 """Series of the forces of springs beside the forces themselves, where a motion starts."""
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.characteristics import characteristic
 from vibcli.mechanics.signals import moving
 from vibcli.symbolic.evaluation import Floats, evaluate

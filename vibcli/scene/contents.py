@@ -1,7 +1,9 @@
 """What the elements of a scene contribute: bodies, points and the terms of the energies."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.symbolic.expression import Table

@@ -1,8 +1,9 @@
 """The coordinates of a scene: symbols, rates, values as drawn; what depends on others, is driven or released."""
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.rationals import ONE
 

@@ -6,8 +6,9 @@ The force of what joins two ends is positive in lengthening.
 """
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.rationals import HALF
 
 if TYPE_CHECKING:

@@ -1,8 +1,9 @@
 """Nonlinear springs and dampers: V_e(s) and Φ_e(ṡ) from their laws, F = dV/ds and F = dΦ/dṡ."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.derivatives import substitute
 
 if TYPE_CHECKING:

@@ -6,8 +6,9 @@ Where both ends are held, statics leaves N open but for the `preload`; of a beam
 the sum of what its pieces lengthen is zero: Σ N̄ l/EA = 0.
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.elements.member_ends import HOLDS
 from vibcli.elements.member_fields import holds_along
 from vibcli.elements.member_pieces import pieces_of

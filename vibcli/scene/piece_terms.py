@@ -5,8 +5,9 @@ every element does. At rest it is springs, exactly; in motion its dynamic stiffn
 """
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.scene.energy_terms import Spring
 
 if TYPE_CHECKING:

@@ -1,8 +1,9 @@
 """Where the bodies and points of a scene are, as drawn and now."""
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:

@@ -5,8 +5,9 @@
 
 from collections.abc import Mapping
 from functools import cached_property, partial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.scene.displacements import stays_bounded
 from vibcli.scene.expressions import Expressions
 from vibcli.scene.places import Places

@@ -1,7 +1,9 @@
 """Loads along members that vary in time, on pieces with inertia or drag: δA = g(t) ∫ f(x) δu dx."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node

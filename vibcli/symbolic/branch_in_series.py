@@ -8,10 +8,11 @@ With the deflection dⱼ of that weak part as the parameter, the others have d�
 The branch ends where dD/ddⱼ vanishes: there the parts snap to another inner equilibrium, if there is one.
 """
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.rising_laws import HALVINGS, PLACES, RisingLaws
 
 if TYPE_CHECKING:

@@ -1,9 +1,11 @@
 """Where a law F(d) has a given force on its branch through d = 0: the first d at which it is reached while F rises all
 the way. The place is bracketed on a grid of ratios, and found by Newton's steps with halvings to rounding."""
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
+
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -6,10 +6,11 @@ counts CYCLE − PERIOD cycles. A rate v/R or a number n counts neither, and is 
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.parser import FUNCTIONS
 from vibcli.symbolic.rationals import HALF
 from vibcli.symbolic.semantics import ANY, constant, literal_unit

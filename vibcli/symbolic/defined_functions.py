@@ -4,8 +4,9 @@ Their arguments are all that they depend on, so that they are functions in the s
 expressions again, which may call them: derivatives of any order follow.
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.expression import Table

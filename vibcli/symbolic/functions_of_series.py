@@ -8,8 +8,9 @@ deflections dᵢ, where Σ dᵢ = D and all forces Fᵢ(dᵢ, p) are one. With r
 """
 
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.defined_functions import DefinedFunction, Ending
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import multiprecision

@@ -1,9 +1,11 @@
 """∫₀ᵘ f(x) dx for many u at once, by Gauss's rule on panels that grow with the distance from 0 and from given places,
 and are halved until the halves tell no more than the whole."""
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
+
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

@@ -11,8 +11,9 @@ and with h = a + c |p|:
     c < 0   max(h, 0) = −c (max(p + q, 0) − 2 max(p, 0) + max(p − q, 0))
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import TooLong, collected, expanded, reduced

@@ -9,8 +9,8 @@ and zero where they differ in sign. V = ∫₀ᵘ F du follows exactly.
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
-from typing import NamedTuple
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.rationals import bits
 
 

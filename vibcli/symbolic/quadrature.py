@@ -1,8 +1,9 @@
 """∫ f dx between places in letters, as a sum of values of f: right to more digits than doubles have, by rules on panels
 on which f is smooth."""
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.smooth_panels import intervals, panels

@@ -2,10 +2,11 @@
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.parser import FUNCTIONS
 from vibcli.symbolic.rationals import HALF, ONE
 from vibcli.symbolic.syntax import ExpressionError, Number, Sum, UnitPower, whole_literal

@@ -7,9 +7,10 @@ bisection: f lies between the least and the largest Fᵢ(D/n). Then Newton's met
 """
 
 from collections.abc import Callable
-from typing import NamedTuple
 
 import numpy as np
+
+from vibcli.base.named_tuple import NamedTuple
 
 ROUNDS = 60         # of Newton's method on logarithms
 FARTHEST = 8.0      # that one of its steps goes

@@ -5,8 +5,9 @@ Where all Fᵢ rise and vanish at 0 there is one inner equilibrium; others are f
 """
 
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import evaluate, multiprecision
 from vibcli.symbolic.expression import Table

@@ -11,8 +11,9 @@ from fractions import Fraction
 from functools import cache
 from itertools import pairwise
 from math import ceil, floor, isfinite, pi
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable

@@ -4,7 +4,9 @@ from collections.abc import Callable
 from fractions import Fraction
 from functools import lru_cache
 from operator import attrgetter
-from typing import Any, NamedTuple
+from typing import Any
+
+from vibcli.base.named_tuple import NamedTuple
 
 REMEMBERED = 1024           # trees
 

@@ -198,7 +198,7 @@ def test_import_is_light():
             "print(*sorted(m for m in sys.modules if m.startswith('vibcli.')))")
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.split() == [f"vibcli.{module}" for module in (
-        "base", "base.decoding", "base.diagnostics", "base.errors", "language", "language.document",
+        "base", "base.decoding", "base.diagnostics", "base.errors", "base.named_tuple", "language", "language.document",
         "language.document.document", "language.document.nodes", "language.document.tree_builder")]
 
 

@@ -10,6 +10,6 @@ from vibcli.notation.as_printed import as_printed
     ("2*pi*f1", "2·π·f₁"), ("m1 * g / (2*k)", "m₁·g / (2·k)"), ("4 N/m^1.5", "4 N/m^1.5"),
     ("3 N/m^(3/2)", "3 N/m^(3/2)"),
     ("1.2 kN/m", "1.2 kN/m"), ("45  deg", "45°"), ("10 1/s", "10 1/s"), ("5 s^-1", "5 s⁻¹"), ("omega/2", "ω/2"),
-    ("phi deg", "φ deg"), ("sqrt(2)*k", "sqrt(2)·k")])
+    ("phi deg", "φ deg"), ("sqrt(2)*k", "√(2)·k")])
 def test_signs_are_those_of_print(typed, printed):
     assert as_printed(typed, {"f1", "m1", "g", "k", "omega", "phi"}) == printed

@@ -41,9 +41,10 @@ PRINTED = """\
    2  rod turns about the fixed O:  J_O = J_C + m·OC² = m·L²/12 + m·L²/4 = m·L²/3 = 0.64 kg·m²
    3  T = J_O·φ̇²/2 = m·L²·φ̇²/6
    4  stretch of s, from rest:  Δ_s = √(2·L·h·sin φ + 2·L² + h² − 2·L²·cos φ) − h = L·φ + …   (second
-      order: its force at rest counts)
+      order, as its force at rest counts: there is no such term)
    5  V_s = k·Δ_s²/2 + N_s·Δ_s = L²·k·φ²/2 + L·N_s·φ
-   6  weight of rod, counted from rest:  V_rod = m·L·g·φ/2
+   6  weight of rod, counted from rest:  V_rod = m·L·g·φ/2 + …   (second order, as its force at rest
+      counts: there is no such term)
    7  speed across d:  u̇_d = L·φ̇/2,  Φ = c·u̇_d²/2 = L²·c·φ̇²/8
    8  at rest  ∂V/∂φ = L·N_s + m·L·g/2 = 0
    9  so N_s = −m·g/2 = −14.715 N,  s being deflected by −m·g/(2·k) = −0.0122625 m (shortened)
@@ -60,7 +61,7 @@ PRINTED = """\
 CART = Path("problems/2_lagrange/pendulum_on_sprung_cart.yaml")
 MOST = {1: 25, 2: 60}       # lines to so many coordinates
 LONGER = {"four_bar_with_springs": 31, "slider_crank_on_spring": 28, "scissor_lift_on_spring": 27,
-          "governor_linkage_at_rest": 27, "platform_on_three_rods": 27, "cam_and_follower_at_rest": 27,
+          "governor_linkage_at_rest": 27, "platform_on_three_rods": 26, "cam_and_follower_at_rest": 27,
           "toggle_on_a_spring_snaps_through": 27, "feeder_tray_driven_by_a_sawtooth": 26}
 SMALL = 1e-4        # of angles in radians, lengths in metres: how far from rest expansions are looked at
 

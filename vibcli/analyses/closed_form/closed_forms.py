@@ -1,7 +1,8 @@
 """What closed forms are: frequencies, shapes and damping as expressions."""
 
-from typing import Any, NamedTuple
+from typing import Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.nested_form import letters
 
 READABLE = 50       # letters in all amplitudes of a mode

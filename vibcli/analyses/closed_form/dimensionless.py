@@ -3,8 +3,9 @@
     |1/(k − mΩ² + icΩ)| = (1/k)·1/√((1 − r²)² + (2ζr)²)        ω² = k/m,  ζ = c/(2√(km))
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.common_denominator import shorter
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable

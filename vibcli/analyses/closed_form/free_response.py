@@ -8,9 +8,10 @@
 """
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.common_denominator import shorter
 from vibcli.symbolic.normal_form import is_zero, textbook
 from vibcli.symbolic.radicals import root

@@ -12,8 +12,9 @@ acts an impedance Z = k − ω²M on its displacement and Z = k_t − ω²J on i
 from collections.abc import Sequence
 from functools import cache
 from itertools import combinations, product
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import HALF, exact
 

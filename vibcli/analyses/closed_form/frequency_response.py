@@ -6,9 +6,10 @@ textbook prints them. |H| = s √((N_r² + Ω²N_i²)/(D_r² + Ω²D_i²)), tan 
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.symbolic_linear import coefficients
 from vibcli.symbolic.common_denominator import shorter
 from vibcli.symbolic.derivatives import gradient, substitute

@@ -5,9 +5,10 @@ what acts on one motion each: masses, springs to the ground, oscillators. Of wha
 """
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.closed_form.frequency_functions import UniformPiece, frequency_function
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.symbolic_matrices import matrices_in_letters
 from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.expression_graph import reachable

@@ -7,9 +7,10 @@ left in it.
 
 from collections.abc import Mapping
 from math import pi
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from vibcli.analyses.closed_form.textbook_equation import sides
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.root_finding import bracketed
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable

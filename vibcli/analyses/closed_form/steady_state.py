@@ -5,10 +5,11 @@ A load A sin(Ωt + φ) + B cos(Ωt + φ) is the imaginary part of (A + iΩ·B/Ω
 scene it is the real part of (B − iΩ·A/Ω) e^{i(Ωt + φ)}, and y = X cos(Ωt + φ − θ).
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.closed_form.frequency_response import from_parts, require_few
 from vibcli.base.errors import NotInLetters
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.symbolic_linear import outputs
 from vibcli.symbolic.common_denominator import shorter
 from vibcli.symbolic.derivatives import gradient

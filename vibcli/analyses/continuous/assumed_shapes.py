@@ -8,12 +8,13 @@ which two have to agree.
 """
 
 from functools import cache
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import mpmath
 
 from vibcli.analyses.modal.estimates import matrix_of
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.sections.initial import PLACE
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import evaluate, multiprecision

@@ -1,11 +1,12 @@
 """Where each natural frequency lies, certain by counts: z₁ ≤ z < z₂ with J(z₁) < i ≤ J(z₂)."""
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.analyses.continuous.counting import count
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.work import counted
 
 if TYPE_CHECKING:

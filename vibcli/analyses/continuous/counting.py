@@ -5,9 +5,11 @@ each other, D has so many too. E follows from the magnitudes that each entry was
 in the argument √z of d is a change of frequency, which a bracket has to allow for.
 """
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
+
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.system import ContinuousSystem

@@ -7,12 +7,13 @@ modes: Craig & Kurdila, Fundamentals of Structural Dynamics, 2006): R(s) = G −
 R₀ y = ω² R₂ y, yᵀ R₂ y = 1, so that dampers are answered to s⁴/ω⁴ of the first ω that is left out.
 """
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.continuous.damped_transfer import of_power
 from vibcli.analyses.continuous.modal_states import States
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from collections.abc import Callable

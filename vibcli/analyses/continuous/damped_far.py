@@ -6,7 +6,7 @@ others are half as many modes. Between two such circles about those that are wan
 """
 
 from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from vibcli.analyses.continuous.damped_estimates import half_turns, inner_estima
 from vibcli.analyses.continuous.damped_series import SECTIONS
 from vibcli.analyses.continuous.newton_of_members import Divisions, approached, distinct, polished
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.pieces.held_count import held_count
 
 if TYPE_CHECKING:

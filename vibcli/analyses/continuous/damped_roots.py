@@ -4,13 +4,14 @@ Newton's method for the whole matrix: (D(s) + δ D′(s)) x = 0 has a δ that le
 At the last, vectors x and w of D x = 0, wᴴ D = 0 give λ to rounding; what rounds in D is |ΔD_ij| ≤ E √(size_i size_j).
 """
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.continuous.argument_count import sizes
 from vibcli.analyses.continuous.counting import GUARD, SLACK
 from vibcli.analyses.continuous.dynamic_matrix import BLOWN, SHARES
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.pieces.retardation import reaction_rate, retarded_reaction
 
 if TYPE_CHECKING:

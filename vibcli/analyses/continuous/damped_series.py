@@ -3,7 +3,7 @@
 The first are those of the DampedModes; to all others Newton's steps lead at once from many places.
 """
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from vibcli.analyses.continuous.argument_count import sizes
 from vibcli.analyses.continuous.damped_estimates import where_waves_turn
 from vibcli.analyses.continuous.newton_of_members import ALIKE, ShapesOf
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

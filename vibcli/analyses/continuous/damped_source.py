@@ -6,7 +6,7 @@ many are found as there are none is missing, and each is simple or has the multi
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -20,6 +20,7 @@ from vibcli.analyses.continuous.newton_of_members import distinct
 from vibcli.analyses.modal.damped_modes import DampedMode
 from vibcli.analyses.modal.mode_sequence import NoMoreTold
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.damped_far import Annulus

@@ -11,12 +11,13 @@ less than |1 + x²|; what begins with η and η̇ there creeps with |η̇| ≤ |
 
 from collections.abc import Sequence
 from math import comb, e, inf, log, perm, sqrt
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.continuous.uncounted_modes import POWERS, size_of
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.uncounted_modes import UncountedModes

@@ -4,11 +4,12 @@
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.relative import relative_fields, told
 from vibcli.numerics.pieces.stiffness import stiffness

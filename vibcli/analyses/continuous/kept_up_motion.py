@@ -1,12 +1,13 @@
 """The steady state of a scene with members as harmonics that are known outright: no coordinates, only channels."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
 from vibcli.analyses.transient.linear_response import LinearMotion, SteadyMotion
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput

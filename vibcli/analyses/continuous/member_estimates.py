@@ -9,12 +9,13 @@ As a spring with a part of its mass a cantilever counts 33/140 at its tip, a bar
 182). All hold where K is positive definite.
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.analyses.continuous.divided_pieces import divided_at
 from vibcli.analyses.continuous.finite_elements import finite_elements, rows_as_array, slack_ends
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.pieces.stiffness import dynamic_stiffness
 
 if TYPE_CHECKING:

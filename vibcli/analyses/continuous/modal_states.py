@@ -10,11 +10,12 @@ and where s is next to λ the part k! a E[λ, s…s](τ), a divided difference, 
 
 from collections.abc import Iterator, Sequence
 from math import factorial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.analyses.transient.exponential_differences import differences
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.forcing import Segment

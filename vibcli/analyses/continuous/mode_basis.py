@@ -7,11 +7,12 @@ Fields within pieces, the projections ∫ μ φ u dx of what a motion starts wit
 
 from collections import defaultdict
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.continuous.short_pieces import relative_coordinates
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.piece import Piece
 from vibcli.numerics.pieces.relative import relative_fields, relative_stiffness, told

@@ -10,7 +10,7 @@ sides of each value, √z (1 ± error), proves it.
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from vibcli.analyses.continuous.counting import GUARD, SLACK, count, rounding, s
 from vibcli.analyses.continuous.local_modes import local_modes
 from vibcli.analyses.continuous.rayleigh_steps import rayleigh_step, settled, start
 from vibcli.analyses.continuous.refinement import PARTS, divided_at_poles
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.sparse_elimination import quadratic
 
 if TYPE_CHECKING:

@@ -4,7 +4,7 @@ As D is symmetric its vectors are those of both sides: x is divided by √(xᵀD
 """
 
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from vibcli.analyses.continuous.argument_count import sizes
 from vibcli.analyses.continuous.counting import GUARD, SLACK
 from vibcli.analyses.continuous.damped_roots import GIVEN
 from vibcli.analyses.continuous.dynamic_matrix import BLOWN, SHARES
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.fixed_point import count_floats
 
 if TYPE_CHECKING:

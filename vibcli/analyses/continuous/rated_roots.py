@@ -11,11 +11,12 @@ of xᴴ D y is at most √(xᴴQx · yᴴQy): Q = Σ ψ ψᵀ |Δ(s/q)| of the m
 whose |q| > 0.36 ω² and |ω² − s²| < 1.16 ω², 9 |Δs| Uᵀ H(0).
 """
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.continuous.argument_count import turned
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.rated_expansion import RatedExpansion

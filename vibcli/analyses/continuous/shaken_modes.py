@@ -8,12 +8,13 @@ against what u gives at rest. With ċ = λ c + w (g u + r u̇ + m ü) the states
     w (g + λ r + λ² m) u.
 """
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.continuous.damped_sum import DampedSum, fractions
 from vibcli.analyses.continuous.damped_transfer import DampedTransfer, of_power
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.exact_transfer import ExactTransfer

@@ -4,10 +4,11 @@ A mode is normalised to shapeᵀ ∂D/∂s² shape = 1: the sum of mass times di
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.piece import Piece
 

@@ -7,10 +7,11 @@ and D(s), congruent to what it was and with the same determinant, holds 12 EI/lÂ
 """
 
 from collections.abc import Collection, Mapping, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.pieces.relative import SHORT
 
 if TYPE_CHECKING:

@@ -1,11 +1,12 @@
 """Loads along members as inputs: f(x) times what varies in time, on every piece between two places of a member."""
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.analyses.excitation.load_forms import load_form
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.smooth_forms import smooth_form
 from vibcli.numerics.pieces.loads import LoadForm, end_loads, end_loads_slope, loaded_fields
 from vibcli.numerics.pieces.retardation import reaction_rate, retarded_reaction

@@ -7,7 +7,7 @@ e being how far ends of the field are from their nodes, Q the forces of the mode
 Σ (∫ φ L u dx)² = ∫ (L u)²/μ dx over all modes (Parseval). Where a field has a corner the piece is cut in two.
 """
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from vibcli.analyses.continuous.uncounted_modes import POWERS, begins_at, left_o
 from vibcli.analyses.continuous.unit_responses import UnitLoads, overlaps
 from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
 from vibcli.analyses.excitation.load_forms import load_form
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.pieces.graded import mirrored
 from vibcli.numerics.pieces.graded_parts import is_slack
 from vibcli.numerics.pieces.stiffness import stiffness_and_slope

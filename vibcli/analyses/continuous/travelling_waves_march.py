@@ -8,13 +8,14 @@ from collections.abc import Sequence
 from fractions import Fraction
 from heapq import heapify, heappop, heappush
 from math import inf
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.analyses.continuous.travelling_waves_curves import LEVELS, SAME, Loads, PiecewiseSeries, series_of
 from vibcli.analyses.continuous.travelling_waves_fields import starting_waves
 from vibcli.analyses.continuous.travelling_waves_station import NotByWaves, WaveStation
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.chebyshev import POINTS, WIDTH, N
 
 if TYPE_CHECKING:

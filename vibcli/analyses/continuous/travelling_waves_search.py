@@ -1,12 +1,13 @@
 """Where a function that is smooth between known instants is largest, smallest or zero: there it is Chebyshev series."""
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.continuous.travelling_waves_curves import SAME, series_of
 from vibcli.analyses.continuous.travelling_waves_fields import is_resolved
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.chebyshev import POINTS, WIDTH, N, passages, summed, turning_points
 
 if TYPE_CHECKING:

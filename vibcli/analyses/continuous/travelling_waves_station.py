@@ -8,13 +8,14 @@ Of each coordinate the highest rate that stands in it (q̈; q̇ of what has no i
 found at Chebyshev points from the equation integrated twice, once or not, which keeps digits where it is stiff.
 """
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.continuous.travelling_waves_curves import LEVELS, series_of
 from vibcli.analyses.continuous.travelling_waves_fields import is_resolved
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.chebyshev import AT_POINTS, ONCE, POINTS, RATE, TWICE, WIDTH, N
 
 if TYPE_CHECKING:

@@ -12,11 +12,12 @@ x counts from the end on rollers where one is pinned or guided, else from the le
 Angles βx are reduced as (n + c) x/L half-turns and a small rest: π(n + c) itself would be rounded.
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.analyses.continuous.uniform_members import GUIDED, PINNED
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.half_turns import half_turns
 
 if TYPE_CHECKING:

@@ -10,9 +10,11 @@
 βL = (n + c)π + e, e of order exp(−βL): e is found, which keeps all digits.
 """
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
+
+from vibcli.base.named_tuple import NamedTuple
 
 NEWTON = 8          # steps; from e = 0 five reach the last digit
 PINNED, GUIDED = (False, True), (True, False)

@@ -10,11 +10,12 @@ so that twice the kinetic energy per rate² of g is a sum over all modes (Parsev
 """
 
 from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.continuous.short_pieces import relative_coordinates
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.pieces.arithmetic import arithmetic_of
 from vibcli.numerics.pieces.relative import in_relative_motions
 from vibcli.numerics.pieces.stiffness import stiffness_and_slope

@@ -6,9 +6,10 @@ and all their products. Counting from the start of the segment keeps a 5 ms puls
 
 from collections.abc import Callable, Sequence
 from math import ceil, inf, tau
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.work import Work
 
 if TYPE_CHECKING:

@@ -1,7 +1,9 @@
 """What is read off a linear system: y = constant + q·δ + v·δ̇ + a·δ̈ + channels + places, δ the deviation from
 equilibrium."""
 
-from typing import Any, NamedTuple
+from typing import Any
+
+from vibcli.base.named_tuple import NamedTuple
 
 
 class FieldPoint(NamedTuple):

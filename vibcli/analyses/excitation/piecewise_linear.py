@@ -7,7 +7,9 @@ piece that holds the middle of an Instant; `impulses(low, high)` as (instant, si
 from bisect import bisect_right
 from fractions import Fraction
 from math import ceil, floor
-from typing import Any, NamedTuple
+from typing import Any
+
+from vibcli.base.named_tuple import NamedTuple
 
 
 class Instant(NamedTuple):

@@ -3,11 +3,12 @@ them."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from math import comb, inf, nextafter
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.excitation.forcing import Segment, Wave, task_of
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.error_free import whole_product
 
 if TYPE_CHECKING:

@@ -6,13 +6,14 @@ one size. Instants, and the angles of sines, are sums of two doubles where one d
 
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.excitation.recorded_forcing import RecordedForcing, SharedBlow, SharedWave
 from vibcli.analyses.excitation.rounding import Floating
 from vibcli.analyses.excitation.tabulated import TabulatedFunction
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.error_free import whole_product, whole_sum
 
 if TYPE_CHECKING:

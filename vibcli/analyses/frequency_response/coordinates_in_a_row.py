@@ -11,11 +11,12 @@ its product, of which every factor adds less than Σ |yᵢ| |δDᵢⱼ| |xⱼ| d
 or D singular but for rounding, it is left to another method.
 """
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from vibcli.analyses.frequency_response.direct import SINGULAR, repaired
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.work import counted
 from vibcli.numerics.fixed_point import MILLION
 

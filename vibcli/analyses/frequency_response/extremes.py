@@ -5,11 +5,12 @@ zero, an antiresonance without damping.
 """
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.frequency_response.evaluate import sampled, sloped
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.ascending import ascending
 from vibcli.numerics.bracketing import zeros_between
 

@@ -4,12 +4,13 @@ A damper c adds s c r rᵀ to K + sC + s²M, so that H = (A + c B)/(1 + c E) at 
 |H| is the same for all c exactly where it is the same for c = 0 and c → ∞: |A| = |B/E|.
 """
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.frequency_response.evaluate import sampled
 from vibcli.analyses.frequency_response.extremes import places
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.ascending import ascending
 from vibcli.numerics.bracketing import zeros_between
 

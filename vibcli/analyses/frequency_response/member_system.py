@@ -5,7 +5,7 @@ Inputs are the last coordinates of the scene before further nodes; with x what i
     D_ff x = −D_fi g      y = D_ff⁻ᵀ c_f      H = c_fᵀ x + c_iᵀ g      H′ = c′ᵀ X + yᵀ (−D′_ff x − (D_fi g)′) + c_iᵀ g′.
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from vibcli.analyses.frequency_response.direct import apart_from_poles, probe, s
 from vibcli.analyses.frequency_response.member_solution import motions, pattern_of, scaled, scales
 from vibcli.analyses.frequency_response.quadratics import polynomial, slope
 from vibcli.base.errors import LostDigits
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

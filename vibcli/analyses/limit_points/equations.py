@@ -8,12 +8,13 @@ by closing their loops, G = 0:
 
 from collections.abc import Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.analyses.limit_points.compiled_equations import CompiledEquilibrium
 from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.nonsmooth import KINKED
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.dual_numbers import Duals, dual, slope, value

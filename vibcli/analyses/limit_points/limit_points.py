@@ -10,7 +10,7 @@ and the residual in mpmath gains their digits at each step. At a branching, wher
 """
 
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from vibcli.analyses.limit_points.dips import cut_at_dips
 from vibcli.analyses.limit_points.equations import UNDEFINED, ParametricEquilibrium
 from vibcli.analyses.limit_points.path import EquilibriumPath
 from vibcli.analyses.limit_points.path_step import PathPoint, PathStep
+from vibcli.base.named_tuple import NamedTuple
 
 GUARD, SURE, ROUNDS, RENEWED, FASTER = 25, 8, 60, 6, 0.1     # digits beyond those asked; steps; how they fall
 STRAYED, TRANSVERSE, REGULAR = 0.3, 1e-9, 1e14      # relative: how far from where it was met; of w·∂r/∂p; condition

@@ -1,8 +1,8 @@
 """Points of a path of equilibria, and the steps between them."""
 
-from typing import NamedTuple
-
 import numpy as np
+
+from vibcli.base.named_tuple import NamedTuple
 
 
 class PathPoint(NamedTuple):

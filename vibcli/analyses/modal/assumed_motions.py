@@ -1,8 +1,9 @@
 """What estimates by assumed shapes are made of: combinations that are orthonormal, and when they are bounds."""
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression

@@ -6,10 +6,11 @@ first-order form v' = −C v − Ω u, u' = Ω v with u = Ω q. A rigid mode has
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.factored_system import summed
 from vibcli.numerics import fixed_point as fx
 from vibcli.numerics.components import clusters, components

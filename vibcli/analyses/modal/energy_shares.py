@@ -6,11 +6,12 @@ K and M are the sums of their parts, so the shares of a mode add up to one. A pa
 an inverted pendulum, has a negative share. Of gyroscopic and damped modes they are those of the mean over a period.
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import mpmath
 
 from vibcli.analyses.modal.modes_precise import WORKING, coinciding
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.element_contributions import owned_forms
 from vibcli.mechanics.inner_products import inner
 

@@ -8,12 +8,13 @@ coordinate that measures what the first one with inertia does, lengths or angles
 """
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import mpmath
 
 from vibcli.analyses.modal.modes_precise import WORKING
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.units import LENGTH, parse_unit
 from vibcli.mechanics.element_contributions import owned_forms
 from vibcli.mechanics.inner_products import along

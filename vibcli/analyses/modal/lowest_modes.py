@@ -5,7 +5,7 @@ From the terms √k ∇s and √w ∇s, which stay sparse (numerics/lowest_eigen
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from vibcli.analyses.modal.mode_numbers import in_units
 from vibcli.analyses.modal.scaling import Scaling, unmoved
 from vibcli.analyses.modal.undamped import Mode, prepared
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.factored_system import MOST_DENSE, require_dense
 from vibcli.numerics.inertia import Pencil
 from vibcli.numerics.lowest_eigenvalues import Slice, Unsettled, lowest

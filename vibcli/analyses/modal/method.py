@@ -13,7 +13,9 @@ point; if sure: in floats as long as their bound is below ENOUGH, else certified
 matrices are made of, the lowest natural modes alone are found (lowest_modes.py).
 """
 
-from typing import Any, NamedTuple
+from typing import Any
+
+from vibcli.base.named_tuple import NamedTuple
 
 CERTIFIED, CERTIFIABLE, CERTIFIABLE_SQUARES = 40, 80, 120
 SQUARES, FOLLOWER, FIRST_ORDER, MODAL = "squares", "follower", "first order", "modal"

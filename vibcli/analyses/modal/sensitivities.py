@@ -8,12 +8,13 @@ coincide split: their derivatives, as p grows, are the eigenvalues of φᵀ(K′
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import mpmath
 
 from vibcli.analyses.modal.modes_precise import SAME, WORKING, by_frequency, coinciding
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.inner_products import conjugate, inner, only
 from vibcli.mechanics.parameter_derivatives import perturbed_system
 from vibcli.symbolic.dual_numbers import Dual, slope

@@ -9,12 +9,13 @@ wherever det K_z < 0 it is not, whatever masses and dampers are added; where loa
 it, they decide.
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.analyses.modal.method import dragged
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.analyses.modal.modal_analysis import ModalAnalysis

@@ -7,7 +7,7 @@ where that is too wide with one by residuals in twice the digits (undamped_resid
 
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from vibcli.analyses.modal.rigid_body_modes import rank
 from vibcli.analyses.modal.scaling import Scaling, mechanism, scaling
 from vibcli.analyses.modal.undamped_certified import EnclosedEigenvalues, enclosed
 from vibcli.base.errors import Inertless
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.precision import working_bits
 
 if TYPE_CHECKING:

@@ -5,11 +5,12 @@ assembled. Otherwise they are eigenvalues of L⁻¹ K̂ L⁻ᵀ, to 4 n ε of it
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.analyses.modal.scaling import Scaling, mechanism, unmoved
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.factored_svd import mass_factor, singular_vectors
 
 if TYPE_CHECKING:

@@ -1,8 +1,7 @@
 """The backbone curve: the angular frequency of free motions over their amplitude."""
 
-from typing import NamedTuple
-
 from vibcli.analyses.modes import LAST
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Many, Quantity, WholeNumber
 from vibcli.language.signal_kinds import SignalField

@@ -7,12 +7,12 @@ first order, r being found in long doubles and bounds of what rounding leaves of
 """
 
 from collections.abc import Callable
-from typing import NamedTuple
 
 import numpy as np
 
 from vibcli.analyses.nonlinear.free_equations import FreeEquations
 from vibcli.analyses.nonlinear.harmonics import CosineMotion, cosines
+from vibcli.base.named_tuple import NamedTuple
 
 STEPS = 8
 CLOSE, LAST = 1e-5, 1e-10           # relative changes: the next step is the last one, none is needed

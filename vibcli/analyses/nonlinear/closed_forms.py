@@ -8,9 +8,10 @@ K(m) = ∫₀^½π dθ/√(1 − m sin²θ), the complete elliptic integral of t
 """
 
 from fractions import Fraction
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import Kinked
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.energies import effective_potential, kinetic
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.expression_graph import reachable

@@ -9,11 +9,11 @@ sharp next to a saddle and at its turning points as elsewhere.
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import NamedTuple
 
 import numpy as np
 
 from vibcli.analyses.nonlinear.well import EPS, Well
+from vibcli.base.named_tuple import NamedTuple
 
 CELLS = 400             # ways from end to end of a range
 POINTS = 121            # of an orbit from one end to the other

@@ -5,13 +5,14 @@ to rest on a top of V.
 """
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.nonlinear.turning_points import TurningPoint, turning_point
 from vibcli.analyses.nonlinear.well import EPS, GRID, Well
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.bracketing import maxima_between
 
 if TYPE_CHECKING:

@@ -6,7 +6,6 @@ amplitude is near, the amplitude closes the equations instead. Harmonics are dou
 
 from collections.abc import Sequence
 from math import inf
-from typing import NamedTuple
 
 import numpy as np
 
@@ -14,6 +13,7 @@ from vibcli.analyses.nonlinear.balance import ClosingCondition, ConvergedMotion,
 from vibcli.analyses.nonlinear.free_equations import SAME, FreeEquations
 from vibcli.analyses.nonlinear.harmonics import AmplitudeOfSignal, CosineMotion
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 
 FIRST, MOST, UNKNOWNS = 8, 128, 400         # harmonics, and their product with the number of coordinates
 SMALL, LINEAR, SMALLER, TRIALS = 0.02, 0.05, 8.0, 12    # a first motion, how near it is to that of the linear mode

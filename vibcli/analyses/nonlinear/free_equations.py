@@ -9,11 +9,12 @@ Dampers are left out of h.
 
 from collections.abc import Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.energies import effective_potential
 from vibcli.mechanics.equations_of_motion import dynamics
 from vibcli.symbolic.derivatives import gradient

@@ -5,10 +5,10 @@ half the unknowns of a Fourier series are left, and no phase.
 """
 
 from functools import lru_cache
-from typing import NamedTuple
 
 import numpy as np
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.numeric_code import Compiled
 
 FINER, NEWTON = 4, 8        # places to a harmonic where the extremes of a signal are looked for

@@ -2,9 +2,11 @@
 an error estimate of the fourth: all at once, each with steps of its own, forwards and backwards in time."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
+
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.analyses.nonlinear.state_field import StateField

@@ -5,12 +5,12 @@ the turning points l < r of the others follow by Newton's steps from the table, 
 """
 
 from collections.abc import Callable
-from typing import NamedTuple
 
 import numpy as np
 
 from vibcli.analyses.nonlinear.family import FamilyOfMotions
 from vibcli.analyses.nonlinear.well import EPS, GRID, Gain
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.bracketing import maxima_between
 
 STEPS = 20

@@ -11,11 +11,12 @@ nothing changes.
 
 import math
 from functools import cache
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.nonlinear.well import EPS, Well
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.analyses.nonlinear.turning_points import TurningPoint

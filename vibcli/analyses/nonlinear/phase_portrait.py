@@ -4,11 +4,12 @@ from the start of the scene. Of conservative scenes by level curves of the energ
 import math
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.nonlinear.energy_levels import EnergyLevels, Orbit
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.analyses.nonlinear.equilibrium_kinds import StateEquilibrium

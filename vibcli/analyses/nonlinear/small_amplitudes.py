@@ -10,9 +10,10 @@ as ξ = u − (μ₁/4) u² + (μ₁² − μ₂) u³/6 + … with μᵢ = Tᵢ/
 
 from collections.abc import Mapping
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.expansion import in_letters, in_numbers, up_to
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.normal_form import is_zero, textbook

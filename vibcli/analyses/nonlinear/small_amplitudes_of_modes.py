@@ -9,12 +9,13 @@ With ξ = a φ cos θ + a² (u₀ + u₂ cos 2θ) + …, θ = ωt, φᵀMφ = 1,
 for the amplitude A ≈ |φₓ| a of a coordinate x. Other modes with the frequency ωᵢ, 2ωᵢ or 3ωᵢ forbid it.
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.analyses.nonlinear.free_equations import SAME
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.expansion import in_numbers
 from vibcli.symbolic.evaluation import Floats
 from vibcli.symbolic.running_errors import UNIT, Rounded, RunningErrors, error_in, number_in

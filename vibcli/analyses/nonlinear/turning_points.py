@@ -2,12 +2,12 @@
 
 import math
 from itertools import pairwise
-from typing import NamedTuple
 
 import numpy as np
 
 from vibcli.analyses.nonlinear.well import EPS, Well
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.root_finding import last_place
 
 RESTS = ("the scene is at rest: its motion has no period", "give it an `initial` state that is none of equilibrium")

@@ -6,11 +6,12 @@ of V, which stands powers that are broken at a kink; of the two each value takes
 
 from collections.abc import Mapping
 from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.energies import effective_potential
 from vibcli.mechanics.equations_of_motion import dynamics
 from vibcli.numerics.bracketing import zeros_between

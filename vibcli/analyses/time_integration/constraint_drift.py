@@ -1,9 +1,11 @@
 """How far a motion leaves its constraints G = 0, Ġ = 0 between the instants at which it is put back on them."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
+
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.analyses.time_integration.collocation_step import Window

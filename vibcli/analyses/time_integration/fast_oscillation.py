@@ -5,9 +5,11 @@ by 1e-10 of that. Its size is measured while it is followed; afterwards it is pa
 positions hardly, of velocities more, of accelerations and of the force of the stiff spring as much as it is.
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.analyses.time_integration.collocation_step import Window

@@ -9,8 +9,9 @@ where the coefficients of M, h … follow from those of q and q̇ (symbolic/powe
 
 from collections.abc import Callable, Mapping, Sequence
 from operator import mul
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.fixed_point import mantissa, shifted
 from vibcli.numerics.fixed_point_functions import functions, inverse
 from vibcli.symbolic.evaluation import evaluate, multiprecision

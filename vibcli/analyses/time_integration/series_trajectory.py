@@ -1,10 +1,11 @@
 """A motion that was followed by series, in floats: each correct to its rounding, however long the motion is."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.fixed_point import to_float
 
 if TYPE_CHECKING:

@@ -2,13 +2,14 @@
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from operator import mul
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.analyses.time_integration.motion_series import fixed_point
 from vibcli.analyses.time_integration.taylor_march import summed
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.fixed_point import shifted, to_float
 from vibcli.numerics.fixed_point_functions import functions
 from vibcli.symbolic.evaluation import evaluate, multiprecision

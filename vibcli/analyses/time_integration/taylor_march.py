@@ -8,9 +8,10 @@ end where what drives the motion bends or jumps.
 from bisect import bisect_right
 from collections.abc import Callable, Sequence
 from math import ceil, inf, log2, log10
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.fixed_point import shifted
 
 if TYPE_CHECKING:

@@ -2,11 +2,12 @@
 
 from collections.abc import Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.base.errors import Unknown
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.equilibrium.redundant_friction import Redundancy
 from vibcli.numerics.collocation_rule import rule
 from vibcli.symbolic.numeric_code import Compiled

@@ -6,12 +6,13 @@ A window takes a change (δ, δ̇) at its start to Φ (δ, δ̇) + Ψ δp at its
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.analyses.time_integration.collocation_step import Window
 from vibcli.analyses.time_integration.rounded_data import DIRECTIONS, STEP
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.collocation_rule import rule
 
 if TYPE_CHECKING:

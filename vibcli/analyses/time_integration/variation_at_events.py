@@ -6,11 +6,12 @@ until then as before (Aizerman & Gantmakher 1958):
     δ⁺ = δ⁻ + (Ẋ⁻ − Ẋ⁺) δτ
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.analyses.time_integration.rounded_data import DIRECTIONS, STEP
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.analyses.time_integration.collocation_step import Window

@@ -5,7 +5,7 @@ bound of its second derivative; what is composed of such sums follows by interva
 """
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from vibcli.analyses.transient.forcing_arrays import Timeline, bare_timeline
 from vibcli.analyses.transient.isolating_intervals import EPSILON, Cells, fastest, instants
 from vibcli.analyses.transient.jets import Jet, Jets
 from vibcli.analyses.transient.output_ranges import OutputRanges
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.array_arithmetic import Arrays
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.interval_arithmetic import Interval, Intervals, exact

@@ -6,9 +6,11 @@ difference alone. What a sum of several loses is known to the last bit, by addin
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput

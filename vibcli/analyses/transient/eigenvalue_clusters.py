@@ -1,11 +1,11 @@
 """Which eigenvalues share a block, and the subspace that belongs to them."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
 
 import numpy as np
 
 from vibcli.analyses.transient.static_condensation import leading
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.components import components
 from vibcli.numerics.fixed_point import count_floats
 

@@ -7,12 +7,13 @@ until two results agree.
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 from mpmath import mp
 
 from vibcli.analyses.transient.descriptor_system import Descriptor, real
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics import fixed_point as fx
 
 if TYPE_CHECKING:

@@ -1,9 +1,11 @@
 """A part of a linear system that moves by itself: one eigenvalue, or several that lie close together."""
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
+
+from vibcli.base.named_tuple import NamedTuple
 
 
 class ModalBlock(NamedTuple):

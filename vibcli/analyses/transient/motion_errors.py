@@ -11,7 +11,7 @@ loads ε is carried on as c is. Rounding is counted by the sizes of the terms th
 
 import math
 from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -21,6 +21,7 @@ from vibcli.analyses.transient.forced import marched
 from vibcli.analyses.transient.largest_differences import largest_differences
 from vibcli.analyses.transient.markov_parameters import direct, markov
 from vibcli.analyses.transient.textbook_form import APART
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput

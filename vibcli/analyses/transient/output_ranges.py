@@ -9,13 +9,14 @@ where what stands still under a force has cancelled, and f̈ = 0 under straight 
 """
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.transient.exponential_differences import bounds
 from vibcli.analyses.transient.markov_parameters import direct, markov
 from vibcli.analyses.transient.modal_block import paths
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput

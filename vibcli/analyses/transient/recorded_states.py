@@ -9,13 +9,14 @@ parts that stay near the processor. Blocks of several eigenvalues go by themselv
 """
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.transient.exponential_differences import differences
 from vibcli.analyses.transient.forced import drives, ends
 from vibcli.analyses.transient.straight_sum import shapes
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.recurrences import ROW, recurrence, recurrence_of_matrices
 
 if TYPE_CHECKING:

@@ -7,11 +7,12 @@ follow statically, q = T (a, z) + F f with F = U (Uᵀ K U)⁻¹ Uᵀ over the d
 order in a and of first order in z: a start has places of a and z and velocities of a alone.
 """
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.analyses.transient.modal_block import ModalBlock

@@ -13,10 +13,11 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from hashlib import blake2b
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 from vibcli.base.decoding import MAX_BYTES
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.cli.checking.found import CheckedAnswer, CheckedFile, Trouble
 
 NAME, FORM, SOURCES = ".vibcli_cache", 1, "sources"

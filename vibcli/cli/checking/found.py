@@ -1,9 +1,10 @@
 """What a check found of a file, as data that processes exchange and the cache keeps."""
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 from vibcli.base.errors import Diagnostic, Where
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.rules import FAULT
 
 

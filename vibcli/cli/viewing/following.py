@@ -2,12 +2,13 @@
 
 import os
 from time import sleep
-from typing import Any, NamedTuple
+from typing import Any
 
 import click
 
 from vibcli.api.source import bytes_source, content
 from vibcli.base.errors import SpecError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.cli.common import chosen, load, problem_in
 from vibcli.cli.viewing.shown import Shown
 from vibcli.cli.viewing.solver import Job, Solver, told

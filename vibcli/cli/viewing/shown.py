@@ -1,7 +1,9 @@
 """What the page shows, from the thread that follows the file to those that serve it."""
 
 from threading import Condition
-from typing import Any, NamedTuple
+from typing import Any
+
+from vibcli.base.named_tuple import NamedTuple
 
 
 class State(NamedTuple):

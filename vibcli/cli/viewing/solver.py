@@ -4,11 +4,12 @@ import signal
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from multiprocessing import get_context
-from typing import Any, NamedTuple
+from typing import Any
 
 from vibcli.api.source import SceneSource, bytes_source, settled
 from vibcli.base.diagnostics import render
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.cli.common import chosen, problem_in
 
 

@@ -5,8 +5,9 @@ Layers are drawn in ascending order.
 """
 
 from collections.abc import Iterator, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.drawing.layout import plane
 
 SURFACE, BEHIND, BODY, ELEMENT, JOINT, ARROW = range(6)

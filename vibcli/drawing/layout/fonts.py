@@ -10,7 +10,8 @@ from bisect import bisect_right
 from functools import cache
 from importlib.util import find_spec
 from struct import unpack_from
-from typing import NamedTuple
+
+from vibcli.base.named_tuple import NamedTuple
 
 UNICODE_TO_GLYPHS = 12      # the format of that part of `cmap` which reaches beyond 16 bits
 

@@ -1,8 +1,9 @@
 """Gears among bodies without a place: what turns against another body in a fixed ratio, or moves a rack."""
 
 from math import remainder, sin, tau
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.drawing.canvas.primitives import BODY, ELEMENT, Circle, Polygon, Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.lumped_place import LumpedPlace

@@ -1,7 +1,8 @@
 """Bodies without a place that hang from one point of a member by a spring or damper alone: they are drawn there."""
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.drawing.layout.rows import motion
 
 if TYPE_CHECKING:

@@ -1,6 +1,8 @@
 """Where lumped bodies stand on paper."""
 
-from typing import Any, NamedTuple
+from typing import Any
+
+from vibcli.base.named_tuple import NamedTuple
 
 
 class LumpedPlace(NamedTuple):

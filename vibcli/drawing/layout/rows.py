@@ -1,8 +1,9 @@
 """Bodies without a place, laid out in rows along their axis: who stands where, and which element runs in which lane."""
 
 from itertools import permutations
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.drawing.layout.captions import raw
 
 if TYPE_CHECKING:

@@ -6,9 +6,10 @@ depends on the position, except through the frames of the bodies.
 
 from collections.abc import Mapping, Sequence
 from math import isfinite
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.drawing.layout import plane
 from vibcli.symbolic.evaluation import Floats, evaluate
 

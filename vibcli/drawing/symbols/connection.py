@@ -1,8 +1,9 @@
 """Springs and dampers between places: those with the same two ends stand side by side; walls where they end."""
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.drawing.canvas.primitives import Hatch, Polygon, Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.sketch import Attachment, Sketch

@@ -2,8 +2,9 @@
 
 from collections.abc import Callable, Mapping
 from math import hypot, pi
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.drawing.layout import captions, lettering, plane
 from vibcli.drawing.layout.sketch import Attachment, Sketch
 from vibcli.drawing.layout.space import FILLED

@@ -1,8 +1,9 @@
 """Dimension lines: given lengths that a body shows, where there is room for them."""
 
 from math import pi
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.drawing.canvas.primitives import ARROW, Polygon, Polyline, Run
 from vibcli.drawing.layout import captions, lettering, plane
 from vibcli.drawing.layout.space import TAKEN

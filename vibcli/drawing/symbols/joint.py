@@ -1,8 +1,9 @@
 """Torsion springs, rotary dampers and their like, at the joint about which they turn."""
 
 from math import pi
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.sketch import Attachment, Sketch
 from vibcli.drawing.symbols.connection import symbol

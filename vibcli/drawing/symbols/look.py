@@ -2,8 +2,8 @@
 
 from collections.abc import Sequence
 from math import tau
-from typing import NamedTuple
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.drawing.canvas.primitives import JOINT, Circle, Polygon, Polyline
 from vibcli.drawing.layout import plane
 

@@ -2,8 +2,9 @@
 of what they do along their axis or about it."""
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.drawing.canvas.primitives import BEHIND, BODY, ELEMENT, SURFACE, Circle, Hatch, Polygon, Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.strips import Strip, grid

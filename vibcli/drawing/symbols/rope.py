@@ -3,8 +3,9 @@
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from math import sqrt, tau
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.drawing.canvas.primitives import Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.sketch import Attachment, Sketch

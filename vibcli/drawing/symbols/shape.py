@@ -1,7 +1,8 @@
 """Outlines of the shapes of bodies, as drawn."""
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.drawing.layout import plane
 
 if TYPE_CHECKING:

@@ -2,10 +2,11 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import mpmath
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.reference.taylor_steps import TaylorSteps
 from vibcli.symbolic.evaluation import evaluate, multiprecision
 

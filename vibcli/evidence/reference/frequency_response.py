@@ -5,12 +5,13 @@ x = D⁻¹ b has the rates D x′ = b′ − D′ x and D x″ = b″ − 2 D′
 """
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import mpmath
 import numpy as np
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.reference.settled import DIGITS, TrueValues, settled
 from vibcli.results.precise_frequency_response import PreciseCurve
 

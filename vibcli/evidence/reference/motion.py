@@ -7,13 +7,14 @@ with numbers from the element data and the start as the file gives it; both are 
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import mpmath
 
 from vibcli.analyses.time_integration.motion_series import fixed_point
 from vibcli.analyses.time_integration.smooth_pieces import SmoothPieces
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.reference.features import SignalAlongSteps, extreme, value
 from vibcli.evidence.reference.settled import TrueValues, settled
 from vibcli.evidence.reference.taylor_steps import TaylorSteps

@@ -1,11 +1,12 @@
 """A value is true where two precisions find it alike: more digits are taken until they do, or it is refused."""
 
 from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import mpmath
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 
 DIGITS = 47         # of what is held against floats: thirty more than they have
 START, LIMIT = 60, 960

@@ -3,11 +3,12 @@ them all: x = Re H e^{iΩt}. Ω is the rate of the angle in their sines and cosi
 period, and hold at other instants.
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import mpmath
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.reference.frequency_response import Transfer, at
 from vibcli.evidence.reference.motion import Motion, small
 from vibcli.evidence.reference.settled import DIGITS, TrueValues, settled

@@ -9,9 +9,10 @@ from bisect import bisect_right
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from math import ceil, log2
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     import mpmath

@@ -1,9 +1,10 @@
 """What is stated of a scene: numbers with bounds of their errors, each beside its true one."""
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import mpmath
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.subject import Subject
 from vibcli.quantities.expression import measure
 from vibcli.results.problem import Problem

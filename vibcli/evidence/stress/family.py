@@ -1,7 +1,9 @@
 """What a family is: scenes that one knob makes harder, and what is asked of them."""
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any
+
+from vibcli.base.named_tuple import NamedTuple
 
 
 class StressFamily(NamedTuple):

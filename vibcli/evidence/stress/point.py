@@ -4,11 +4,12 @@ import math
 import warnings
 from collections.abc import Mapping
 from importlib import import_module
-from typing import Any, NamedTuple
+from typing import Any
 
 import mpmath
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.asked import subjects
 from vibcli.evidence.reference.settled import relative_error, settled
 from vibcli.evidence.stress.claims import Claim, claims

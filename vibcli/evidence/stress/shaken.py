@@ -6,12 +6,13 @@ within the bounds of both.
 """
 
 from collections.abc import Callable, Iterator
-from typing import Any, NamedTuple
+from typing import Any
 
 import mpmath
 
 from vibcli.analyses.modal.modes import damped_modes, natural_modes
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.factored_system import FactoredSystem, summed
 from vibcli.results.problem import Problem
 

@@ -6,9 +6,9 @@
 import math
 from collections.abc import Callable, Iterator
 from fractions import Fraction
-from typing import NamedTuple
 
 from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.check.tolerance import SHORT, digits_written, half_a_unit
 from vibcli.language.given_values import decimal, number_and_unit
 from vibcli.quantities.expression import value_of

@@ -3,8 +3,8 @@
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from importlib import import_module
-from typing import NamedTuple
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.stress.families import FAMILIES
 from vibcli.evidence.stress.family import StressFamily
 from vibcli.evidence.stress.point import BROKEN, StressPoint, measured

@@ -6,8 +6,9 @@ from fractions import Fraction
 from hashlib import blake2b
 from math import lcm
 from string import ascii_lowercase
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.drawing.drawing import contents
 from vibcli.homework.exports.told import ToldBand, bands_told
 from vibcli.homework.roster import Student

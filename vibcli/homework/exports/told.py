@@ -3,8 +3,9 @@ apart."""
 
 from collections.abc import Iterator, Mapping
 from itertools import combinations, pairwise
-from typing import Any, NamedTuple
+from typing import Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.homework.marks import mistake_near, reach
 
 RIGHT = ""              # in place of a mistake

@@ -4,7 +4,7 @@ from collections.abc import Mapping as PythonMapping
 from collections.abc import Sequence as PythonSequence
 from numbers import Integral, Real
 
-from vibcli.base.decoding import FORBIDDEN, name_of
+from vibcli.base.decoding import forbidden, name_of
 from vibcli.base.errors import Diagnostic, SpecError, Where
 from vibcli.language.document.nodes import Mapping, Scalar, Sequence
 from vibcli.language.document.tree_builder import MAX_DEPTH, MAX_TEXT
@@ -77,12 +77,12 @@ class _Reading:
 
     def _plain(self, text, where):
         """The text, as far as a scene file could hold it."""
-        wrong = FORBIDDEN.search(text)
+        wrong = forbidden().search(text)
         if wrong:
             self._report(where, f"found {name_of(wrong[0])}", "delete it")
         if len(text) > MAX_TEXT:
             self._report(where, f"expected at most {MAX_TEXT} characters, found {len(text)}", "shorten it")
-        return FORBIDDEN.sub("\ufffd", text[:MAX_TEXT])
+        return forbidden().sub("\ufffd", text[:MAX_TEXT])
 
     def _report(self, where, message, hint=None):
         self.diagnostics.append(Diagnostic(where, message, hint))

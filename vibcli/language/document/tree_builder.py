@@ -102,7 +102,8 @@ class Tree:
                 text = text[:MAX_TEXT]
             if self.flow and not style and text.count("(") > text.count(")"):
                 self._comma(mark.index)
-            if style == '"' and inset is None and decoding.FORBIDDEN.search(text):
+            if style == '"' and inset is None and not decoding.prints(text) and (
+                    decoding.forbidden().search(text)):
                 text = self._escapes(mark, end, text)
             if self.hidden:
                 text = text.translate(self.hidden)
@@ -227,10 +228,10 @@ class Tree:
         """Report characters that stand in double quotes as escapes but may not stand in a file."""
         for found in re.compile(_ESCAPE).finditer(self.source, mark.index, end.index):
             char = _meant(found[0])
-            if char and decoding.FORBIDDEN.match(char):
+            if char and decoding.forbidden().match(char):
                 where = decoding.place(self.source, found.start(), self.file, len(found[0]))
                 self.report(where, f"the escape {quoted(found[0])} is {decoding.name_of(char)}", "delete it")
-        return decoding.FORBIDDEN.sub(decoding.STAND_IN, text)
+        return decoding.forbidden().sub(decoding.STAND_IN, text)
 
     def _comma(self, index):
         """Look whether the parenthesis left open in a flow scalar was cut by a comma."""

@@ -2,11 +2,12 @@
 
 from fractions import Fraction
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
 from vibcli.base.errors import Diagnostic, Where
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.spelling import nearest
 from vibcli.language.data_columns import read_columns
 from vibcli.language.document.document import Scalar, Sequence

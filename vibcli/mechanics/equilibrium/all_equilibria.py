@@ -3,11 +3,12 @@ residual and met once, images of it a turn apart included."""
 
 import math
 from contextlib import suppress
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.equilibrium import multistart, one_coordinate
 from vibcli.mechanics.equilibrium.completeness import proved
 from vibcli.mechanics.equilibrium.degenerate import sharpened

@@ -8,9 +8,10 @@ with its null vector, r = 0, K v = 0, l·v = 1, which is regular where the fold 
 from collections.abc import Mapping
 from fractions import Fraction
 from math import isfinite
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.evaluation import Floats
 

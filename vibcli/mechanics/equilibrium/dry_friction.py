@@ -5,8 +5,9 @@ These are the equations of motion at rest, the sign σₖ of each velocity that 
 
 from collections.abc import Sequence
 from math import inf, isfinite
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.lagrange import equation_of
 from vibcli.mechanics.linearisation import residual_terms
 from vibcli.symbolic.derivatives import gradient, substitute

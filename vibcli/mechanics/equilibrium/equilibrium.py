@@ -1,8 +1,9 @@
 """Equilibrium by virtual work, r(q) = 0, reached from the drawn position by descending the potential energy."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.equilibrium.no_equilibrium import unbounded, unfinished
 
 if TYPE_CHECKING:

@@ -6,10 +6,11 @@ degree of the forces there. That they do is no proof that none is missing: two o
 
 from collections.abc import Callable
 from contextlib import suppress
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.equilibrium.completeness import ForceBounds, outside
 from vibcli.mechanics.equilibrium.degree import degree
 from vibcli.mechanics.equilibrium.eigenvector_following import look_for

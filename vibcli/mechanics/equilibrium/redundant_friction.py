@@ -5,9 +5,10 @@ G q̇ = 0 these are known but for the N of Σ aₖ Nₖ + Gᵀ λ = 0: two in pa
 """
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotFixed
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.equilibrium.dry_friction import signs_of_speeds
 from vibcli.symbolic.array_arithmetic import Arrays
 from vibcli.symbolic.derivatives import gradient, substitute

@@ -4,8 +4,9 @@ A force F₀ sign d bears there whatever balance asks for between −F₀ and F�
 arguments that vanish being those next to zero where the descent of the potential energy ends.
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.linearisation import residual_terms
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate

@@ -7,9 +7,10 @@ or 1 rad, a generalised force 1 along a coordinate.
 """
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.signal_names import signal_name
 from vibcli.mechanics.inputs_outputs.amplitudes import amplitudes
 from vibcli.symbolic.evaluation import Floats, evaluate

@@ -1,8 +1,9 @@
 """Linear functions y = constant + q·δ + v·δ̇ + a·δ̈ + what depends on the time, of coordinates and inputs."""
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.scene.scene import Scene

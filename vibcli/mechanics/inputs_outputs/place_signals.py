@@ -1,7 +1,8 @@
 """Signals within pieces of members that vibrate: parts of their deflection, in numbers."""
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.signal_names import signal_name
 from vibcli.mechanics.inputs_outputs.displacements import signal_of_place
 from vibcli.symbolic.evaluation import evaluate

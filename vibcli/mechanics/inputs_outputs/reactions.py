@@ -11,8 +11,9 @@ centre, of what rolls about the centre of its circle; λ is a tension for ropes 
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.linearisation import residual_terms
 from vibcli.mechanics.linearise import linearise
 from vibcli.mechanics.static_preload import take_over

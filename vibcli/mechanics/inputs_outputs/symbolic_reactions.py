@@ -6,8 +6,9 @@ As in numbers (mechanics/reactions.py) the scene is released, and with the drawn
 """
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, OPEN, constraint_slopes, solved
 from vibcli.mechanics.lagrange import equation_of

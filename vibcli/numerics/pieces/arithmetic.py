@@ -1,8 +1,10 @@
 """What kind of numbers a computation is in: doubles in arrays, or mpmath's in arrays of objects."""
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -1,9 +1,10 @@
 """Pieces and what is asked of them as flat arrays of equal length, and back."""
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.pieces.arithmetic import Arithmetic, arithmetic_of
 from vibcli.numerics.pieces.piece import Piece
 

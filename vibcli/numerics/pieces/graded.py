@@ -1,10 +1,11 @@
 """Pieces whose tension varies along them: stiffness, held count and fields by short parts joined two and two."""
 
 from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.work import counted
 from vibcli.numerics.pieces.graded_parts import (
     coefficients,

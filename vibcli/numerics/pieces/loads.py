@@ -8,11 +8,12 @@ P = B λ⁴ − N λ² + κ, so that B w⁗ − N w″ + κ w = yᵏ e^{λy}, by
 """
 
 from math import comb
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.polynomial import polynomial
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.pieces.arithmetic import arithmetic_of
 from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.panels import panel_rule

@@ -12,10 +12,11 @@ well separated roots, and where all are small both are power series in ν and χ
 Beams held at both ends vibrate evenly where d = 0, oddly where σ = 0.
 """
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.pieces.scaled_functions import ALIKE, even_functions, terms
 
 if TYPE_CHECKING:

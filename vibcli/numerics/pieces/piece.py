@@ -1,6 +1,8 @@
 """A uniform piece of a bar, shaft, string or beam: the coefficients of its differential equation."""
 
-from typing import Any, NamedTuple
+from typing import Any
+
+from vibcli.base.named_tuple import NamedTuple
 
 
 class Piece(NamedTuple):

@@ -4,9 +4,11 @@ C(z) = cosh √z and S(z) = sinh √z / √z are entire; S′ is dS/dz. They are
 """
 
 from functools import cache
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
+
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

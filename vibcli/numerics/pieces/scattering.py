@@ -4,9 +4,11 @@ With û = √Z u, f̂ = f/√Z at the ends, Z > 0 a stiffness chosen for each no
 comes out: S = (d̂ − i)(d̂ + i)⁻¹, unitary for real d. At a joint û is one and the forces cancel.
 """
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
+
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.numerics.pieces.arithmetic import Arithmetic

@@ -9,10 +9,11 @@ where the roots are near each other, f₁ g₂ − f₂ g₁ = Δ (f′ ḡ − 
 What grows towards an end is scaled to 1 there.
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.pieces.parity import separate_roots
 from vibcli.numerics.pieces.scaled_functions import ALIKE, even_functions, even_functions_of, terms
 

@@ -1,8 +1,9 @@
 """Expected answers: a quantity and its value or expression, which `vibcli check` compares."""
 
-from typing import Any, NamedTuple
+from typing import Any
 
 from vibcli.base.diagnostics import quoted
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.spelling import nearest
 from vibcli.language.document.document import Mapping
 from vibcli.language.fields import Element, Field

@@ -2,9 +2,10 @@
 
 import re
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import Any
 
 from vibcli.base.diagnostics import quoted
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.document.document import Mapping, Scalar
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Choice, Kind, Many, OneOf, Quantity, WholeNumber

@@ -1,10 +1,12 @@
 """Estimates of the lowest natural frequency, by Rayleigh and by Dunkerley."""
 
 from collections.abc import Iterator
+from math import tau
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
 from vibcli.notation.numbers import figure
+from vibcli.notation.plain import lowered
 from vibcli.report.blocks import Heading, Name, Section, TableBlock, maths, paragraph, section, separated
 from vibcli.report.keys import Key
 from vibcli.report.sections.insight import ROWS, off, require_numbers
@@ -22,13 +24,13 @@ def estimates(problem: "Problem", _: "Report") -> Iterator[Section]:
     except PhysicsError as error:
         yield from section(title, paragraph(f"Not told: {error.message}."))
         return
-    rows = (("Rayleigh (from above)", figure(found.rayleigh), off(found.rayleigh, found.omega)),
-            ("exact", figure(found.omega), ""),
-            ("Dunkerley (from below)", figure(found.dunkerley), off(found.dunkerley, found.omega)))
+    rows = [(name, figure(omega), figure(omega / tau), "" if omega is found.omega else off(omega, found.omega))
+            for name, omega in (("Rayleigh (from above)", found.rayleigh), ("exact", found.omega),
+                                ("Dunkerley (from below)", found.dunkerley))]
     deflection = [maths(Name(name), " = ", figure(x, digits=4)) for name, x in list(found.deflection.items())[:ROWS]]
     alone = [f"{name}: {figure(x)} rad/s" for name, x in list(found.alone.items())[:ROWS]]
     yield from section(
-        title, TableBlock(("", "ω [rad/s]", "error"), rows),
+        title, TableBlock(("", "ω [rad/s]", "f [Hz]", "error"), tuple(rows)),
         paragraph("Rayleigh's shape is the static deflection ", *separated(deflection, ",  "))
         if len(found.deflection) > 1 else None,
         paragraph("Dunkerley: ", maths("1/ω² = Σ 1/ω_j²"), ", with the inertia of one alone ", ",  ".join(alone))
@@ -49,7 +51,7 @@ def _members(found):
     rows = [(str(divisions), *_beside(omegas, exact)) for divisions, omegas in found.members.elements]
     if rows:
         yield Heading("Finite elements (cubic of beams, linear of others):")
-        heads = [head for i in range(1, len(exact) + 1) for head in (f"ω{i} [rad/s]", "error")]
+        heads = [head for i in range(1, len(exact) + 1) for head in (f"ω{lowered(i)} [rad/s]", "error")]
         yield TableBlock(("elements a piece", *heads), tuple(rows))
 
 

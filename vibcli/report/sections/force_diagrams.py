@@ -1,9 +1,10 @@
 """Diagrams of the forces and moments within members: which are found, and the scene above them."""
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.blocks import Section, section
 from vibcli.report.sections.illustrations import drawing
 

@@ -2,9 +2,10 @@
 
 from collections.abc import Iterator
 from math import isfinite, tau
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters, PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.notation.numbers import figure, supported
 from vibcli.report import blocks
 from vibcli.report.blocks import Section, TableBlock, line, maths, note, paragraph, section

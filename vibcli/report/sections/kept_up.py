@@ -1,6 +1,7 @@
 """The steady state of a scene that something drives to and fro, told without being asked for."""
 
 from collections.abc import Iterator
+from math import tau
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
@@ -68,9 +69,9 @@ def _transmissibility(problem, asked):
         for Omega, X, _ in harmonics_of(one.signal) if one.text in names else ():
             if Omega and X:
                 value, error = problem.frequency_response(one.text, base).at(Omega)
-                rows.append((maths(Name(one.text)), figure(Omega), figure(abs(value), error)))
+                rows.append((maths(Name(one.text)), figure(Omega), figure(Omega / tau), figure(abs(value), error)))
     yield from section(f"Transmissibility, of what '{base}' moves by",
-                       TableBlock(("", "Ω [rad/s]", "|X/U|"), tuple(rows)) if rows else None)
+                       TableBlock(("", "Ω [rad/s]", "f [Hz]", "|X/U|"), tuple(rows)) if rows else None)
 
 
 def _transmissibility_in_letters(problem):

@@ -60,6 +60,7 @@ def damped_row(mode: "DampedMode") -> tuple[str, ...]:
     of_decay, of_omega_d = mode.bounds
     return (str(mode.index), figure(_float(mode.omega), mode.error), figure(_float(mode.zeta), of_decay),
             figure(_float(mode.omega_d), of_omega_d),
+            figure(float(mode.omega_d) / tau, of_omega_d) if mode.omega_d else "–",
             figure(tau / float(mode.omega_d), of_omega_d) if mode.omega_d else "–",
             figure(_float(mode.decay), of_decay), error, note)
 

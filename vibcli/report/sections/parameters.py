@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
 
 MOVES = {"slide": "displacement", "pin": "rotation", "roll": "rolling", "turn": "rotation"}
+FREELY = "displacement of {} to the right", "displacement of {} upwards", "rotation of {}"    # of `move: [x, y, phi]`
 
 OF_MEMBERS = {"u": "displacement", "along": "displacement along", "across": "displacement across", "phi": "turn",
               "slope": "slope", "oscillator": "oscillator"}
@@ -108,6 +109,9 @@ def _moves(problem):
                 text = getattr(value, "text", None)
                 if text is not None:
                     found.setdefault(text, f"{words} of {body}")
+        if "move" in record and "carrier" not in record["move"]:
+            for value, words in zip(record["move"]["by"], FREELY, strict=True):
+                found.setdefault(value.text, words.format(body))
     return found
 
 

@@ -1,9 +1,10 @@
 """Motions in time as data: what is asked, sampled series with their units, extremes, steady amplitudes."""
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NoBound, NotFixed, PhysicsError, SpecError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.reader import Reader
 from vibcli.language.signal_names import signal_name
 from vibcli.quantities.dimensions import checker

@@ -1,9 +1,10 @@
 """Responses sampled for pictures and files."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.sections.requested_signals import curves_asked, signals_asked, symbol
 
 if TYPE_CHECKING:

@@ -117,7 +117,7 @@ def damping(problem: "Problem", report: "Report") -> Iterator[Section]:
     if problem.modal.many:
         yield from section("Damped modes", paragraph(f"not found of more than {MOST_DENSE} coordinates"))
         return
-    head = ("mode", "ω [rad/s]", "ζ", "ω_d [rad/s]", "T_d [s]", "decay [1/s]", "relative error ≤", "")
+    head = ("mode", "ω [rad/s]", "ζ", "ω_d [rad/s]", "f_d [Hz]", "T_d [s]", "decay [1/s]", "relative error ≤", "")
     found = shown_damped(problem, report.wanted)
     ended = _none_comes_back(problem) if problem.scene.pieces and problem.modal.damped.finite else None
     if ended is not None and not found:

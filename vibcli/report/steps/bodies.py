@@ -2,8 +2,9 @@
 (Kovacić & Radomirović 2018, §1.3), speeds to the first order about rest."""
 
 from collections.abc import Collection, Iterator
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Factor, Name, SumOfTerms, Words
 from vibcli.report.steps.step import WorkedSolution, number
@@ -130,7 +131,9 @@ class Bodies:
                     self.sheet.letter("v", there)), Words(",  ")], lines=[self._lines[there]])
         lines = [None if self._goes_straight(moves) else self._placed(body, x, y)]
         told = [part for axis, node in speeds for part in (Words(",  "), Name(f"{axis}_C'"), " = ", node)][1:]
-        if speeds and not _is_plain(speeds, omega):
+        if len(speeds) == 1:
+            told = [v, " = ", speeds[0][1]]
+        elif speeds:
             told += [Words(",  "), v ** 2, " = ", about.square([node for _, node in speeds])]
         told += [Words(",  " * bool(told)), turn, " = ", omega] if turns else []
         if omega is None and len(speeds) == 1 and speeds[0][1].op != "symbol":
@@ -138,7 +141,8 @@ class Bodies:
                 v, " = ", speeds[0][1], Words(",  ")])
         if told and not _is_plain(speeds, omega):
             lines.append(self.sheet.write(Words(f"speeds of {body.name}{about.order_of_speeds}:  "), *told, uses=lines))
-        formula = [body.mass * v ** 2 / 2] * bool(speeds and body.mass) + [body.inertia * turn ** 2 / 2] * bool(turns)
+        formula = [body.mass * v ** 2 / 2] * bool(speeds and body.mass) + [
+            body.inertia * turn ** 2 / 2] * bool(turns and not omega.is_zero)
         shown = [] if body.pieces or _is_plain(speeds, omega) else formula
         return self._energy(body.name, parts, lines[-1], shown, lines=lines)
 

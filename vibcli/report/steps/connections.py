@@ -7,12 +7,14 @@ force meets the curvature of s; else the first order suffices, the square of Δ 
 """
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.enumeration import listed
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Name, SumOfTerms, Words
 from vibcli.report.steps.bodies import LONG, EnergyPart
+from vibcli.report.steps.parts_in_series import tell_parts
 from vibcli.report.steps.small import AboutRest, Small
 from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.derivatives import gradient, substitute
@@ -25,6 +27,8 @@ if TYPE_CHECKING:
 AT_ONCE = 4         # letters of a stretch or speed, up to which its energy stands in the same line
 FIRST = "   (first order: it bears nothing at rest)"
 SECOND = "   (second order: its force at rest counts)"
+SLOPES = {("k", "N"): "N/m", ("k", "N·m"): "N·m/rad", ("c", "N"): "N·s/m", ("c", "N·m"): "N·m·s/rad"}
+STRAIGHT = "   (second order, as its force at rest counts: there is no such term)"
 
 
 class Acting(NamedTuple):
@@ -73,13 +77,22 @@ class Connections:
 
     def _slope(self, law, at, letter, what):
         """The slope of a law at rest, told with a letter of its own."""
+        tell_parts(self.about.problem, self.sheet, law.owner)
         slope = gradient(law.derivative).get(law.x, self.scene.table.zero)
         node = self.about.rest(substitute([slope], {law.x: at})[0])
         name = self.sheet.letter(letter, law.owner)
-        value = self.about.value(node)
-        self.sheet.write(Words(f"{what} of {law.owner} at rest, the slope of its law:  "), Name(name), " = ", node,
-                         *(() if value is None else number(value)), settles=name, node=node, value=value)
+        value, unit = self.about.value(node), SLOPES[letter, self._unit(law.owner)]
+        shown = [" = ", node] if value is None or node.op != "number" else []
+        self.sheet.write(Words(f"{what} of {law.owner} at rest, the slope of its law:  "), Name(name), *shown,
+                         *(() if value is None else number(value, unit)), settles=name, node=node, value=value,
+                         unit="" if value is None else unit)
         return node
+
+    def _unit(self, owner):
+        """That of the force of an element."""
+        spec = self.about.problem.spec
+        elements = {**(spec.get("springs") or {}), **(spec.get("dampers") or {})}
+        return "N·m" if "torsion" in elements.get(owner, {}) else "N"
 
     def _spring(self, term, k):
         about, sheet = self.about, self.sheet
@@ -116,12 +129,16 @@ class Connections:
 
     def _told(self, term, small, moves, letter, loaded):
         """The line of a stretch, counted from rest, and whether it is told exactly."""
-        s = textbook(self.about.shifted(term.s) - self.about.rest(term.s, named=False))
-        exact = not small.bends and plain(s) == plain(textbook(moves))
+        s, exact = self._exactly(small, moves)
         parts = [] if exact or letters(s) > LONG else [s, " = "]
-        more = () if exact else (" + …", Words(SECOND if loaded else FIRST))
+        more = () if exact else (" + …", Words(FIRST if not loaded else SECOND if small.bends else STRAIGHT))
         return self.sheet.write(Words(f"stretch of {term.owner}, from rest:  "), Name(letter), " = ", *parts,
                                 moves, *more, settles=letter, node=moves), exact
+
+    def _exactly(self, small, moves):
+        """What a function of the coordinates is, counted from rest, and whether it is what is told of it."""
+        s = textbook(self.about.shifted(small.s) - self.about.rest(small.s, named=False))
+        return s, not small.bends and plain(s) == plain(textbook(moves))
 
     def _turns(self, s):
         """Does what moves along s turn in time, so that a weight is a load in time there?"""
@@ -132,8 +149,9 @@ class Connections:
         acting = [Acting(term.owner, term.weight, term.weight, None, self.about.small(term.s), None)
                   for term in self.scene.weights if not self._turns(term.s)]
         about, total = self.about, self.scene.table.total
-        terms = {one.name: total([other.tension * (about.first(other.s, self.scene.q) + about.bent(other.s))
-                                  for other in acting if other.name == one.name]) for one in acting}
+        moves = {one: about.first(one.s, self.scene.q) + about.bent(one.s) for one in acting}
+        terms = {one.name: total([other.tension * moves[other] for other in acting if other.name == one.name])
+                 for one in acting}
         terms = {name: node for name, node in terms.items() if not node.is_zero}
         acting = [one for one in acting if one.name in terms]
         if not acting:
@@ -141,9 +159,10 @@ class Connections:
         V = self._letter("V", next(iter(terms)) if len(terms) == 1 else "g")
         words = "weight of" if len(terms) == 1 else "weights of"
         node = total(list(terms.values()))
+        exact = all(self._exactly(one.s, moves[one])[1] for one in acting)
+        more = () if exact else (" + …", Words(SECOND if any(one.s.bends for one in acting) else STRAIGHT))
         line = self.sheet.write(Words(f"{words} {listed(terms)}, counted from rest:  "), Name(V), " = ", SumOfTerms(
-            tuple(terms.values())), *((" + …", Words(SECOND)) if any(one.s.bends for one in acting) else ()),
-            settles=V, node=node)
+            tuple(terms.values())), *more, settles=V, node=node)
         for i, one in enumerate(acting):
             yield EnergyPart(V, node if not i else None, line), one._replace(line=line)
 
@@ -168,8 +187,10 @@ class Connections:
             told = self.sheet.write(Words(f"speed across {term.owner}:  "), Name(u + "'"), " = ", rate, Words(first),
                                     settles=u, node=rate)
             node = self.about.half_squares([(c, small)], rates=True)
-            line = self.sheet.write(Name(letter), " = ", c * self.about.letter(u + "'") ** 2 / 2, " = ", node,
-                                    settles=letter, node=node, uses=[told], joined=letters(rate) <= AT_ONCE)
+            formula = c * self.about.letter(u + "'") ** 2 / 2
+            shown = [] if formula.is_zero else [" = ", formula]
+            line = self.sheet.write(Name(letter), *shown, " = ", node, settles=letter, node=node, uses=[told],
+                                    joined=letters(rate) <= AT_ONCE)
             yield EnergyPart(letter, node, line)
 
     def loads(self) -> "Iterator[tuple[EnergyPart, Acting]]":

@@ -10,6 +10,7 @@ from vibcli.report.steps.step import WorkedSolution
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import is_zero, textbook
+from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
@@ -47,9 +48,11 @@ def tell_conditions(problem: "Problem", sheet: WorkedSolution) -> list[int]:
     if problem.scene.loops is None:
         return []
     found: dict = {}
-    scene = problem.scene
-    known = {scene.symbol(name): node for name, node in scene.dependent.items() if name not in scene.loops.names}
-    for constraint in problem.system.scene_with_multipliers.constraints:
+    scene, loose = problem.scene, problem.system.scene_with_multipliers
+    names = [name for name in scene.dependent if name not in scene.loops.names]
+    known = dict(zip(map(loose.symbol, names), copied([scene.dependent[name] for name in names], loose.table),
+                     strict=True))
+    for constraint in loose.constraints:
         if not is_zero(substitute([constraint.node], known)[0]):
             found.setdefault(constraint.whole, []).append(textbook(constraint.node))
     return [sheet.write(Words(f"'{whole}' holds:  "), *[part for node in nodes for part in (

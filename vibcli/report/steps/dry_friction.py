@@ -5,9 +5,10 @@
 until it turns where |k q − F| ≤ R₀, what friction resists with at rest (Rao 2011, section 2.9)."""
 
 from math import isclose, pi, sqrt
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.held import HINT, UNTOLD, Untold
 from vibcli.report.steps.in_motion import short_form

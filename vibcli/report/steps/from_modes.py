@@ -5,9 +5,10 @@
 where nothing damps or what damps leaves the modes apart; and beats, where two modes of one amplitude are close."""
 
 from math import pi, sqrt
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.given_damping_in_letters import proportional
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.held import SmallEquations

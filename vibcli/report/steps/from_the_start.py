@@ -3,10 +3,11 @@
     x = X sin(Ωt + ε − θ) + e^{−δt} (A cos ω_dt + B sin ω_dt),   A and B from x(0) and ẋ(0).
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.closed_form.free_response import UNDAMPED, UNDER, regime_at
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.degree import Degree
 from vibcli.report.steps.step import number

@@ -9,7 +9,8 @@ from vibcli.report.blocks import Name, Words
 from vibcli.report.sections.too_long import brief
 from vibcli.report.steps.bodies import LONG, EnergyPart
 from vibcli.report.steps.in_motion import InMotion, short_form
-from vibcli.report.steps.step import WorkedSolution
+from vibcli.report.steps.parts_in_series import tell_parts
+from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import textbook
@@ -77,11 +78,26 @@ class FullEnergies:
         """½ k Δ² + N Δ."""
         letter = self._letter("V", term.owner)
         delta, uses = self._told(term, "Delta", textbook(term.s), "stretch of")
-        return self._part(letter, self._energy(term, textbook(term.s)), formula=[self._energy(term, delta)], uses=uses)
+        N, s = self._tension(term), textbook(term.s)
+        uses = [*uses, self.sheet.last] if N is not self._offset(term) else uses
+        return self._part(letter, term.weight * s ** 2 / 2 + self._offset(term) * s, formula=[
+            term.weight * delta ** 2 / 2 + N * delta], uses=uses)
 
-    def _energy(self, term, s):
-        offset = self.scene.table.zero if term.offset is None else term.offset
-        return term.weight * s ** 2 / 2 + offset * s
+    def _offset(self, term):
+        return self.scene.table.zero if term.offset is None else term.offset
+
+    def _tension(self, term):
+        """What N is told as: a letter, which has a line, of a spring that holds the scene as drawn."""
+        N = self._offset(term)
+        record = (self.motion.problem.spec.get("springs") or {}).get(term.owner, {})
+        if N.is_zero or record.get("preload") != "static":
+            return N
+        name, value = self._letter("N", term.owner), self.motion.value(N)
+        unit = "N·m" if "torsion" in record else "N"
+        self.sheet.write(Words(f"tension of {term.owner} as drawn, where the forces balance:  "), Name(name), " = ",
+                         self.short(N)[0], *(() if value is None else number(value, unit)), settles=name, node=N,
+                         value=value, unit=unit)
+        return self.motion.letter(name)
 
     def _told(self, term, letter, node, words):
         """(the letter of a stretch or speed, the lines that it follows from); a symbol itself needs no line."""
@@ -94,6 +110,7 @@ class FullEnergies:
 
     def _of_law(self, law: "Law", letter, energy, s, words) -> EnergyPart:
         """The integral of the law at s."""
+        tell_parts(self.motion.problem, self.sheet, law.owner)
         at, uses = self._told(law, letter, s, words)
         name = self._letter(energy, law.owner)
         formula, node = (substitute([law.integral], {law.x: x})[0] for x in (at, s))

@@ -2,9 +2,10 @@
 
 from collections.abc import Mapping
 from functools import partial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.autonomous import excitation
 from vibcli.mechanics.given_damping_in_letters import proportional
 from vibcli.mechanics.symbolic_matrices import matrices_in_letters

@@ -1,8 +1,9 @@
 """The functions s(q, t) of a scene as they are, unexpanded: what `AboutRest` gives about rest, in any motion."""
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.steps.agreement import agree_in_motion, samples_of
 from vibcli.report.steps.small import tidy, value_of
 from vibcli.symbolic.common_denominator import shorter

@@ -1,6 +1,7 @@
 """The steps of one member, or two end to end, that vibrate: differential equation, standing waves, what holds at each
 station, constants, frequency equation, its first roots and their frequencies (Rao 2007, chapters 8, 9 and 11)."""
 
+from math import isclose, pi
 from typing import TYPE_CHECKING
 
 from vibcli.analyses.closed_form.member_frequencies import frequency_equations
@@ -14,6 +15,7 @@ from vibcli.report.sections.members import SIMPLE, carried, differential, statio
 from vibcli.report.steps.ends import Ends
 from vibcli.report.steps.held import HINT
 from vibcli.report.steps.step import WorkedSolution, number, of_time, told
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
@@ -21,6 +23,7 @@ from vibcli.symbolic.normal_form import textbook
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
+EXACT = 1e-9            # relative: of a root that a formula gives
 FIRST = 3               # roots that are told
 HALVINGS = 60           # of the interval that holds one
 NEAR, FAR = 1e-2, 1e4   # βL between which they are looked for
@@ -150,9 +153,13 @@ class MemberSteps:
             return
         floats = self.problem.numeric.floats
         known = [(mode, self._root_of(found, mode, floats)) for mode in self.problem.modal.modes.first(2 * FIRST)]
+        free = [f"ω{lowered(mode.index)} = " for mode, _ in known if mode.omega == 0]
+        if free:
+            self.sheet.write("".join(free) + "0", Words(" rad/s:  it moves freely"), settles="what moves freely",
+                             uses=[frequency])
         for mode, root in [(mode, root) for mode, root in known if root is not None][:FIRST]:
             ends.hold(root, floats)
-            self._of_mode(found, mode, root, equation, frequency)
+            self._of_mode(found, mode, root, equation, frequency, self._multiple(root) if simple else None)
 
     def _root_of(self, found, mode, floats):
         """βL of a mode; None of one that grows, moves freely or belongs to other members."""
@@ -183,14 +190,21 @@ class MemberSteps:
                                                    for i, *called in functions for name in called))
                 for functions, coefficient in found.function.items()]
 
-    def _of_mode(self, found, mode, root, equation, frequency):
+    def _multiple(self, root):
+        """A root as so many halves of π; None of another."""
+        halves = round(2 * root / pi)
+        return self.table.pi * halves / 2 if isclose(root, halves * pi / 2, rel_tol=EXACT) else None
+
+    def _of_mode(self, found, mode, root, equation, frequency, exact):
         x, order, k = found.wave_number, found.order, lowered(mode.index)
         omega = float(mode.omega)
         alone = textbook(found.square / x ** order)
         node = self.table.sqrt(found.square) if x in reachable([alone]) else x ** (order // 2) * self.table.sqrt(alone)
+        shown = node if exact is None else substitute([node], {x: exact})[0]
         put_in = {name: figure(value) for name, value in self.problem.numeric.floats.items()} | {x.name: figure(root)}
-        line = self.sheet.write(Words(f"root {mode.index}:  "), "βL = " + told(root), Words("   (by a search)"),
-                                settles=f"βL[{mode.index}]", value=root, uses=[equation],
-                                letter=x.name, vanishes=self.table.total(self._terms(found)))
-        self.sheet.write(f"ω{k} = ", WithNumbers(node, put_in), *number(omega, "rad/s"), *of_time(self.sheet, omega),
+        how = [exact] if exact is not None else [told(root), Words("   (by a search)")]
+        line = self.sheet.write(Words(f"root {mode.index}:  "), "βL = ", *how, settles=f"βL[{mode.index}]", node=exact,
+                                value=root, uses=[equation], letter=x.name,
+                                vanishes=None if exact is not None else self.table.total(self._terms(found)))
+        self.sheet.write(f"ω{k} = ", WithNumbers(shown, put_in), *number(omega, "rad/s"), *of_time(self.sheet, omega),
                          settles=f"omega[{mode.index}]", node=node, value=omega, unit="rad/s", uses=[line, frequency])

@@ -81,12 +81,11 @@ class OneDegree:
         value = self.about.value(zeta)
         if self._is_critical():
             value = 1.0
-        kind = () if value is None else (Words(
-            ": under-damped" if value < 1 else ": critically damped" if value == 1 else ": over-damped"),)
+        kind = () if value is None else (Words(f": {_damped(value)}"),)
         shown = () if value is None or zeta is self.about.table.one else number(value)
         line = self.sheet.write(self.zeta, " = ", self.delta / self.omega, " = ", zeta, *shown, *kind,
                                 uses=[of_delta, of_omega], settles="zeta[1]", node=zeta, value=value)
-        if value is None or value < 1:
+        if value is None or abs(value) < 1:
             return self._damped_frequency(delta, [of_omega, of_delta, line])
         return line
 
@@ -187,3 +186,10 @@ class OneDegree:
             of_start += [Words(",  " * bool(of_start)), Name(which), *([" = ", letter] if letter is not node else []),
                          *(number(known, unit + per) if known else (" = ", node))]
         self.sheet.write(Words("at t = 0  "), *of_start, Words(":  "), *constants, uses=[line], settles="free motion")
+
+
+def _damped(zeta):
+    """How a damping ratio damps, in words."""
+    if zeta < 0:
+        return "negative, so free motion grows"
+    return "under-damped" if zeta < 1 else "critically damped" if zeta == 1 else "over-damped"

@@ -11,8 +11,9 @@ integral of the impulses that it consists of.
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.degree import Degree
 from vibcli.symbolic.derivatives import gradient, substitute

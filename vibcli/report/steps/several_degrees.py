@@ -79,6 +79,12 @@ class SeveralDegrees:
         if not self.found.C or stay_apart(self.about, self.found):
             self.two.normal_coordinates(shapes, of)
 
+    @property
+    def _mixed(self):
+        """Words on the units of amplitudes that are not of one kind."""
+        kinds = {bool(self.problem.system.dimension(name)) for name in self.about.scene.coordinates}
+        return "  (in m and rad)" if len(kinds) > 1 else ""
+
     def _has_ratio(self, found):
         """Do two coordinates have a ratio of amplitudes that a row gives in both modes?"""
         if self.two is None or self.found.G or len(found) != 2 or any(
@@ -87,9 +93,11 @@ class SeveralDegrees:
         return self.two.fits([[x.real for x in shape] for _, shape in found], [float(mode.omega) for mode, _ in found])
 
     def _amplitude_ratio(self, k, shape, uses):
-        x, y = map(Name, self.about.scene.coordinates)
-        return self.sheet.write(Words(f"in mode {k}  "), y, "/", x, *number(shape[1]), value=shape[1], uses=uses,
-                                node=self.two.shape_at(k), settles=f"mode[{k}][{self.about.scene.coordinates[1]}]")
+        names = self.about.scene.coordinates
+        (x, of_x), (y, of_y) = ((Name(name), "m" if self.problem.system.dimension(name) else "rad") for name in names)
+        unit = f"{of_y}/{of_x}" if of_x != of_y else ""
+        return self.sheet.write(Words(f"in mode {k}  "), y, "/", x, *number(shape[1], unit), value=shape[1], unit=unit,
+                                uses=uses, node=self.two.shape_at(k), settles=f"mode[{k}][{names[1]}]")
 
     def _frequency(self, mode, shape, uses):
         """The line of a mode: with two degrees by the formula of the roots, else with the ratios."""
@@ -99,12 +107,12 @@ class SeveralDegrees:
         ratio = [*[part for name in names for part in (" : ", Name(name))][1:], " = " + amplitudes]
         if mode.omega is None:
             return self.sheet.write(Words(f"mode {mode.index} grows as exp(s·t) with "), "s = " + told(
-                mode.growth_rate), Words(" 1/s,  "), *ratio, settles=f"growth_rate[{mode.index}]",
+                mode.growth_rate), Words(" 1/s,  "), *ratio, Words(self._mixed), settles=f"growth_rate[{mode.index}]",
                 value=float(mode.growth_rate), unit="1/s", uses=uses)
         omega = float(mode.omega)
         times = of_time(self.sheet, omega) if omega else [Words(":  it moves freely")]
         if not self._by_ratio:
-            times += [Words(",  "), *ratio]
+            times += [Words(",  "), *ratio, Words(self._mixed)]
         node = self.two.frequency(mode.index, omega) if self.two is not None else None
         letter = self.about.letter(self.sheet.letter(f"omega{mode.index}"))
         return self.sheet.write(letter, *number(omega, "rad/s"), *times, uses=uses, node=node, letter=letter.name,

@@ -14,6 +14,7 @@ from vibcli.notation.plain import lowered
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.characteristic import determinant
 from vibcli.report.steps.complex_numbers import cleared, complex_parts, complex_told
+from vibcli.report.steps.fixed_points import tell_fixed_points
 from vibcli.report.steps.held import HINT, UNTOLD, SmallEquations, Untold
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number
@@ -104,6 +105,9 @@ class SteadyState:
         values = self._solved()
         for k, name in enumerate(self.names):
             self._amplitude(k, name, values, lines, written)
+        if written and not self.several and all(self._force(i)[1].is_zero for i in range(self.n)):
+            tell_fixed_points(self.about, sheet=self.sheet, found=self.found, forces=[
+                self._force(i)[0] for i in range(self.n)], Omega=self.Omega, uses=lines)
 
     def _parts(self, i, j):
         """(real part, imaginary part) of Zᵢⱼ."""

@@ -2,8 +2,9 @@
 
 from collections.abc import Sequence
 from math import tau
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.notation.numbers import with_minus
 from vibcli.report.blocks import Name, Words
 

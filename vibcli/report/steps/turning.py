@@ -5,11 +5,13 @@ centrifugal forces.
 """
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
+from vibcli.notation.plain import plain
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.bodies import LONG, EnergyPart
-from vibcli.report.steps.connections import SECOND, Acting
+from vibcli.report.steps.connections import SECOND, STRAIGHT, Acting
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution
 from vibcli.symbolic.derivatives import gradient, substitute
@@ -72,11 +74,13 @@ class TurningFrames:
             small, V = self.about.small(-body.T0), self._letter("V0", body)
             node = self.about.first(small, self.scene.q) + self.about.bent(small)
             if not node.is_zero:
-                T0 = textbook(body.T0)
-                whole = [" = ", -T0] if letters(T0) <= LONG else []
+                whole = textbook(-body.T0)
+                told = [whole, Words(",  from rest  "), Name(V), " = "] if letters(whole) <= LONG else []
+                more = [" + …", Words(SECOND if small.bends else STRAIGHT)]
+                if plain(whole) == plain(textbook(node)):
+                    told, more = [], []
                 line = self.sheet.write(Words(f"of T of {body.name} what has no speeds acts like a potential:  "),
-                                        Name(V), *whole, Words(",  from rest  "), Name(V), " = ", node, " + …",
-                                        Words(SECOND), settles=V, node=node)
+                                        Name(V), " = ", *told, node, *more, settles=V, node=node)
                 yield EnergyPart(V, node, line), Acting(body.name, one, one, None, small, line)
 
     def gyroscopic(self) -> "dict[tuple[int, int], Node]":

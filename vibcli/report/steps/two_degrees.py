@@ -3,6 +3,7 @@ coordinates: det(K − ω²M) = a₂ ω⁴ − a₁ ω² + a₀ = 0 written out,
 
 from typing import TYPE_CHECKING, Any
 
+from vibcli.notation.plain import plain
 from vibcli.report.blocks import Either, Factor, Name, Words
 from vibcli.report.steps.characteristic import tell_polynomial, tell_roots
 from vibcli.report.steps.from_modes import tell_in_letters
@@ -12,8 +13,9 @@ from vibcli.report.steps.step import WorkedSolution, number, told
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.radicals import root
-from vibcli.symbolic.rationals import fraction_of
+from vibcli.symbolic.rationals import HALF, fraction_of
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
@@ -88,12 +90,23 @@ class TwoDegrees:
             below = self.about.tidy(substitute([self._stiffened(self.row, 1)], {self.omega: self.table.sqrt(node)})[0])
             if not below.is_zero:
                 above, = substitute([self._stiffened(self.row, 0)], {self.omega: self.table.sqrt(node)})
-                shape = self.about.tidy(-above / below)
+                shape = self._quotient(-above, below)
                 shapes.append(shape)
                 last = self.sheet.write(Words(f"in mode {k}  "), y, "/", x, " = ", shape, node=shape, uses=[
                     ratio, lines[k - 1]], settles=f"mode[{k}][{self.names[1]}]")
         if len(shapes) == 2:
             tell_in_letters(self.about, self.sheet, self.found, shapes, [*lines, last])
+
+    def _quotient(self, above, below):
+        """above/below, without a root of a number below where it is shorter so."""
+        plainly = self.about.tidy(above / below)
+        roots = {part for part in reachable([below]) if part.op == "product" and [
+            (base.op, e) for base, e in part.args] == [("number", HALF)]}
+        if len(roots) != 1:
+            return plainly
+        turned, = substitute([below], {(root := roots.pop()): -root})
+        found = self.about.tidy(textbook(above * turned) / textbook(below * turned))
+        return min((plainly, found), key=lambda node: len(plain(node)))
 
     def _root_in_letters(self, k, node, uses):
         omega, letter = root(node, self.about.samples), self.about.letter(self.sheet.letter(f"omega{k}"))
@@ -149,14 +162,14 @@ class TwoDegrees:
         entries = [self.entry("M", i, j) * (1 if i == j else 2) for i, j in pairs]
         value = sum((self.about.value(node) or 0.0) * u[i] * u[j] for node, (i, j) in zip(entries, pairs, strict=True))
         terms = [part for node, (i, j) in zip(entries, pairs, strict=True)
-                 for part in (" + ", Factor(node), *_times(u[i] * u[j] if i != j else u[i], i == j))]
+                 for part in (" + ", *_weighted(node, u[i] * u[j] if i != j else u[i], i == j))]
         return self.sheet.write(Words(f"modal mass of mode {k}:  "), *terms[1:], *number(value, unit),
                                 settles=f"modal_mass[{k}]", value=value, unit=unit, uses=uses)
 
 
-def _times(value, squared):
-    """·value, or ·value²; nothing of 1."""
-    return [] if value == 1 else [f"·{_bracketed(value)}" + "²" * squared]
+def _weighted(node, value, squared):
+    """Parts of node·value, or node·value²; of the node alone where that is 1."""
+    return [node] if value == 1 else [Factor(node), f"·{_bracketed(value)}" + "²" * squared]
 
 
 def _bracketed(value):

@@ -6,8 +6,9 @@ Solutions are candidates: a root is squared away, and branches are all offered, 
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.angle_addition import opened
 from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.expression_graph import reachable

@@ -9,8 +9,9 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
 from math import gcd, lcm
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.equations.trigonometric import angles
 from vibcli.symbolic.evaluation import Floats, evaluate, from_sympy, sympy_arithmetic

@@ -1,0 +1,59 @@
+"""What lines say in words, each read aloud once: nothing twice, no false word, nothing left out."""
+
+from pathlib import Path
+
+import pytest
+from support.scenes import kept_problem_of, problem
+
+from vibcli.notation.plain import plain
+from vibcli.report.formats.formula import formula
+from vibcli.report.steps.worked import worked
+
+
+def told(scene):
+    """The lines as they are printed, joined ones in one, with single spaces."""
+    lines: dict = {}
+    for line in worked(scene):
+        lines.setdefault(line.number, []).append(formula(line.parts, plain).replace("\u00a0", " "))
+    return [" ".join(",  ".join(parts).split()) for parts in lines.values()]
+
+
+def of(name, case=None):
+    found, = Path("problems").glob(f"*/{name}.yaml")
+    scene = kept_problem_of(found)
+    return told(scene.case(case) if case else scene)
+
+
+@pytest.mark.parametrize(("name", "case", "wanted"), [
+    ("galloping_sign_arm", "storm", ["N_s = −L·g·(m/2 + m₀) = −88.29 N·m", "negative, so free motion grows"]),
+    ("double_pendulum_equal", None, ["in mode 1 φ₂/φ₁ = √2", "in mode 2 φ₂/φ₁ = −√2"]),
+    ("car_bounce_and_pitch", None, ["y: displacement of car upwards, zero as drawn", "φ/y = −0.377913 rad/m",
+                                    "v_car = ẏ, ω_car = φ̇"]),
+    ("xylophone_bar", None, ["ω₁ = ω₂ = 0 rad/s: it moves freely"]),
+    ("plucked_string", None, ["root 2: βL = 2·π", "ω₁ = π·√(80/0.005)/0.8 = 496.729 rad/s"]),
+    ("five_equal_duffing_springs", None, ["F_s(d) = k·d₁ + γ·d₁³, d = 5·d₁"]),
+    ("linear_and_quadratic_damper_in_series", None, ["c_d = 0 N·s/m", "Φ_d = 0", "c_e = c/2 = 4 N·s/m"]),
+    ("unround_shaft", None, ["V0_disc = −m·Ω²·u²/2 − m·Ω²·v²/2"]),
+])
+def test_lines_of_problems(name, case, wanted):
+    lines = of(name, case)
+    for text in wanted:
+        assert any(line.endswith(text) or text + "," in line for line in lines), (text, lines)
+    assert not any(" = 0 = 0" in line for line in lines)
+
+
+def test_a_condition_that_gives_a_coordinate_is_told_once():
+    lines = of("platform_on_three_rods")
+    assert sum("by the constraints" in line for line in lines) == 2
+    assert [line.split()[0] for line in lines if "holds:" in line] == ["'second'", "'third'"]
+
+
+def test_a_body_that_does_not_turn_to_the_first_order_has_no_energy_of_turning():
+    assert "T_platform = M·v_platform²/2 = M·(X² + H²)·φ̇²/2" in of("platform_on_three_rods")
+
+
+def test_how_it_is_damped_is_said_in_words():
+    scene = ("parameters: {m: 2 kg, k: 800 N/m, c: %s N*s/m}\nbodies: {b: {mass: m, slide: x}}\n"
+             "springs: {s: {k: k, between: [ground, b]}}\ndampers: {d: {c: c, between: [ground, b]}}\n")
+    for c, words in ((8, "under-damped"), (80, "critically damped"), (100, "over-damped")):
+        assert next(line for line in told(problem(scene % c)) if line.startswith("ζ")).endswith(words)
