@@ -215,7 +215,7 @@ def textbook(node: "Node"):
 def _unnested(node):
     """The node with 1/(a/b + 1) written as b/(a + b), and 1/((a − b)² + 2ab) as 1/(a² + b²)."""
     table, simpler = node.table, {}
-    for base in _denominators(node):
+    for base in sorted(_denominators(node), key=lambda base: base.index):
         shorter = table.product(*factors_of(table, reduced(expanded(base, ()))))
         if shorter is not base:
             simpler[base] = shorter
