@@ -72,8 +72,13 @@ class SceneDocument:
 
     def anew(self, values: "Given[str, GivenValue]") -> "Problem":
         """The Problem that is read with values for parameters, those that it would choose among them."""
-        return settled(Problem(read_alone(self._bare, self.file, self._with(values), self._columns)))
+        spec = read_alone(self._bare, self.file, self._with(values), self._columns)
+        return settled(Problem(spec.with_sections(variants=self.rules)))
 
     def _with(self, values):
-        given = {name: (value.expression.tree, value.expression.scalar) for name, value in values.items()}
-        return {**self.settings, **given}
+        return {**self.settings, **settings_of(values)}
+
+
+def settings_of(values: "Given[str, GivenValue]") -> dict[str, tuple[Any, Any]]:
+    """{parameter: (syntax tree, text)} of values for parameters."""
+    return {name: (value.expression.tree, value.expression.scalar) for name, value in values.items()}

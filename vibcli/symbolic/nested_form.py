@@ -5,6 +5,7 @@ Letters that several terms share are taken out, one after the other, as long as 
 
 from typing import TYPE_CHECKING, Any
 
+from vibcli.symbolic.node import remembered
 from vibcli.symbolic.normal_form import TooLong, expanded, factors_of, reduced
 from vibcli.symbolic.rationals import HALF, ONE
 
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
 MANY = 12       # terms, above which a polynomial is left flat
 
 
+@remembered
 def grouped(node: "Node") -> "Node":
     """The node expanded and nested again; the node itself where it is too long."""
     try:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.node import remembered
 from vibcli.symbolic.rationals import HALF, ONE, ZERO, exact_root
 
 if TYPE_CHECKING:
@@ -170,6 +171,7 @@ def _move(terms, old, new, value):
     add(terms, new, value)
 
 
+@remembered
 def is_zero(node: "Node") -> bool:
     """Is the expression zero by expansion and the identities? False where that does not show it."""
     try:
@@ -203,6 +205,7 @@ def cleared(terms: "Mapping[tuple[tuple[Node, Fraction | int], ...], Fraction | 
     return reduced(found)
 
 
+@remembered
 def textbook(node: "Node"):
     """The expression expanded, collected by its variable parts, each coefficient with common factors taken out."""
     try:
