@@ -37,7 +37,8 @@ def roster(path: str) -> list[Student]:
             wrong.append(Diagnostic(where, f"the id '{own}' stands in line {seen[own.casefold()]} already"))
         elif not _is_name(cells.get("name", "")):
             wrong.append(Diagnostic(row.place("name"), f"{quoted(cells['name'][:SHOWN])} is no name",
-                                    f"a name stands in one line, of at most {LONGEST} characters; is a quote left open?"))
+                                    f"a name stands in one line, of at most {LONGEST} characters; is a quote left "
+                                    "open?"))
         else:
             seen[own.casefold()] = row.line
             found.append(Student(own, cells.get("name", "")))
