@@ -116,8 +116,9 @@ def test_a_set_with_parts(course, capsys):
     capsys.readouterr()
     assert run(["grade", "out/instructor/manifest.json", "--student", "s1", "--answer", "zeta[1]=0.1"]) == 2
     assert "say which of block" in capsys.readouterr().err
-    assert run(["check", "."]) == 0
-    assert "set.yaml" not in capsys.readouterr().out
+    for paths in (["."], ["set.yaml", "block.yaml"]):
+        assert run(["check", *paths]) == 0
+        assert "set.yaml" not in capsys.readouterr().out
 
 
 def test_a_number_of_one_problem_that_is_a_key_of_another(course):

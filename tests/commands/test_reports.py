@@ -170,7 +170,8 @@ def assert_typst(text):
     bare = re.sub(r'"(?:\\.|[^"\\])*"|\\.', "", text[text.index("\n= "):])
     assert bare.count("$") % 2 == 0
     assert all(bare.count(opened) == bare.count(closed) for opened, closed in ("()", "[]", "{}"))
-    assert set(re.findall(r"#(\w*)", bare)) <= {"table", "fitted", "picture", "box", "h", "pagebreak"}
+    assert set(re.findall(r"#(\w*)", bare)) <= {"table", "fitted", "picture", "block", "box", "h",
+                                                 "pagebreak"}
 
 
 CHECKS = {"html": assert_page, "latex": assert_latex, "markdown": assert_markdown, "asciidoc": assert_asciidoc,
@@ -263,9 +264,9 @@ def test_no_formula_leaves_the_pages_of_typst(tmp_path):
 
 
 @pytest.mark.parametrize("cells, expected", [
-    (("short", "words"), "#table(columns: (auto, auto,)"),
-    (("mistake", "a sentence that is longer than the page is wide " * 2), "#table(columns: (auto, 1fr,)"),
-    (("a sentence that is longer than the page is wide " * 2, "gives"), "#table(columns: (1fr, auto,)"),
+    (("short", "words"), "#block(breakable: false, table(columns: (auto, auto,)"),
+    (("mistake", "a sentence that is longer than the page is wide " * 2), "false, table(columns: (auto, 1fr,)"),
+    (("a sentence that is longer than the page is wide " * 2, "gives"), "false, table(columns: (1fr, auto,)"),
     (("12345.678",) * 12, "#fitted(table(columns: (auto, ")])
 def test_tables_in_typst(cells, expected, tmp_path):
     """Words are broken where a table is wide, numbers never."""
@@ -273,6 +274,16 @@ def test_tables_in_typst(cells, expected, tmp_path):
     text = render_typst.render([found], None)
     assert expected in text
     compiled(text, tmp_path)
+
+
+def test_short_tables_in_typst_stay_on_a_page_and_long_ones_go_on(tmp_path):
+    pypdf = pytest.importorskip("pypdf")
+    blocks = tuple(Cells(("word", "number"), tuple((f"t{i}", str(j)) for j in range(9))) for i in range(9))
+    long = Cells(("word", "number"), tuple(("row", str(j)) for j in range(90)))
+    text = render_typst.render([Document("T", None, (), (Section("S", (*blocks, long)),))], None)
+    pages = [page.extract_text() for page in pypdf.PdfReader(BytesIO(compiled(text, tmp_path))).pages]
+    assert all(sum(f"t{i}" in page for page in pages) == 1 for i in range(9))
+    assert sum("row" in page for page in pages) > 1
 
 
 @pytest.mark.parametrize("text, expected", [

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vibcli.base.errors import Diagnostic, SpecError, Where
+from vibcli.base.errors import Diagnostic, SpecError
 from vibcli.cli.common import color_option
 from vibcli.cli.pictures import FILE
 
@@ -90,7 +90,8 @@ def _of_table(marker: "Marker", path: str) -> "list[AnswerMark]":
 
     _, rows = read_table(path, "the answers")
     found, wrong, seen = [], [], {}
-    for line, cells in rows:
+    for row in rows:
+        line, cells = row.line, row.cells
         try:
             if "id" not in cells:
                 raise ValueError("these answers have no id")
@@ -102,7 +103,7 @@ def _of_table(marker: "Marker", path: str) -> "list[AnswerMark]":
             answers = [(key, text) for key, text in cells.items() if key not in ("id", "problem", "name")]
             found += marker.marks(student, name, _by_quantity(marker, name, answers))
         except ValueError as error:
-            wrong.append(Diagnostic(Where(path, line, 1, 0), str(error)))
+            wrong.append(Diagnostic(row.place(), str(error)))
     if wrong:
         raise SpecError(wrong)
     return found

@@ -11,6 +11,7 @@ from vibcli.language.data_columns import columns_in, data_beside
 from vibcli.language.document.nodes import Mapping
 from vibcli.reader.read import document_of_case, read_alone, read_changed
 from vibcli.results.problem import Problem
+from vibcli.symbolic.parser import plain_name
 
 if TYPE_CHECKING:
     from vibcli.language.given_values import GivenValue
@@ -63,8 +64,10 @@ class SceneDocument:
         return Problem(self.spec(), work=Work(patience))
 
     def changed(self, part: "Mapping", remark: str) -> "Spec":
-        """The Spec with a part merged over it; SpecError with this remark where that is none."""
-        return read_changed(self.root, part, self.file, remark, self.settings)
+        """The Spec with a part merged over it, whose parameters have the values of that; SpecError with this remark
+        where that is none."""
+        settings = {name: value for name, value in self.settings.items() if name not in parameters_of(part)}
+        return read_changed(self.root, part, self.file, remark, settings)
 
     def with_values(self, values: "Given[str, GivenValue]") -> "SceneDocument":
         """The document with values for parameters."""
@@ -72,8 +75,19 @@ class SceneDocument:
 
     def anew(self, values: "Given[str, GivenValue]") -> "Problem":
         """The Problem that is read with values for parameters, those that it would choose among them."""
-        return settled(Problem(read_alone(self._bare, self.file, self._with(values), self._columns)))
+        spec = read_alone(self._bare, self.file, self._with(values), self._columns)
+        return settled(Problem(spec.with_sections(variants=self.rules)))
 
     def _with(self, values):
-        given = {name: (value.expression.tree, value.expression.scalar) for name, value in values.items()}
-        return {**self.settings, **given}
+        return {**self.settings, **settings_of(values)}
+
+
+def parameters_of(part: "Mapping") -> set[str]:
+    """The names of the parameters to which a part of a scene gives values."""
+    given = part.entries["parameters"][1] if "parameters" in part.entries else None
+    return {plain_name(name) for name in given.entries} if isinstance(given, Mapping) else set()
+
+
+def settings_of(values: "Given[str, GivenValue]") -> dict[str, tuple[Any, Any]]:
+    """{parameter: (syntax tree, text)} of values for parameters."""
+    return {name: (value.expression.tree, value.expression.scalar) for name, value in values.items()}

@@ -4,11 +4,14 @@ from collections.abc import Iterator
 from functools import cache, cached_property
 from typing import TYPE_CHECKING, Any
 
+from vibcli.base.errors import PhysicsError
 from vibcli.homework.leaks import comments_of
 from vibcli.homework.told import told
 from vibcli.homework.variants import ProblemVariant, SolvedVariants, read_anew
+from vibcli.homework.worked_variants import WorkedVariants
 from vibcli.report.blocks import Picture
 from vibcli.report.document import Report
+from vibcli.report.sections.steps import section_of
 
 if TYPE_CHECKING:
     from vibcli.homework.course import CourseProblem
@@ -81,6 +84,11 @@ class Handout:
         return [section._replace(title="Figure", blocks=tuple(map(_drawn_once, section.blocks)))
                 for section in report.sections]
 
+    @cached_property
+    def worked(self) -> WorkedVariants:
+        """The lines of the worked solutions of its variants."""
+        return WorkedVariants(self.document)
+
     def problem(self, number: int) -> "Problem":
         """The Problem of a variant, read anew from what is printed, once."""
         if number not in self._read:
@@ -89,15 +97,15 @@ class Handout:
 
     def solution(self, number: int) -> "Iterator[Section]":
         """The worked solution of a variant, line by line; where a scene has none, what `solve` tells of it."""
-        problem = self.problem(number)
+        problem, told = self.problem(number), ("given", "chosen")
+        try:
+            steps = section_of(self.worked.lines(self.variants[number].values))
+        except PhysicsError:
+            told, steps = SOLUTION, ()
         report = Report(problem)
-        for name in ("given", "chosen", "steps"):
+        for name in told:
             report.add(name)
-        if report.refusal is not None:
-            report = Report(problem)
-            for name in SOLUTION:
-                report.add(name)
-        yield from report.sections
+        yield from (*report.sections, *steps)
 
     def data(self, number: int) -> dict[str, Any]:
         """What a manifest keeps of a variant: its values, keys, bands and mistakes."""

@@ -6,13 +6,16 @@ from typing import TYPE_CHECKING
 from vibcli.base.diagnostics import quoted
 from vibcli.base.errors import Diagnostic, SpecError
 from vibcli.base.spelling import nearest
-from vibcli.language.document.nodes import Scalar
+from vibcli.homework.document import parameters_of
+from vibcli.language.document.nodes import Mapping, Scalar
+from vibcli.language.given_values import giver, number_and_unit
 from vibcli.mistakes import MISTAKES
 from vibcli.mistakes.known import KnownMistake, of_catalogue
 
 if TYPE_CHECKING:
     from vibcli.homework.document import SceneDocument
     from vibcli.homework.keys import AnswerKey
+    from vibcli.language.given_values import GivenValue
     from vibcli.reader.variants import VariantRules
     from vibcli.results.problem import Problem
 
@@ -32,6 +35,32 @@ def mistakes_of(problem: "Problem", rules: "VariantRules", document: "SceneDocum
     return own + [one for one in catalogue if not {one.name, one.name.partition(" (")[0]} & set(rules.mistakes)]
 
 
+def own_values(mistake: KnownMistake, rules: "VariantRules") -> "dict[str, GivenValue]":
+    """{varied parameter: its value} of those to which a mistake of the file gives a value of its own, the same in all
+    variants; SpecError where that is no number."""
+    part = rules.mistakes.get(mistake.name)
+    if mistake.problem is None or not isinstance(part, Mapping):
+        return {}
+    varied = {name for axis in rules.axes for name in axis}
+    return {name: _number(mistake, name) for name in sorted(parameters_of(part) & varied)}
+
+
+def held_at(rules: "VariantRules", values: "dict[str, GivenValue]") -> "VariantRules":
+    """The same grid, in which some parameters have one value at all places."""
+    return rules._replace(axes=[{name: [values[name]] * len(given) if name in values else given
+                                 for name, given in axis.items()} for axis in rules.axes])
+
+
+def _number(mistake, name):
+    value = mistake.problem.spec.parameters[name]["value"]
+    found = number_and_unit(value)
+    if found is None:
+        raise SpecError([Diagnostic(value.where, f"{quoted(name)} is varied, and the mistake {quoted(mistake.name)} "
+                                    "gives it no number", "write what is wrong where it is used")])
+    number, unit = found
+    return giver(unit, name)(number)
+
+
 def _of_file(problem, rules, document, keys) -> Iterator[KnownMistake]:
     for name, part in rules.mistakes.items():
         if isinstance(part, Scalar):
@@ -44,4 +73,6 @@ def _of_file(problem, rules, document, keys) -> Iterator[KnownMistake]:
                 raise SpecError([Diagnostic(answer.asked.where, f"{quoted(answer.asked.text)} is not asked (in the "
                                             f"mistake {quoted(name)})", f"asked are {', '.join(asked)}")])
         scene = problem.with_spec(spec) if set(part.entries) - {"answers"} else None
-        yield KnownMistake(name, OF_FILE, name, scene, instead)
+        known = KnownMistake(name, OF_FILE, name, scene, instead)
+        own_values(known, rules)        # refused before anything is solved
+        yield known

@@ -23,8 +23,8 @@ def roster(path: str) -> list[Student]:
     """The students of a file, in its order; SpecError where it is no roster."""
     _, rows = read_table(path, "the roster")
     found, seen, wrong = [], {}, []
-    for line, cells in rows:
-        where, own = Where(path, line, 1, 0), cells.get("id", "")
+    for row in rows:
+        cells, where, own = row.cells, row.place(), row.cells.get("id", "")
         if not own:
             wrong.append(Diagnostic(where, "this student has no id"))
         elif own[0] in FORMULA:
@@ -36,10 +36,11 @@ def roster(path: str) -> list[Student]:
         elif own.casefold() in seen:
             wrong.append(Diagnostic(where, f"the id '{own}' stands in line {seen[own.casefold()]} already"))
         elif not _is_name(cells.get("name", "")):
-            wrong.append(Diagnostic(where, f"{quoted(cells['name'][:SHOWN])} is no name", "a name stands in one line, "
-                                    f"of at most {LONGEST} characters; is a quote left open?"))
+            wrong.append(Diagnostic(row.place("name"), f"{quoted(cells['name'][:SHOWN])} is no name",
+                                    f"a name stands in one line, of at most {LONGEST} characters; is a quote left "
+                                    "open?"))
         else:
-            seen[own.casefold()] = line
+            seen[own.casefold()] = row.line
             found.append(Student(own, cells.get("name", "")))
     if len(found) > MOST:
         wrong.append(Diagnostic(Where(path, 1, 1, 0), f"{len(found)} students; the limit is {MOST}"))

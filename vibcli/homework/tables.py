@@ -16,10 +16,18 @@ WORDS = "id", "name", "problem"     # columns that are named in capitals, too
 
 
 class TableRow(NamedTuple):
-    """A line of a table: its number in the file, {column: text} of the cells that are filled."""
+    """A line of a table: its number in the file, {column: text} of the cells that are filled, the file and what stands
+    in that line of it."""
 
     line: int
     cells: dict[str, str]
+    path: str
+    source: str
+
+    def place(self, column: str = "id") -> Where:
+        """Where the cell of a column stands, or the line begins."""
+        cell = self.cells.get(column, "")
+        return Where(self.path, self.line, max(self.source.find(cell), 0) + 1, max(len(cell), 1))
 
 
 def read_table(path: str, what: str) -> tuple[list[str], list[TableRow]]:
@@ -27,6 +35,7 @@ def read_table(path: str, what: str) -> tuple[list[str], list[TableRow]]:
     answers."""
     text = _text(path, what)
     separator = next((sign for sign in ";\t" if sign in text.partition("\n")[0]), ",")
+    lines = text.splitlines() or [""]
     reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
     rows: list[TableRow] = []
     try:
@@ -38,7 +47,8 @@ def read_table(path: str, what: str) -> tuple[list[str], list[TableRow]]:
                 raise _wrong(path, reader.line_num, f"this line has {len(cells)} cells, and the first names "
                              f"{len(heading)} columns", "a cell with a separator in it stands in quotes")
             filled = {name: cell for name, cell in zip(heading, cells, strict=False) if cell}
-            rows += [TableRow(reader.line_num, filled)] if filled else []
+            source = lines[min(reader.line_num, len(lines)) - 1]
+            rows += [TableRow(reader.line_num, filled, path, source)] if filled else []
     except csv.Error as error:
         hint = "a quote is left open" if "unexpected end" in str(error) else "a quote within a cell is written twice" \
             if "expected after" in str(error) else None
@@ -58,9 +68,9 @@ def _text(path, what):
         with open(path, "rb") as stream:
             data = stream.read(MAX_BYTES + 1)
     except OSError as error:
-        raise _wrong(path, 1, f"{what} cannot be read: {error.strerror}") from None
+        raise _wrong(path, 1, f"{what} cannot be read: {error.strerror}", width=0) from None
     if len(data) > MAX_BYTES:
-        raise _wrong(path, 1, f"the file is longer than {MAX_BYTES} bytes", "divide it")
+        raise _wrong(path, 1, f"the file is longer than {MAX_BYTES} bytes", "divide it", 0)
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -76,5 +86,5 @@ def _require_columns(path, heading):
         raise _wrong(path, 1, f"the column '{twice}' stands twice", "leave one of them out")
 
 
-def _wrong(path, line, message, hint=None):
-    return SpecError([Diagnostic(Where(path, line, 1, 0), message, hint)])
+def _wrong(path, line, message, hint=None, width=1):
+    return SpecError([Diagnostic(Where(path, line, 1, width), message, hint)])

@@ -12,11 +12,12 @@ from vibcli.homework.fresh_mistakes import require_same_mistakes
 from vibcli.homework.gates import Wrong, unreadable
 from vibcli.homework.keys import AnswerKey
 from vibcli.homework.leaks import numbers_in
-from vibcli.homework.mistakes import mistakes_of
+from vibcli.homework.mistakes import held_at, mistakes_of, own_values
 from vibcli.homework.printed import with_printed
 from vibcli.homework.routes import hold_against_closed_forms
 from vibcli.homework.solved import SOLVED, Rejected, mistaken, solve_candidates
 from vibcli.homework.told import untold
+from vibcli.homework.unsolved import unsolved
 from vibcli.language.given_values import GivenValue, number_and_unit
 from vibcli.mistakes.known import KnownMistake
 from vibcli.reader.read import QUOTE
@@ -62,11 +63,19 @@ class SolvedVariants(NamedTuple):
         return {gate: sum(one.gate == gate for one in self.rejected) for gate in (SOLVED, *GATES)}
 
     @property
+    def unsolved(self) -> list[tuple[str, str]]:
+        """(mistake, why) of those that give nothing in any variant, which are left out."""
+        return unsolved(self)
+
+    @property
     def advice(self) -> str:
-        """Where no variant is left: the gate that took most, and which values come nearest."""
-        gate, count = max(self.counts.items(), key=lambda pair: pair[1])
+        """Where no variant is left: how many each gate took, that which took most first, and which values come
+        nearest."""
+        taken = sorted(((count, gate) for gate, count in self.counts.items() if count), key=lambda pair: -pair[0])
+        (count, gate), *others = taken
         those = [one for one in self.rejected if one.gate == gate]
-        found = f"'{gate}' took {count} of {len(self.rejected)}, for example: {those[0].reason}"
+        more = "".join(f", '{other}' {its}" for its, other in others)
+        found = f"'{gate}' took {count} of {len(self.rejected)}{more}; for example: {those[0].reason}"
         return found + (f"; {nearer}" if gate == "require" and (nearer := _nearer(self.rules, those)) else "")
 
 
@@ -157,14 +166,15 @@ def _model_mistakes(problem, rules, keys, mistakes, solved):
 
 def _scenes(problem, rules, mistake, solved):
     """(place, the scene that a mistake takes for the right one) of all candidates that are solved."""
+    own = own_values(mistake, rules)
     if problem.spec.choices:
         for place, one in solved.items():
             try:
-                yield place, with_printed(with_given(mistake.problem, one.values), rules)
+                yield place, with_printed(with_given(mistake.problem, {**one.values, **own}), rules)
             except (SpecError, PhysicsError) as error:
                 yield place, error
     else:
-        yield from candidates(mistake.problem, rules, lambda one: with_printed(one, rules), solved)
+        yield from candidates(mistake.problem, held_at(rules, own), lambda one: with_printed(one, rules), solved)
 
 
 def _equal(keys, solved) -> "dict[Place, set[tuple[str, str]]]":

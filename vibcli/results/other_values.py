@@ -7,6 +7,7 @@ they have the same expressions. What is no such value is not found here, and is 
 """
 
 from collections.abc import Mapping
+from contextlib import suppress
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
 
@@ -59,6 +60,17 @@ class OtherValues:
         known = {**self._known, "scene": values.over(self.problem.scene)}
         system = MechanicalSystem(values.spec, known=known, shared=partial(self._shared, values))
         return Problem(values.spec, work=system.work, modal=ModalAnalysis(Configuration(NumericSystem(system))))
+
+    @property
+    def shares(self) -> bool:
+        """Is the scene nothing but expressions, which other values may share?"""
+        return self._known is not None
+
+    def written_alike(self, problem: Problem) -> bool:
+        """Is each R − r that was written until now, in the scene or what followed, written so at the values of one of
+        the Problems, too?"""
+        values, signs = problem.numeric.floats, self.problem.scene.table.signs
+        return all(signs[total] == (value < 0) for total, value in _known_of(signs, values))
 
     def _values(self, settings):
         """The _Values of settings; None where they would be read otherwise."""
@@ -129,6 +141,13 @@ def _with(spec, settings):
         parameters[name] = found
     cases = {name: _with(case, settings) for name, case in spec.cases.items()}
     return None if None in cases.values() else spec.with_parameters(parameters)._replace(cases=cases)
+
+
+def _known_of(nodes, values):
+    """(node, value) of those that are expressions of the parameters alone."""
+    for node in nodes:
+        with suppress(KeyError):
+            yield node, *evaluate([node], Floats, values)
 
 
 def _in_floats(nodes, sample):

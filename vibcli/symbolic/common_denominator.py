@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters, nested
+from vibcli.symbolic.node import remembered
 from vibcli.symbolic.normal_form import TooLong, add, cleared, expanded, factors_of, reduced, times
 from vibcli.symbolic.rationals import ONE, ZERO
 
@@ -19,6 +20,7 @@ def single(node: "Node") -> "Node":
     return node.table.product(*fraction(node))
 
 
+@remembered
 def shorter(node: "Node") -> "Node":
     """The node, as one fraction where it divides by a sum and that is shorter."""
     divides = any(base.op == "sum" and e < 0 for part in reachable([node]) if part.op == "product"
@@ -26,6 +28,7 @@ def shorter(node: "Node") -> "Node":
     return min((node, single(node)), key=letters) if divides else node
 
 
+@remembered
 def fraction(node: "Node") -> "tuple[tuple[Node, Fraction | int], ...]":
     """((base, exponent), …): the node as a rational and powers of letters and of sums with whole coefficients. The node
     alone where it is too long."""

@@ -31,9 +31,9 @@ class Table:
         self._nodes = {}
         self._count = 0
         self.variables, self.called = [], set()
-        self.sample, self._signs, self.squares_at_sample = None, {}, squares_at_sample
+        self.sample, self.signs, self.squares_at_sample = None, {}, squares_at_sample
         self.time, self.records, self.functions = None, records or {}, functions or {}
-        self.positive, self.definitions, self.programs = set(), {}, {}
+        self.positive, self.definitions, self.programs, self.kept = set(), {}, {}, {}
         self.zero, self.one = self.number(ZERO), self.number(ONE)
         self.pi = self._make("pi", (), ONE, 0, "pi")
         self.positive.add(self.pi)
@@ -229,18 +229,18 @@ class Table:
         leads = (total.coefficient or total.args[0][1]) < 0
         if self.sample is None or total.mask:
             return leads
-        if total not in self._signs:
+        if total not in self.signs:
             from vibcli.symbolic.evaluation import Floats, evaluate
 
             try:
-                self._signs[total] = evaluate([total], Floats, self.sample)[0] < 0
+                self.signs[total] = evaluate([total], Floats, self.sample)[0] < 0
             except KeyError:  # a symbol that is no parameter of the scene
-                self._signs[total] = leads
-        return self._signs[total]
+                self.signs[total] = leads
+        return self.signs[total]
 
     def resample(self, sample: Any) -> None:
         """Decide by other values of the parameters from now on how R − r is written."""
-        self.sample, self._signs = sample, {}
+        self.sample, self.signs, self.kept = sample, {}, {}
 
     def _splits(self, product):
         """(Π bᵢ^eᵢ)^e = Π bᵢ^(eᵢe) holds for fractional e where every base is positive."""

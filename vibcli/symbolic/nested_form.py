@@ -5,6 +5,7 @@ Letters that several terms share are taken out, one after the other, as long as 
 
 from typing import TYPE_CHECKING, Any
 
+from vibcli.symbolic.node import remembered
 from vibcli.symbolic.normal_form import TooLong, expanded, factors_of, reduced
 from vibcli.symbolic.rationals import HALF, ONE
 
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
 MANY = 12       # terms, above which a polynomial is left flat
 
 
+@remembered
 def grouped(node: "Node") -> "Node":
     """The node expanded and nested again; the node itself where it is too long."""
     try:
@@ -26,7 +28,7 @@ def grouped(node: "Node") -> "Node":
 
 def nested(table: "Table", terms: Any) -> "Node":
     """{monomial: coefficient} as a node: its content, and its terms nested where that is shorter."""
-    return _nested(table, frozenset(terms.items()), {})
+    return _nested(table, terms, {})
 
 
 def letters(node: "Node") -> int:
@@ -40,14 +42,14 @@ def letters(node: "Node") -> int:
 
 
 def _nested(table, terms, known):
-    if terms not in known:
-        factors = factors_of(table, dict(terms))
-        flat = table.product(*factors)
-        known[terms] = flat
+    key = frozenset(terms.items())
+    if key not in known:
+        factors = factors_of(table, terms)
+        known[key] = table.product(*factors)
         if 2 < len(terms) <= MANY:
-            known[terms] = table.product(*((_shortest(table, base, known) if base.op == "sum" else base, e)
-                                           for base, e in factors))
-    return known[terms]
+            known[key] = table.product(*((_shortest(table, base, known) if base.op == "sum" else base, e)
+                                         for base, e in factors))
+    return known[key]
 
 
 def _shortest(table, total, known):
@@ -60,8 +62,8 @@ def _shortest(table, total, known):
             if e >= 1:
                 counts[atom] = counts.get(atom, 0) + 1
     for atom in sorted((atom for atom, count in counts.items() if count > 1), key=lambda atom: atom.index):
-        inside = frozenset((monomial, value) for monomial, value in terms.items() if dict(monomial).get(atom, 0) >= 1)
-        outside = frozenset(terms.items()) - inside
+        inside = {monomial: value for monomial, value in terms.items() if dict(monomial).get(atom, 0) >= 1}
+        outside = {monomial: value for monomial, value in terms.items() if monomial not in inside}
         parts = [_nested(table, part, known) for part in (inside, outside)]
         candidate = table.sum(*((part, ONE) for part in parts))
         if letters(candidate) < size:

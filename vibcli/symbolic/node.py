@@ -7,8 +7,10 @@ A node is one of
     call     a function of nodes                   pi
 """
 
+from collections.abc import Callable
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from functools import wraps
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from vibcli.symbolic.rationals import ONE
 
@@ -16,6 +18,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.expression import Table
     from vibcli.symbolic.variable_sets import VariableSet
 
+OfNode = TypeVar("OfNode", bound=Callable[..., Any])
 FEW = 4096      # variables that ints tell apart, a bit for each
 
 
@@ -71,6 +74,17 @@ class Node:
         if self.op in ("sum", "product"):
             return f"{self.op}({self.coefficient}, {', '.join(f'{a!r}^{e}' for a, e in self.args)})"
         return str(self.coefficient) if self.op == "number" else f"{self.name}({', '.join(map(repr, self.args))})"
+
+
+def remembered(function: OfNode) -> OfNode:
+    """A function of a node by itself: what it gives is kept until the table decides signs by other values."""
+    @wraps(function)
+    def known(node: "Node") -> Any:
+        kept, key = node.table.kept, (function, node)
+        if key not in kept:
+            kept[key] = function(node)
+        return kept[key]
+    return cast(OfNode, known)
 
 
 def one_variable(number: int) -> "VariableSet | int":

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.node import remembered
 from vibcli.symbolic.rationals import HALF, ONE, ZERO, exact_root
 
 if TYPE_CHECKING:
@@ -170,6 +171,7 @@ def _move(terms, old, new, value):
     add(terms, new, value)
 
 
+@remembered
 def is_zero(node: "Node") -> bool:
     """Is the expression zero by expansion and the identities? False where that does not show it."""
     try:
@@ -203,6 +205,7 @@ def cleared(terms: "Mapping[tuple[tuple[Node, Fraction | int], ...], Fraction | 
     return reduced(found)
 
 
+@remembered
 def textbook(node: "Node"):
     """The expression expanded, collected by its variable parts, each coefficient with common factors taken out."""
     try:
@@ -215,7 +218,7 @@ def textbook(node: "Node"):
 def _unnested(node):
     """The node with 1/(a/b + 1) written as b/(a + b), and 1/((a − b)² + 2ab) as 1/(a² + b²)."""
     table, simpler = node.table, {}
-    for base in _denominators(node):
+    for base in sorted(_denominators(node), key=lambda base: base.index):
         shorter = table.product(*factors_of(table, reduced(expanded(base, ()))))
         if shorter is not base:
             simpler[base] = shorter

@@ -75,6 +75,14 @@ def test_rosters_that_are_none(tmp_path, text, said):
     assert said in error.value.diagnostics[0].message
 
 
+def test_a_line_of_a_roster_is_shown_with_its_id(tmp_path):
+    path = tmp_path / "roster.csv"
+    path.write_text("name,id\nAda,s1\n\nBo,s1\n,=1\n", encoding="utf-8")
+    with pytest.raises(SpecError) as error:
+        roster(str(path))
+    assert [one.where[1:] for one in error.value.diagnostics] == [(4, 4, 2), (5, 2, 2)]
+
+
 def test_rosters(tmp_path):
     path = tmp_path / "roster.csv"
     path.write_bytes("\ufeffName;ID\nÄda;s1\n;s2\n\n".encode())

@@ -164,6 +164,30 @@ def test_a_mistake_of_the_model_is_solved_anew_and_one_that_drops_out_is_told():
         assert "no weight" not in given
 
 
+def test_a_mistake_keeps_the_value_that_it_gives_to_what_is_varied():
+    found = solved(BLOCK + GRID + "  mistakes: {always 800: {parameters: {k: 0.8 kN/m}}}\n")
+    for one in found.accepted:
+        given = {wrong.mistake: wrong.value for wrong in one.keys[0].wrong}
+        assert given["always 800"] == pytest.approx(sqrt(800 / number(one, "m") - (4 / number(one, "m"))**2), rel=1e-13)
+    assert found.counts["apart"] == 5 and len(found.accepted) == 10      # where it is 800
+    with pytest.raises(SpecError, match="'k' is varied, and the mistake 'as m' gives it no number"):
+        solved(BLOCK + GRID + "  mistakes: {as m: {parameters: {k: m*100 s^-2}}}\n")
+
+
+def test_a_mistake_that_gives_nothing_in_any_variant_is_told_with_its_reason():
+    found = solved(BLOCK + GRID + "  mistakes:\n    pushed: {springs: {s: {k: -k, stretch: x}}}\n"
+                   "    stiffer: {springs: {s: {k: 2*k, stretch: x}}}\n")
+    assert found.unsolved == [("pushed", "damped mode 1 has no damped frequency"),
+                              ("damper forgotten (d)", "nothing damps this scene: it has no damped modes")]
+    assert "pushed" not in {wrong.mistake for one in found.accepted for key in one.keys for wrong in key.wrong}
+
+
+def test_each_gate_that_took_some_is_named_where_none_is_left():
+    found = solved(BLOCK + GRID + '  require: ["m < 2.9 kg"]\n'
+                   "  mistakes: {near: {springs: {s: {k: 1.00001*k, stretch: x}}}}\n")
+    assert found.advice.startswith("'apart' took 12 of 15, 'require' 3; for example: ")
+
+
 def test_a_mistake_that_is_no_scene_is_refused():
     with pytest.raises(SpecError) as error:
         solved(BLOCK + GRID + "  mistakes: {twice: {springs: {s: {k: k2}}}}\n")

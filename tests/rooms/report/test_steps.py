@@ -463,3 +463,10 @@ variants: {parameters: {k: [1 kN/m, 1.2 kN/m]}, ask: {"M[phi,phi]": , "K[phi,phi
     assert told["M[phi,phi]"].value == pytest.approx(3 * 0.8**2 / 3) and told["M[phi,phi]"].unit == "kg·m²"
     assert told["K[phi,phi]"].value == pytest.approx(1200 * 0.8**2) and told["K[phi,phi]"].unit == "N·m/rad"
     assert not {"M[phi,phi]", "K[phi,phi]"} & {line.settles for line in worked(problem(ROD))}
+
+
+def test_lines_hang_on_no_addresses():
+    """Nodes are told apart by where they lie in memory: what is read again lies elsewhere, and is written alike."""
+    path = "problems/1_statics_and_energy/plate_with_offset_hole.yaml"
+    read = [problem(Path(path).read_text(encoding="utf-8")) for _ in range(6)]
+    assert len({"\n".join(formula(one.parts, plain) for one in worked(scene)) for scene in read}) == 1

@@ -16,11 +16,12 @@ def is_scene(name: str) -> bool:
 
 
 def scenes_below(path: str) -> list[str]:
-    """A file itself, or all scenes below a folder, sorted; a usage error where there is neither."""
+    """A file itself, or all scenes below a folder, sorted; a usage error where there is neither. A set is passed
+    over."""
     if not os.path.isdir(path):
         if not os.path.exists(path):
             raise click.UsageError(f"there is no file or folder '{path}'")
-        return [path]
+        return [] if os.path.basename(path) == SET else [path]
     found = []
     for folder, folders, names in os.walk(path):
         folders.sort()

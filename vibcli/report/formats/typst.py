@@ -23,7 +23,7 @@ from vibcli.report.formats.formula import formula, rows, without_words
 from vibcli.report.formats.latex import is_signed
 
 COLUMNS = 95        # of plain text, in a row of a formula
-TOGETHER = 12       # rows that one alignment has at most
+TOGETHER = 12       # rows that one alignment, or a table that stays on a page, has at most
 WIDEST = 85         # characters of a row of a table that surely fits a page,
 GAP = 2             # with those that a gap between its columns takes
 WORDS = 20          # characters that are left at least to a column that is broken into lines
@@ -119,7 +119,9 @@ def _table(block):
     head, *body = (", ".join(map(_cell, row)) for row in rows_of_all)
     lines = "".join(f"  {row},\n" for row in body)
     table = f"table(columns: ({columns},),\n  table.header({head}),\n  table.hline(stroke: 0.5pt),\n{lines})"
-    return f"#fitted({table})\n" if total > WIDEST and not broken else f"#{table}\n"
+    if total > WIDEST and not broken:
+        return f"#fitted({table})\n"
+    return f"#block(breakable: false, {table})\n" if len(block.rows) <= TOGETHER else f"#{table}\n"
 
 
 def _size(cell):

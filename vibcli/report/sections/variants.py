@@ -26,7 +26,9 @@ def variants(problem: "Problem", report: "Report") -> Iterator[Section]:
     if found.accepted:
         yield from section("Keys", _keys(found))
         yield from section("Mistakes", _mistakes(found), *(paragraph(
-            f"“{name}” leads to {text} itself in every variant: it is left out.") for name, text in found.same))
+            f"“{name}” leads to {text} itself in every variant: it is left out.") for name, text in found.same), *(
+            paragraph(f"“{name}” gives nothing in any variant, and is left out: {reason}.")
+            for name, reason in found.unsolved))
 
 
 def variant_table(problem: "Problem", report: "Report") -> Iterator[Section]:
@@ -137,7 +139,9 @@ def variants_data(found: "SolvedVariants") -> dict:
     rejected = [{"given": _given_data(one), "gate": one.gate, "reason": one.reason} for one in found.rejected]
     same = [{"mistake": name, "name": text} for name, text in found.same]
     counts = [{"gate": gate, "rejected": count} for gate, count in found.counts.items()]
+    nothing = [{"mistake": name, "reason": reason} for name, reason in found.unsolved]
     return KEY.row(len(accepted) + len(rejected), counts, list(found.rules.without), asked, accepted, rejected, same,
+                   nothing,
                    found.reread, [{"name": text, "variants": count} for text, count in found.closed.items()])
 
 
@@ -180,6 +184,8 @@ KEY = Key("variants", "the variants of a problem", of=(
         Key("reason", "why"))),
     Key("same", "mistakes that lead to the key in every variant, a list", each=(
         Key("mistake", "its name"), Key("name", "the quantity"))),
+    Key("unsolved", "mistakes that give nothing in any variant, a list", each=(
+        Key("mistake", "its name"), Key("reason", "why, in the first of them"))),
     Key("reread", "how many were held against the scene read anew"),
     Key("closed", "quantities that have a closed form, which gives the same keys, a list", each=(
         Key("name", "the quantity"), Key("variants", "in how many candidates")))))
