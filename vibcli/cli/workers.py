@@ -71,12 +71,11 @@ class Processes(Executor):
         self._pool = self._new()
 
     def _new(self):
+        import gc
         from concurrent.futures import ProcessPoolExecutor
         from multiprocessing import get_context
 
-        from vibcli.cli.jobs import leave_interrupts
-
-        return ProcessPoolExecutor(self._jobs, get_context("spawn"), leave_interrupts)
+        return ProcessPoolExecutor(self._jobs, get_context("spawn"), _begun, gc.get_threshold())
 
     def submit(self, work: Callable, /, *args: Any, **named: Any) -> Any:
         """What gives the result when it is asked for."""
@@ -101,6 +100,16 @@ class Processes(Executor):
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
         """Let the processes go."""
         self._pool.shutdown(wait, cancel_futures=cancel_futures)
+
+
+def _begun(*thresholds):
+    """What a process does first: it searches for garbage as seldom as the one that began it."""
+    import gc
+
+    from vibcli.cli.jobs import leave_interrupts
+
+    gc.set_threshold(*thresholds)
+    leave_interrupts()
 
 
 class _Pending:

@@ -35,7 +35,8 @@ class Handout:
     def of(cls, course: "CourseProblem", found: SolvedVariants, document: "SceneDocument", text: str) -> "Handout":
         """That of a problem that was solved."""
         sentences = {one.name: one.sentence for one in found.mistakes}
-        ranges = [_range([one.keys[i] for one in found.accepted]) for i in range(len(found.keys))]
+        ranges = [("–", "–") if one.first.value is None else (one.low.written, one.high.written)
+                  for one in found.summaries]
         return cls(course, found.problem, found.keys, dict(enumerate(found.accepted)), sentences, document, text,
                    len(found.accepted), ranges)
 
@@ -111,14 +112,6 @@ class Handout:
 def _drawn_once(block):
     """A picture whose bytes are made once, however many sheets show it."""
     return block._replace(draw=cache(block.draw), caption="not to scale") if isinstance(block, Picture) else block
-
-
-def _range(values):
-    """(least, largest) of keys, to the figures to which they are asked; none of what is no number."""
-    if any(one.value is None for one in values):
-        return "–", "–"
-    low, high = (pick(values, key=lambda one: one.value) for pick in (min, max))
-    return low.written, high.written
 
 
 SOLUTION = ("given", "chosen", "coordinates", "equilibrium", "energies", "equations", "matrices", "frequencies",
