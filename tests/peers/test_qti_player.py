@@ -1,6 +1,7 @@
 """Items of QTI 2.1 as a player that is not ours marks them, in Chromium: @citolab/qti-convert, @citolab/qti-components.
 
-`make peers` installs both beside Python's packages; a folder `node_modules` elsewhere is named by NODE_PATH.
+`make peers` installs both beside Python's packages, and has 100 variants of each problem played, as VIBCLI_PEERS_POOL
+says, else three; a folder `node_modules` elsewhere is named by NODE_PATH.
 """
 
 import html
@@ -22,7 +23,7 @@ from vibcli.cli import run
 HERE, SETS = Path(__file__).parent, Path(__file__).parents[2] / "problems" / "sets"
 MODULES = Path(os.environ.get("NODE_PATH") or Path(sys.prefix) / "peers" / "node_modules")
 PLAYER = MODULES / "@citolab" / "qti-components" / "cdn" / "index.global.js"
-POOL, MORE = 3, int(os.environ.get("VIBCLI_PEERS_POOL", "0"))
+POOL = int(os.environ.get("VIBCLI_PEERS_POOL", "3"))
 
 pytestmark = [NEEDED, pytest.mark.sweep,
               pytest.mark.skipif(not PLAYER.exists(), reason="no @citolab/qti-components here: make peers"),
@@ -57,11 +58,11 @@ def probes(key):
 
 
 @pytest.mark.parametrize("path", sorted(SETS.glob("*")), ids=lambda path: path.name)
-def test_every_item_of_a_set_is_marked_as_by_grade(path, tmp_path, monkeypatch):
+def test_every_item_of_a_set_is_marked_as_by_grade(path, tmp_path, monkeypatch, record_property):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("vibcli.homework.paper.find_spec", lambda name: None)
     Path("salt").write_text("a secret text", encoding="utf-8")
-    assert run(["homework", str(path), "-o", "out", "--export", "qti21", "--pool", str(MORE or POOL), "--salt-file",
+    assert run(["homework", str(path), "-o", "out", "--export", "qti21", "--pool", str(POOL), "--salt-file",
                 "salt"]) == 0
     manifest = json.loads(Path("out/instructor/manifest.json").read_text(encoding="utf-8"))
     keys = {(one["name"], variant["variant"]): variant["keys"] for one in manifest["problems"]
@@ -71,6 +72,8 @@ def test_every_item_of_a_set_is_marked_as_by_grade(path, tmp_path, monkeypatch):
              if "value" in key for text in probes(key)]
     found = played(Path("out/instructor/qti21/package.zip").read_bytes(), [(*one[:2], one[3]) for one in asked],
                    tmp_path)
+    record_property("verdicts", len(found))
+    assert len(manifest["students"]) == POOL * len(manifest["problems"])
     assert len(found) == len(asked) >= 20 * len(manifest["students"])
     for (item, letter, key, text), (score, said) in zip(asked, found, strict=True):
         verdict, mistake = grades(key)(text)
