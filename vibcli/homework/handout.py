@@ -1,9 +1,10 @@
 """A problem as it is handed out: its accepted variants, its figure, and each variant read anew for who gets it."""
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from functools import cache, cached_property
 from typing import TYPE_CHECKING, Any
 
+from vibcli.homework.asked_keys import key_of
 from vibcli.homework.leaks import comments_of
 from vibcli.homework.told import told
 from vibcli.homework.variants import ProblemVariant, SolvedVariants, read_anew
@@ -39,6 +40,25 @@ class Handout:
                   for one in found.summaries]
         return cls(course, found.problem, found.keys, dict(enumerate(found.accepted)), sentences, document, text,
                    len(found.accepted), ranges)
+
+    @classmethod
+    def read(cls, course: "CourseProblem", variants: dict[int, ProblemVariant], sentences: dict[str, str],
+             document: "SceneDocument", text: str, accepted: int, ranges: list[tuple[str, str]],
+             patience: int = 1) -> "Handout":
+        """That of a problem that is read from its document."""
+        base = document.problem(patience)
+        keys = [key_of(base.spec, asked) for asked in base.spec.get("variants").ask]
+        return cls(course, base, keys, variants, sentences, document, text, accepted, ranges)
+
+    def __reduce__(self) -> Any:
+        return self.read, (self.course, self.variants, self.sentences, self.document, self.text, self.accepted,
+                           self.ranges, self.base.work.patience)
+
+    def only(self, numbers: Collection[int]) -> "Handout":
+        """That of some of its variants."""
+        some = {number: self.variants[number] for number in sorted(numbers)}
+        return Handout(self.course, self.base, self.keys, some, self.sentences, self.document, self.text, self.accepted,
+                       self.ranges)
 
     @property
     def name(self) -> str:

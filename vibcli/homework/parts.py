@@ -91,9 +91,14 @@ def begin_variants(problem: "Problem", document: "SceneDocument", executor: Exec
     rules = problem.spec.get("variants")
     count = _count(rules)
     if count > size:
-        size = count if own_scene(problem, rules) is None else ceil(count / (2 * ceil(count / (2 * size))))
+        size = count if own_scene(problem, rules) is None else even_size(count, size)
     tasks = [PartTask(document, problem.work.patience, start, size) for start in range(0, count, size)]
     return BegunVariants(problem, document, tasks, executor, _submitted(tasks, executor))
+
+
+def even_size(count: int, size: int) -> int:
+    """At most so many, of which an even number of parts make up a count."""
+    return ceil(count / (2 * ceil(count / (2 * size))))
 
 
 def solve_in_parts(problem: "Problem", document: "SceneDocument", executor: Executor | None = None,

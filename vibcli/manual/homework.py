@@ -39,7 +39,8 @@ HOMEWORK = [
          "every variant is told and left out; `damped for natural: off` switches one of the list off."),
         ("sample", "so many candidates of a larger grid, the same ones on every machine"),
         ("--jobs N", "Grids of more than 10,000 candidates are solved in equal parts of at most so many, N at a time, "
-         "and so are the problems of a set; `--cluster ADDRESS` has a scheduler of dask.distributed "
+         "and so are the problems of a set; sheets and packages are made for at most 25 students or items at a "
+         "time. `--cluster ADDRESS` has a scheduler of dask.distributed "
          "(`vibcli[cluster]`) give them to its workers. What is found and written is the same, to the byte."),
     ],
     "`vibcli homework SET -o FOLDER` hands out a problem file, a folder of them or a `set.yaml`, to the students of a "
