@@ -58,7 +58,7 @@ def probes(key):
 
 
 @pytest.mark.parametrize("path", sorted(SETS.glob("*")), ids=lambda path: path.name)
-def test_every_item_of_a_set_is_marked_as_by_grade(path, tmp_path, monkeypatch, record_property):
+def test_every_item_of_a_set_is_marked_as_by_grade(path, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("vibcli.homework.paper.find_spec", lambda name: None)
     Path("salt").write_text("a secret text", encoding="utf-8")
@@ -72,7 +72,7 @@ def test_every_item_of_a_set_is_marked_as_by_grade(path, tmp_path, monkeypatch, 
              if "value" in key for text in probes(key)]
     found = played(Path("out/instructor/qti21/package.zip").read_bytes(), [(*one[:2], one[3]) for one in asked],
                    tmp_path)
-    record_property("verdicts", len(found))
+    print(f"{len(found)} verdicts")
     assert len(manifest["students"]) == POOL * len(manifest["problems"])
     assert len(found) == len(asked) >= 20 * len(manifest["students"])
     for (item, letter, key, text), (score, said) in zip(asked, found, strict=True):

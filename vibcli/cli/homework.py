@@ -95,17 +95,32 @@ def _require_pool(pool, formats, others):
 def _pool(course: "Course", handouts: "list[Handout]", folder: Path, force: bool, salt: bytes, count: int,
           formats: list[str], attempt: int, executor: "Executor | None") -> int:
     """Write the first so many variants of each problem, in an order by the salt, as packages."""
-    from vibcli.homework.assignment import pooled
     from vibcli.homework.exports.package import of_pool
 
-    for one in handouts:
-        if one.accepted < count:
-            raise PhysicsError(f"{one.name} has {one.accepted} variants, and a pool of {count} is asked for",
-                               f"ask for --pool {min(one.accepted for one in handouts)}, or widen the ranges")
-    assigned = [sheet for one in handouts
-                for sheet in of_pool(one, pooled(salt, one.name, one.accepted, count, attempt))]
+    numbers = [_pooled(course, one, salt, count, attempt) for one in handouts]
+    for one, those in zip(handouts, numbers, strict=True):
+        if len(those) < count:
+            named = " whose number is no key of theirs" * (len(those) < one.accepted)
+            raise PhysicsError(f"{one.name} has {amount(len(those), 'variant')}{named}, and a pool of {count} is asked "
+                               "for", f"ask for --pool {min(map(len, numbers))}, or widen the ranges")
+    assigned = [sheet for one, those in zip(handouts, numbers, strict=True) for sheet in of_pool(one, those)]
     return _write_pool(folder, force, course, handouts, assigned, attempt, salt.decode("utf-8", "replace"), formats,
                        executor)
+
+
+def _pooled(course, handout, salt, count, attempt):
+    """The numbers of the variants of a pool: none whose item would by its name tell a key."""
+    from vibcli.homework.assignment import pooled
+    from vibcli.homework.coincidences import Coincidences
+    from vibcli.homework.exports.item import item_of
+
+    coincidences = Coincidences()
+
+    def suits(number):
+        words = f"{course.title} ; {course.course} ; {course.due} ; {item_of(handout.name, number)}"
+        return not coincidences.found(words, (), handout, number)
+
+    return pooled(salt, handout.name, handout.accepted, count, attempt, suits)
 
 
 def _write_pool(folder, force, course, handouts, assigned, attempt, salt, formats, executor):
