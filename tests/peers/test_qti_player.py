@@ -50,11 +50,12 @@ def played(package, answers, folder):
 
 
 def probes(key):
-    """Key, both edges, a part in 10⁹ within and without, each mistake, the sign, the unit."""
+    """Key, both edges, a part in 10⁹ within and without, each mistake, the sign, the unit; none twice, as the player
+    says nothing anew of the same answer."""
     value, band = key["value"], key["band"]
     numbers = [value, *(value + side * band * (1 + part) for side in (1, -1) for part in (0, 1e-9, -1e-9)),
                *(one["value"] for one in key["mistakes"]), -value]
-    return [*map(repr, numbers), f"{value!r} kg", ""]
+    return list(dict.fromkeys([*map(repr, numbers), f"{value!r} kg", ""]))
 
 
 @pytest.mark.parametrize("path", sorted(SETS.glob("*")), ids=lambda path: path.name)
