@@ -9,7 +9,7 @@ import click
 
 from vibcli.base.errors import PhysicsError
 
-ANSWERS = 4         # seconds in which a cluster does, twice: its machine, and its scheduler
+ANSWERS = 3         # seconds in which a cluster does: its machine, and a little later its scheduler
 
 
 def worker_options(command: Callable) -> Callable:
@@ -47,9 +47,30 @@ def _cluster(address):
         raise click.UsageError("--cluster needs the extra cluster: pip install 'vibcli[cluster]'") from None
     try:
         _reach(address)
-        return Client(address, timeout=ANSWERS, set_as_default=False)
-    except (OSError, ValueError) as error:
+        return _within(ANSWERS + 2, lambda: Client(address, timeout=ANSWERS, set_as_default=False))
+    except Exception as error:      # what another server says may be read as anything, as a length beyond all memory
         raise click.UsageError(f"no cluster answers at {address}: {error}") from None
+
+
+def _within(seconds, work):
+    """What work gives, or raises; TimeoutError where that takes longer: it is left to itself, as what waits for a
+    server that says nothing ends when it likes."""
+    from concurrent.futures import Future
+    from threading import Thread
+
+    found: Future[Any] = Future()
+
+    def run():
+        try:
+            found.set_result(work())
+        except Exception as error:
+            found.set_exception(error)
+
+    Thread(target=run, daemon=True).start()
+    try:
+        return found.result(seconds)
+    except TimeoutError:
+        raise TimeoutError("nothing is heard from there") from None
 
 
 def _reach(address):
