@@ -44,7 +44,7 @@ all: $(BIN)/pytest
 peers: $(BIN)/pytest
 	-$(INSTALL) -e ".[peers,cluster]"
 	-npm install --silent --no-fund --no-audit --prefix .venv/peers @citolab/qti-convert@0.3.52 @citolab/qti-components@7.27.4
-	$(BIN)/pytest -q -rs tests/peers
+	VIBCLI_PEERS_POOL=100 $(BIN)/pytest -q -rsP tests/peers
 
 evidence: $(BIN)/vibcli
 	$(BIN)/python -m vibcli.bench.kept

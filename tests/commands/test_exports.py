@@ -124,6 +124,22 @@ def test_a_key_that_canvas_loses_is_refused_by_it_alone(course, capsys):
     assert exported("--export", "moodle", "--pool", "3", file="small.yaml") == 0
 
 
+def test_a_variant_whose_item_names_its_key_is_in_no_pool(course, capsys):
+    assert exported("--export", "qti21", "--pool", "18") == 0
+    problem, = json.loads((course / "out/instructor/manifest.json").read_text(encoding="utf-8"))["problems"]
+    named = f"lift-{problem['variants'][4]['keys'][0]['value']:.1f}"
+    those = [one["variant"] for one in problem["variants"]
+             if f"{one['keys'][0]['value']:.1f}" != named.removeprefix("lift-")]
+    (course / f"{named}.yaml").write_text(SCENE, encoding="utf-8")
+    capsys.readouterr()
+    assert exported("--export", "qti21", "--pool", "18", file=f"{named}.yaml", out="more") == 4
+    assert f"has {len(those)} variants whose number is no key of theirs" in (said := capsys.readouterr().err)
+    assert f"ask for --pool {len(those)}" in said and not (course / "more").exists()
+    assert exported("--export", "qti21", "--pool", str(len(those)), file=f"{named}.yaml", out="more") == 0
+    problem, = json.loads((course / "more/instructor/manifest.json").read_text(encoding="utf-8"))["problems"]
+    assert [one["variant"] for one in problem["variants"]] == those and len(those) < 18
+
+
 def test_a_question_that_tells_a_key_is_not_exported(course, capsys):
     leak = SCENE.replace("A block {m}", "Find 25.05 = 626/25 of {m}").replace(
         "  parameters: {m: {from: 1.2 kg, to: 3.2 kg, step: 0.4 kg}, k: [620 N/m, 820 N/m, 1.1 kN/m]}",

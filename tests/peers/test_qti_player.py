@@ -1,6 +1,7 @@
 """Items of QTI 2.1 as a player that is not ours marks them, in Chromium: @citolab/qti-convert, @citolab/qti-components.
 
-`make peers` installs both beside Python's packages; a folder `node_modules` elsewhere is named by NODE_PATH.
+`make peers` installs both beside Python's packages, and has 100 variants of each problem played, as VIBCLI_PEERS_POOL
+says, else three; a folder `node_modules` elsewhere is named by NODE_PATH.
 """
 
 import html
@@ -22,7 +23,7 @@ from vibcli.cli import run
 HERE, SETS = Path(__file__).parent, Path(__file__).parents[2] / "problems" / "sets"
 MODULES = Path(os.environ.get("NODE_PATH") or Path(sys.prefix) / "peers" / "node_modules")
 PLAYER = MODULES / "@citolab" / "qti-components" / "cdn" / "index.global.js"
-POOL, MORE = 3, int(os.environ.get("VIBCLI_PEERS_POOL", "0"))
+POOL = int(os.environ.get("VIBCLI_PEERS_POOL", "3"))
 
 pytestmark = [NEEDED, pytest.mark.sweep,
               pytest.mark.skipif(not PLAYER.exists(), reason="no @citolab/qti-components here: make peers"),
@@ -49,11 +50,12 @@ def played(package, answers, folder):
 
 
 def probes(key):
-    """Key, both edges, a part in 10⁹ within and without, each mistake, the sign, the unit."""
+    """Key, both edges, a part in 10⁹ within and without, each mistake, the sign, the unit; none twice, as the player
+    says nothing anew of the same answer."""
     value, band = key["value"], key["band"]
     numbers = [value, *(value + side * band * (1 + part) for side in (1, -1) for part in (0, 1e-9, -1e-9)),
                *(one["value"] for one in key["mistakes"]), -value]
-    return [*map(repr, numbers), f"{value!r} kg", ""]
+    return list(dict.fromkeys([*map(repr, numbers), f"{value!r} kg", ""]))
 
 
 @pytest.mark.parametrize("path", sorted(SETS.glob("*")), ids=lambda path: path.name)
@@ -61,7 +63,7 @@ def test_every_item_of_a_set_is_marked_as_by_grade(path, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("vibcli.homework.paper.find_spec", lambda name: None)
     Path("salt").write_text("a secret text", encoding="utf-8")
-    assert run(["homework", str(path), "-o", "out", "--export", "qti21", "--pool", str(MORE or POOL), "--salt-file",
+    assert run(["homework", str(path), "-o", "out", "--export", "qti21", "--pool", str(POOL), "--salt-file",
                 "salt"]) == 0
     manifest = json.loads(Path("out/instructor/manifest.json").read_text(encoding="utf-8"))
     keys = {(one["name"], variant["variant"]): variant["keys"] for one in manifest["problems"]
@@ -71,6 +73,8 @@ def test_every_item_of_a_set_is_marked_as_by_grade(path, tmp_path, monkeypatch):
              if "value" in key for text in probes(key)]
     found = played(Path("out/instructor/qti21/package.zip").read_bytes(), [(*one[:2], one[3]) for one in asked],
                    tmp_path)
+    print(f"{len(found)} verdicts")
+    assert len(manifest["students"]) == POOL * len(manifest["problems"])
     assert len(found) == len(asked) >= 20 * len(manifest["students"])
     for (item, letter, key, text), (score, said) in zip(asked, found, strict=True):
         verdict, mistake = grades(key)(text)

@@ -20,7 +20,7 @@ def manifest_key(value, band, mistakes=(), unit="rad/s", figures=4, points=2.0):
 def question(item, *keys, words="A block on a spring.", said=None, by_hand=False, group="block"):
     """An ExportedQuestion that asks for keys of a manifest."""
     exported = tuple(ExportedKey(letter, key["quantity"], "angular frequency", key["unit"], str(key["figures"]),
-                                 key["points"], "", "x''" if by_hand else str(key["value"]),
+                                 key["points"], "", ("x''" if by_hand else str(key["value"]),),
                                  None if by_hand else key["value"], () if by_hand else tuple(bands_told(key)))
                      for letter, key in zip("abcdefgh", keys, strict=False))
     names = [one["name"] for key in keys for one in key["mistakes"]]

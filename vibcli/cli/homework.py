@@ -57,14 +57,15 @@ def command(course: str, folder: Path, students: str | None, paper: int | None, 
         if students or paper or distinct or pool or formats:
             raise click.UsageError("--from-manifest knows its students: leave --students, --paper, --distinct, --pool "
                                    "and --export out")
-        return _again(course, folder, force, patience)
+        with workers(jobs, cluster) as executor:
+            return _again(course, folder, force, patience, executor)
     if pool or formats:
         _require_pool(pool, formats, students or paper or distinct)
         salt = _salt(salt_file)
         found = _course(course)
         with workers(jobs, cluster) as executor:
             handouts = _handouts(found, patience, executor)
-        return _pool(found, handouts, folder, force, salt, pool, list(dict.fromkeys(formats)), attempt)
+            return _pool(found, handouts, folder, force, salt, pool, list(dict.fromkeys(formats)), attempt, executor)
     if (students is None) == (paper is None):
         raise click.UsageError("say for whom: --students roster.csv, or --paper 30 for numbered sheets")
     salt = _salt(salt_file)
@@ -74,9 +75,10 @@ def command(course: str, folder: Path, students: str | None, paper: int | None, 
     found = _course(course)
     with workers(jobs, cluster) as executor:
         handouts = {one.name: one for one in _handouts(found, patience, executor)}
-    assigned = _assigned(salt, found, handouts, who, attempt)
-    _tell_shared(handouts, assigned, distinct)
-    return _write(folder, force, found, list(handouts.values()), assigned, attempt, salt.decode("utf-8", "replace"))
+        assigned = _assigned(salt, found, handouts, who, attempt)
+        _tell_shared(handouts, assigned, distinct)
+        return _write(folder, force, found, list(handouts.values()), assigned, attempt,
+                      salt.decode("utf-8", "replace"), executor)
 
 
 def _require_pool(pool, formats, others):
@@ -91,28 +93,44 @@ def _require_pool(pool, formats, others):
 
 
 def _pool(course: "Course", handouts: "list[Handout]", folder: Path, force: bool, salt: bytes, count: int,
-          formats: list[str], attempt: int) -> int:
+          formats: list[str], attempt: int, executor: "Executor | None") -> int:
     """Write the first so many variants of each problem, in an order by the salt, as packages."""
-    from vibcli.homework.assignment import pooled
     from vibcli.homework.exports.package import of_pool
 
-    for one in handouts:
-        if one.accepted < count:
-            raise PhysicsError(f"{one.name} has {one.accepted} variants, and a pool of {count} is asked for",
-                               f"ask for --pool {min(one.accepted for one in handouts)}, or widen the ranges")
-    assigned = [sheet for one in handouts
-                for sheet in of_pool(one, pooled(salt, one.name, one.accepted, count, attempt))]
-    return _write_pool(folder, force, course, handouts, assigned, attempt, salt.decode("utf-8", "replace"), formats)
+    numbers = [_pooled(course, one, salt, count, attempt) for one in handouts]
+    for one, those in zip(handouts, numbers, strict=True):
+        if len(those) < count:
+            named = " whose number is no key of theirs" * (len(those) < one.accepted)
+            raise PhysicsError(f"{one.name} has {amount(len(those), 'variant')}{named}, and a pool of {count} is asked "
+                               "for", f"ask for --pool {min(map(len, numbers))}, or widen the ranges")
+    assigned = [sheet for one, those in zip(handouts, numbers, strict=True) for sheet in of_pool(one, those)]
+    return _write_pool(folder, force, course, handouts, assigned, attempt, salt.decode("utf-8", "replace"), formats,
+                       executor)
 
 
-def _write_pool(folder, force, course, handouts, assigned, attempt, salt, formats):
+def _pooled(course, handout, salt, count, attempt):
+    """The numbers of the variants of a pool: none whose item would by its name tell a key."""
+    from vibcli.homework.assignment import pooled
+    from vibcli.homework.coincidences import Coincidences
+    from vibcli.homework.exports.item import item_of
+
+    coincidences = Coincidences()
+
+    def suits(number):
+        words = f"{course.title} ; {course.course} ; {course.due} ; {item_of(handout.name, number)}"
+        return not coincidences.found(words, (), handout, number)
+
+    return pooled(salt, handout.name, handout.accepted, count, attempt, suits)
+
+
+def _write_pool(folder, force, course, handouts, assigned, attempt, salt, formats, executor):
     from vibcli.homework.exports.package import pool_files
     from vibcli.homework.folder import write_folder
     from vibcli.homework.paper import paper
 
     on = paper()
     with handouts[0].base.work.task("the packages") as task:
-        found = pool_files(course, handouts, assigned, attempt, salt, formats, on, task.step)
+        found = pool_files(course, handouts, assigned, attempt, salt, formats, on, task.step, executor)
         count = write_folder(folder, found, force)
     click.echo(f"{len(assigned)} variants of {len(handouts)} problem{'s' * (len(handouts) > 1)} for "
                f"{', '.join(formats)}: {count} files in {os.fspath(folder)}")
@@ -213,14 +231,15 @@ def _assigned(salt: bytes, course: "Course", handouts: "dict[str, Handout]", stu
             for student in students]
 
 
-def _write(folder, force, course, handouts, assigned, attempt, salt):
+def _write(folder, force, course, handouts, assigned, attempt, salt, executor):
     from vibcli.homework.folder import files, write_folder
     from vibcli.homework.paper import paper
 
     on = paper()
     work = handouts[0].base.work
     with work.task("the sheets") as task:
-        count = write_folder(folder, files(course, handouts, assigned, attempt, salt, on, task.step), force)
+        found = files(course, handouts, assigned, attempt, salt, on, task.step, executor)
+        count = write_folder(folder, found, force)
     shared = sum(one.accepted for one in handouts)
     click.echo(f"{amount(len(assigned), 'sheet')} of {amount(len(handouts), 'problem')} with "
                f"{amount(shared, 'variant')}: {count} files in {os.fspath(folder)}")
@@ -229,7 +248,7 @@ def _write(folder, force, course, handouts, assigned, attempt, salt):
     return 0
 
 
-def _again(path, folder, force, patience):
+def _again(path, folder, force, patience, executor):
     """Write the sheets of a manifest again."""
     from vibcli.homework.handed_out import handed_out
     from vibcli.homework.manifest import read_manifest
@@ -237,5 +256,5 @@ def _again(path, folder, force, patience):
     manifest = read_manifest(path)
     course, handouts, assigned, attempt = handed_out(manifest, patience)
     if formats := [one["format"] for one in manifest.get("exports", ())]:
-        return _write_pool(folder, force, course, handouts, assigned, attempt, "", formats)
-    return _write(folder, force, course, handouts, assigned, attempt, "")
+        return _write_pool(folder, force, course, handouts, assigned, attempt, "", formats, executor)
+    return _write(folder, force, course, handouts, assigned, attempt, "", executor)

@@ -9,7 +9,7 @@ import click
 
 from vibcli.base.errors import PhysicsError
 
-ANSWERS = 4         # seconds in which a cluster does, twice: its machine, and its scheduler
+ANSWERS = 3         # seconds in which a cluster does: its machine, and a little later its scheduler
 
 
 def worker_options(command: Callable) -> Callable:
@@ -47,9 +47,30 @@ def _cluster(address):
         raise click.UsageError("--cluster needs the extra cluster: pip install 'vibcli[cluster]'") from None
     try:
         _reach(address)
-        return Client(address, timeout=ANSWERS, set_as_default=False)
-    except (OSError, ValueError) as error:
+        return _within(ANSWERS + 2, lambda: Client(address, timeout=ANSWERS, set_as_default=False))
+    except Exception as error:      # what another server says may be read as anything, as a length beyond all memory
         raise click.UsageError(f"no cluster answers at {address}: {error}") from None
+
+
+def _within(seconds, work):
+    """What work gives, or raises; TimeoutError where that takes longer: it is left to itself, as what waits for a
+    server that says nothing ends when it likes."""
+    from concurrent.futures import Future
+    from threading import Thread
+
+    found: Future[Any] = Future()
+
+    def run():
+        try:
+            found.set_result(work())
+        except Exception as error:
+            found.set_exception(error)
+
+    Thread(target=run, daemon=True).start()
+    try:
+        return found.result(seconds)
+    except TimeoutError:
+        raise TimeoutError("nothing is heard from there") from None
 
 
 def _reach(address):
@@ -71,12 +92,11 @@ class Processes(Executor):
         self._pool = self._new()
 
     def _new(self):
+        import gc
         from concurrent.futures import ProcessPoolExecutor
         from multiprocessing import get_context
 
-        from vibcli.cli.jobs import leave_interrupts
-
-        return ProcessPoolExecutor(self._jobs, get_context("spawn"), leave_interrupts)
+        return ProcessPoolExecutor(self._jobs, get_context("spawn"), _begun, gc.get_threshold())
 
     def submit(self, work: Callable, /, *args: Any, **named: Any) -> Any:
         """What gives the result when it is asked for."""
@@ -101,6 +121,16 @@ class Processes(Executor):
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
         """Let the processes go."""
         self._pool.shutdown(wait, cancel_futures=cancel_futures)
+
+
+def _begun(*thresholds):
+    """What a process does first: it searches for garbage as seldom as the one that began it."""
+    import gc
+
+    from vibcli.cli.jobs import leave_interrupts
+
+    gc.set_threshold(*thresholds)
+    leave_interrupts()
 
 
 class _Pending:

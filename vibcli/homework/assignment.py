@@ -6,6 +6,7 @@ a roster changes nobody's sheet, and no random stream is kept.
 
 from collections.abc import Callable, Iterator, Sequence
 from hashlib import blake2b
+from itertools import islice
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -39,10 +40,10 @@ def picked(salt: bytes, number: int, part: "CoursePart", student: "Student", att
     return [part.problems[i] for i in chosen]
 
 
-def pooled(salt: bytes, problem: str, count: int, wanted: int, attempt: int = 1) -> list[int]:
-    """The numbers, from 0 and upwards, of so many variants that are handed out by others."""
-    order = _permutation(salt, problem, POOL, attempt, count)
-    return sorted(next(order) for _ in range(wanted))
+def pooled(salt: bytes, problem: str, count: int, wanted: int, attempt: int = 1,
+           suits: "Callable[[int], bool]" = lambda number: True) -> list[int]:
+    """The numbers, from 0 and upwards, of so many variants that suit, which others hand out; fewer where no more do."""
+    return sorted(islice(filter(suits, _permutation(salt, problem, POOL, attempt, count)), wanted))
 
 
 def _permutation(salt, problem, student, attempt, count) -> Iterator[int]:

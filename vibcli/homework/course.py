@@ -82,7 +82,7 @@ def course_of(path: str) -> Course:
     if diagnostics or reader.diagnostics or record is None:
         raise SpecError([*diagnostics, *reader.diagnostics] or [Diagnostic(Where(path, 1, 1, 0), "expected a set")])
     parts = tuple(_part(path, one) for one in record["problems"])
-    _require_names(path, parts, record)
+    _require_names(parts, record)
     return Course(*(record.get(key, "").strip() for key in ("title", "course", "due")), parts)
 
 
@@ -120,15 +120,17 @@ def _folder(path, pick, name, points):
     return CoursePart(problems, len(problems) if pick is None else pick)
 
 
-def _require_names(path, parts: "Sequence[CoursePart]", record):
-    """No two problems of one name: manifests and marks tell them apart by it."""
+def _require_names(parts: "Sequence[CoursePart]", record):
+    """No two problems of one name, by which manifests and marks tell them apart; nor of two that many file systems take
+    for one."""
     seen: dict = {}
     for part, one in zip(parts, record["problems"], strict=True):
         for problem in part.problems:
-            if problem.name in seen:
-                raise SpecError([Diagnostic(one.place("file"), f"the problem '{problem.name}' stands twice",
-                                            "give one of the files another name")])
-            seen[problem.name] = path
+            known = seen.setdefault(problem.name.casefold(), problem)
+            if known is not problem:
+                said = f"the problem '{problem.name}' stands twice" if known.name == problem.name else (
+                    f"the problems '{known.name}' and '{problem.name}' differ in capitals alone")
+                raise SpecError([Diagnostic(one.place("file"), said, "give one of the files another name")])
 
 
 def _stem(path):

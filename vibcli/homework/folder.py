@@ -6,12 +6,14 @@ import json
 import os
 import shutil
 from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Executor
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.diagnostics import quoted
 from vibcli.base.errors import PhysicsError
 from vibcli.homework.leaks import leak, text_of_columns, text_of_page
+from vibcli.homework.making import MakingTask, made
 from vibcli.homework.manifest import Assigned, manifest
 from vibcli.homework.sheets import key_sheet, overview, student_sheet
 from vibcli.homework.tables import as_text
@@ -30,30 +32,40 @@ class Leak(PhysicsError):
 
 
 def files(course: "Course", handouts: "Sequence[Handout]", assigned: Assigned, attempt: int, salt: str,
-          on: "Pages | Paper", tell: Callable[[float], None]) -> Iterator[tuple[str, bytes]]:
-    """(path in the folder, bytes) of every file; Leak where a student's file would tell a key. tell(part): how far it
-    is."""
+          on: "Pages | Paper", tell: Callable[[float], None],
+          executor: Executor | None = None) -> Iterator[tuple[str, bytes]]:
+    """(path in the folder, bytes) of every file, made by the executor where one is given; Leak where a student's file
+    would tell a key. tell(part): how far it is."""
     yield from _beside(handouts, assigned, salt, on)
-    for number, (student, sheets) in enumerate(assigned, 1):
-        documents = student_sheet(course, student, sheets)
-        require_no_leak(f"the sheet of {student.id}", text_of_page(html.render(documents, listed=False)), sheets, salt)
-        yield f"{STUDENT}/{student.id}{on.suffix}", on.data(documents)
-        tell(0.5 * number / len(assigned))
-    yield from of_instructor(course, handouts, assigned, attempt, on, tell)
+    for found in made(_sheets, course, handouts, assigned, salt, on, tell, executor):
+        yield from found
+    yield from of_instructor(course, handouts, assigned, attempt, on)
+
+
+def _sheets(task: MakingTask, on: "Pages | Paper") -> Iterator[list[tuple[str, bytes]]]:
+    """[(path, bytes)] of the sheet of each student, and of the keys of what nobody before it got."""
+    for student, given, first in task.students:
+        sheets = task.sheets(given)
+        documents = student_sheet(task.course, student, sheets)
+        shown = text_of_page(html.render(documents, listed=False))
+        require_no_leak(f"the sheet of {student.id}", shown, sheets, task.salt)
+        yield [(f"{STUDENT}/{student.id}{on.suffix}", on.data(documents)), *key_files(task.sheets(first), on)]
+
+
+def key_files(sheets: "Sequence[tuple[Handout, int]]", on: "Pages | Paper") -> Iterator[tuple[str, bytes]]:
+    """(path, bytes) of the keys of variants."""
+    for handout, number in sheets:
+        yield f"{INSTRUCTOR}/keys/{handout.name}-{number + 1}{on.suffix}", on.data([key_sheet(handout, number)])
 
 
 def of_instructor(course: "Course", handouts: "Sequence[Handout]", assigned: Assigned, attempt: int,
-                  on: "Pages | Paper", tell: Callable[[float], None],
-                  exports: Sequence[Any] = ()) -> Iterator[tuple[str, bytes]]:
-    """(path in the folder, bytes) of what is for who marks; exports: what the manifest keeps of packages."""
+                  on: "Pages | Paper", exports: Sequence[Any] = ()) -> Iterator[tuple[str, bytes]]:
+    """(path in the folder, bytes) of what is for who marks, beside the keys; exports: what the manifest keeps of
+    packages."""
     gone: dict[str, dict[int, list[str]]] = {one.name: {} for one in handouts}
     for student, sheets in assigned:
         for handout, variant in sheets:
             gone[handout.name].setdefault(variant, []).append(student.id)
-    for number, handout in enumerate(handouts, 1):
-        for variant in sorted(gone[handout.name]):
-            yield f"{INSTRUCTOR}/keys/{handout.name}-{variant + 1}{on.suffix}", on.data([key_sheet(handout, variant)])
-        tell(0.5 + 0.5 * number / len(handouts))
     yield f"{INSTRUCTOR}/overview{on.suffix}", on.data([overview(course, handouts, len(assigned), gone)])
     yield f"{INSTRUCTOR}/keys.csv", _table(assigned)
     yield f"{INSTRUCTOR}/manifest.json", _json(manifest(course, handouts, assigned, attempt, exports))

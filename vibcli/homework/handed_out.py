@@ -4,8 +4,6 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import SpecError
-from vibcli.base.work import Work
-from vibcli.homework.asked_keys import key_of
 from vibcli.homework.bands import Band
 from vibcli.homework.course import Course, CoursePart, CourseProblem
 from vibcli.homework.document import SceneDocument
@@ -20,7 +18,6 @@ from vibcli.homework.variants import ProblemVariant
 from vibcli.language.document.document import Scalar, read
 from vibcli.language.given_values import giver, number_and_unit
 from vibcli.language.reader import Expression
-from vibcli.results.problem import Problem
 from vibcli.symbolic.parser import parse
 
 if TYPE_CHECKING:
@@ -45,12 +42,10 @@ def handout_of(one: "Mapping[str, Any]", patience: int = 1) -> Handout:
         raise SpecError(diagnostics)
     files = {name: text.encode() for name, text in one["files"].items()}
     document = SceneDocument.of(node, one["file"], one["case"], files=files)
-    problem = Problem(document.spec(), work=Work(patience))
-    keys = [key_of(problem.spec, asked) for asked in problem.spec.get("variants").ask]
     course = CourseProblem(one["name"], one["file"], one["case"], one["points"])
     variants = {variant["variant"] - 1: _variant(variant) for variant in one["variants"]}
-    return Handout(course, problem, keys, variants, one["mistakes"], document, one["scene"], one["accepted"],
-                   [tuple(ends) for ends in one["ranges"]])
+    return Handout.read(course, variants, one["mistakes"], document, one["scene"], one["accepted"],
+                        [tuple(ends) for ends in one["ranges"]], patience)
 
 
 def _variant(found):

@@ -1,10 +1,11 @@
 """A problem as it is handed out: its accepted variants, its figure, and each variant read anew for who gets it."""
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from functools import cache, cached_property
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.homework.asked_keys import key_of
 from vibcli.homework.leaks import comments_of
 from vibcli.homework.told import told
 from vibcli.homework.variants import ProblemVariant, SolvedVariants, read_anew
@@ -38,9 +39,29 @@ class Handout:
     def of(cls, course: "CourseProblem", found: SolvedVariants, document: "SceneDocument", text: str) -> "Handout":
         """That of a problem that was solved."""
         sentences = {one.name: one.sentence for one in found.mistakes}
-        ranges = [_range([one.keys[i] for one in found.accepted]) for i in range(len(found.keys))]
+        ranges = [("–", "–") if one.first.value is None else (one.low.written, one.high.written)
+                  for one in found.summaries]
         return cls(course, found.problem, found.keys, dict(enumerate(found.accepted)), sentences, document, text,
                    len(found.accepted), ranges)
+
+    @classmethod
+    def read(cls, course: "CourseProblem", variants: dict[int, ProblemVariant], sentences: dict[str, str],
+             document: "SceneDocument", text: str, accepted: int, ranges: list[tuple[str, str]],
+             patience: int = 1) -> "Handout":
+        """That of a problem that is read from its document."""
+        base = document.problem(patience)
+        keys = [key_of(base.spec, asked) for asked in base.spec.get("variants").ask]
+        return cls(course, base, keys, variants, sentences, document, text, accepted, ranges)
+
+    def __reduce__(self) -> Any:
+        return self.read, (self.course, self.variants, self.sentences, self.document, self.text, self.accepted,
+                           self.ranges, self.base.work.patience)
+
+    def only(self, numbers: Collection[int]) -> "Handout":
+        """That of some of its variants."""
+        some = {number: self.variants[number] for number in sorted(numbers)}
+        return Handout(self.course, self.base, self.keys, some, self.sentences, self.document, self.text, self.accepted,
+                       self.ranges)
 
     @property
     def name(self) -> str:
@@ -119,14 +140,6 @@ class Handout:
 def _drawn_once(block):
     """A picture whose bytes are made once, however many sheets show it."""
     return block._replace(draw=cache(block.draw), caption="not to scale") if isinstance(block, Picture) else block
-
-
-def _range(values):
-    """(least, largest) of keys, to the figures to which they are asked; none of what is no number."""
-    if any(one.value is None for one in values):
-        return "–", "–"
-    low, high = (pick(values, key=lambda one: one.value) for pick in (min, max))
-    return low.written, high.written
 
 
 SOLUTION = ("given", "chosen", "coordinates", "equilibrium", "energies", "equations", "matrices", "frequencies",

@@ -5,14 +5,17 @@ together in the order of the grid. The parts are the same however many workers t
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
 from itertools import islice, product
+from math import ceil
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.homework.asked_keys import key_of
 from vibcli.homework.candidates import sampled
+from vibcli.homework.key_summary import KeySummary, joined, summaries
 from vibcli.homework.mistakes import mistakes_of
+from vibcli.homework.packed import PackedVariants, packed
 from vibcli.homework.solved import Rejected, own_scene
-from vibcli.homework.variants import ProblemVariant, SolvedVariants, solve_variants
+from vibcli.homework.variants import SolvedVariants, solve_variants
 
 if TYPE_CHECKING:
     from vibcli.homework.document import SceneDocument
@@ -20,13 +23,13 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.results.variants import Place
 
-SIZE = 10_000       # places in a part
+SIZE = 10_000       # places in a part, at most
 
 
 class SolvedPart(NamedTuple):
     """What is found of a part. values: {place: those printed} where they are not those of the grid; accepted: (place,
-    keys); rejected: (place, gate, reason, by how much missed); same: (mistake, quantity) that lead to the key in all of
-    its variants, None where it has none."""
+    packed keys); rejected: (place, gate, reason, by how much missed); same: (mistake, quantity) that lead to the key in
+    all of its variants, None where it has none; keys: the KeySummary of each, none without variants."""
 
     values: "dict[Place, Any]"
     accepted: "list[tuple[Place, tuple[Any, ...]]]"
@@ -34,6 +37,7 @@ class SolvedPart(NamedTuple):
     same: frozenset[tuple[str, str]] | None
     reread: int
     closed: dict[str, int]
+    keys: list[KeySummary]
 
 
 class BegunVariants(NamedTuple):
@@ -83,13 +87,19 @@ class PartTask(NamedTuple):
 def begin_variants(problem: "Problem", document: "SceneDocument", executor: Executor | None = None,
                    size: int = SIZE) -> BegunVariants:
     """The variants of a scene that has VariantRules, whose parts the executor solves, where one is given; document: its
-    own; size: places in a part. SpecError where its own values do not fulfil what it requires."""
+    own; size: places in a part, at most: all have as many, and are even in number, so that two workers end together.
+    SpecError where its own values do not fulfil what it requires."""
     rules = problem.spec.get("variants")
     count = _count(rules)
-    whole = count <= size or own_scene(problem, rules) is None
-    tasks = [PartTask(document, problem.work.patience, start, count if whole else size)
-             for start in range(0, count, count if whole else size)]
+    if count > size:
+        size = count if own_scene(problem, rules) is None else even_size(count, size)
+    tasks = [PartTask(document, problem.work.patience, start, size) for start in range(0, count, size)]
     return BegunVariants(problem, document, tasks, executor, _submitted(tasks, executor))
+
+
+def even_size(count: int, size: int) -> int:
+    """At most so many, of which an even number of parts make up a count."""
+    return ceil(count / (2 * ceil(count / (2 * size))))
 
 
 def solve_in_parts(problem: "Problem", document: "SceneDocument", executor: Executor | None = None,
@@ -115,9 +125,10 @@ def _solve_part(task: PartTask) -> SolvedPart:
     values = {one.place: one.values for one in found.accepted} | {one.place: one.values for one in found.rejected}
     apart = any(one.gate == "apart" for one in found.rejected)
     known = frozenset(found.same) if found.accepted or apart else None
-    return SolvedPart(values if problem.spec.choices else {}, [(one.place, one.keys) for one in found.accepted],
+    return SolvedPart(values if problem.spec.choices else {},
+                      [(one.place, tuple(map(packed, one.keys))) for one in found.accepted],
                       [(one.place, one.gate, one.reason, one.missed) for one in found.rejected], known, found.reread,
-                      found.closed)
+                      found.closed, summaries(found.accepted))
 
 
 def _places(rules, start, size):
@@ -128,16 +139,18 @@ def _places(rules, start, size):
 
 
 def _together(problem, rules, keys, mistakes, found, same) -> SolvedVariants:
-    def values(part, place):
-        return part.values.get(place) or {name: given[i] for axis, i in zip(rules.axes, place, strict=True)
-                                          for name, given in axis.items()}
+    def values(number, place):
+        return found[number].values.get(place) or {name: given[i] for axis, i in zip(rules.axes, place, strict=True)
+                                                   for name, given in axis.items()}
 
-    accepted = [ProblemVariant(place, values(part, place), its) for part in found for place, its in part.accepted]
-    rejected = [Rejected(place, values(part, place), *why) for part in found for place, *why in part.rejected]
+    accepted = PackedVariants([part.accepted for part in found], values)
+    rejected = [Rejected(place, values(number, place), *why) for number, part in enumerate(found)
+                for place, *why in part.rejected]
     in_order = [(mistake.name, key.text) for mistake in mistakes for key in keys if (mistake.name, key.text) in same]
     closed: dict[str, int] = {}
     for part in found:
         for text, count in part.closed.items():
             closed[text] = closed.get(text, 0) + count
     return SolvedVariants(problem, rules, keys, mistakes, accepted, rejected, in_order,
-                          sum(part.reread for part in found), closed)
+                          sum(part.reread for part in found), closed,
+                          joined(part.keys for part in found if part.keys))

@@ -18,10 +18,10 @@ UNTOLD = "it has no such answer"
 def unsolved(found: "SolvedVariants") -> list[tuple[str, str]]:
     """(mistake, why it gives nothing) of those of the file, and of the catalogue that change the scene, that in no
     accepted variant give anything for what they concern."""
-    told = {wrong.mistake for one in found.accepted for key in one.keys for wrong in key.wrong}
+    told = {name for one in found.summaries for name in one.nearest}
     told |= {name for name, _ in found.same}
     left = [one for one in found.mistakes if one.kind in (OF_FILE, MODEL) and one.name not in told
-            and any(one.concerns(key.asked) for key in found.keys)]
+            and any(one.concerns(key.asked, key.unit) for key in found.keys)]
     return [(one.name, _reason(found, one)) for one in left] if found.accepted else []
 
 
@@ -32,7 +32,7 @@ def _reason(found: "SolvedVariants", mistake: "KnownMistake") -> str:
         scene = with_given(mistake.problem or found.problem, {**values, **own_values(mistake, found.rules)})
         scene = with_printed(scene, found.rules)
         for key in found.keys:
-            if mistake.concerns(key.asked):
+            if mistake.concerns(key.asked, key.unit):
                 instead = mistake.instead.get(key.text)
                 key.found(scene) if instead is None else key.value(scene, instead)
     except SpecError as error:

@@ -10,6 +10,7 @@ from vibcli.homework.bands import KeyBand
 from vibcli.homework.candidates import candidates
 from vibcli.homework.fresh_mistakes import require_same_mistakes
 from vibcli.homework.gates import Wrong, unreadable
+from vibcli.homework.key_summary import KeySummary, summaries
 from vibcli.homework.keys import AnswerKey
 from vibcli.homework.leaks import numbers_in
 from vibcli.homework.mistakes import held_at, mistakes_of, own_values
@@ -45,17 +46,24 @@ class ProblemVariant(NamedTuple):
 class SolvedVariants(NamedTuple):
     """What is known of all candidates, in the order of the grid. same: (mistake, quantity) of mistakes that lead to the
     key in every variant, which are left out; reread: how many were held against the scene read anew; closed: {quantity:
-    how many candidates its closed form was held against}."""
+    how many candidates its closed form was held against}; summed: the KeySummary of each key, where parts have told
+    it."""
 
     problem: "Problem"
     rules: "VariantRules"
     keys: list[AnswerKey]
     mistakes: list[KnownMistake]
-    accepted: list[ProblemVariant]
+    accepted: Sequence[ProblemVariant]
     rejected: list[Rejected]
     same: list[tuple[str, str]]
     reread: int
     closed: dict[str, int]
+    summed: list[KeySummary] | None = None
+
+    @property
+    def summaries(self) -> list[KeySummary]:
+        """The KeySummary of each key."""
+        return summaries(self.accepted) if self.summed is None else self.summed
 
     @property
     def counts(self) -> dict[str, int]:

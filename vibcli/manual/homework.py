@@ -39,9 +39,10 @@ HOMEWORK = [
          "parameter holds in all variants. One that leads to the key in every variant, or to nothing in any, is "
          "told and left out; `damped for natural: off` switches one of the list off."),
         ("sample", "so many candidates of a larger grid, the same ones on every machine"),
-        ("--jobs N", "Grids of more than 10,000 candidates are solved in parts of so many, N at a time, and so are the "
-         "problems of a set; `--cluster ADDRESS` has a scheduler of dask.distributed (`vibcli[cluster]`) give them to "
-         "its workers. What is found and written is the same, to the byte."),
+        ("--jobs N", "Grids of more than 10,000 candidates are solved in equal parts of at most so many, N at a time, "
+         "and so are the problems of a set; sheets and packages are made for at most 25 students or items at a "
+         "time. `--cluster ADDRESS` has a scheduler of dask.distributed "
+         "(`vibcli[cluster]`) give them to its workers. What is found and written is the same, to the byte."),
     ],
     "`vibcli homework SET -o FOLDER` hands out a problem file, a folder of them or a `set.yaml`, to the students of a "
     "roster (`--students roster.csv`), by a secret text (`--salt-file F`): under `student/` a sheet for each student, "

@@ -106,8 +106,8 @@ def in_figures(value: float, figures: int) -> str:
     """A value with so many figures, without an exponent."""
     if not value:
         return "0"
-    exponent = int(f"{value:.{figures - 1}e}".partition("e")[2])
-    return f"{float(f'{value:.{figures - 1}e}'):.{max(figures - 1 - exponent, 0)}f}"
+    rounded = f"{value:.{figures - 1}e}"
+    return f"{float(rounded):.{max(figures - 1 - int(rounded.partition('e')[2]), 0)}f}"
 
 
 def shown_as_decimal(value: "Fraction | int") -> bool:

@@ -97,12 +97,14 @@ def test_rosters(tmp_path):
 @pytest.mark.parametrize("text, said", [
     ("problems: [{file: none.yaml}]", "there is no file 'none.yaml'"), ("title: x", "needs 'problems'"),
     ("problems: [{file: a.yaml}, {file: a.yaml}]", "stands twice"), ("problems: [{fil: a.yaml}]", "unknown key 'fil'"),
+    ("problems: [{file: a.yaml}, {file: caps/A.yaml}]", "'a' and 'A' differ in capitals alone"),
     ("problems: [{file: a.yaml, pick: 2}]", "'pick' is for a folder"),
     ("problems: [{file: more, pick: 3}]", "3 problems of 1"), ("problems: [{file: /etc/x.yaml}]", "by its way")])
 def test_sets_that_are_none(tmp_path, text, said):
     (tmp_path / "a.yaml").write_text("title: a\n")
-    (tmp_path / "more").mkdir()
-    (tmp_path / "more" / "b.yaml").write_text("title: b\n")
+    for name in ("more/b", "caps/A"):
+        (tmp_path / name).parent.mkdir()
+        (tmp_path / f"{name}.yaml").write_text("title: b\n")
     (tmp_path / "set.yaml").write_text(text + "\n")
     with pytest.raises(SpecError) as error:
         course_of(str(tmp_path / "set.yaml"))

@@ -6,7 +6,9 @@ import subprocess
 import sys
 import time
 from concurrent.futures import Executor, Future
+from math import inf
 from pathlib import Path
+from types import SimpleNamespace
 
 import click
 import pytest
@@ -16,6 +18,7 @@ from vibcli.api.source import problem_of, text_source
 from vibcli.base.errors import PhysicsError
 from vibcli.cli.workers import Processes, workers
 from vibcli.homework.document import SceneDocument
+from vibcli.homework.key_summary import summaries
 from vibcli.homework.parts import begin_variants, solve_in_parts
 from vibcli.homework.variants import solve_variants
 
@@ -72,6 +75,22 @@ def test_parts_are_the_same_in_whatever_order_they_are_solved(size):
         for key, its in zip(each.keys, other.keys, strict=True):
             assert its.value == pytest.approx(key.value, rel=1e-12) and its.band == pytest.approx(key.band, rel=1e-9)
             assert [wrong.mistake for wrong in key.wrong] == [wrong.mistake for wrong in its.wrong]
+
+
+@pytest.mark.parametrize("size, count", [(54, 1), (53, 2), (27, 2), (20, 4), (7, 8)])
+def test_parts_are_even_in_number_and_of_one_size(size, count):
+    tasks = begin_variants(*read(), size=size).tasks
+    assert len(tasks) == count and len({task.size for task in tasks}) == 1 and tasks[0].size <= size
+    assert [task.start for task in tasks] == list(range(0, 54, tasks[0].size))
+
+
+def test_what_parts_tell_of_keys_is_what_all_variants_do():
+    found = solve_in_parts(*read(), size=7)
+    for told_by_parts, of_all in zip(found.summaries, summaries(list(found.accepted)), strict=True):
+        assert told_by_parts == of_all and len(of_all.texts) > 2 and len(of_all.nearest) > 1
+    first = found.accepted[0].keys[0]._replace(value=0.0)
+    nothing = summaries([SimpleNamespace(keys=(first,))])[0]
+    assert nothing.widest == 0 and {gap for gap, _, _ in nothing.nearest.values()} == {inf}
 
 
 def test_a_small_grid_is_one_part():

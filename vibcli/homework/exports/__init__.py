@@ -7,3 +7,4 @@ FORMATS = {
     "prairielearn": "PrairieLearn: a folder for each problem, whose server.py picks a variant",
     "qti21": "QTI 2.1: an item for each variant, and a test that picks one of each problem",
 }
+IN_TEX = "canvas", "moodle", "prairielearn"     # what the others show is in MathML

@@ -32,4 +32,4 @@ def figure_html(question: "ExportedQuestion", place: str, name: str = FIGURE) ->
 
 def key_html(key: "ExportedKey", setting: SetInTeX | SetInMathML) -> str:
     """The right answer for who marks."""
-    return f"<p>({key.letter}) {setting.words(key.quantity)}: {running((key.answer,), setting)}</p>"
+    return f"<p>({key.letter}) {setting.words(key.quantity)}: {running(key.answer, setting)}</p>"

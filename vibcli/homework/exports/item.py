@@ -6,10 +6,11 @@ from fractions import Fraction
 from hashlib import blake2b
 from math import lcm
 from string import ascii_lowercase
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.drawing.drawing import contents
+from vibcli.homework.exports.setting import AsSet, SetInMathML, SetInTeX, html, running
 from vibcli.homework.exports.told import ToldBand, bands_told
 from vibcli.homework.roster import Student
 from vibcli.homework.sheets import student_sheet
@@ -36,7 +37,7 @@ class ExportedKey(NamedTuple):
     figures: str
     points: float
     form: str
-    answer: Any
+    answer: tuple | AsSet
     value: float | None
     told: tuple[ToldBand, ...]
 
@@ -53,18 +54,28 @@ class ExportedQuestion(NamedTuple):
     variant: int
     title: str
     by_hand: bool
-    question: tuple
-    given: "tuple[Section, ...]"
+    question: tuple | AsSet
+    given: "tuple[Section, ...] | AsSet"
     figure: Picture | None
     described: str
     files: Mapping[str, bytes]
     keys: tuple[ExportedKey, ...]
     said: Mapping[str, str]
-    solution: "tuple[Section, ...]"
+    solution: "tuple[Section, ...] | AsSet"
 
     @property
     def points(self) -> float:
         return sum(key.points for key in self.keys)
+
+    def as_set(self, settings: Sequence[SetInTeX | SetInMathML]) -> "ExportedQuestion":
+        """All but the figure as HTML of some settings; the solution in TeX alone, as others do not show it."""
+        def each(write, blocks, those=settings):
+            return AsSet({type(setting): write(blocks, setting) for setting in those})
+
+        in_tex = [setting for setting in settings if isinstance(setting, SetInTeX)]
+        keys = tuple(key._replace(answer=each(running, key.answer)) for key in self.keys)
+        return self._replace(question=each(running, self.question), given=each(html, self.given), figure=None,
+                             keys=keys, solution=each(html, self.solution, in_tex))
 
 
 def item_of(problem: str, number: int) -> str:
@@ -87,12 +98,12 @@ def questions_of(course: "Course", handout: "Handout", number: int) -> Iterator[
     rows = asked.blocks[0].rows
     problem, data = handout.problem(number), handout.data(number)["keys"]
     keys = [ExportedKey(ascii_lowercase[i], key.text, rows[i][1], key.unit, one.figures, points, key.form,
-                        key.printed(problem, one.written), one.value,
+                        (key.printed(problem, one.written),), one.value,
                         () if one.value is None else tuple(bands_told(data[i])))
             for i, (key, points, one) in enumerate(zip(handout.keys, handout.points, handout.variants[number].keys,
                                                        strict=True))]
     item, name = item_of(handout.name, number), plain_name(handout.name)
-    solution, picture = tuple(handout.solution(number)), _picture(handout)
+    solution, picture = tuple(handout.solution(number)), picture_of(handout)
     for by_hand in (False, True):
         own = tuple(key for key in keys if (key.value is None) == by_hand)
         if own:
@@ -102,7 +113,8 @@ def questions_of(course: "Course", handout: "Handout", number: int) -> Iterator[
                                    handout.document.files, own, handout.sentences, solution)
 
 
-def _picture(handout):
+def picture_of(handout: "Handout") -> Picture | None:
+    """The figure of a problem."""
     return next((block for section in handout.figure for block in section.blocks if isinstance(block, Picture)), None)
 
 

@@ -1,12 +1,16 @@
 """The folder of a pool: packages for course systems, and the keys by which `grade` marks what these systems mark."""
 
 from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Executor
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from vibcli.homework.exports.item import ExportedQuestion, item_of, questions_of
-from vibcli.homework.folder import INSTRUCTOR, of_instructor, require_no_leak
+from vibcli.homework.exports import IN_TEX
+from vibcli.homework.exports.item import ExportedQuestion, item_of, picture_of, questions_of
+from vibcli.homework.exports.setting import MATHML, TEX
+from vibcli.homework.folder import INSTRUCTOR, key_files, of_instructor, require_no_leak
 from vibcli.homework.leaks import text_of_columns, text_of_page
+from vibcli.homework.making import MakingTask, made
 from vibcli.homework.roster import Student
 from vibcli.homework.sheets import student_sheet
 from vibcli.report.formats import html
@@ -24,26 +28,39 @@ def of_pool(handout: "Handout", numbers: Sequence[int]) -> "Assigned":
 
 
 def pool_files(course: "Course", handouts: "Sequence[Handout]", assigned: "Assigned", attempt: int, salt: str,
-               formats: Sequence[str], on: "Pages | Paper",
-               tell: Callable[[float], None]) -> Iterator[tuple[str, bytes]]:
-    """(path in the folder, bytes) of every file; Leak where a question would tell a key. tell(part): how far it is."""
+               formats: Sequence[str], on: "Pages | Paper", tell: Callable[[float], None],
+               executor: Executor | None = None) -> Iterator[tuple[str, bytes]]:
+    """(path in the folder, bytes) of every file, the executor making questions and keys where one is given; Leak where
+    a question would tell a key. tell(part): how far it is."""
     for handout in handouts:
         own = [sheet for _, sheets in assigned for sheet in sheets if sheet[0] is handout]
         for name, data in handout.document.files.items():
             require_no_leak(f"the file {name}", text_of_columns(data.decode()), own, salt)
     questions: list[ExportedQuestion] = []
-    for number, (student, sheets) in enumerate(assigned, 1):
-        shown = text_of_page(html.render(student_sheet(course, student, sheets), listed=False))
-        require_no_leak(f"the question {student.id}", shown, sheets, salt)
-        questions += questions_of(course, *sheets[0])
-        tell(0.5 * number / len(assigned))
+    settings = [TEX] * any(name in IN_TEX for name in formats) + [MATHML] * any(name not in IN_TEX for name in formats)
+    by_name = {one.name: one for one in handouts}
+    for (_, sheets), (keys, found) in zip(assigned, made(_items, course, handouts, assigned, salt, on, tell, executor,
+                                                         settings), strict=True):
+        yield from keys
+        questions += [one._replace(figure=picture_of(by_name[sheets[0][0].name])) for one in found]
     questions.sort(key=lambda one: one.by_hand)
     exports = []
     for name in formats:
         written = dict(import_module(f"vibcli.homework.exports.{name}").package(course, questions))
         yield from ((f"{INSTRUCTOR}/{name}/{path}", data) for path, data in written.items())
         exports.append(_entry(name, list(written), questions))
-    yield from of_instructor(course, handouts, assigned, attempt, on, tell, exports)
+    yield from of_instructor(course, handouts, assigned, attempt, on, exports)
+
+
+def _items(task: MakingTask, on: "Pages | Paper",
+           settings: Any) -> Iterator[tuple[list[tuple[str, bytes]], list[ExportedQuestion]]]:
+    """([(path, bytes)] of its key, its questions as they are set, without figures) of each item."""
+    for item, given, first in task.students:
+        sheets = task.sheets(given)
+        shown = text_of_page(html.render(student_sheet(task.course, item, sheets), listed=False))
+        require_no_leak(f"the question {item.id}", shown, sheets, task.salt)
+        questions = [one.as_set(settings) for one in questions_of(task.course, *sheets[0])]
+        yield list(key_files(task.sheets(first), on)), questions
 
 
 def _entry(name, paths, questions) -> dict[str, Any]:

@@ -125,14 +125,29 @@ def _math(inner, parts):
 TEX, MATHML = SetInTeX(), SetInMathML()
 
 
-def running(parts: Iterable[Any], setting: SetInTeX | SetInMathML) -> str:
+class AsSet:
+    """Words and Maths, or Sections, as HTML of some settings: what goes from process to process."""
+
+    def __init__(self, found: Mapping[type, str]):
+        self._found = found
+
+    def within(self, setting: SetInTeX | SetInMathML) -> str:
+        """The HTML of one."""
+        return self._found[type(setting)]
+
+
+def running(parts: Iterable[Any] | AsSet, setting: SetInTeX | SetInMathML) -> str:
     """Words and Maths as HTML."""
+    if isinstance(parts, AsSet):
+        return parts.within(setting)
     return "".join(setting.maths(part.parts) if isinstance(part, Maths) else setting.words(part)
                    for part in without_words(tuple(parts)))
 
 
-def html(sections: "Iterable[Section]", setting: SetInTeX | SetInMathML) -> str:
+def html(sections: "Iterable[Section] | AsSet", setting: SetInTeX | SetInMathML) -> str:
     """Sections as HTML, their titles in bold."""
+    if isinstance(sections, AsSet):
+        return sections.within(setting)
     found: list[str] = []
     for section in sections:
         found.append(f"<p><strong>{setting.words(section.title)}</strong></p>")

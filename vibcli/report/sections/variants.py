@@ -1,10 +1,11 @@
 """Variants of a problem: how many passed which gate, their keys, the mistakes that come nearest, all of them."""
 
 from collections.abc import Iterator
+from math import inf
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.enumeration import amount
-from vibcli.notation.numbers import in_figures, plainly
+from vibcli.notation.numbers import plainly
 from vibcli.reader.sections.variants import GATES
 from vibcli.report.blocks import Name, Section, TableBlock, maths, paragraph, section
 from vibcli.report.keys import Key
@@ -24,8 +25,9 @@ def variants(problem: "Problem", report: "Report") -> Iterator[Section]:
         "Variants", paragraph(f"{amount(total, 'candidate')}{of}, {len(found.accepted)} accepted."),
         _gates(found), *(paragraph(text) for text in _remarks(found)))
     if found.accepted:
-        yield from section("Keys", _keys(found))
-        yield from section("Mistakes", _mistakes(found), *(paragraph(
+        summaries = found.summaries
+        yield from section("Keys", _keys(found, summaries))
+        yield from section("Mistakes", _mistakes(found, summaries), *(paragraph(
             f"“{name}” leads to {text} itself in every variant: it is left out.") for name, text in found.same), *(
             paragraph(f"“{name}” gives nothing in any variant, and is left out: {reason}.")
             for name, reason in found.unsolved))
@@ -83,53 +85,30 @@ def _remarks(found):
         yield f"Closed forms give the same: {', '.join(f'{text} in {count}' for text, count in found.closed.items())}."
 
 
-def _keys(found):
+def _keys(found, summaries):
     rows = []
-    for i, key in enumerate(found.keys):
-        values = [one.keys[i] for one in found.accepted]
-        texts = str(len({one.written for one in values}))
-        if values[0].value is None:
-            rows.append((key.text, "–", values[0].written, "", texts, values[0].figures, values[0].spread))
-            continue
-        low, high = (pick(values, key=lambda one: one.value) for pick in (min, max))
-        widest = max(one.band.width / abs(one.value) for one in values if one.value) if any(
-            one.value for one in values) else 0.0
-        rows.append((key.text, _printed(key.unit) or "–", low.written, high.written, texts, _figures(values),
-                     f"{plainly(100 * widest)} %"))
+    for key, one in zip(found.keys, summaries, strict=True):
+        first, texts = one.first, str(len(one.texts))
+        if first.value is None:
+            rows.append((key.text, "–", first.written, "", texts, first.figures, first.spread))
+        else:
+            rows.append((key.text, _printed(key.unit) or "–", one.low.written, one.high.written, texts,
+                         " to ".join(map(str, dict.fromkeys(one.figures))), f"{plainly(100 * one.widest)} %"))
     return TableBlock(("quantity", "unit", "least", "largest", "distinct", "figures", "widest band"), tuple(rows))
 
 
-def _figures(values):
-    least, most = (pick(one.band.figures for one in values) for pick in (min, max))
-    return str(least) if least == most else f"{least} to {most}"
-
-
-def _mistakes(found):
+def _mistakes(found, summaries):
     """Of each mistake and key, the variant in which they come nearest."""
     rows = []
-    for i, key in enumerate(found.keys):
-        if found.accepted[0].keys[i].value is None:
-            rows += _unequal(found, i, key)
-            continue
-        for mistake in found.mistakes:
-            pairs = [(abs(wrong.value - one.keys[i].value) / abs(one.keys[i].value), one.keys[i], wrong.value)
-                     for one in found.accepted for wrong in one.keys[i].wrong if wrong.mistake == mistake.name]
-            if pairs:
-                gap, nearest, wrong = min(pairs, key=lambda pair: pair[0])
-                rows.append((gap, (mistake.name, key.text, in_figures(nearest.value, nearest.band.figures),
-                                   in_figures(wrong, nearest.band.figures), f"{plainly(100 * gap)} %")))
+    for key, summary in zip(found.keys, summaries, strict=True):
+        is_number = summary.first.value is not None
+        for name in (mistake.name for mistake in found.mistakes if mistake.name in summary.nearest):
+            gap, one, wrong = summary.nearest[name]
+            apart = "unequal" if not is_number else f"{plainly(100 * gap)} %" if gap < inf else "–"
+            rows.append((gap if is_number else 1.0, (name, key.text, one.written, one.said(wrong), apart)))
     rows.sort(key=lambda row: row[0])
     head = ("mistake, nearest first", "quantity", "key", "mistaken", "apart")
     return TableBlock(head, tuple(row for _, row in rows)) if rows else None
-
-
-def _unequal(found, i, key):
-    """(1, row) of each mistake about a key that is no number, in the first variant that it concerns."""
-    first: dict = {}
-    for one in found.accepted:
-        for wrong in one.keys[i].wrong:
-            first.setdefault(wrong.mistake, (one.keys[i].written, one.keys[i].said(wrong.value)))
-    return [(1.0, (name, key.text, *texts, "unequal")) for name, texts in first.items()]
 
 
 def variants_data(found: "SolvedVariants") -> dict:
