@@ -56,13 +56,17 @@ STRESS = [
     ],
     "`--family NAME` takes some; `-o FOLDER` draws error, bound and plain method of each over its knob; `--json` "
     "holds them as data.",
-    "`vibcli stress FILE` shakes a scene without members. Its modes are found again of the same element data written "
+    "`vibcli stress FILE` shakes a scene. Without members its modes are found again of the same element data written "
     "otherwise: masses, dampers and stiffnesses by four, times by a half, the units of some coordinates by two, or "
     "these the other way round, which has to leave every bit of them as it is; coordinates and elements from the last "
-    "to the first, each spring as two in parallel or in series, which have to stay within the bounds of both. Then "
-    "each parameter that is written with three digits or more (fewer are exact) is moved by half a unit of its last "
-    "digit: told is how many digits of each answer the data support, −log₁₀ of the sum of the relative changes, and "
-    "which parameter takes most of them. Figures that stand outside `parameters` are not moved.",
+    "to the first, each spring as two in parallel or in series, which have to stay within the bounds of both. Then the "
+    "whole scene is read and solved again with its lengths, masses or times four times as large, which has to leave "
+    "every bit of its place of rest and of its modes (with members their bounds), its elements in another order, and "
+    "each spring as two in parallel; all answers that are numbers, motions too, have to stay within their bounds.",
+    "Last, each figure of the file that is written with three digits or more (fewer are exact), in parameters or "
+    "elsewhere, is moved by half a unit of its last digit: told is how many digits of each answer the data support, "
+    "−log₁₀ of the sum of the relative changes, and which figure takes most of them. Cases are shaken with --case, but "
+    "what they alone give is not moved.",
     "Of any scene `--timings`, and `certificate` of `--json`, tell what is left of the equations when the results are "
     "put back into them: of modes ‖λ²Mφ + λ(C + G)φ + Kφ‖ over (|λ|²‖M‖ + |λ|‖C + G‖ + ‖K‖)‖φ‖ n ε, as LAPACK's tests "
     "have it, of their orthogonality ‖ΦᵀMΦ − I‖/(n ε), of rest the forces over ε and the size of their terms: up to 20 "
