@@ -8,6 +8,7 @@ from support.scenes import problem
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.asked import subjects
 from vibcli.evidence.reference import member_responses, steady_state
+from vibcli.evidence.subject import ALONE
 from vibcli.evidence.subjects.motions import of_motion
 from vibcli.quantities.expression import measure
 
@@ -104,3 +105,11 @@ def test_members_that_lose_energy_themselves_are_left_out():
     one = problem((BEAM % ("", "")).replace("left: clamped", "left: clamped, drag: 3 N*s/m^2"))
     with pytest.raises(PhysicsError, match="lose energy"):
         member_responses.value(one, "arm.u(L)", "F", lambda: 40 * mpmath.pi)
+
+
+def test_the_period_of_a_motion_is_none_of_a_mode():
+    one = problem("parameters: {m: 2 kg, k: 100 N/m}\nbodies: {b: {mass: m, slide: x}}\n"
+                  "springs: {s: {law: 'k*d + (10 N/m^3)*d^3', between: [ground, b]}}\nmotion: full\n"
+                  "initial: {x: 0.1 m}\nanswers: {period(x): 1 s, 'period[1]': 1 s}\n")
+    left, modes = subjects(one, [answer.asked for answer in one.spec.answers])
+    assert (left.asked, left.why) == ("period(x)", ALONE) and modes.kind == "modes"
