@@ -6,6 +6,7 @@ Chain and equations are built before; what is timed begins with the matrices on 
 
 import json
 from collections.abc import Callable, Sequence
+from functools import partial
 from statistics import median
 from time import process_time
 from typing import Any
@@ -142,7 +143,7 @@ def stepped() -> None:
         (a, b), (u, w) = data.qpos, data.qvel
         return [a, a + b, u, u + w]
 
-    print(json.dumps({str(step): _measured(lambda step=step: run(step), _off) for step in STEPS}))
+    print(json.dumps({str(step): _measured(partial(run, step), _off) for step in STEPS}))
 
 
 def _off(found: Sequence[float]) -> float:

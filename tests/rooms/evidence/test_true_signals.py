@@ -113,3 +113,28 @@ def test_the_period_of_a_motion_is_none_of_a_mode():
                   "initial: {x: 0.1 m}\nanswers: {period(x): 1 s, 'period[1]': 1 s}\n")
     left, modes = subjects(one, [answer.asked for answer in one.spec.answers])
     assert (left.asked, left.why) == ("period(x)", ALONE) and modes.kind == "modes"
+
+
+@pytest.mark.parametrize(("when", "push"), [("t - 0.2 s", 1), ("2*t - 0.4 s", 0.5), ("t", 1)])
+def test_an_impulse_gives_a_velocity_and_no_other_method_is_asked(when, push):
+    """x = J/(m ω_d) e^{−δ(t − t₀)} sin ω_d (t − t₀) about where it rests; down is positive, up is the impulse."""
+    one, trees = asked(ONE % (f"(3 N*s)*impulse({when})", "x(1 s): 1 cm, \"x'(1 s)\": 1 cm/s, min(x): 1 cm"))
+    found = [of_motion(one, tree) for tree in trees]
+    with mpmath.workdps(60):
+        m, k, c, tau = mpmath.mpf(2), 800, 8, 1 if when == "t" else mpmath.mpf("0.8")
+        decay, turn, rest = c / (2 * m), mpmath.sqrt(k / m - (c / (2 * m)) ** 2), m * mpmath.mpf("9.81") / k
+        size = -3 * push / (m * turn) * mpmath.exp(-decay * tau)
+        x = rest + size * mpmath.sin(turn * tau)
+        rate = size * (turn * mpmath.cos(turn * tau) - decay * mpmath.sin(turn * tau))
+        top = mpmath.atan(turn / decay) / turn
+        low = rest - 3 * push / (m * turn) * mpmath.exp(-decay * top) * mpmath.sin(turn * top)
+        for subject, wanted in zip(found, (x, rate, low), strict=True):
+            assert abs(subject.true.values[0] - wanted) < mpmath.mpf(10) ** -36 and subject.data is None
+            ours = subject.ours()
+            assert subject.error(ours.values, subject.true) <= ours.bound < 1e-12
+
+
+def test_a_factor_of_an_impulse_counts_at_its_instant():
+    one, (tree,) = asked(ONE % ("(3 N*s)*impulse(t - 0.2 s)*cos((4 rad/s)*t)", "x(1 s): 1 cm"))
+    true = of_motion(one, tree).true
+    assert measure(one, tree)[0] == pytest.approx(float(true.values[0]), rel=1e-12)

@@ -36,7 +36,7 @@ def of_motion(problem: "Problem", tree: QuantityRef) -> Subject:
         until, cut = _instant(problem, tree.args[1]), ""
         true = reference.at_instant(motion, node, until, problem.work)
     scale = float(true.about) or 1.0
-    plain = None if motion.parts.gaps else plain_equations(motion, node, float(until), tree.head
+    plain = None if motion.parts.gaps or motion.blows else plain_equations(motion, node, float(until), tree.head
                                                            if tree.head in SENSES else "value")
 
     def ours() -> MethodAnswer:
