@@ -67,3 +67,13 @@ def test_springs_in_two_keep_their_names_and_elements_their_entries():
     assert list(springs) == ["s", "s_twin", "t", "t_twin"]
     assert springs["t"][1].entries["k"][1].text == "(2*k)/2"
     assert list(reordered(top).entries["bodies"][1].entries) == ["b", "a"]
+
+
+def test_what_the_scene_written_otherwise_refuses_is_refused_with_its_reason_and_not_broken(monkeypatch):
+    """Which of two springs bears how much of a load as drawn is not said by statics."""
+    scene = {"parameters": {"m": "2 kg", "g": "9.81 m/s^2"}, "gravity": "g",
+             "bodies": {"b": {"mass": "m", "at": ["0 m", "0 m"], "slide": {"by": "x", "along": ["0", "-1"]}}},
+             "springs": {"s": {"law": "(800 N/m)*d + (9 N/mm^3)*d^3", "preload": "static",
+                               "between": [["0 m", "1 m"], "b"]}}}
+    found = {change: one for change, one in shaken(scene).items() if "parallel" in change}
+    assert {one.verdict for one in found.values()} == {REFUSED} and all(one.why for one in found.values())

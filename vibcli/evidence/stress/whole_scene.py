@@ -54,7 +54,7 @@ LAWS = (_of_units(1, 0, 0), _of_units(0, 1, 0), _of_units(0, 0, 1), SceneLaw("el
 
 def shaken_as_a_whole(problem: Problem, remade: Callable[[Callable], Problem]) -> Iterator[Shake]:
     """The Shakes of a scene in numbers; remade(change): the Problem of its document changed."""
-    known = {what: found for what, find in GROUPS.items() if (found := _found(find, problem))}
+    known = {what: numbers for what, find in GROUPS.items() if (numbers := _found(find, problem)[0])}
     for law in LAWS:
         if law.change is in_parallel and not problem.spec.get("springs"):
             continue
@@ -72,23 +72,23 @@ def shaken_as_a_whole(problem: Problem, remade: Callable[[Callable], Problem]) -
 
 
 def _found(find, problem):
-    """Nothing of what is refused."""
+    """(numbers, ""), or (nothing, why) of what is refused."""
     try:
-        return find(problem)
-    except PhysicsError:
-        return {}
+        return find(problem), ""
+    except PhysicsError as error:
+        return {}, error.message
 
 
 def _shake(problem, other, law, what, numbers):
     """The Shake of the numbers of a scene beside those of the one written otherwise."""
-    name, its = f"{law.name}: {what}", _found(GROUPS[what], other)
+    name, (its, why) = f"{law.name}: {what}", _found(GROUPS[what], other)
     if law.powers != NONE and what == "answers":        # by their places, as numbers within them are others
         its = dict(zip(numbers, its.values(), strict=False)) if len(its) == len(numbers) else {}
     pairs = {key: (one, _back(its[key], law)) for key, one in numbers.items() if key in its}
-    if what == "modes" and len(its) != len(numbers):
+    if what == "modes" and not why and len(its) != len(numbers):
         return Shake(name, 0, float("inf"), BROKEN, "another number of them")
     if not pairs:
-        return Shake(name, 0, 0.0, REFUSED, "not found there")
+        return Shake(name, 0, 0.0, REFUSED, why or "not found there")
     far = [(abs(a.value - b.value) / max(a.error + b.error, 5e-324), key)
            for key, (a, b) in pairs.items() if a.value != b.value]
     apart, worst = max(far, default=(0.0, ""))
