@@ -9,7 +9,7 @@ from click.testing import CliRunner
 
 from vibcli import bench
 from vibcli.bench import __main__ as command
-from vibcli.bench import members_counted
+from vibcli.bench import members_counted, peers, shipped
 from vibcli.bench.processes import answer, costs, python
 from vibcli.bench.rows import HEAD, Failure, Timing, aligned, exponent
 
@@ -88,3 +88,29 @@ def test_missed_and_spurious_frequencies_of_members_are_seen(monkeypatch):
     for planted in (lambda squares: [*squares[1:], 2 * squares[-1]], lambda squares: [*squares[:3], *squares[2:-1]]):
         monkeypatch.setattr(members_counted, "agree", lambda found, row, planted=planted: agree(planted(found), row))
         assert members_counted.counted(4, 49).wrong == seeds
+
+
+def test_how_far_a_reference_goes_beyond_the_best_method():
+    points = [{"error": 1e-14}, {"error": 1e-30}, {"error": None}]
+    one = {"reference": {"digits": 40}, "points": points}
+    assert shipped.beyond(one) == pytest.approx(40 - 16, abs=0.1)       # no better than a float is
+    assert shipped.beyond({**one, "points": points[:1]}) == 26.0 and shipped.beyond({**one, "points": []}) == 40.0
+    kept = {"code": 0, "error": "", "full": False, "not compared": {"T": "why"}}
+    told = shipped.summary([{**kept, "file": "a.yaml", "seconds": 3.0, "beyond": {"omega": 30.0}},
+                            {**kept, "file": "b.yaml", "seconds": 61.0, "beyond": {"x": 7.5}},
+                            {**kept, "file": "c.yaml", "seconds": 61.0, "full": True, "beyond": {}}])
+    assert told[0] == ("3 files, 2 quantities compared, 1 over 60 s (180 s with a full motion), 1 references less than "
+                       "8 digits beyond")
+    assert "near: 7.5 digits  b.yaml  x" in told and told[-1] == "not compared:    3  why"
+
+
+def test_peers_that_are_not_installed_are_rows_that_say_so(monkeypatch):
+    monkeypatch.setattr(peers, "installed", lambda package: False)
+    monkeypatch.setattr(peers, "answer", lambda *_: json.dumps(
+        {"frequencies": [1.0, 1e-15], "instants": [1.0, 1e-15], "double": [50.0, 1e-13]}))
+    found = peers.rows(3)
+    assert [row.baseline for row in found] == ["python-control, not installed"] * 4 + ["MuJoCo, not installed"] * 2
+    assert all(row.kept and row.against is None for row in found)
+    monkeypatch.setattr(peers, "answer", lambda *_: json.dumps(
+        {"frequencies": [1.0, 1e-3], "instants": [1.0, 1e-15], "double": [50.0, 1e-13]}))
+    assert [row.kept for row in peers.rows(3)] == [True, False, True, True, True, True]

@@ -67,11 +67,11 @@ def numbers(data):
 
 
 def well_formed(data, command):
-    optional = {"accelerations", "backbone", "cases", "characteristic_polynomial", "chosen", "closed_forms", "count",
-                "equilibria", "equivalents", "expansion", "frequency_response", "insight", "phase_plane", "remark",
-                "response", "search", "sticking"}
+    optional = {"accelerations", "backbone", "cases", "certificate", "characteristic_polynomial", "chosen",
+                "closed_forms", "count", "equilibria", "equivalents", "expansion", "frequency_response", "insight",
+                "phase_plane", "remark", "response", "search", "sticking"}
     if not data["coordinates"] and not data.get("modes"):
-        assert set(data) == STATICS and data["reactions"]
+        assert set(data) - {"certificate"} == STATICS and data["reactions"]
         return
     assert set(data) - optional == KEYS[command]
     n = len(data["coordinates"])
@@ -98,7 +98,8 @@ def well_formed(data, command):
 def test_responses(ask):
     driven = SCENE + "forces: {f: {at: a, force: (3 N)*sin((5 rad/s)*t)}}\ninitial: {y: 2 cm, y': 0.1 m/s}\n"
     data = ask(driven, "response", "--of", "y - x", "--until", "0.5")
-    assert set(data) == {"title", "coordinates", "response"}
+    assert set(data) == {"title", "coordinates", "response", "certificate"}
+    assert data["certificate"]["force_balance"] <= 20 and 0 <= data["certificate"]["energy_balance"] <= 1e-14
     assert {key: data["response"][key] for key in ("until", "initial", "balance")} == {
         "until": 0.5, "initial": {"x": 0.0, "y": 0.02, "x'": 0.0, "y'": 0.1}, "balance": None}
     stretch, = data["response"]["signals"]
@@ -153,7 +154,7 @@ def test_values_at_instants(ask):
 
 def test_frequency_responses(ask):
     data = ask(SCENE, "frf", "--of", "s.stretch", "--of", "x", "--to", "y")
-    assert set(data) == {"title", "coordinates", "frequency_response"}
+    assert set(data) == {"title", "coordinates", "frequency_response", "certificate"}
     stretch, x = data["frequency_response"]
     assert (stretch["signal"], stretch["input"], stretch["unit"]) == ("s.stretch", "y", "m/N")
     peak, = stretch["peaks"]

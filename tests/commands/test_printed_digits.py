@@ -13,7 +13,7 @@ from support.scenes import kept_problem_of, problem
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.high_precision import equilibrium_to
-from vibcli.notation.numbers import figure
+from vibcli.notation.numbers import FEWER, figure
 from vibcli.report.sections.mode_tables import damped_row, mode_row, polar, shapes
 from vibcli.symbolic.evaluation import multiprecision
 
@@ -32,6 +32,8 @@ def allowed(error):
 
 
 def assert_supported(text, value, error):
+    assert text.endswith(FEWER) == (allowed(error) < 6), f"{text} with the error {error:.1e}"
+    text = text.removesuffix(FEWER)
     assert NUMBER.fullmatch(text), text
     assert digits(text) <= allowed(error), f"{text} with the error {error:.1e}"
     assert float(text) == pytest.approx(value, rel=0.51 * 10.0 ** (1 - allowed(error)))
@@ -125,6 +127,7 @@ def test_light_damping(c):
         row = damped_row(mode)
         for text, value in ((row[1], abs(root)), (row[2], -root.real / abs(root)), (row[3], root.imag),
                             (row[5], -root.real)):
+            text = text.removesuffix(FEWER)
             assert abs(float(text) - value) <= 1.01 * 10.0 ** (1 - digits(text)) * abs(value)
 
 

@@ -41,6 +41,7 @@ def looked(frame, event, _):
             nodes += 1
 
 from vibcli.cli import run
+exec(sys.argv[3])
 sys.setprofile(looked)
 with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
     code = run(["check", "--no-cache", sys.argv[1]])
@@ -50,10 +51,10 @@ print(json.dumps(found))
 """
 
 
-def counters(file: str) -> dict[str, int]:
-    """{what is counted: how often} in checking a scene, with the exit code."""
-    done = subprocess.run([sys.executable, "-c", IN_A_PROCESS, file, json.dumps(CALLS)], capture_output=True, text=True,
-                          check=True, env={**os.environ, "PYTHONHASHSEED": "0"})
+def counters(file: str, planted: str = "") -> dict[str, int]:
+    """{what is counted: how often} in checking a scene, with the exit code; planted: what is done before."""
+    done = subprocess.run([sys.executable, "-c", IN_A_PROCESS, file, json.dumps(CALLS), planted], capture_output=True,
+                          text=True, check=True, env={**os.environ, "PYTHONHASHSEED": "0"})
     return json.loads(done.stdout)
 
 

@@ -62,7 +62,14 @@ def illustrated(sections: Sequence[str]) -> list[str]:
 
 def data(problem: "Problem", parts: Sequence[str], normalise: str, digits: int | None, sections: Sequence[str],
          wanted: Wanted | None = None) -> dict[str, object]:
-    """The results with the keys of --json: those of its `parts`, and what is asked for among the sections."""
+    """The results with the keys of --json: those of its `parts`, and what is asked for among the sections; with what
+    certifies them."""
+    from vibcli.report.sections.certified import certified
+
+    return _parts(problem, parts, normalise, digits, sections, wanted) | certified(problem)
+
+
+def _parts(problem, parts, normalise, digits, sections, wanted):
     from vibcli.report import keys
 
     if digits is not None:
@@ -217,6 +224,19 @@ def report(problem: "Problem", sections: Sequence[str], normalise: str = "first"
     if digits is not None:
         _digits(made, problem, digits)
     return made
+
+
+def require_certified(problem: "Problem", sections: Sequence[str], normalise: str = "first", digits: int | None = None,
+                      wanted: Wanted | None = None) -> None:
+    """PhysicsError where a figure of these sections has fewer digits than others, or what is found leaves more than
+    rounding behind; or the refusal of one of them."""
+    from vibcli.report.sections.certified import require_all_digits, require_rounding
+
+    made = report(problem, sections, normalise, digits, wanted=wanted)
+    if made.refusal:
+        raise made.refusal
+    require_all_digits(made.sections)
+    require_rounding(problem)
 
 
 def _digits(made, problem, digits):

@@ -65,17 +65,12 @@ def stage_costs(problem: "Problem") -> "dict[str, float | None]":
     return read | {stage: problem.timings.get(stage) for stage in STAGES}
 
 
-def residual_ratios(problem: "Problem") -> dict[str, float]:
-    """{what was found: its residual over that of rounding}; nothing of a scene in letters, or one that is refused."""
-    from vibcli.base.errors import PhysicsError
-    from vibcli.results.certificate import certificate
+def certified(problem: "Problem") -> list[str]:
+    """What is left of the equations where what was found is put back into them, in words."""
+    from vibcli.results.certificate import ENERGY, certificate
 
-    if problem.numeric.has_free_symbols:
-        return {}
-    try:
-        return certificate(problem)
-    except PhysicsError:
-        return {}
+    return [f"{what}: off by {left:.1e} of the largest of them" if what == ENERGY else
+            f"residual ratio of {what}: {left:.2g}" for what, left in certificate(problem).items()]
 
 
 def text_source(text: str, folder: "str | os.PathLike[str]" = ".") -> SceneSource:

@@ -17,6 +17,7 @@ PARTS = {
     "trajectories": "full motions in time",
     "asked_motions": "full motions to an accuracy that is asked",
     "compiled": "a full motion beside one that is compiled",
+    "peers": "responses beside python-control, a pendulum beside MuJoCo",
     "events_and_loops": "full motions with events, and with a closed loop",
     "extremes": "extremes of full motions",
     "members": "beams, their frequencies and frequency responses",

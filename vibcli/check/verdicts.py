@@ -137,7 +137,7 @@ def _uncertain(verdict):
     """The Verdict with the refusal of an answer that the bound of what is found leaves open."""
     from vibcli.notation.numbers import figure, rounded_up, supported
 
-    known, answer = supported(verdict.found, verdict.error, 15), verdict.answer
+    known, answer = supported(verdict.found, verdict.error, 15, ""), verdict.answer
     known += "" if "±" in known else f" ± {figure(rounded_up(verdict.error), digits=1)}"
     cause = "the answer is exact" if is_exact(answer) else "the answer has more digits"
     refusal = PhysicsError(f"{answer.asked.text} is known to be {known}: {cause}, and whether it agrees is uncertain",

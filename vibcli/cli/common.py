@@ -30,7 +30,7 @@ def scene_options(function: Any) -> Callable:
         click.option("--json", "as_json", is_flag=True, help="Machine-readable results in SI units."),
         patience_option,
         click.option("--timings", is_flag=True,
-                     help="What each stage cost and which were skipped, and residual ratios, on stderr."),
+                     help="What each stage cost and which were skipped, and what certifies the results, on stderr."),
         color_option,
     ]
     return reduce(lambda f, option: option(f), reversed(options), function)
@@ -223,15 +223,15 @@ def colored(stream: Any) -> bool:
 
 
 def show_timings(problems: "Sequence[tuple[str | None, Problem]]"):
-    """What each stage cost, and residual ratios of what was found, on stderr."""
-    from vibcli.api.source import residual_ratios, stage_costs
+    """What each stage cost, and what certifies what was found, on stderr."""
+    from vibcli.api.source import certified, stage_costs
 
     for name, problem in problems:
         click.echo("stage            ms" + (f"   (case {name})" if name else ""), err=True)
         for stage, cost in stage_costs(problem).items():
             click.echo(f"{stage:<14} {'skipped' if cost is None else f'{1e3 * cost:7.2f}'}", err=True)
-        for what, ratio in residual_ratios(problem).items():
-            click.echo(f"residual ratio of {what}: {ratio:.2g}", err=True)
+        for told in certified(problem):
+            click.echo(told, err=True)
 
 
 def require_quick(problem: "Problem", digits: int | None) -> None:

@@ -27,7 +27,7 @@ def print_scenes(problems: "Sequence[tuple[str | None, Problem]]", sections: Cal
     """Print the scene and its cases, or write them; `sections(problem)` names the sections of the report, `data` the
     parts of the JSON; `curves(problem)` plots and saves what belongs to each.
 
-    A case that cannot be solved is refused on stderr and leaves the others: exit code 4.
+    A case that cannot be solved is refused on stderr and leaves the others, but where all is to be strict: exit code 4.
     """
     for _, problem in problems:
         require_quick(problem, digits)
@@ -39,6 +39,8 @@ def print_scenes(problems: "Sequence[tuple[str | None, Problem]]", sections: Cal
                 problem = _settled(problem, question, digits)
             problem = _in_series(problem, digits, wanted, sections(problem))
             solved.append((case, problem))
+            if output.strict:
+                reports.require_certified(problem, sections(problem), normalise, digits, wanted)
             if output.kind == "json":
                 found[case] = reports.data(problem, data, normalise, digits, sections(problem), wanted)
                 refused |= _told_unknown(problem, case, found[case], wanted)
@@ -56,7 +58,7 @@ def print_scenes(problems: "Sequence[tuple[str | None, Problem]]", sections: Cal
             if output.kind != "json" and report.refusal:
                 raise report.refusal
         except PhysicsError as error:
-            if output.kind == "json" and len(problems) == 1:
+            if output.strict or (output.kind == "json" and len(problems) == 1):
                 raise
             refused = True
             show_refusal(error, problem.spec.file + (f", case {case}" if case else ""))
@@ -101,7 +103,7 @@ def _told_unknown(problem, case, data, wanted):
 
 def _at_once(output):
     """Is each case printed as soon as it is solved?"""
-    return output.kind == "text" and output.path is None
+    return output.kind == "text" and output.path is None and not output.strict
 
 
 def _print_at_once(found, case, output):

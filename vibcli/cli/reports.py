@@ -22,12 +22,14 @@ ILLUSTRATED = {name: where for name, (_, where, _) in FORMATS.items() if where}
 
 
 class Output(NamedTuple):
-    """What to write, where (None: stdout), and whether with pictures."""
+    """What to write, where (None: stdout), and whether with pictures; `strict`: all of it with all its digits, or
+    nothing."""
 
     kind: str = "text"
     path: Path | None = None
     pictures: bool = False
     force: bool = False
+    strict: bool = False
 
 
 def report_options(function: Callable, formats: Sequence[str] = tuple(FORMATS), more: str = "") -> Callable:
@@ -39,11 +41,14 @@ def report_options(function: Callable, formats: Sequence[str] = tuple(FORMATS), 
                      help=f"Write the report to a file: {listed([s for s, *_ in SUFFIXES.values()], 'or')}."),
         click.option("--force", is_flag=True, help="Replace files that exist."),
         click.option("--pictures", is_flag=True, help="Also draw the scene and its mode shapes (not in text)."),
+        click.option("--strict", is_flag=True, help="Print nothing (exit code 4) where the bound of an error allows "
+                     "fewer digits than are printed of others, or what is found leaves more than rounding behind."),
     ]
     return reduce(lambda f, option: option(f), reversed(options), function)
 
 
-def output_of(file: str, as_json: bool, kind: Any, output: Any, force: bool, pictures: bool) -> Output:
+def output_of(file: str, as_json: bool, kind: Any, output: Any, force: bool, pictures: bool,
+              strict: bool = False) -> Output:
     """The Output that the options ask for, before anything is computed; a usage error where that cannot be."""
     if as_json and kind:
         raise click.UsageError("--json does not go with --format")
@@ -56,10 +61,10 @@ def output_of(file: str, as_json: bool, kind: Any, output: Any, force: bool, pic
     if output in (None, "-"):
         if pictures and ILLUSTRATED[kind] != WITHIN:
             raise click.UsageError(f"--pictures in {kind} are files beside the report: name it with -o FILE")
-        return Output(kind, None, pictures)
+        return Output(kind, None, pictures, strict=strict)
     from vibcli.cli.pictures import target
 
-    return Output(kind, target(file, output, suffixes, force), pictures, force)
+    return Output(kind, target(file, output, suffixes, force), pictures, force, strict)
 
 
 def _by_suffix(output):

@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from vibcli.cli.common import chosen, color_option, patience_option, problem_in, source_of
+from vibcli.cli.common import chosen, color_option, patience_option, problem_in, settings_in, source_of
 from vibcli.cli.pictures import FILE, refuse, write
 
 
@@ -27,8 +27,8 @@ def command(file: str | None, settings: Sequence[str], case: str | None, names: 
             output: str | None, force: bool, patience: int) -> int:
     """Families of scenes that one knob makes ever harder, each point beside its true value of many digits.
 
-    With a FILE that scene is shaken: written otherwise, its modes have to stay; and the digits of its answers are told
-    that its data support. Exit code: 0, 1 where a bound is exceeded: vibcli explain stress.
+    With a FILE that scene is shaken: written otherwise, it has to rest, swing and answer as before; and the digits of
+    its answers are told that its data support. Exit code: 0, 1 where a bound is exceeded: vibcli explain stress.
     """
     if file is not None:
         if names or output:
@@ -55,18 +55,20 @@ def command(file: str | None, settings: Sequence[str], case: str | None, names: 
 
 def _scene(file: str, settings: Sequence[str], case: str | None, as_json: bool, patience: int) -> int:
     """Shake a scene of the user's."""
+    from vibcli.base.work import Work
+    from vibcli.cli.progress import teller
     from vibcli.evidence.stress import told
+    from vibcli.evidence.stress.read_again import read_again
     from vibcli.evidence.stress.shaken import BROKEN, shaken
     from vibcli.evidence.stress.supported import supported
+    from vibcli.evidence.stress.whole_scene import shaken_as_a_whole
 
     source = source_of(file)
-
-    def remade(*more: str) -> Any:
-        return chosen(problem_in(source, [*settings, *more], patience), case)[0][1]
-
-    problem = remade()
-    shakes = list(shaken(problem))
-    answers = list(supported(problem, lambda name, text: remade(f"{name}={text}")))
+    chosen(problem_in(source, settings, patience), case)        # whatever is wrong with it
+    top, remade = read_again(source.node, file, settings_in(source, settings), case, lambda: Work(patience, teller()))
+    problem = remade(lambda same: same)
+    shakes = [*shaken(problem), *shaken_as_a_whole(problem, remade)]
+    answers = list(supported(problem, top, remade))
     if as_json:
         click.echo(json.dumps(told.scene_data(shakes, answers), ensure_ascii=False, allow_nan=False, indent=1))
     else:

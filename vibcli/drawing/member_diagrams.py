@@ -61,7 +61,7 @@ class DiagramPanel(NamedTuple):
         """A value with its unit, as far as it is known."""
         if abs(value) <= NOTHING * self.largest and error <= NOTHING * self.largest:
             return "0"
-        text = supported(value * self.factor, error * self.factor, DIGITS)
+        text = supported(value * self.factor, error * self.factor, DIGITS, "")
         return f"{text} {self.unit}".replace("-", "−")
 
 
@@ -161,5 +161,5 @@ def _labels(panel, strip, force):
         tip = strip.at(x, side)
         outward = plane.plus(tip, plane.left(strip.e), 3.0 if side >= 0 else -3.0)
         found.append((panel.words(value, force.error(x)), [outward, tip], "ink"))
-    return found + [(f"{supported(x, error_of_zero(force, x), DIGITS)} m", [strip.at(x)], "note")
+    return found + [(f"{supported(x, error_of_zero(force, x), DIGITS, '')} m", [strip.at(x)], "note")
                     for x in zeros(force)]

@@ -51,7 +51,8 @@ def _makers(problem, asked):
 
 
 def _maker(tree: QuantityRef):
-    return SUBJECTS.get("value" if declared(tree) is named("value") else tree.head)
+    found = SUBJECTS.get("value" if declared(tree) is named("value") else tree.head)
+    return None if found in (NATURAL, DAMPED) and tree.args else found      # period(x) is that of a motion
 
 
 def _function(make) -> Callable[["Problem", QuantityRef | None], Subject]:

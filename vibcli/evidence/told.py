@@ -78,10 +78,15 @@ def _left_out(found: "Evidence") -> tuple[Section, ...]:
 def _stages(found: "Evidence") -> tuple[Section, ...]:
     if not found.stages:
         return ()
-    rows = tuple((one.stage, _ms(one) if one.taken else "", one.why or _ms(one) if not one.taken else "")
-                 for one in found.stages)
-    table = TableBlock(("stage", "taken", "skipped, would cost"), rows)
-    return (Section("Stages, and what was skipped [ms]", (table,)),)
+    rows = tuple((one.stage, _ms(one) if one.taken else "",
+                  one.why.partition(":")[0] or _ms(one) if not one.taken else "") for one in found.stages)
+    reasons: dict[str, list[str]] = {}
+    for one in found.stages:
+        if not one.taken and ": " in one.why:
+            reasons.setdefault(one.why.partition(": ")[2], []).append(one.stage)
+    return (Section("Stages, and what was skipped [ms]", (
+        TableBlock(("stage", "taken", "skipped, would cost"), rows),
+        *(_reason(why, stages) for why, stages in reasons.items()))),)
 
 
 def _ms(cost):

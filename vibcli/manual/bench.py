@@ -11,8 +11,8 @@ BENCH = [
         ("max(x), x(2 s) …", "`solve_ivp` (RK45, DOP853, LSODA, Radau, BDF) and `odeint`, each at tolerances 1e-3 … "
          "1e-13, on equations that are compiled beforehand; of small motions also sums of 1 … n undamped modes. "
          "Extremes are the tops of parabolas through 4001 samples. The error is relative to the largest value"),
-        ("frf[x, F](5 Hz), amplitude(x)", "LU of the matrix at that frequency, sums of 1 … n undamped modes"),
-        ("omega of members", "1 … 128 finite elements a piece, and `eigh`"),
+        ("frf[x, F](5 Hz), amplitude(x), rms(x)", "LU of the matrix at that frequency, sums of 1 … n undamped modes"),
+        ("omega, frf of members", "1 … 128 finite elements a piece, and `eigh`, or LU at that frequency"),
         ("peak[1](frf[x, F]).value", "grids of 100 … 1,000,000 frequencies, with parabolas and without"),
     ],
     "vibcli itself begins with the element data, finds its modes anew, and states a bound, which stands beside its "
@@ -56,14 +56,23 @@ STRESS = [
     ],
     "`--family NAME` takes some; `-o FOLDER` draws error, bound and plain method of each over its knob; `--json` "
     "holds them as data.",
-    "`vibcli stress FILE` shakes a scene without members. Its modes are found again of the same element data written "
+    "`vibcli stress FILE` shakes a scene. Without members its modes are found again of the same element data written "
     "otherwise: masses, dampers and stiffnesses by four, times by a half, the units of some coordinates by two, or "
     "these the other way round, which has to leave every bit of them as it is; coordinates and elements from the last "
-    "to the first, each spring as two in parallel or in series, which have to stay within the bounds of both. Then "
-    "each parameter that is written with three digits or more (fewer are exact) is moved by half a unit of its last "
-    "digit: told is how many digits of each answer the data support, −log₁₀ of the sum of the relative changes, and "
-    "which parameter takes most of them. Figures that stand outside `parameters` are not moved.",
-    "Of any scene `--timings` tells residual ratios of what was found, as LAPACK's tests have them: of modes ‖λ²Mφ + "
-    "λ(C + G)φ + Kφ‖ over (|λ|²‖M‖ + |λ|‖C + G‖ + ‖K‖)‖φ‖ n ε, of their orthogonality ‖ΦᵀMΦ − I‖/(n ε): up to 20 they "
-    "are rounding; of the balance of forces at rest what is left of them over ε and the size of their terms.",
+    "to the first, each spring as two in parallel or in series, which have to stay within the bounds of both. Then the "
+    "whole scene is read and solved again with its lengths, masses or times four times as large, which has to leave "
+    "every bit of its place of rest and of its modes (with members their bounds), its elements in another order, and "
+    "each spring as two in parallel; all answers that are numbers, motions too, have to stay within their bounds.",
+    "Last, each figure of the file that is written with three digits or more (fewer are exact), in parameters or "
+    "elsewhere, is moved by half a unit of its last digit: told is how many digits of each answer the data support, "
+    "−log₁₀ of the sum of the relative changes, and which figure takes most of them. Cases are shaken with --case, but "
+    "what they alone give is not moved.",
+    "Of any scene `--timings`, and `certificate` of `--json`, tell what is left of the equations when the results are "
+    "put back into them: of modes ‖λ²Mφ + λ(C + G)φ + Kφ‖ over (|λ|²‖M‖ + |λ|‖C + G‖ + ‖K‖)‖φ‖ n ε, as LAPACK's tests "
+    "have it, of their orthogonality ‖ΦᵀMΦ − I‖/(n ε), of rest the forces over ε and the size of their terms: up to 20 "
+    "they are rounding. Of motions it is work of the loads − what is dissipated − the change of T + V, relative to the "
+    "largest of these. A place of rest where more than rounding is left of the forces is found anew in more digits, as "
+    "modes are whose bound is wider than a float needs.",
+    "A figure with ? behind it has fewer digits than others (six), since the bound of its error allows no more. With "
+    "`--strict` nothing is printed then (exit code 4), nor where a residual ratio is over 20.",
 ]

@@ -13,21 +13,24 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 SHOWN = 6
+FEWER = "?"         # behind a number with fewer digits than are asked for, all that the bound of its error allows
 NEGATIVE = re.compile(r"(?<![\w.])-(?=[\d.])")        # the sign of a number in a text, not of an exponent
 LARGEST = 48        # denominators up to here are written as fractions
 LONGEST, FIGURES = 999, 4       # up to here they may be, where a decimal has more figures than so many
 
 
-def figure(value: float | None, error: float = 0.0, digits: int = SHOWN) -> str:
-    """A number with at most `digits` significant digits, fewer where its relative error bound allows fewer."""
+def figure(value: float | None, error: float = 0.0, digits: int = SHOWN, mark: str = FEWER) -> str:
+    """A number with at most `digits` significant digits, fewer where its relative error bound allows fewer; with a mark
+    behind it where these are fewer than six."""
     if value is None:
         return "–"
     if not isinstance(value, (int, float)):
         return str(value)
+    asked = min(digits, SHOWN)
     if error and error > 0:
         digits = max(1, min(digits, int(-math.log10(min(error, 0.5)))))
     text = f"{value:.{digits}g}"
-    return "0" if text in ("-0", "0") else _short_exponent(text)
+    return "0" if text in ("-0", "0") else _short_exponent(text) + mark * (digits < asked)
 
 
 def _short_exponent(text):
@@ -56,11 +59,11 @@ def rounded_up(bound: float, digits: int = 1) -> float:
     return float(f"{int(number.replace('.', '')) + 1}e{int(power) - digits + 1}")
 
 
-def supported(value: float, error: float, digits: int = SHOWN) -> str:
+def supported(value: float, error: float, digits: int = SHOWN, mark: str = FEWER) -> str:
     """A number with the digits that its absolute error allows; where that is all of it, how far it may be from 0."""
     if error >= 0.5 * abs(value) and error > 0 and value:
         return f"0 ± {figure(rounded_up(abs(value) + error), digits=1)}"
-    return figure(value, error / abs(value) if value else 0.0, digits)
+    return figure(value, error / abs(value) if value else 0.0, digits, mark)
 
 
 def with_unit(value: float, dimension: "Mapping[str, Fraction | int]") -> str:

@@ -18,7 +18,8 @@ plain text, the columns by which the lines after the first are indented (None: t
 those of the first.
 """
 
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Iterator
 from itertools import compress
 from typing import TYPE_CHECKING, Any
 
@@ -26,6 +27,10 @@ from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
+
+
+FEWER = re.compile(r"[\d.]+(?:e-?\d+)?\?")       # notation.numbers.FEWER behind a number
+EXPLAINED = "A figure with ? behind it has fewer digits than others: no more are within the bound of its error."
 
 
 class Name(NamedTuple):
@@ -201,3 +206,22 @@ def separated(parts: Iterable, by: str = ", ") -> list[str | Maths]:
     for part in parts:
         found += [by, part]
     return found[1:]
+
+
+def figures_of_fewer_digits(section: Section) -> list[str]:
+    """The figures of a section that have fewer digits than are asked for."""
+    return [found for text in _texts(section.blocks) if "?" in text for found in FEWER.findall(text)]
+
+
+def explained(section: Section) -> Section:
+    """The section, with a word on such figures where it has any."""
+    return section._replace(blocks=(*section.blocks, paragraph(EXPLAINED))) if figures_of_fewer_digits(
+        section) else section
+
+
+def _texts(part: Any) -> Iterator[str]:
+    if isinstance(part, str):
+        yield part
+    elif isinstance(part, (tuple, list)):
+        for one in part:
+            yield from _texts(one)

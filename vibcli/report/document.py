@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.reader.read import QUOTE
-from vibcli.report.blocks import Document, Name, Section, maths
+from vibcli.report.blocks import Document, Name, Section, explained, maths
 from vibcli.report.sections import SECTIONS
 from vibcli.report.wanted import Wanted
 from vibcli.symbolic.parser import plain_name
@@ -42,7 +42,7 @@ class Report:
         write = getattr(import_module(f"vibcli.report.sections.{SECTIONS[name][0]}"), name)
         try:
             for found in write(self.problem, self):
-                self.sections.append(found)
+                self.sections.append(explained(found))
         except PhysicsError as error:
             self.refusal = self.refusal or error
 

@@ -5,6 +5,7 @@ from vibcli.report.keys import Key, documented
 from vibcli.report.section_keys import section_keys
 from vibcli.report.sections.accelerations import ACCELERATIONS
 from vibcli.report.sections.backbone import KEY as BACKBONE
+from vibcli.report.sections.certified import CERTIFICATE
 from vibcli.report.sections.design_parameters import CHOSEN
 from vibcli.report.sections.equations_of_motion import ENERGY, EQUATIONS, MATRICES
 from vibcli.report.sections.equilibria import EQUILIBRIA, SEARCH
@@ -32,6 +33,6 @@ KEYS = dict(documented((
     Key("remark", "why a scene in letters, or one with a kink at rest, has no equilibrium, matrices and modes here, or "
         "one without inertia no modes, in words; absent otherwise"),
     MODES._replace(each=(*MODES.each, MEMBERS)), COUNT, DAMPED_MODES, MOTION, FREQUENCY_RESPONSE,
-    EQUIVALENTS, BACKBONE, EXPANSION, PHASE_PLANE, SWEEP, VARIANTS, STEPS,
+    EQUIVALENTS, BACKBONE, EXPANSION, PHASE_PLANE, SWEEP, VARIANTS, STEPS, CERTIFICATE,
     Key("insight", "only where `find` or --insight asks for it", of=section_keys(OF_MODES)), POLYNOMIAL,
     Key("cases", "{name: the same keys}, where the file has cases"))))

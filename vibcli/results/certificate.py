@@ -1,4 +1,5 @@
-"""Residual ratios of what was found, as LAPACK's tests have them: what is up to 20 is rounding.
+"""Residual ratios of what was found, as LAPACK's tests have them: what is up to 20 is rounding; of motions the balance
+of their energies.
 
     ‖λ² M φ + λ (C + G) φ + K φ‖ / ((|λ|² ‖M‖ + |λ| ‖C + G‖ + ‖K‖) ‖φ‖ n ε),   ‖ΦᴴMΦ − I‖ / (n ε)
 
@@ -8,23 +9,55 @@ Users' Guide (1999), section 4.7. They tell that values and shapes belong togeth
 
 from typing import TYPE_CHECKING, Any
 
+from vibcli.base.errors import PhysicsError
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from vibcli.results.problem import Problem
 
 EPSILON = 2.0**-52
+ROUNDING = 20           # residual ratios up to this are rounding
+ENERGY = "energy balance"
 
 
 def certificate(problem: "Problem") -> dict[str, float]:
-    """{what: its ratio} of the modes of lumped bodies and of the equilibrium, of stages that were computed alone."""
-    found, configuration = {}, problem.configuration
+    """{what: its ratio} of the equilibrium and of the modes of lumped bodies, and {energy balance: what it is off by,
+    relative} of a motion, of stages that were computed alone; nothing of a scene in letters, or one that is refused."""
+    if problem.numeric.has_free_symbols:
+        return {}
+    try:
+        return _found(problem)
+    except PhysicsError:
+        return {}
+
+
+def _found(problem):
+    found = {}
     if "equilibrium" in problem.timings:
-        found["force balance"] = configuration.equilibrium.residual / EPSILON
-    if not {"modes", "damped"} & problem.timings.keys() or problem.modal.many or problem.scene.pieces:
-        return found
+        found["force balance"] = problem.configuration.equilibrium.residual / EPSILON
+    if {"modes", "damped"} & problem.timings.keys() and not (problem.modal.many or problem.scene.pieces):
+        found |= _of_modes(problem)
+    balance = _of_motion(problem) if "response" in problem.timings else None
+    return found if balance is None else found | {ENERGY: balance}
+
+
+def _of_motion(problem):
+    """What the energy balance of a motion is off by; None of kinds of motion that have none."""
+    motion = problem.response
+    if motion.KIND == "full" and motion.integrated:
+        return motion.trajectory().balance.error
+    if motion.KIND != "small":
+        return None
+    from vibcli.results.energy_balance import energy_balance
+
+    return energy_balance(motion.alone, float(motion.until))
+
+
+def _of_modes(problem):
     import numpy as np
 
+    found, configuration = {}, problem.configuration
     scale, M, C, G, K = _scaled(configuration.element_data.arrays())
     if "modes" in problem.timings and len(problem.modal.modes):
         modes = [(complex(mode.growth_rate or 0.0, mode.omega or 0.0), mode.shape / scale)

@@ -8,8 +8,11 @@ from vibcli.base.errors import PhysicsError
 from vibcli.evidence.stress import claims, point, shaken, supported, sweep
 from vibcli.evidence.stress.claims import Claim
 from vibcli.evidence.stress.families import FAMILIES
+from vibcli.evidence.stress.figures import figures
 from vibcli.evidence.stress.point import BROKEN, ESCALATED, HELD, REFUSED, UNKNOWN, measured
+from vibcli.evidence.stress.read_again import read_again
 from vibcli.evidence.stress.watched import scene_problem
+from vibcli.language.document.mapping import document_of
 
 LONG = ("two_pendulums", "wide_swing")
 
@@ -88,7 +91,7 @@ SCENE = {"parameters": {"m": "2.00 kg", "k": "800 N/m", "c": "8 N*s/m", "a": "1.
 
 def test_a_scene_that_is_shaken_keeps_every_bit_of_its_modes():
     found = list(shaken.shaken(scene_problem(SCENE)[0]))
-    assert [one.verdict for one in found] == [shaken.EQUAL] * 7 and {one.modes for one in found} == {4}
+    assert [one.verdict for one in found] == [shaken.EQUAL] * 7 and {one.compared for one in found} == {4}
 
 
 def test_of_many_coordinates_they_stay_within_their_bounds():
@@ -108,20 +111,30 @@ def test_a_law_that_does_not_hold_is_broken(law, monkeypatch):
     assert one.verdict == shaken.BROKEN
 
 
+def scene_read_again(scene):
+    """(problem, top of its document, what makes the scene of a document that is changed)."""
+    top, remade = read_again(document_of(scene)[0], "scene", {}, None)
+    return remade(lambda same: same), top, remade
+
+
 def test_digits_that_the_data_support():
     """ω ~ √(k/m): half of 0.005/2 and of 0.5/800; x ~ a besides."""
-    problem, _ = scene_problem(SCENE)
-
-    def remade(name, text):
-        return scene_problem({**SCENE, "parameters": {**SCENE["parameters"], name: text}})[0]
-
-    omega, x = supported.supported(problem, remade)
+    omega, x = supported.supported(*scene_read_again(SCENE))
     assert omega.asked == "omega[1]" and omega.parameter == "m"
     assert 10**-omega.digits == pytest.approx(0.5 * 0.005 / 2 + 0.5 * 0.5 / 800, rel=2e-3)
     assert x.digits < omega.digits
 
 
+def test_figures_that_stand_in_elements_are_moved_too():
+    """ω = √(k/m) of m = 4.00 kg: half of 0.005/4; what is drawn takes nothing; those of answers are no data."""
+    scene = {"bodies": {"b": {"mass": "4.00 kg", "slide": {"by": "x"}, "at": ["0.125 m", "0 m"]}},
+             "springs": {"s": {"k": "80 N/m", "between": [["0 m", "0 m"], "b"]}},
+             "answers": {"omega[1]": "4.472 rad/s"}}
+    omega, = supported.supported(*scene_read_again(scene))
+    assert omega.parameter == "4.00 of bodies.b" and 10**-omega.digits == pytest.approx(0.005 / 8, rel=2e-3)
+    assert [one.told for one in figures(document_of(scene)[0])] == ["4.00 of bodies.b", "0.125 of bodies.b"]
+
+
 def test_data_of_few_digits_are_exact():
     exact = {**SCENE, "parameters": {"m": "2 kg", "k": "0.8 N/mm", "c": "8 N*s/m", "a": "1 cm"}}
-    problem, _ = scene_problem(exact)
-    assert [one.digits for one in supported.supported(problem, None)] == [None, None]
+    assert [one.digits for one in supported.supported(*scene_read_again(exact))] == [None, None]

@@ -88,7 +88,7 @@ def test_a_frequency_response_its_peak_and_its_steady_state():
         assert close(there, 1 / mpmath.mpc(9, 8), 45)
         assert close(frequency_response.peak(problem, "x", "F", 1, True).values[0], mpmath.sqrt(23), 45)
         assert close(frequency_response.peak(problem, "x", "F", 1, False).values[0], 1 / (2 * mpmath.sqrt(24)), 45)
-        steady = steady_state.amplitude(steady_state.driven(problem), "x", 1).values[0]
+        steady = steady_state.feature(steady_state.driven(problem), "x", 1, "amplitude").values[0]
         assert close(steady, 20 / mpmath.sqrt(145), 45)
     with pytest.raises(PhysicsError, match="finds 1 peak"):
         frequency_response.peak(problem, "x", "F", 2, True)
@@ -99,4 +99,4 @@ def test_a_frequency_response_its_peak_and_its_steady_state():
 def test_loads_of_several_frequencies_have_no_reference(force):
     problem = oscillator(f"forces: {{F: {{at: b, force: {force}}}}}")
     with pytest.raises(PhysicsError, match="a reference of steady states"):
-        steady_state.amplitude(steady_state.driven(problem), "x", 0)
+        steady_state.feature(steady_state.driven(problem), "x", 0, "amplitude")

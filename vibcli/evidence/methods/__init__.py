@@ -2,11 +2,11 @@
 
 METHODS = {
     "ours": (("modes", "damped modes", "motion", "full motion", "response", "peak",
-              "member modes"),
+              "member modes", "member response"),
              "vibcli itself, from the element data on"),
     "assembled_modes": (("modes",), "eigh and eig of assembled K and M"),
     "state_eigenvalues": (("damped modes",), "eig of the state matrix and of the pencil that is assembled"),
-    "finite_elements": (("member modes",), "members in 1 … 128 elements a piece, and eigh"),
+    "finite_elements": (("member modes", "member response"), "members in 1 … 128 elements a piece, and eigh or LU"),
     "mode_sums": (("motion",), "modal superposition with 1 … n undamped modes"),
     "integrators": (("motion", "full motion"), "solve_ivp and odeint at tolerances 1e-3 … 1e-13"),
     "one_frequency": (("response",), "LU at the frequency, and sums of 1 … n undamped modes"),

@@ -31,7 +31,7 @@ STEPS, STEP = 60, 1e-7
 def squares(elements: Elements, count: int) -> TrueValues:
     """The lowest ω² of so many modes; PhysicsError where two of them are too close, and of pieces of other kinds."""
     first = elements(30)
-    _require_plain(first)
+    require_plain(first)
     near = by_elements(first, count, ELEMENTS * count)
     free = _zeros(elements(START))
     if any(b - a <= APART * abs(b) for a, b in zip(near[free:], near[free + 1:], strict=False)):
@@ -40,7 +40,8 @@ def squares(elements: Elements, count: int) -> TrueValues:
     return settled(lambda: (_roots(elements(mpmath.mp.dps), near), None), DIGITS + 1, START)
 
 
-def _require_plain(elements):
+def require_plain(elements: "FactoredSystem") -> None:
+    """PhysicsError of pieces whose series this is not, and of too many."""
     unknowns = elements.n + sum(placed.piece.order for placed in elements.pieces)
     if any(type(placed.piece) is not Piece or slack_ends(placed) for placed in elements.pieces) or elements.G:
         raise PhysicsError("no reference is found of members that vary along their length, end without tension or are "
@@ -93,13 +94,17 @@ def _root(elements, near):
 
 def determinant(elements: "FactoredSystem", z: Any) -> Any:
     """Of all equations at z = ω², whose roots are the eigenvalues."""
+    return _determinant(equations(elements, z).tolist())
+
+
+def equations(elements: "FactoredSystem", z: Any, s: Any = 0) -> Any:
+    """All equations at z = ω², as a matrix; s: iω where dampers count."""
     size = elements.n + sum(placed.piece.order for placed in elements.pieces)
-    M, _, _, K = elements.with_parts(pieces=()).matrices()
+    M, C, G, K = elements.with_parts(pieces=()).matrices()
     A = mpmath.zeros(size, size)
-    for (i, j), x in K.items():
-        A[i, j] += x
-    for (i, j), x in M.items():
-        A[i, j] -= z * x
+    for part, factor in ((K, 1), (M, -z), (C, s), (G, s)):
+        for (i, j), x in part.items():
+            A[i, j] += factor * x
     column = elements.n
     for placed in elements.pieces:
         moves, forces = ends(placed.piece, z)
@@ -111,7 +116,7 @@ def determinant(elements: "FactoredSystem", z: Any) -> Any:
             for k, u in enumerate(move):
                 A[column + place, column + k] += u
         column += placed.piece.order
-    return _determinant(A.tolist())
+    return A
 
 
 def _determinant(A):

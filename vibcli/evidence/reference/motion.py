@@ -15,6 +15,7 @@ from vibcli.analyses.time_integration.motion_series import fixed_point
 from vibcli.analyses.time_integration.smooth_pieces import SmoothPieces
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
+from vibcli.evidence.reference.blows import Blows, blows, without_impulses
 from vibcli.evidence.reference.features import SignalAlongSteps, extreme, value
 from vibcli.evidence.reference.settled import TrueValues, settled
 from vibcli.evidence.reference.taylor_steps import TaylorSteps
@@ -33,7 +34,8 @@ WORK = 5e7              # products of numbers of one motion, some ten seconds
 
 class Motion(NamedTuple):
     """The equations of a scene, `values(bits)`: {parameter: number}, `start(bits)`: [q, q̇]; floats:
-    {parameter: float}; digits: that have to be alike, and first ones; rested: are coordinates counted from rest?"""
+    {parameter: float}; digits: that have to be alike, and first ones; rested: are coordinates counted from rest?
+    blows(bits): of impulses, None without."""
 
     scene: "Scene"
     parts: Dynamics
@@ -42,6 +44,7 @@ class Motion(NamedTuple):
     floats: Mapping[str, float]
     digits: tuple[int, int]
     rested: bool
+    blows: Callable[[int], Blows] | None = None
 
     def coordinate(self, name: str, primes: int = 0) -> "Node":
         """A coordinate as it is told, counted from where its equations do not, or a rate of it."""
@@ -55,7 +58,7 @@ class Motion(NamedTuple):
     def steps(self, until: Fraction, digits: int, work: Any, spent: float = WORK) -> TaylorSteps:
         """It, followed to an instant."""
         pieces = SmoothPieces(self.scene, self.parts, self.values, self.floats, float(until) * (1 + 1e-12), work)
-        return TaylorSteps(pieces, self.start, until, digits, spent)
+        return TaylorSteps(pieces, self.start, until, digits, spent, self.blows)
 
 
 def small(problem: "Problem") -> Motion:
@@ -67,7 +70,7 @@ def small(problem: "Problem") -> Motion:
         raise PhysicsError("the equilibrium is known to the digits of floats: no reference is found")
     if configuration.linear_system.massless:
         raise PhysicsError("no reference is found of motions in which coordinates have no inertia")
-    drive, table, known = _drive(problem), scene.table, {}
+    (drive, struck), table, known = without_impulses(_drive(problem)), scene.table, {}
     letters = {(part, i, j): table.parameter(f"{part}[{i};{j}]", positive=False)
                for part in "MCK" for i in range(n) for j in range(n)}
 
@@ -95,7 +98,12 @@ def small(problem: "Problem") -> Motion:
     h = [table.total([*(letter * (scene.v[j] if part == "C" else scene.q[j]) for (part, k, j), letter in
                         entries.items() if k == i and part != "M"), -drive.get(i, table.zero)]) for i in range(n)]
     M = {(i, j): letter for (part, i, j), letter in entries.items() if part == "M" and i <= j}
-    return Motion(scene, Dynamics(M, h, [], [], [], {}, []), numbers, deviations, first, SMALL, True)
+
+    def inertia(values):
+        return mpmath.matrix([[values[letters["M", i, j].name] for j in range(n)] for i in range(n)])
+
+    return Motion(scene, Dynamics(M, h, [], [], [], {}, []), numbers, deviations, first, SMALL, True,
+                  blows(scene, struck, numbers, inertia) if struck else None)
 
 
 def _drive(problem):

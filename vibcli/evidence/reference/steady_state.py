@@ -55,11 +55,12 @@ def transfer(known: HarmonicLoads, name: str, primes: int) -> tuple[Transfer, An
     row = mpmath.matrix([int(other == name) for other in motion.scene.coordinates])
     c = [zero] * 3
     c[primes] = row
-    b = [mpmath.matrix(_phasors(known, numbers, Omega)), zero, zero]
+    b = [mpmath.matrix(_loads_over_a_period(known, numbers, Omega)[0]), zero, zero]
     return Transfer(M, C, K, b, c, [mpmath.mpf(0)] * 3), Omega
 
 
-def _phasors(known, numbers, Omega):
+def _loads_over_a_period(known, numbers, Omega):
+    """(the phasors of the loads, their means)."""
     period = 2 * mpmath.pi / Omega
 
     def loads(part):
@@ -74,9 +75,28 @@ def _phasors(known, numbers, Omega):
         if any(abs(mpmath.re(x * wave) + mean - load) > mpmath.mpf(10) ** (8 - mpmath.mp.dps) * (size + abs(mean))
                for x, mean, load in zip(found, means, loads(part), strict=True)):
             raise PhysicsError("a reference of steady states is found of loads of one frequency")
-    return found
+    return found, means
 
 
-def amplitude(known: HarmonicLoads, name: str, primes: int) -> TrueValues:
-    """|x| in the steady state, or that of a rate of it."""
-    return settled(lambda: ([abs(at(*transfer(known, name, primes))[0])], None), DIGITS)
+def middle(known: HarmonicLoads, name: str, primes: int) -> Any:
+    """The mean of a coordinate in the steady state, at the working precision: where it rests, moved by K⁻¹ of the mean
+    loads; of its rates 0."""
+    if primes:
+        return mpmath.mpf(0)
+    motion, n = known.motion, len(known.loads)
+    numbers = motion.values(mpmath.mp.prec)
+    exact, Omega = transfer(known, name, 0)
+    means = _loads_over_a_period(known, numbers, Omega)[1]
+    moved = mpmath.lu_solve(exact.K, mpmath.matrix(means)) if any(means) else mpmath.zeros(n, 1)
+    rest, = evaluate([motion.coordinate(name)], multiprecision(), {**numbers, **dict.fromkeys(
+        motion.scene.coordinates, mpmath.mpf(0))})
+    return rest + moved[motion.scene.coordinates.index(name)]
+
+
+def feature(known: HarmonicLoads, name: str, primes: int, head: str) -> TrueValues:
+    """The amplitude |X| in the steady state or the rms value √(x̄² + |X|²/2) of a coordinate, or of a rate of it."""
+    def found():
+        size = abs(at(*transfer(known, name, primes))[0])
+        return size if head == "amplitude" else mpmath.sqrt(middle(known, name, primes) ** 2 + size**2 / 2)
+
+    return settled(lambda: ([found()], None), DIGITS)

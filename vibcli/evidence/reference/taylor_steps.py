@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     import mpmath
 
     from vibcli.analyses.time_integration.smooth_pieces import SmoothPieces
+    from vibcli.evidence.reference.blows import Blows
 
 SPARE = 64              # bits below the digits asked for
 LAST = 3                # coefficients that have to be small
@@ -36,24 +37,29 @@ class TaylorStep(NamedTuple):
 
 class TaylorSteps:
     """The motion of SmoothPieces from start(bits), [q, q̇] in fixed point, up to `until` s, to about so many digits.
-    work: how many products of numbers it may take; PhysicsError of one that takes more."""
+    work: how many products of numbers it may take; PhysicsError of one that takes more. blows(bits): instants at which
+    q̇ jumps, and by how much, ascending."""
 
     def __init__(self, pieces: "SmoothPieces", start: Callable[[int], Sequence[int]], until: Fraction, digits: int,
-                 work: float):
+                 work: float, blows: "Callable[[int], Blows] | None" = None):
         self.accuracy = ceil(digits * log2(10))
         self.bits, self.order = self.accuracy + SPARE, ceil(1.3 * digits)
         self.steps: list[TaylorStep] = []
         self._price, self._left = pieces.products * self.order**2 * max(1.0, self.bits / 512), work
-        self._march(pieces, list(start(self.bits)), max(1, self.fixed(until)))
+        self._march(pieces, list(start(self.bits)), max(1, self.fixed(until)), blows(self.bits) if blows else [])
 
     def fixed(self, time: Fraction) -> int:
         """An instant in fixed point."""
         return (time.numerator << self.bits) // time.denominator
 
-    def _march(self, pieces, state, end):
-        t, scale = 0, max(end >> 6, 1)
+    def _march(self, pieces, state, end, blows):
+        t, scale, left = 0, max(end >> 6, 1), list(blows)
         sizes = [abs(x) for x in state]
-        while t < end:
+        while t < end or (left and left[0][0] == t):
+            while left and left[0][0] <= t:
+                jumps = left.pop(0)[1]
+                state = [*state[:len(jumps)], *map(sum, zip(state[len(jumps):], jumps, strict=True))]
+                sizes = [max(size, abs(x)) for size, x in zip(sizes, state, strict=True)]
             compute, limit, longest = pieces.series(t, self.bits)
             scale = min(scale, longest or scale)
             found = self._computed(compute, t, scale, state)
@@ -65,7 +71,7 @@ class TaylorSteps:
                                        "singular there")
                 found = self._computed(compute, t, scale, state)
                 spare = self._spare(found, sizes)
-            stop = min(t + scale, end, *([] if limit is None else [limit]))
+            stop = min(t + scale, max(end, t + 1), *([] if limit is None else [limit]), *(at for at, _ in left[:1]))
             step = TaylorStep(t, stop, scale, (found.q, found.v, found.a))
             self.steps.append(step)
             state = [self.summed(row, step, stop) for row in (*found.q, *found.v)]

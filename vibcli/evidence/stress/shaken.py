@@ -22,11 +22,11 @@ Change = Callable[[Any], Any]
 
 
 class Shake(NamedTuple):
-    """What was changed; `modes`: how many were compared; `apart`: the largest difference of two values beside the sum
-    of their bounds; verdict: equal, within bounds, broken or refused; why."""
+    """What was changed; `compared`: how many numbers were; `apart`: the largest difference of two values beside the sum
+    of their bounds; verdict: equal, within bounds, broken or refused; why, or of which number."""
 
     change: str
-    modes: int
+    compared: int
     apart: float
     verdict: str
     why: str = ""
@@ -42,13 +42,11 @@ class Rewriting(NamedTuple):
 
 
 def shaken(problem: Problem) -> Iterator[Shake]:
-    """The Shakes of a scene without members; PhysicsError of one that is in letters, or has members."""
+    """The Shakes of a scene without members, none of one with; PhysicsError of one that is in letters."""
     if problem.numeric.has_free_symbols:
         raise PhysicsError("a scene in letters is not shaken: its parameters need values", "give them with --set")
-    elements = problem.configuration.linear_system
-    if elements.pieces:
-        raise PhysicsError("members with distributed inertia have no element data that could be shaken",
-                           "leave their density out, or shake the rest of the scene")
+    if problem.scene.pieces or problem.modal.many or not problem.scene.q:
+        return
     for law in LAWS:
         yield _shake(problem, law)
 

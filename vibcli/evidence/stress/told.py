@@ -47,15 +47,15 @@ def data(found: Sequence[FamilyPoints]) -> dict[str, Any]:
 
 def scene_sections(shakes: Sequence[Shake], answers: Sequence[SupportedAnswer]) -> list[Section]:
     """Of a scene of the user's: what was shaken, and how far its data reach."""
-    rows = tuple((one.change, str(one.modes), one.verdict, one.why or (f"{one.apart:.2g}" if one.apart else ""))
+    rows = tuple((one.change, str(one.compared), one.verdict, f"{one.apart:.2g} {one.why}" if one.apart else one.why)
                  for one in shakes)
-    found = [Section("Shaken", (TableBlock(("change", "modes", "verdict", "apart/bounds"), rows),))]
+    found = [Section("Shaken", (TableBlock(("change", "compared", "verdict", "apart/bounds"), rows),))]
     if answers:
         lines = tuple((one.asked, "" if one.value is None else f"{one.value:.6g}", _digits(one),
                        one.parameter or one.why) for one in answers)
         found.append(Section("Digits that the data support", (
             TableBlock(("answer", "value", "digits", "taken most by"), lines),
-            paragraph("Each parameter of three digits or more was moved by half a unit of its last digit."))))
+            paragraph("Each figure of three digits or more was moved by half a unit of its last digit."))))
     return found
 
 

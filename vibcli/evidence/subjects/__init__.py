@@ -12,4 +12,5 @@ SUBJECTS = {
     "re": ("frequency_responses", "of_part"), "im": ("frequency_responses", "of_part"),
     "arg": ("frequency_responses", "of_part"), "phase": ("frequency_responses", "of_part"),
     "peak": ("frequency_responses", "peak"), "amplitude": ("frequency_responses", "amplitude"),
+    "rms": ("frequency_responses", "amplitude"),
 }

@@ -1,12 +1,14 @@
 """Frequency responses at a frequency, and their peaks."""
 
+import math
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import mpmath
 
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.reference import frequency_response as reference
-from vibcli.evidence.reference import steady_state
+from vibcli.evidence.reference import member_responses, steady_state
 from vibcli.evidence.reference.settled import relative_error
 from vibcli.evidence.subject import ALONE, MethodAnswer, Subject
 from vibcli.quantities.cycle_count import counts_cycles
@@ -16,6 +18,10 @@ from vibcli.symbolic.syntax import NameRef, QuantityRef, parts_of
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
+
+
+READ: dict[str, Callable[[float], Callable]] = {        # of X about a middle
+    "amplitude": lambda middle: abs, "rms": lambda middle: lambda X: math.sqrt(middle**2 + abs(X) ** 2 / 2)}
 
 
 def at_frequency(problem: "Problem", tree: QuantityRef) -> Subject:
@@ -30,13 +36,18 @@ def at_frequency(problem: "Problem", tree: QuantityRef) -> Subject:
         found, = evaluate([node], multiprecision(), problem.numeric.values(multiprecision()))
         return 2 * mpmath.pi * found if cycles else found
 
-    signal, driver = tree.indices
-    true = reference.value(problem, signal, driver, Omega)
+    members = bool(problem.configuration.linear_system.pieces)
+    true = (member_responses if members else reference).value(problem, *tree.indices, Omega)
+    read: Any = complex
     if tree.head == "transmissibility":
+        read = abs
         with mpmath.workdps(true.working):
             true = true._replace(values=[abs(true.values[0])])
-    data = _in_floats(problem, *tree.indices), number_of(problem, tree.args[0]), tree.head == "transmissibility"
-    return _subject(problem, tree, "response", "frequency response at a frequency", true, data)
+    with mpmath.workdps(30):
+        curve = (member_responses if members else reference).in_floats(
+            (member_responses if members else reference).transfer(problem, *tree.indices))
+    return _subject(problem, tree, "member response" if members else "response", "frequency response at a frequency",
+                    true, (curve, number_of(problem, tree.args[0]), read))
 
 
 def peak(problem: "Problem", tree: QuantityRef) -> Subject:
@@ -44,7 +55,9 @@ def peak(problem: "Problem", tree: QuantityRef) -> Subject:
     indices, number = tree.args[0].indices, int(tree.indices[0])
     measure(problem, tree)          # refuses a peak without bound, or one that there is not
     true = reference.peak(problem, *indices, number, tree.component == "Omega")
-    data = _in_floats(problem, *indices), number, tree.component == "Omega"
+    with mpmath.workdps(30):
+        curve = reference.in_floats(reference.transfer(problem, *indices))
+    data = curve, number, tree.component == "Omega"
     return _subject(problem, tree, "peak", "peak of a frequency response", true, data)
 
 
@@ -57,23 +70,19 @@ def of_part(problem: "Problem", tree: QuantityRef) -> Subject:
 
 
 def amplitude(problem: "Problem", tree: QuantityRef) -> Subject:
-    """amplitude(x) of a coordinate or a rate of it, under loads of one frequency."""
+    """amplitude(x) or rms(x) of a coordinate or a rate of it, under loads of one frequency."""
     if problem.response.KIND != "small":
         raise PhysicsError("no reference is found of steady states of this kind of motion")
     signal = tree.args[0]
     if not isinstance(signal, NameRef) or signal.name not in problem.scene.coordinates or signal.primes > 2:
         raise PhysicsError("a reference of steady states is found of coordinates and their rates alone")
     known = steady_state.driven(problem)
-    true = steady_state.amplitude(known, signal.name, signal.primes)
+    true = steady_state.feature(known, signal.name, signal.primes, tree.head)
     with mpmath.workdps(30):
         exact, Omega = steady_state.transfer(known, signal.name, signal.primes)
-    data = reference.in_floats(exact), float(Omega), True
+        middle = float(steady_state.middle(known, signal.name, signal.primes))
+    data = reference.in_floats(exact), float(Omega), READ[tree.head](middle)
     return _subject(problem, tree, "response", "steady state under loads of one frequency", true, data)
-
-
-def _in_floats(problem, signal, driver):
-    with mpmath.workdps(30):
-        return reference.in_floats(reference.transfer(problem, signal, driver))
 
 
 def _subject(problem, tree, kind, title, true, data):

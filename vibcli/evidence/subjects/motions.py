@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.plain_equations import plain_equations
 from vibcli.evidence.reference import motion as reference
+from vibcli.evidence.reference.outputs import with_output
 from vibcli.evidence.reference.taylor_steps import TakesMinutes
 from vibcli.evidence.subject import MethodAnswer, Subject
 from vibcli.quantities.expression import measure, number_of
@@ -26,7 +27,7 @@ def of_motion(problem: "Problem", tree: QuantityRef) -> Subject:
     if kind not in KINDS:
         raise PhysicsError("no reference is found of this kind of motion")
     motion = (reference.small if kind == "small" else reference.full)(problem)
-    node = _node(problem, motion, tree.args[0])
+    motion, node = _node(problem, motion, tree.args[0])
     if tree.head in SENSES:
         until = Fraction(problem.response.until)
         problem, until, true, cut = _until(problem, until, lambda end: reference.extremes(
@@ -35,7 +36,7 @@ def of_motion(problem: "Problem", tree: QuantityRef) -> Subject:
         until, cut = _instant(problem, tree.args[1]), ""
         true = reference.at_instant(motion, node, until, problem.work)
     scale = float(true.about) or 1.0
-    plain = None if motion.parts.gaps else plain_equations(motion, node, float(until), tree.head
+    plain = None if motion.parts.gaps or motion.blows else plain_equations(motion, node, float(until), tree.head
                                                            if tree.head in SENSES else "value")
 
     def ours() -> MethodAnswer:
@@ -71,18 +72,24 @@ def _instant(problem, tree):
 
 
 def _node(problem, motion, tree) -> Any:
-    """The expression of a signal: of coordinates and their rates, of full motions also of places and stretches."""
+    """(motion, the expression of a signal): of coordinates and their rates, of full motions also of places and
+    stretches, of small ones of what is linear in the deviations."""
     scene = motion.scene
 
     def symbol(name, primes, part):
+        nonlocal motion
         if name in scene.parameters.nodes and not primes and not isinstance(part, QuantityRef):
             return scene.parameters.nodes[name]
         if name in scene.coordinates:
             return motion.coordinate(name, primes)
-        if motion.rested or isinstance(part, QuantityRef) or scene is not problem.scene:
+        if motion.rested and not isinstance(part, QuantityRef):
+            motion, found = with_output(problem, motion, name + "'" * primes)
+            return found
+        if isinstance(part, QuantityRef) or scene is not problem.scene:
             raise PhysicsError("a reference is found of coordinates and their rates alone")
         from vibcli.mechanics.signals import moving
 
         return moving(problem.system, name, primes)
 
-    return lower(tree, scene.table, symbol)
+    node = lower(tree, scene.table, symbol)
+    return motion, node

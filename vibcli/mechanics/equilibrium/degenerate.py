@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 BLUR, ALONG = 1e-6, 1e-9           # at a multiple zero; on a line of equilibria
 UNSETTLED, NEAR = 1e-9, 0.1        # of the figure: a step that is no rounding; how far a place may move
 TINY = 1e-5                        # of the figure: a displacement of which floats may know less than is printed
+BALANCED = 20 * 2.0**-52           # of the terms of a force: what rounding leaves of it
 LIMIT = 1e-9                       # at a limit of stability, which is solved for with its null vector
 UNIT = 2.0**53                     # a stiffness counts as known to 2⁻⁵³ of its K_size
 
@@ -55,13 +56,14 @@ def settled_alone(numeric: "NumericSystem", found: Equilibrium, position: Any) -
 def sharpened(numeric: "NumericSystem", found: Equilibrium) -> Equilibrium:
     """The Equilibrium `found`, its place refined where Newton's method would still move it: near a multiple zero the
     forces are rounding long before the place is known. So is a displacement that is tiny beside the figure, the
-    difference of lengths of which floats know few digits."""
+    difference of lengths of which floats know few digits, and a place where more than rounding is left of the forces.
+    """
     search = EnergyDescent(numeric, found.values)
     vector = search.vector(found.values)
     tiny = any(0 < x < TINY for x in abs(vector / search.scale))
     try:
         settled = max(abs(search.newton(search.at(vector))), default=0.0) <= UNSETTLED
-        if settled and not tiny:
+        if settled and not tiny and found.residual <= BALANCED:
             return found
         position, degenerate = _to_more_digits(numeric, found)
     except Kinked:
@@ -73,6 +75,7 @@ def sharpened(numeric: "NumericSystem", found: Equilibrium) -> Equilibrium:
         found = found._replace(values={
             name: float(value) if abs(value) > NOTHING * numeric.size_along(name) else 0.0
             for name, value in position.items()})
+        found = found._replace(residual=search.relative(search.at(search.vector(found.values))))
     return found
 
 

@@ -1,0 +1,79 @@
+"""Whole scenes shaken: written otherwise they rest, swing and answer as before, and one that does not is seen."""
+
+from functools import partial
+
+import pytest
+from rooms.evidence.test_stress import scene_read_again
+
+from vibcli.evidence.stress import whole_scene
+from vibcli.evidence.stress.rewritten import decimal_of, in_parallel, reordered, scaled, with_numbers
+from vibcli.evidence.stress.shaken import BROKEN, EQUAL, REFUSED, WITHIN
+from vibcli.language.document.nodes import Scalar
+
+CHAIN = {"parameters": {"m": "2 kg", "k": "310 N/m", "w": "1.3 Hz"},
+         "bodies": {"a": {"mass": "m", "slide": "x"}, "b": {"mass": "3*m", "slide": "y"}},
+         "springs": {"s": {"law": "k*d + (2 N/mm^3)*d^3", "between": ["ground", "a"]},
+                     "t": {"k": "2*k", "between": ["a", "b"]}},
+         "dampers": {"c": {"c": "4 N*s/m", "between": ["ground", "b"]}},
+         "forces": {"f": {"at": "b", "force": "(20 N)*sin(2*pi*w*t) + 30 N"}}, "motion": "small",
+         "answers": {"omega[1]": "1 rad/s", "x(0.5 s)": "1 cm", "max(y)": "1 cm", "zeta[2]": "0.1", "stable": "true",
+                     "amplitude(x)": "1 cm", "s.force(0.5 s)": "1 N", "mode[1][y]": "2"}}
+
+
+def shaken(scene):
+    problem, _, remade = scene_read_again(scene)
+    return {one.change: one for one in whole_scene.shaken_as_a_whole(problem, remade)}
+
+
+def test_where_units_change_by_powers_of_two_every_bit_of_rest_and_modes_stays():
+    found = shaken(CHAIN)
+    assert {change: one.verdict for change, one in found.items() if one.verdict not in (EQUAL, WITHIN)} == {}
+    assert all(one.verdict == EQUAL for change, one in found.items() if "×" in change and "answers" not in change)
+    assert found["lengths × 4: answers"].compared == 6 and found["springs as two in parallel: answers"].compared == 5
+    assert found["times × 4: modes"].compared == 4 and found["masses × 4: rest"].compared == 2
+
+
+@pytest.mark.parametrize(("law", "broken"), [
+    (whole_scene.SceneLaw("lengths × 4", partial(with_numbers, change=scaled(1, 0, 1)), (1, 0, 0)), ["modes"]),
+    (whole_scene.SceneLaw("a figure moved", partial(with_numbers, change=lambda number, text: (
+        "311" if number.value == 310 else None))), ["rest", "modes", "answers"]),
+    (whole_scene.SceneLaw("a bit of another scale", partial(with_numbers, change=lambda number, text: (
+        decimal_of(number.value * 5) if number.units else None)), (0, 0, 0)), ["rest", "modes", "answers"])])
+def test_a_law_that_does_not_hold_is_broken(law, broken, monkeypatch):
+    monkeypatch.setattr(whole_scene, "LAWS", (law,))
+    assert {f"{law.name}: {what}" for what in broken} <= {
+        change for change, one in shaken(CHAIN).items() if one.verdict == BROKEN}
+
+
+def test_numbers_without_units_and_what_cannot_be_read_are_refused():
+    plain = {"matrices": {"M": [["9", "0"], ["0", "1"]], "K": [["27", "-3"], ["-3", "3"]]},
+             "coordinates": {"x": "one", "y": "two"}, "answers": {"omega[2]": "2"}}
+    found = shaken(plain)
+    assert [one.verdict for one in found.values()][:3] == [REFUSED] * 3 and found["elements reordered: modes"].compared
+
+
+@pytest.mark.parametrize(("text", "powers", "expected"), [
+    ("0.35 m", (1, 0, 0), "1.4 m"), ("2*k + 3.1 N/m", (0, 0, 1), "2*k + 0.19375 N/m"),
+    ("12 kN*m", (1, 1, 1), "48 kN*m"), ("static", (1, 0, 0), "static"),
+    ("frf[x, F](5 Hz)", (0, 0, 1), "frf[x, F](1.25 Hz)"), ("30 deg", (1, 1, 1), "30 deg"),
+    ("-1e-3 m^2", (1, 0, 0), "-0.016 m^2"), ("Two cars, 5 m apart.", (1, 0, 0), "Two cars, 5 m apart.")])
+def test_numbers_are_scaled_exactly_wherever_they_stand(text, powers, expected):
+    assert with_numbers(Scalar(text, None), scaled(*powers)).text == expected
+
+
+def test_springs_in_two_keep_their_names_and_elements_their_entries():
+    _, top, _ = scene_read_again(CHAIN)
+    springs = in_parallel(top).entries["springs"][1].entries
+    assert list(springs) == ["s", "s_twin", "t", "t_twin"]
+    assert springs["t"][1].entries["k"][1].text == "(2*k)/2"
+    assert list(reordered(top).entries["bodies"][1].entries) == ["b", "a"]
+
+
+def test_what_the_scene_written_otherwise_refuses_is_refused_with_its_reason_and_not_broken(monkeypatch):
+    """Which of two springs bears how much of a load as drawn is not said by statics."""
+    scene = {"parameters": {"m": "2 kg", "g": "9.81 m/s^2"}, "gravity": "g",
+             "bodies": {"b": {"mass": "m", "at": ["0 m", "0 m"], "slide": {"by": "x", "along": ["0", "-1"]}}},
+             "springs": {"s": {"law": "(800 N/m)*d + (9 N/mm^3)*d^3", "preload": "static",
+                               "between": [["0 m", "1 m"], "b"]}}}
+    found = {change: one for change, one in shaken(scene).items() if "parallel" in change}
+    assert {one.verdict for one in found.values()} == {REFUSED} and all(one.why for one in found.values())

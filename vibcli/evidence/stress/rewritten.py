@@ -1,0 +1,120 @@
+"""A scene written otherwise: numbers of its document replaced, elements in another order, springs in two."""
+
+from collections.abc import Callable, Iterator
+from decimal import Context, Decimal
+from fractions import Fraction
+from typing import Any
+
+from vibcli.base.errors import PhysicsError
+from vibcli.base.units import UNITS
+from vibcli.language.document.nodes import Mapping, Scalar, Sequence
+from vibcli.symbolic.parser import parse
+from vibcli.symbolic.syntax import ExpressionError, Number, parts_of
+
+TOLD = ("title", "source", "question", "about", "hint", "tags")     # keys of words
+OF_ELEMENTS = ("bodies", "springs", "dampers", "forces")
+EXACTLY = Context(prec=400)
+HALVED = ("k", "law", "torsion", "preload")         # of a spring, what two in parallel share
+WORDS = ("static", "true", "false")
+Change = Callable[[Number, str], str | None]        # a number of a text, and the text: what stands for its figures
+
+
+def with_numbers(node: Any, change: Change) -> Any:
+    """The node of a document with each number of its expressions replaced."""
+    if isinstance(node, Scalar):
+        return _rewritten(node, change)
+    if isinstance(node, Sequence):
+        found = Sequence(node.where)
+        found.items.extend(with_numbers(item, change) for item in node.items)
+        return found
+    entries = {}
+    for key, value in node.entries.values():
+        key = _rewritten(key, change)
+        entries[key.text] = key, value if key.text in TOLD else with_numbers(value, change)
+    return Mapping(node.where, entries)
+
+
+def _rewritten(scalar: Scalar, change: Change) -> Scalar:
+    text, moved = scalar.text, []
+    for number in _numbers(text):
+        end = number.units[0].start if number.units else number.end
+        told = change(number, text)
+        if told is not None:
+            moved.append((number.start, end, told + " " * bool(number.units)))
+    for start, end, told in sorted(moved, reverse=True):
+        text = text[:start] + told + text[end:]
+    return Scalar(text, scalar.where, scalar.quoted) if moved else scalar
+
+
+def _numbers(text: str) -> Iterator[Number]:
+    """The numbers of an expression, those in arguments of quantities included; none of what is no expression."""
+    if not any(letter.isdigit() for letter in text):
+        return
+    try:
+        pending = [parse(text)]
+    except ExpressionError:
+        return
+    while pending:
+        parts = parts_of(pending.pop())
+        yield from parts.numbers
+        pending += [arg for quantity in parts.quantities for arg in quantity.args]
+
+
+def scaled(length: int = 0, mass: int = 0, time: int = 0) -> Change:
+    """Numbers with units in which lengths, masses and times are 4^… as large."""
+    def change(number: Number, _: str) -> str | None:
+        power = Fraction(0)
+        for unit, exponent, *_ in number.units:
+            dimension = UNITS[unit].dimension
+            power += exponent * sum(step * dimension.get(base, 0) for base, step in
+                                    (("m", length), ("kg", mass), ("s", time)))
+        return decimal_of(number.value * power_of_two(power)) if power else None
+    return change
+
+
+def power_of_two(of_four: Fraction) -> Fraction:
+    """4^x; PhysicsError where that is no power of two."""
+    if (2 * of_four).denominator != 1:
+        raise PhysicsError("a unit under a root leaves no power of two")
+    return Fraction(2) ** int(2 * of_four)
+
+
+def decimal_of(number: Fraction) -> str:
+    """A number that a decimal holds, exactly."""
+    return str(EXACTLY.divide(Decimal(number.numerator), Decimal(number.denominator))).replace("E+", "e").replace(
+        "E", "e")
+
+
+def reordered(top: Mapping) -> Mapping:
+    """The elements of each kind from the last to the first."""
+    entries = dict(top.entries)
+    for kind in OF_ELEMENTS:
+        if kind in entries and isinstance(entries[kind][1], Mapping):
+            key, found = entries[kind]
+            entries[kind] = key, Mapping(found.where, dict(reversed(found.entries.items())))
+    return Mapping(top.where, entries)
+
+
+def in_parallel(top: Mapping) -> Mapping:
+    """Each spring as two of half its stiffness, the first of which has its name."""
+    entries = dict(top.entries)
+    key, springs = entries.get("springs", (None, None))
+    if not isinstance(springs, Mapping):
+        raise PhysicsError("there are no springs")
+    both = {}
+    for name, (of_name, record) in springs.entries.items():
+        half = _half(record)
+        twin = f"{name}_twin"
+        both[name] = of_name, half
+        both[twin] = Scalar(twin, of_name.where), half
+    entries["springs"] = key, Mapping(springs.where, both)
+    return Mapping(top.where, entries)
+
+
+def _half(record: Any) -> Mapping:
+    if not isinstance(record, Mapping) or not any(word in record.entries for word in HALVED[:-1]):
+        raise PhysicsError("not all springs are given by a stiffness or a law")
+    entries = {word: (key, Scalar(f"({value.text})/2", value.where, True)
+                      if word in HALVED and isinstance(value, Scalar) and value.text not in WORDS else value)
+               for word, (key, value) in record.entries.items()}
+    return Mapping(record.where, entries)

@@ -1,0 +1,156 @@
+"""A whole scene shaken: it is read and solved again with its lengths, masses or times four times as large, its elements
+in another order, each spring as two, and has to rest, swing and answer as before.
+
+Where the scene rests and how it swings has to stay to the last bit where units change by powers of two (members apart,
+which are solved by their own lengths), all else within the bounds of both.
+"""
+
+import re
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from functools import partial
+from typing import Any, NamedTuple
+
+from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.evidence.stress.rewritten import in_parallel, power_of_two, reordered, scaled, with_numbers
+from vibcli.evidence.stress.shaken import BROKEN, EQUAL, REFUSED, WITHIN, Shake
+from vibcli.quantities.dimensions import asked_dimension, dimension_of
+from vibcli.quantities.expression import bounded
+from vibcli.quantities.quantity import COMPLEX, LEAPING, OF_STATE, kind_of
+from vibcli.results.problem import Problem
+from vibcli.symbolic.running_errors import error_in, number_in
+from vibcli.symbolic.syntax import ExpressionError, QuantityRef
+
+RATE = {"s": -1}
+NONE = 0, 0, 0
+OF_ORDER = re.compile(r"\bmode(_d)?\[")         # shapes in which the first coordinate is 1, whichever that is
+
+
+class SceneLaw(NamedTuple):
+    """change(top of the document): of the scene written otherwise; the powers of 4 of lengths, masses and times."""
+
+    name: str
+    change: Callable[[Any], Any]
+    powers: tuple[int, int, int] = NONE
+
+
+class Bounded(NamedTuple):
+    """A number, the bound of its error, and its dimension."""
+
+    value: Any
+    error: float
+    dimension: Any
+
+
+def _of_units(length: int, mass: int, time: int) -> SceneLaw:
+    powers = length, mass, time
+    name = ("lengths", "masses", "times")[powers.index(1)]
+    return SceneLaw(f"{name} × 4", partial(with_numbers, change=scaled(*powers)), powers)
+
+
+LAWS = (_of_units(1, 0, 0), _of_units(0, 1, 0), _of_units(0, 0, 1), SceneLaw("elements reordered", reordered),
+        SceneLaw("springs as two in parallel", in_parallel))
+
+
+def shaken_as_a_whole(problem: Problem, remade: Callable[[Callable], Problem]) -> Iterator[Shake]:
+    """The Shakes of a scene in numbers; remade(change): the Problem of its document changed."""
+    known = {what: numbers for what, find in GROUPS.items() if (numbers := _found(find, problem)[0])}
+    for law in LAWS:
+        if law.change is in_parallel and not problem.spec.get("springs"):
+            continue
+        try:
+            if law.powers != NONE and problem.spec.free_numbers:
+                raise PhysicsError("its numbers have no units: nobody says how they change")
+            other = remade(law.change)
+        except (PhysicsError, SpecError) as error:
+            yield Shake(law.name, 0, 0.0, REFUSED, getattr(error, "message", "") or error.diagnostics[0].message)
+            continue
+        for what, numbers in known.items():
+            told = {key: one for key, one in numbers.items() if _is_told(key, law, problem)}
+            if told:
+                yield _shake(problem, other, law, what, told)
+
+
+def _found(find, problem):
+    """(numbers, ""), or (nothing, why) of what is refused."""
+    try:
+        return find(problem), ""
+    except PhysicsError as error:
+        return {}, error.message
+
+
+def _shake(problem, other, law, what, numbers):
+    """The Shake of the numbers of a scene beside those of the one written otherwise."""
+    name, (its, why) = f"{law.name}: {what}", _found(GROUPS[what], other)
+    if law.powers != NONE and what == "answers":        # by their places, as numbers within them are others
+        its = dict(zip(numbers, its.values(), strict=False)) if len(its) == len(numbers) else {}
+    pairs = {key: (one, _back(its[key], law)) for key, one in numbers.items() if key in its}
+    if what == "modes" and not why and len(its) != len(numbers):
+        return Shake(name, 0, float("inf"), BROKEN, "another number of them")
+    if not pairs:
+        return Shake(name, 0, 0.0, REFUSED, why or "not found there")
+    far = [(abs(a.value - b.value) / max(a.error + b.error, 5e-324), key)
+           for key, (a, b) in pairs.items() if a.value != b.value]
+    apart, worst = max(far, default=(0.0, ""))
+    exact = what != "answers" and law.powers != NONE and not problem.scene.pieces
+    return Shake(name, len(pairs), apart, EQUAL if not far else WITHIN if apart <= 1 and not exact else BROKEN, worst)
+
+
+def _back(one, law):
+    """A number of the scene written otherwise in the units of the first."""
+    power = sum((step * Fraction(one.dimension.get(base, 0)) for base, step in
+                 zip(("m", "kg", "s"), law.powers, strict=True)), Fraction(0))
+    factor = float(power_of_two(power))
+    return Bounded(one.value / factor, one.error / factor, one.dimension)
+
+
+def _is_told(key, law, problem):
+    """Where springs are two, what is asked of one by its name is another thing."""
+    return law.change is not in_parallel or not any(
+        re.search(rf"\b{re.escape(name)}[.\]]", key) for name in problem.spec.get("springs") or ())
+
+
+def _places(problem):
+    """{coordinate: where it rests}."""
+    values = problem.configuration.bounded_rest[1]
+    return {name: Bounded(float(number_in(values[name])), float(error_in(values[name])), problem.system.dimension(name))
+            for name in problem.scene.coordinates}
+
+
+def _rates(problem):
+    """{which mode: λ} of natural modes, and of damped ones, by Im λ and Re λ, of lumped bodies."""
+    if problem.scene.pieces or problem.modal.many:
+        return {}
+    natural = [(complex(mode.growth_rate or 0.0, mode.omega or 0.0), float(mode.error)) for mode in problem.modal.modes]
+    damped = [(complex(mode.eigenvalue), float(mode.error)) for mode in problem.modal.damped or ()]
+    return {f"{what} {number}": Bounded(rate, abs(rate) * error, RATE)
+            for what, found in (("mode", natural), ("damped mode", damped))
+            for number, (rate, error) in enumerate(sorted(found, key=lambda one: (one[0].imag, one[0].real)), 1)}
+
+
+def _answers(problem):
+    """{what is asked: its value} of numbers that hang on no order of coordinates, in the order of the file."""
+    found = {}
+    for answer in problem.spec.answers:
+        dimension = _dimension(problem.spec, answer.asked)
+        if dimension is None or OF_ORDER.search(answer.asked.text) or (
+                kind_of(problem.spec, answer.asked.tree) in (*OF_STATE, *LEAPING, COMPLEX)):
+            continue
+        try:
+            value, error = bounded(problem, answer.asked)
+        except PhysicsError:
+            continue
+        found[answer.asked.text] = Bounded(float(value), float(error), dimension)
+    return found
+
+
+def _dimension(spec, asked):
+    try:
+        found = (asked_dimension(spec, asked.tree) if isinstance(asked.tree, QuantityRef) else
+                 dimension_of(spec, asked))
+    except ExpressionError:
+        return None
+    return None if found is None else spec.dimensions.resolve(found)
+
+
+GROUPS: dict[str, Callable[[Problem], dict[str, Bounded]]] = {"rest": _places, "modes": _rates, "answers": _answers}
