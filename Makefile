@@ -1,15 +1,18 @@
 # make solve: install into .venv and solve a problem.  make lint: style and types.  make bench: speed and error.
 # make quick: lint and tests without sweeps: one problem a chapter, one case of each test of rooms and commands.
+# make fuzz: 100,000 mutated files, expressions and scenes of each kind, which takes hours: make fuzz COUNT=1000 SEED=7.
 # make peers: packages for course systems, read by programs that are not ours.
 # make test: everything that must hold, as CI runs it; style and types are checked beside the tests.
 PYTHON ?= python3
 BIN := .venv/bin
 INSTALL := $(BIN)/python -m pip install --no-compile --quiet --disable-pip-version-check
+COUNT ?= 100000
+SEED ?= 1
 PROBLEM ?= problems/6_two_degrees/cart_with_pendulum.yaml
 
 export PYTHONDONTWRITEBYTECODE :=       # what is compiled is kept: commands that tests run and their own files begin with it
 
-.PHONY: solve quick test lint chosen all peers evidence bench clean
+.PHONY: solve quick test lint chosen all peers evidence bench fuzz clean
 
 $(BIN)/vibcli: pyproject.toml
 	$(PYTHON) -m venv .venv
@@ -52,6 +55,9 @@ evidence: $(BIN)/vibcli
 bench: $(BIN)/vibcli
 	-$(INSTALL) -e ".[bench]"
 	$(BIN)/python -m vibcli.bench
+
+fuzz: $(BIN)/pytest
+	$(BIN)/python tests/fuzz/many.py $(COUNT) $(SEED) documents expressions texts nodes scenes
 
 clean:
 	rm -rf .venv build *.egg-info

@@ -126,22 +126,24 @@ def check_tree(node, lines, depth=0):
         check_tree(child, lines, depth + 1)
 
 
+def read_and_checked(data):
+    """Read bytes: whether nothing is wrong with them, and then they are what PyYAML reads."""
+    node, problems = read(data, "s.yaml")
+    lines = decoding.lines(data)
+    for problem in problems:
+        assert type(problem) is Diagnostic
+        assert problem.message and problem.hint, data
+        assert 1 <= problem.where.line <= len(lines), data
+        assert 1 <= problem.where.column <= len(lines[problem.where.line - 1]) + 1, data
+        assert render(problem, lines).replace("\n", "").isprintable(), data
+    assert problems or isinstance(node, Mapping), data
+    if node is not None:
+        check_tree(node, lines)
+    if not problems:
+        assert plain(node) == yaml.load(data, LOADER), data
+    return not problems
+
+
 def test_fuzz_nothing_but_diagnostics_escapes():
-    dice, clean = random.Random(20), 0
-    for _ in range(4000):
-        data = bad_bytes(dice)
-        node, problems = read(data, "s.yaml")
-        lines = decoding.lines(data)
-        for problem in problems:
-            assert type(problem) is Diagnostic
-            assert problem.message and problem.hint, data
-            assert 1 <= problem.where.line <= len(lines), data
-            assert 1 <= problem.where.column <= len(lines[problem.where.line - 1]) + 1, data
-            assert render(problem, lines).replace("\n", "").isprintable(), data
-        assert problems or isinstance(node, Mapping), data
-        if node is not None:
-            check_tree(node, lines)
-        if not problems:
-            clean += 1
-            assert plain(node) == yaml.load(data, LOADER), data
-    assert clean > 300
+    dice = random.Random(20)
+    assert sum(read_and_checked(bad_bytes(dice)) for _ in range(4000)) > 300

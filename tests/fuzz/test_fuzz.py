@@ -1,17 +1,10 @@
-"""Mutated expressions and scenes: whatever is wrong with them, nothing but a diagnostic or a refusal escapes.
-
-    python tests/fuzz/test_fuzz.py COUNT SEED
-
-tries so many of each kind as long as there is time; the tests try a few.
+"""Mutated expressions and scenes: whatever is wrong with them, nothing but a diagnostic or a refusal escapes. The tests
+try a few, `make fuzz` very many (many.py).
 """
 
 import json
 import random
-import sys
 from pathlib import Path
-
-if __name__ == "__main__":
-    sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from support.hostile_texts import EXTREMES, SAME
 
@@ -214,9 +207,3 @@ def test_scenes_with_changes_in_their_text():
 def test_scenes_with_changes_in_their_nodes():
     outcomes = outcomes_of(tree_of, 300, 9)
     assert min(outcomes.count(kind) for kind in ("solved", "invalid", "refused")) >= 3
-
-
-if __name__ == "__main__":
-    for drawn in (with_changed_text, tree_of):
-        found = outcomes_of(drawn, int(sys.argv[1]), int(sys.argv[2]))
-        print(drawn.__name__, {kind: found.count(kind) for kind in sorted(set(found))})

@@ -47,6 +47,11 @@ EXPRESSIONS = {
     "two_thousand": "1" + "+1" * 1100,
     "digits": "9" * 1900,
     "exponent": "1e99999999999999999999",
+    "matrix": "Matrix(['__import__(\"os\").system(\"touch HACKED\")'])",
+    "solve": "solve('x', 'open(\"HACKED\", \"w\")')",
+    "attributes": "k.__class__.__mro__[1].__subclasses__()",
+    "formatted": "f'{open(\"HACKED\", \"w\")}'",
+    "walrus": "(k := 3)",
     "import": "__import__('os').system('touch HACKED')",
     "class": "().__class__.__bases__[0]",
     "lambda": "(lambda: 0)()",
@@ -61,6 +66,14 @@ EXPRESSIONS = {
 FILES = {
     "deep_lists": "a: " + "[" * 30000,
     "deep_mappings": "{a: " * 30000,
+    "five_hundred_lists": "a: " + "[" * 500 + "]" * 500,
+    "doubled_keys": "bodies: {a: {mass: 1 kg, slide: x}}\nbodies: {b: {mass: 2 kg, slide: y}}\n",
+    "keys_that_are_one": "parameters: {on: 1 kg, 1: 2 kg, 1.0: 3 kg, yes: 4 kg}\n",
+    "sexagesimal": "title: a\ngravity: " + ":".join(["59"] * 5000) + "\n",
+    "hostile_names": "parameters: {\"x=__import__('os').system('touch HACKED')\": 2 kg}\n"
+                     "bodies: {\"b, *args): open('HACKED', 'w') #\": {mass: 1 kg, slide: \"lambda: 0\"}}\n",
+    "infinities": "parameters: {m: 1e400 kg, k: 1e-400 N/m, c: .inf, d: .nan}\nbodies: {a: {mass: m, slide: x}}\n",
+    "not_utf_8": "title: \udcff\udcfe\n",
     "aliases": "a: &a [x, x, x]\n" + "".join(f"{chr(98 + i)}: &{chr(98 + i)} [*{chr(97 + i)}, *{chr(97 + i)}]\n"
                                             for i in range(20)),
     "merge": "a: &a {b: 1}\nc: {<<: *a}\n",
@@ -93,7 +106,7 @@ SOUND = {       # odd, but answered: there is a stiffness, or a motion of first 
 
 def write(tmp_path, text):
     path = tmp_path / "hostile.yaml"
-    path.write_text(text, encoding="utf-8")
+    path.write_text(text, encoding="utf-8", errors="surrogateescape")
     return str(path)
 
 

@@ -17,6 +17,11 @@ def escaped(text: str) -> str:
     return "".join(map(_cell, text))
 
 
+def lines_escaped(text: str) -> str:
+    """The same of a text of several lines."""
+    return "\n".join(map(escaped, text.split("\n")))
+
+
 def quoted(text: str, room: int = 40) -> str:
     """The text for use inside a message: in single quotes, escaped, cut where it is long."""
     return f"'{escaped(text if len(text) <= room else text[: room - 1] + '…')}'"

@@ -96,7 +96,9 @@ def run(args: list[str] | None = None) -> int:
     except click.exceptions.Exit as exit_:
         return exit_.exit_code
     except click.ClickException as error:
-        error.show()
+        from vibcli.cli.common import show_usage
+
+        show_usage(error)
         return 2
     except (KeyboardInterrupt, click.Abort):
         click.echo("interrupted", err=True)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from vibcli.base.diagnostics import escaped
 from vibcli.cli.common import chosen, color_option, load, patience_option
 from vibcli.cli.pictures import FILE, refuse, write
 
@@ -154,7 +155,7 @@ def _write(found: Any, path: Path, force: bool) -> None:
 
         shown = [one for one in found.compared if told.worth_a_picture(one)]
         if not shown:
-            click.echo(f"no picture is written to {path}: nothing is compared", err=True)
+            click.echo(f"no picture is written to {escaped(str(path))}: nothing is compared", err=True)
             return
         write(path, picture_of(figure(shown))(path.suffix[1:].lower()), force)
         return

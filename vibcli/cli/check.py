@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from vibcli.base.diagnostics import escaped
 from vibcli.cli.checking.files import scenes_below
 from vibcli.cli.checking.found import CheckedFile
 from vibcli.cli.checking.text import is_told, summary, tell_in_full, tell_in_short, tell_troubles
@@ -64,7 +65,7 @@ def command(paths: Sequence[str], settings: Sequence[str], form: str | None, as_
     path, form = _target(output, form, force)
     files, on_screen = _chosen(paths, revision), FULL if output or form is None else form
     if revision is not None and not files:
-        click.echo(f"no scene has changed since {revision}")
+        click.echo(escaped(f"no scene has changed since {revision}"))
         return 0
     tell = partial(_tell, on_screen=on_screen, quiet=quiet)
     cache = None if no_cache else _cache(cache_dir, paths, [settings, patience])
@@ -178,7 +179,7 @@ def _cache(folder, paths, options):
     try:
         return Cache(place, options)
     except Unusable as error:
-        click.echo(f"warning: {place} cannot keep results: {error}; all is checked anew", err=True)
+        click.echo(escaped(f"warning: {place} cannot keep results: {error}; all is checked anew"), err=True)
         return None
 
 

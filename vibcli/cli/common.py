@@ -108,6 +108,8 @@ def source_of(file: Any) -> "SceneSource":
     try:
         return file_source(file)
     except FileNotFoundError:
+        if os.path.islink(file):
+            raise click.UsageError(f"'{file}' is a link that leads to no file") from None
         raise click.UsageError(f"there is no file '{file}'{_near(file)}") from None
 
 
@@ -201,6 +203,17 @@ def show_refusal(error: PhysicsError, file: str | None = None) -> None:
     show_diagnostics([Diagnostic(where, error.message, error.hint)])
 
 
+def show_usage(error: click.ClickException) -> None:
+    """What is wrong with a command line, on stderr; nothing that it quotes can steer a terminal."""
+    from io import StringIO
+
+    from vibcli.base.diagnostics import lines_escaped
+
+    text = StringIO()
+    error.show(text)
+    click.echo(lines_escaped(text.getvalue()), nl=False, err=True)
+
+
 def fault(error: Exception) -> str:
     """A fault of ours in short."""
     return f"{type(error).__name__}: {str(error)[:200]}"
@@ -208,7 +221,9 @@ def fault(error: Exception) -> str:
 
 def show_fault(text: str) -> None:
     """A fault of ours on stderr."""
-    click.echo(f"vibcli: an error of its own: {text}\n"
+    from vibcli.base.diagnostics import lines_escaped
+
+    click.echo(f"vibcli: an error of its own: {lines_escaped(text)}\n"
                "Please report it with the file that shows it; VIBCLI_TRACEBACK=1 shows where it happened.", err=True)
 
 

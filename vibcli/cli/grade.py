@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from vibcli.base.diagnostics import escaped
 from vibcli.base.errors import Diagnostic, SpecError
 from vibcli.cli.common import color_option
 from vibcli.cli.pictures import FILE
@@ -141,7 +142,7 @@ def _shown(marks: "Sequence[AnswerMark]") -> str:
     for one in marks:
         mark = click.style("✓", fg="green") if one.verdict == RIGHT else click.style("✗", fg="red")
         said = ": ".join(part for part in (one.mistake, one.said if one.said != one.mistake else "") if part)
-        lines.append(f"{mark} {one.quantity} = {one.answer or '–'}: {one.verdict}, {one.points:g} of {one.of:g}"
-                     + (f" ({said})" if said else ""))
+        lines.append(f"{mark} {one.quantity} = {escaped(one.answer) or '–'}: {one.verdict}, "
+                     f"{one.points:g} of {one.of:g}" + (f" ({escaped(said)})" if said else ""))
     points, most = total(marks)
     return "\n".join([*lines, f"{points:g} of {most:g} points"])

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from vibcli.base.diagnostics import escaped
 from vibcli.base.enumeration import amount
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError, Where
 from vibcli.cli.common import color_option, patience_option, problem_in, source_of
@@ -133,10 +134,11 @@ def _write_pool(folder, force, course, handouts, assigned, attempt, salt, format
         found = pool_files(course, handouts, assigned, attempt, salt, formats, on, task.step, executor)
         count = write_folder(folder, found, force)
     click.echo(f"{len(assigned)} variants of {len(handouts)} problem{'s' * (len(handouts) > 1)} for "
-               f"{', '.join(formats)}: {count} files in {os.fspath(folder)}")
+               f"{', '.join(formats)}: {count} files in {escaped(os.fspath(folder))}")
     for one in handouts:
         if by_hand := one.by_hand:
-            click.echo(f"{one.name}: {', '.join(by_hand)}: marked by hand, since no system compares expressions")
+            click.echo(f"{escaped(one.name)}: {', '.join(by_hand)}: marked by hand, "
+                       "since no system compares expressions")
     return 0
 
 
@@ -205,7 +207,7 @@ def _tell_shared(handouts, assigned, distinct):
             said = f"{name}: {given.total()} students, {amount(handout.accepted, 'variant')}: up to {most} share one"
             if distinct:
                 raise PhysicsError(said, "widen the ranges of its variants")
-            click.echo(said, err=True)
+            click.echo(escaped(said), err=True)
 
 
 def _assigned(salt: bytes, course: "Course", handouts: "dict[str, Handout]", students: "Sequence[Student]",
@@ -242,7 +244,7 @@ def _write(folder, force, course, handouts, assigned, attempt, salt, executor):
         count = write_folder(folder, found, force)
     shared = sum(one.accepted for one in handouts)
     click.echo(f"{amount(len(assigned), 'sheet')} of {amount(len(handouts), 'problem')} with "
-               f"{amount(shared, 'variant')}: {count} files in {os.fspath(folder)}")
+               f"{amount(shared, 'variant')}: {count} files in {escaped(os.fspath(folder))}")
     if on.suffix != ".pdf":
         click.echo("They are HTML pages; PDF needs the extra homework: pip install 'vibcli[homework]'")
     return 0

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import click
 
+from vibcli.base.diagnostics import escaped
 from vibcli.cli.pictures import FILE, refuse, write_new
 
 DEFAULT = "mass_spring"
@@ -50,7 +51,7 @@ def command(template: str, output: str | None, listing: bool) -> None:
             write_new(copy, record.read())
     write_new(output, scenes.text(name).encode())
     written = ", ".join([output, *(copy for copy, _ in copies)])
-    click.echo(f"wrote {written}; next: vibcli solve {output}", err=True)
+    click.echo(escaped(f"wrote {written}; next: vibcli solve {output}"), err=True)
 
 
 def _listing(scenes):

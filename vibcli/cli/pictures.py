@@ -88,7 +88,9 @@ def write(path: Path | str, data: bytes, force: bool) -> None:
         write_whole(path, data)
     else:
         write_new(path, data)
-    click.echo(f"wrote {path}", err=True)
+    from vibcli.base.diagnostics import escaped
+
+    click.echo(f"wrote {escaped(str(path))}", err=True)
 
 
 def write_new(path: Path | str, data: bytes) -> None:

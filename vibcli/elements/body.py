@@ -38,7 +38,8 @@ _SHAPE = {
 }
 
 PART = Element("part", "One of several shapes welded into a body.",
-               {**_SHAPE, "cut": Field(Flag(), "`true`: a hole of this shape")},
+               {**_SHAPE, "mass": Field(Quantity("kg"), "its mass"),
+                "cut": Field(Flag(), "`true`: a hole of this shape; its mass or density is that of what is cut out")},
                exclusive=(("mass", "density"), ("at", "from")), needs=(("mass", "density"), ("at", "from")),
                settle=body_checks.part, example="welded_parts")
 ROUND = tuple(shape for shape, sizes in NEEDS.items() if "radius" in sizes)

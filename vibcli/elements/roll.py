@@ -36,8 +36,8 @@ ELEMENT = Element(
     "roll",
     "The body rolls without slip on a surface, on its round side or a `flat` one. One of `travel` (displacement of its "
     "centre along the surface, positive from a line's first place to its second, counter-clockwise about a circle's "
-    "centre), `turn` (rotation in the fixed frame), on circles `swing` (turn of the line of centres) says how far. "
-    "What rolls `between` two surfaces needs none of them.",
+    "centre), `turn` (rotation in the fixed frame), on circles `swing` (turn of the line of centres relative to the "
+    "surface) says how far. What rolls `between` two surfaces needs none of them.",
     {
         "surface": Field(_SURFACE, "what it rolls on"),
         "between": Field(Many(_SURFACE, 2, 2, "two surfaces [one, two]"), "two surfaces on both of which it rolls. "
@@ -45,7 +45,7 @@ ELEMENT = Element(
                          "follows from those of the bodies that carry both"),
         "travel": Field(MotionField("m"), "displacement of the centre relative to the surface"),
         "turn": Field(MotionField("rad"), "rotation in the fixed frame, counter-clockwise"),
-        "swing": Field(MotionField("rad"), "turn of the line of centres, on circles"),
+        "swing": Field(MotionField("rad"), "turn of the line of centres relative to the surface, on circles"),
         "radius": Field(Quantity("m"), "the radius it rolls on, where that is not the radius of its shape"),
         "flat": Field(Many(DRAWN, 2, 2, "two places [[x, y], [x, y]]"), "two places on its flat side as drawn, where "
                       "it is that side which rolls, on the outside of a circle"),

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
-from vibcli.base.spelling import nearest
+from vibcli.base.spelling import near, nearest
 from vibcli.language.record_calls import own
 from vibcli.symbolic.parser import FUNCTIONS, VALUE
 from vibcli.symbolic.semantics import ALL_NUMBERS, ANY, DimensionCheck, literal_unit
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from vibcli.language.spec import Spec
 
 TIMED = ("impulse", "square", "sawtooth")
+_APART = re.compile(r"(?<![\w.])(\d+(?:\.\d+)?(?:[eE][+-]?\d+)?)\s*([*/])\s*$")     # a number and an operator
 UNIT_DUE = "write the unit:"
 NO_NUMBERS = ("nan", "inf", "infinity", "null", "none", "true", "false", "yes", "no", "on", "off")
 
@@ -39,9 +40,9 @@ def check(spec: "Spec", reader: "Reader", expression: "Expression",
             spec.used.add(name)
             _primes(spec, reader, expression, name, primes, start, end)
         elif name != "pi":
-            reader.report(expression.scalar.place(start, end - start),
-                          *(_bracketed(expression, name, start) or _unknown(spec, name, names,
-                                                                            expression.scalar in reader.motions)))
+            told = _misplaced_unit(expression, name, start, names) or _unknown(
+                spec, name, names, expression.scalar in reader.motions)
+            reader.report(expression.scalar.place(start, end - start), *told)
     _ambiguous(spec, reader, expression, local)
     _of_time_alone(spec, reader, expression)
     if not spec.asked_dimension:
@@ -166,16 +167,21 @@ def _primes(spec, reader, expression, name, primes, start, end):
         reader.report(place, "velocities cannot stand here", "they stand in energies, forces and expected equations")
 
 
-def _bracketed(expression, name, start):
-    """Of a unit in brackets, 2 N*(s/m): what is wrong and what to write; None of another name."""
+def _misplaced_unit(expression, name, start, names):
+    """Of a unit in brackets, 2 N*(s/m), or after an operator, 3*N/m: what is wrong and what to write; None of another
+    name."""
     if name not in units.UNITS:
         return None
     from vibcli.language.unit_brackets import opened
 
     text = opened(expression.text, start)
-    if text is None:
+    if text is not None:
+        return f"unknown name '{name}'", f"units take brackets for exponents alone: write {text}"
+    apart = _APART.search(expression.text, 0, start)
+    if apart is None or near(name, names):
         return None
-    return f"unknown name '{name}'", f"units take brackets for exponents alone: write {text}"
+    written = f"{apart[1]} {name}" + "^-1" * (apart[2] == "/")
+    return f"unknown name '{name}'", f"a unit stands right after its number: write {written}"
 
 
 def _unknown(spec, name, names, moves):

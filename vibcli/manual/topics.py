@@ -176,8 +176,9 @@ CASES = [
 
 MOTIONS = [
     "How a body may move is one key of it; without any it is fixed. Each displacement and angle is a coordinate or "
-    "an expression of coordinates and the time: `slide: x`, `pin: {at: O, by: 2*phi}`, `pin: Omega*t`. A name that is "
-    "no parameter becomes a coordinate.",
+    "an expression of coordinates and the time: `slide: x`, `pin: {at: O, by: 2*phi}`, `pin: Omega*t`. A name that "
+    "stands alone and is no parameter becomes a coordinate; one within an expression is declared first: "
+    "`coordinates: [psi]` for `pin: Omega*t + psi`.",
     "What ties several motions together stands under `constraints`, unless one is simply given by another: "
     "`turn: -x/R`.",
 ]

@@ -25,9 +25,11 @@ def check_references(spec: "Spec", reader: "Reader") -> None:
                 namespaces == ("coordinates",) and not reader.sound):
             continue
         valid = [word for space in namespaces for word in spaces[space]]
-        if namespaces == ("bodies",) and name.text in spaces["points"]:
-            reader.report(name.where, f"'{name.text}' is a point, expected the name of a body",
-                          nearest(name.text, valid))
+        if "points" not in namespaces and "bodies" in namespaces and name.text in spaces["points"]:
+            wanted = wants if "members" in namespaces else "the name of a body"
+            reader.report(name.where, f"'{name.text}' is a point, expected {wanted}",
+                          nearest(name.text, spaces["bodies"]) or "a point moves nothing but what is pinned or sprung "
+                          "there: draw a body at it, and give that the motion")
             continue
         if namespaces == ("points",) and name.text in spaces["bodies"]:
             reader.report(name.where, f"'{name.text}' is a body, expected {wants}",

@@ -10,6 +10,9 @@ from typing import Any
 from vibcli.base.work import under_way
 
 OFTEN = 100_000     # calls from one telling of progress to the next
+GENERATOR = 0x20    # inspect.CO_GENERATOR
+IN_GENERATORS = 10_000      # calls more, before a generator is broken off: one that is being closed swallows the end,
+#                             and nothing would be counted from then on
 
 
 class CallsSpent(BaseException):
@@ -28,7 +31,7 @@ def within(calls: int, work: Callable, otherwise: Any):
     def count(frame, event, arg):
         nonlocal left
         left -= 1
-        if left < 0:
+        if left < 0 and (left < -IN_GENERATORS or not frame.f_code.co_flags & GENERATOR):
             raise spent
         if task and not left % OFTEN:
             task.tell()

@@ -41,6 +41,23 @@ def test_work_is_given_up_after_so_many_calls(allowed):
     assert within(1003, lambda: sum(step() for _ in range(500)), "given up") == 500
 
 
+def test_the_end_is_not_lost_in_a_generator_that_is_closed(monkeypatch):
+    """Whatever number of calls is left where it is."""
+    swallowed = []
+    monkeypatch.setattr(sys, "unraisablehook", swallowed.append)
+
+    def work():
+        for _ in range(5):
+            begun = (step() for _ in range(3))
+            next(begun)
+            del begun
+        return [step() for _ in range(FEW)]
+
+    assert [within(allowed, work, None) for allowed in range(1, FEW)] == [None] * (FEW - 1)
+    assert not swallowed
+    assert within(FEW, lambda: sum(1 for _ in iter(int, 1)), "given up") == "given up"
+
+
 def test_the_nearer_end_counts():
     assert within(FEW, lambda: within(MANY, forever, "inner"), "outer") == "outer"
     assert within(MANY, lambda: within(FEW, forever, "inner"), "outer") == "inner"

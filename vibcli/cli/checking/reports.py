@@ -12,6 +12,7 @@ from collections.abc import Callable, Sequence
 from urllib.parse import quote
 
 from vibcli import __version__
+from vibcli.base.diagnostics import lines_escaped
 from vibcli.base.rules import DIFFERS, RULES
 from vibcli.cli.checking.found import CheckedFile, Finding, findings
 
@@ -75,7 +76,7 @@ def as_annotations(found: Sequence[CheckedFile]) -> str:
 
 
 def _data(text):
-    return text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
+    return lines_escaped(text).replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
 
 
 def _property(text):

@@ -20,7 +20,7 @@ def is_told(found: CheckedFile, quiet: bool) -> bool:
 def tell_troubles(found: CheckedFile) -> None:
     """What keeps a file or answers of it from being checked, on stderr."""
     if found.fault:
-        click.echo(f"{found.file}:", err=True)
+        click.echo(f"{escaped(found.file)}:", err=True)
         show_fault(found.fault)
     invalid = [one for one in found.troubles if one.rule == INVALID]
     for together in (invalid, *([one] for one in found.troubles if one.rule != INVALID)):
@@ -39,7 +39,7 @@ def tell_in_full(found: CheckedFile, quiet: bool) -> None:
     shown = [one for one in found.answers if not (quiet and not one.rule)]
     if not shown and quiet:
         return
-    click.echo(found.file + ("" if found.answers else "  (not checked)" if found.failed else "  (no answers)"))
+    click.echo(escaped(found.file) + ("" if found.answers else "  (not checked)" if found.failed else "  (no answers)"))
     for one in shown:
         click.echo(f"  {_mark(one)} {_told(one)}")
 

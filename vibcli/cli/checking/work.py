@@ -6,7 +6,7 @@ from time import process_time
 
 import click
 
-from vibcli.base.errors import PhysicsError, SpecError, Where
+from vibcli.base.errors import Diagnostic, PhysicsError, SpecError, Where
 from vibcli.base.rules import DIFFERS, INVALID, UNCERTAIN, UNSOLVED
 from vibcli.cli.checking.found import CheckedAnswer, CheckedFile, Trouble
 from vibcli.cli.common import fault, forget, problem_in, shown_lines, source_of
@@ -50,12 +50,16 @@ def _checked(file, settings, patience, data):
 
 
 def _problem(file, settings, patience, data):
-    if data is None:
-        source = source_of(file)
-    else:
+    if data is not None:
         from vibcli.api.source import bytes_source
 
         source = bytes_source(data, file)
+    else:
+        try:
+            source = source_of(file)
+        except click.UsageError:        # the others are checked all the same
+            why = "it is a link that leads nowhere" if os.path.islink(file) else "it was there when the folder was read"
+            raise SpecError([Diagnostic(Where(file, 1, 1, 0), "there is no file of this name", why)]) from None
     return problem_in(source, settings, patience), source
 
 

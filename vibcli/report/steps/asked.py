@@ -39,7 +39,8 @@ def _tell(problem, sheet, asked):
         value = float(value_of(problem, asked)[0])
     except (PhysicsError, SpecError):
         return
-    node, unit = _in_letters(problem, asked, value), as_printed(unit_of(problem.spec, asked))
+    unit = as_printed(unit_of(problem.spec, asked))
+    node = _in_letters(problem, asked, value)
     sheet.write(Words(f"{as_printed(asked.text)}{':  ' * (node is not None)}"), *([] if node is None else [node]), *number(
         value, "" if unit == "1" else unit), settles=asked.text, node=node, value=value, unit=unit,
         uses=[sheet.last])
