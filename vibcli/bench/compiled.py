@@ -1,5 +1,6 @@
-"""A full motion beside one that is compiled: the double pendulum of `trajectories` by heyoka's Taylor series, where
-that is installed. The compiling and the motion are told apart."""
+"""Full motions beside one that is compiled: the double pendulum of `trajectories` by heyoka's Taylor series, where
+that is installed. The compiling and the motion are told apart. Of a long one, which goes by such series itself where
+they are installed, with its estimate, beside LSODA; its end is known from Taylor series of 20 digits."""
 
 import json
 from copy import deepcopy
@@ -9,10 +10,11 @@ from typing import Any
 
 from vibcli.bench.processes import answer, installed
 from vibcli.bench.rows import Timing
-from vibcli.bench.trajectories import AT_100, DOUBLE
+from vibcli.bench.trajectories import AT_100, DOUBLE, problem_of_text, rates_of_double
 
 END, START, TOLERANCE = 100.0, (0.3, 0.5, 0.0, 0.0), 1e-15
 ERROR = 1e-9
+LONG, AT_LONG, FINEST = 1000.0, (0.181100461947351, 0.206230850872208, -0.555551292073049, -1.11438830079056), 1e-13
 
 
 def rows(runs: Any) -> list[Timing]:
@@ -24,7 +26,14 @@ def rows(runs: Any) -> list[Timing]:
         built, theirs, wrong = json.loads(answer("from vibcli.bench.compiled import heyoka; heyoka()", min(runs, 5)))
     return [Timing(f"double pendulum, {END:g} s", ours, "ms", None, peer, theirs),
             Timing("  with compiling", ours, "ms", None, peer, None if built is None else built + theirs),
-            Timing("  error", error, "", ERROR, peer, wrong, absolute=True)]
+            Timing("  error", error, "", ERROR, peer, wrong, absolute=True), *_long_rows(runs)]
+
+
+def _long_rows(runs):
+    ours, error, lsoda, wrong = json.loads(answer("from vibcli.bench.compiled import long; long()", min(runs, 3)))
+    by = "" if installed("heyoka") else ", heyoka not installed"
+    return [Timing(f"double pendulum, {LONG:g} s, with its estimate{by}", ours, "ms", None, "scipy odeint", lsoda),
+            Timing("  error", error, "", ERROR, "scipy odeint", wrong, absolute=True)]
 
 
 def main() -> None:
@@ -32,9 +41,7 @@ def main() -> None:
     import sys
 
     from vibcli.analyses.time_integration.integrate import simulate
-    from vibcli.api.source import problem_of, text_source
-
-    scene = problem_of(text_source(DOUBLE)).configuration
+    scene = problem_of_text(DOUBLE).configuration
 
     def ours():
         q, v, _ = simulate(scene, END, initial={"p": START[0], "r": START[1]}).at([END])
@@ -70,11 +77,31 @@ def heyoka() -> None:
     print(json.dumps([1e3 * built, *_measured(theirs, runs)]))
 
 
-def _measured(solved, runs):
+def long() -> None:
+    """Child process: print [ms, error] of ours and of LSODA, of a long motion; importing the engine is in it."""
+    import sys
+
+    from scipy.integrate import odeint
+
+    from vibcli.analyses.time_integration.known_motion import known_motion
+
+    scene, runs = problem_of_text(DOUBLE).configuration, int(sys.argv[1])
+
+    def ours():
+        q, v, _ = known_motion(scene, LONG, {"p": START[0], "r": START[1]}).at([LONG])
+        return [*q[:, 0], *v[:, 0]]
+
+    def theirs():
+        return odeint(lambda y, t: rates_of_double(y), START, [0.0, LONG], rtol=FINEST, atol=FINEST, mxstep=10**6)[-1]
+
+    print(json.dumps([*_measured(ours, runs, AT_LONG), *_measured(theirs, runs, AT_LONG)]))
+
+
+def _measured(solved, runs, exact=AT_100):
     """[ms, largest error]."""
     spent = []
     for _ in range(runs):
         start = process_time()
         found = solved()
         spent.append(process_time() - start)
-    return [1e3 * median(spent), max(abs(float(x) - y) for x, y in zip(found, AT_100, strict=True))]
+    return [1e3 * median(spent), max(abs(float(x) - y) for x, y in zip(found, exact, strict=True))]
