@@ -42,8 +42,7 @@ class UniformCurves(NamedTuple):
 
     def single(self, which: int) -> "UniformCurves":
         """One of many modes."""
-        parts: Any = (part[which] if isinstance(part, np.ndarray) else part for part in self)
-        return UniformCurves(*parts)
+        return UniformCurves(*[part[which] if part.__class__ is np.ndarray else part for part in self])
 
     def along(self, x: Any) -> np.ndarray:
         """(u, u′), of beams (u, u′, u″, u‴), at places x, (…, order); of many modes x and these broadcast."""
