@@ -19,25 +19,24 @@ LONG, AT_LONG, FINEST = 1000.0, (0.181100461947351, 0.206230850872208, -0.555551
 
 def rows(runs: Any) -> list[Timing]:
     """Time and error of ours, with those of heyoka as the baseline."""
-    ours, error = json.loads(answer("from vibcli.bench.compiled import main; main()", min(runs, 5)))
+    ours, error, long = json.loads(answer("from vibcli.bench.compiled import main; main()", min(runs, 5)))
     peer, built, theirs, wrong = "heyoka, not installed", None, None, None
     if installed("heyoka"):
         peer = "heyoka"
         built, theirs, wrong = json.loads(answer("from vibcli.bench.compiled import heyoka; heyoka()", min(runs, 5)))
     return [Timing(f"double pendulum, {END:g} s", ours, "ms", None, peer, theirs),
             Timing("  with compiling", ours, "ms", None, peer, None if built is None else built + theirs),
-            Timing("  error", error, "", ERROR, peer, wrong, absolute=True), *_long_rows(runs)]
+            Timing("  error", error, "", ERROR, peer, wrong, absolute=True), *_long_rows(*long)]
 
 
-def _long_rows(runs):
-    ours, error, lsoda, wrong = json.loads(answer("from vibcli.bench.compiled import long; long()", min(runs, 3)))
+def _long_rows(ours, error, lsoda, wrong):
     by = "" if installed("heyoka") else ", heyoka not installed"
     return [Timing(f"double pendulum, {LONG:g} s, with its estimate{by}", ours, "ms", None, "scipy odeint", lsoda),
             Timing("  error", error, "", ERROR, "scipy odeint", wrong, absolute=True)]
 
 
 def main() -> None:
-    """Child process: print [ms, error] of ours."""
+    """Child process: print [ms, error, [ms, error, ms of LSODA, error] of a long motion] of ours."""
     import sys
 
     from vibcli.analyses.time_integration.integrate import simulate
@@ -48,7 +47,8 @@ def main() -> None:
         return [*q[:, 0], *v[:, 0]]
 
     ours()
-    print(json.dumps(_measured(ours, int(sys.argv[1]))))
+    runs = int(sys.argv[1])
+    print(json.dumps([*_measured(ours, runs), _long(scene, min(runs, 3))]))
 
 
 def heyoka() -> None:
@@ -77,15 +77,11 @@ def heyoka() -> None:
     print(json.dumps([1e3 * built, *_measured(theirs, runs)]))
 
 
-def long() -> None:
-    """Child process: print [ms, error] of ours and of LSODA, of a long motion; importing the engine is in it."""
-    import sys
-
+def _long(scene, runs):
+    """With the estimate; importing the engine is in the first run."""
     from scipy.integrate import odeint
 
     from vibcli.analyses.time_integration.known_motion import known_motion
-
-    scene, runs = problem_of_text(DOUBLE).configuration, int(sys.argv[1])
 
     def ours():
         q, v, _ = known_motion(scene, LONG, {"p": START[0], "r": START[1]}).at([LONG])
@@ -94,7 +90,7 @@ def long() -> None:
     def theirs():
         return odeint(lambda y, t: rates_of_double(y), START, [0.0, LONG], rtol=FINEST, atol=FINEST, mxstep=10**6)[-1]
 
-    print(json.dumps([*_measured(ours, runs, AT_LONG), *_measured(theirs, runs, AT_LONG)]))
+    return [*_measured(ours, runs, AT_LONG), *_measured(theirs, runs, AT_LONG)]
 
 
 def _measured(solved, runs, exact=AT_100):

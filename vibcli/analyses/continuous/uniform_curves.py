@@ -42,7 +42,8 @@ class UniformCurves(NamedTuple):
 
     def single(self, which: int) -> "UniformCurves":
         """One of many modes."""
-        return UniformCurves(*[part[which] if part.__class__ is np.ndarray else part for part in self])
+        parts: Any = [part[which] if part.__class__ is np.ndarray else part for part in self]
+        return UniformCurves(*parts)
 
     def along(self, x: Any) -> np.ndarray:
         """(u, u′), of beams (u, u′, u″, u‴), at places x, (…, order); of many modes x and these broadcast."""
