@@ -1,5 +1,6 @@
-"""A full motion beside one that is compiled: the double pendulum of `trajectories` by heyoka's Taylor series, where
-that is installed. The compiling and the motion are told apart."""
+"""Full motions beside one that is compiled: the double pendulum of `trajectories` by heyoka's Taylor series, where
+that is installed. The compiling and the motion are told apart. Of a long one, which goes by such series itself where
+they are installed, with its estimate, beside LSODA; its end is known from Taylor series of 20 digits."""
 
 import json
 from copy import deepcopy
@@ -9,39 +10,45 @@ from typing import Any
 
 from vibcli.bench.processes import answer, installed
 from vibcli.bench.rows import Timing
-from vibcli.bench.trajectories import AT_100, DOUBLE
+from vibcli.bench.trajectories import AT_100, DOUBLE, problem_of_text, rates_of_double
 
 END, START, TOLERANCE = 100.0, (0.3, 0.5, 0.0, 0.0), 1e-15
 ERROR = 1e-9
+LONG, AT_LONG, FINEST = 1000.0, (0.181100461947351, 0.206230850872208, -0.555551292073049, -1.11438830079056), 1e-13
 
 
 def rows(runs: Any) -> list[Timing]:
     """Time and error of ours, with those of heyoka as the baseline."""
-    ours, error = json.loads(answer("from vibcli.bench.compiled import main; main()", min(runs, 5)))
+    ours, error, long = json.loads(answer("from vibcli.bench.compiled import main; main()", min(runs, 5)))
     peer, built, theirs, wrong = "heyoka, not installed", None, None, None
     if installed("heyoka"):
         peer = "heyoka"
         built, theirs, wrong = json.loads(answer("from vibcli.bench.compiled import heyoka; heyoka()", min(runs, 5)))
     return [Timing(f"double pendulum, {END:g} s", ours, "ms", None, peer, theirs),
             Timing("  with compiling", ours, "ms", None, peer, None if built is None else built + theirs),
-            Timing("  error", error, "", ERROR, peer, wrong, absolute=True)]
+            Timing("  error", error, "", ERROR, peer, wrong, absolute=True), *_long_rows(*long)]
+
+
+def _long_rows(ours, error, lsoda, wrong):
+    by = "" if installed("heyoka") else ", heyoka not installed"
+    return [Timing(f"double pendulum, {LONG:g} s, with its estimate{by}", ours, "ms", None, "scipy odeint", lsoda),
+            Timing("  error", error, "", ERROR, "scipy odeint", wrong, absolute=True)]
 
 
 def main() -> None:
-    """Child process: print [ms, error] of ours."""
+    """Child process: print [ms, error, [ms, error, ms of LSODA, error] of a long motion] of ours."""
     import sys
 
     from vibcli.analyses.time_integration.integrate import simulate
-    from vibcli.api.source import problem_of, text_source
-
-    scene = problem_of(text_source(DOUBLE)).configuration
+    scene = problem_of_text(DOUBLE).configuration
 
     def ours():
         q, v, _ = simulate(scene, END, initial={"p": START[0], "r": START[1]}).at([END])
         return [*q[:, 0], *v[:, 0]]
 
     ours()
-    print(json.dumps(_measured(ours, int(sys.argv[1]))))
+    runs = int(sys.argv[1])
+    print(json.dumps([*_measured(ours, runs), _long(scene, min(runs, 3))]))
 
 
 def heyoka() -> None:
@@ -70,11 +77,27 @@ def heyoka() -> None:
     print(json.dumps([1e3 * built, *_measured(theirs, runs)]))
 
 
-def _measured(solved, runs):
+def _long(scene, runs):
+    """With the estimate; importing the engine is in the first run."""
+    from scipy.integrate import odeint
+
+    from vibcli.analyses.time_integration.known_motion import known_motion
+
+    def ours():
+        q, v, _ = known_motion(scene, LONG, {"p": START[0], "r": START[1]}).at([LONG])
+        return [*q[:, 0], *v[:, 0]]
+
+    def theirs():
+        return odeint(lambda y, t: rates_of_double(y), START, [0.0, LONG], rtol=FINEST, atol=FINEST, mxstep=10**6)[-1]
+
+    return [*_measured(ours, runs, AT_LONG), *_measured(theirs, runs, AT_LONG)]
+
+
+def _measured(solved, runs, exact=AT_100):
     """[ms, largest error]."""
     spent = []
     for _ in range(runs):
         start = process_time()
         found = solved()
         spent.append(process_time() - start)
-    return [1e3 * median(spent), max(abs(float(x) - y) for x, y in zip(found, AT_100, strict=True))]
+    return [1e3 * median(spent), max(abs(float(x) - y) for x, y in zip(found, exact, strict=True))]

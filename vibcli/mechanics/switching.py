@@ -63,7 +63,16 @@ class Switching:
     def rates(self, which: Sequence[int], t: np.ndarray, q: np.ndarray, v: np.ndarray, a: np.ndarray,
               g: Sequence[float | np.ndarray] | np.ndarray) -> np.ndarray:
         """ġ of the switches `which`, of shape (len(which), instants)."""
-        return np.array([_rate(*self._rates[k], t, q, v, a, g) for k in which]).reshape(len(which), q.shape[1])
+        return self._along(which, self._terms(which, t, q, v, g), a)
+
+    def _terms(self, which, t, q, v, g):
+        """What ġ of each switch is made of: its drift, its slopes by q̈."""
+        return [self._rates[k][1](t, q, v, g) for k in which]
+
+    def _along(self, which, terms, a):
+        """ġ of the switches for accelerations."""
+        return np.array([_summed(self._rates[k][0], of, a) for k, of in zip(which, terms, strict=True)]).reshape(
+            len(which), a.shape[1])
 
     def sizes(self, t: float, q: np.ndarray, v: np.ndarray, g: Sequence[float] | np.ndarray):
         """What each argument is made of: Σ |∂g/∂x|·|x| at one instant."""
@@ -83,8 +92,9 @@ class Switching:
             g[k] = np.ones(q.shape[1])
             turned.append(accelerations(t, q, v, g, c) - a0)
             g[k] = np.zeros(q.shape[1])
-        held = self.rates(which, t, q, v, a0, g)
-        slope = np.array([self.rates(which, t, q, v, a0 + turn, g) - held for turn in turned]).transpose(2, 1, 0)
+        terms = self._terms(which, t, q, v, g)
+        held = self._along(which, terms, a0)
+        slope = np.array([self._along(which, terms, a0 + turn) - held for turn in turned]).transpose(2, 1, 0)
         sigma = _balancing(slope, -held.T).T
         return a0 + sum(turn * s for turn, s in zip(turned, sigma, strict=True)), sigma
 
@@ -187,8 +197,12 @@ def _balancing(slope, wanted):
 
 
 def _rate(places, compiled, t, q, v, a, g):
-    drift, *slopes = compiled(t, q, v, g)
-    total = np.zeros(q.shape[1]) + drift
+    return _summed(places, compiled(t, q, v, g), a)
+
+
+def _summed(places, terms, a):
+    drift, *slopes = terms
+    total = np.zeros(a.shape[1]) + drift
     for i, slope in zip(places, slopes, strict=True):
         total = total + slope * a[i]
     return total

@@ -92,7 +92,12 @@ def _radau(points):
 
 
 def _legendre(x, degree):
-    """P₀ … P_degree at the places x, by their recurrence."""
+    """P₀ … P_degree at the places x, by their recurrence; at one place in plain floats, which do the same."""
+    if len(x) == 1 and x.dtype == float:
+        y, values = float(x[0]), [1.0, float(x[0])]
+        for k in range(1, degree):
+            values.append(((2 * k + 1) * y * values[k] - k * values[k - 1]) / (k + 1))
+        return np.array(values)[:, None]
     P = np.empty((degree + 1, len(x)), dtype=x.dtype)
     P[0], P[1] = 1, x
     for k in range(1, degree):

@@ -43,7 +43,7 @@ class UniformCurves(NamedTuple):
 
     def single(self, which: int) -> "UniformCurves":
         """One of many modes."""
-        parts: Any = (part[which] if isinstance(part, np.ndarray) else part for part in self)
+        parts: Any = [part[which] if part.__class__ is np.ndarray else part for part in self]
         return UniformCurves(*parts)
 
     def along(self, x: Any) -> np.ndarray:

@@ -5,6 +5,7 @@ the output does not see it: then that mode is left out. With x = D⁻¹b and y =
 dH/ds = c′ᵀx + yᵀ(b′ − D′x) + d′.
 """
 
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -43,14 +44,19 @@ def _parts(system, s):
 
 def scales(system: Any, s: np.ndarray) -> np.ndarray:
     """Powers of two that bring rows and columns to the size 1: (N, n)."""
-    Omega = np.abs(s)[:, None]
-    parts = [np.abs(matrix) for matrix in (system.K, system.C, system.M)]
-    size = sum(Omega**k * np.diag(part) for k, part in enumerate(parts))
-    across = sum(Omega**k * part.max(axis=1) for k, part in enumerate(parts))
-    size = np.where(size > 0, size, np.where(across > 0, across, 1.0))
+    Omega, (diagonals, rows) = np.abs(s)[:, None], system.magnitudes
+    size = _summed(diagonals, Omega)
+    if not (size > 0).all():
+        across = _summed(rows, Omega)
+        size = np.where(size > 0, size, np.where(across > 0, across, 1.0))
     return np.exp2(-np.round(np.log2(size) / 2))
 
 
+def _summed(parts, Omega):
+    return parts[0] + Omega * parts[1] + Omega * Omega * parts[2]
+
+
+@lru_cache
 def probe(n: int) -> np.ndarray:
     """A vector with a part along every mode."""
     return 1.0 + 0.5 * np.sin(np.arange(1, n + 1) * 2.399963)
@@ -61,7 +67,8 @@ def _block(system, s, steep):
     scale, at = scales(system, s), s[:, None, None]
     D = (system.K + at * system.C + at * at * system.M) * scale[:, :, None] * scale[:, None, :]
     b, c = polynomial(system.b, s) * scale, polynomial(system.c, s) * scale
-    right = np.stack([b, np.broadcast_to(probe(system.n), b.shape)], axis=2)
+    right = np.empty((*b.shape, 2), complex)
+    right[:, :, 0], right[:, :, 1] = b, probe(system.n)
     x = solutions(D, right)
     suspicious = ~(np.abs(x[:, :, 1]).max(axis=1) * SINGULAR * 64 < 1)
     x = np.where(suspicious[:, None], 0.0, x[:, :, 0])

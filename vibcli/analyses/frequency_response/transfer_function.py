@@ -28,7 +28,7 @@ class TransferFunction(FrequencyResponseFunction):
     """M, C (gyroscopic terms included), K: (n, n) arrays; b, c: (3, n) coefficients of s⁰, s¹, s², d: (3,); modal: the
     ModalAnalysis of the scene it is of, which its errors are asked of."""
 
-    __slots__ = ("C", "K", "M", "_asked", "_data", "_marks", "_method", "_modal", "b", "c", "d")
+    __slots__ = ("C", "K", "M", "_asked", "_data", "_magnitudes", "_marks", "_method", "_modal", "b", "c", "d")
 
     def __init__(self, M: np.ndarray, C: np.ndarray, K: np.ndarray, b: np.ndarray, c: np.ndarray,
                  d: Any = (0.0, 0.0, 0.0), order: int = 0, modal: "ModalAnalysis | None" = None):
@@ -39,11 +39,20 @@ class TransferFunction(FrequencyResponseFunction):
         self._method: Any = None
         self._asked = 0
         self._data: Any = None
+        self._magnitudes: Any = None
         self._marks: dict[Any, Any] = {}
 
     @property
     def n(self):
         return len(self.K)
+
+    @property
+    def magnitudes(self) -> tuple[list[np.ndarray], list[np.ndarray]]:
+        """|diagonal| of K, C and M, and the largest of each row."""
+        if self._magnitudes is None:
+            parts = [np.abs(matrix) for matrix in (self.K, self.C, self.M)]
+            self._magnitudes = [np.diag(part) for part in parts], [part.max(axis=1) for part in parts]
+        return self._magnitudes
 
     @property
     def undamped(self) -> bool:

@@ -59,6 +59,15 @@ class Window:
         return q[:, 0], v[:, 0], a[:, 0]
 
 
+def ended(window: Window, q: np.ndarray, v: np.ndarray) -> Window:
+    """The window that ends in a state (q, q̇): with a constant and a slope in q̈ for what it lacks."""
+    rule, H, A = window.rule, window.length, window.values
+    speed = (v - window.v) / H - A @ rule.w
+    place = (q - window.q - H * window.v) / H**2 - A @ rule.b2 - speed / 2
+    lacking = speed[:, None] - 6 * place[:, None] * (2 * rule.c - 1)
+    return Window(rule, window.start, H, window.q, window.v, A + lacking, window.g, window.slides)
+
+
 class Attempt(NamedTuple):
     """What an iteration came to: A of shape (n, points), None where it failed; the iterations it took; the inverse that
     Newton's method used, for the next window of this length."""

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.analyses.time_integration.collocation_step import Window
+from vibcli.analyses.time_integration.collocation_step import Window, ended
 from vibcli.analyses.time_integration.smooth_pieces import bent, may_hide
 from vibcli.mechanics.float_equations import FloatEquations, float_equations
 from vibcli.numerics.dormand_prince import END, STAGE_MATRIX, STAGES, stepper, weights
@@ -115,7 +115,7 @@ class ExplicitWindows:
         if count == self.most and (used[-1] + 1 if len(used) else 1) < RESOLVED * len(sizes):
             self.most += self.most // 2 + 1
         n = len(march.q)
-        march.take(window, states[count, :n], states[count, n:])
+        march.take(window, states[count, :n], states[count, n:], explicit=True)
 
     def _window(self, march, lengths, states, stages):
         rule, n, ends = march.rule, len(march.q), np.cumsum(lengths)
@@ -127,13 +127,4 @@ class ExplicitWindows:
         Q, V = (states[number, first:first + n].T + np.einsum("tsn,ts->nt", slopes[number], parts)
                 for first, slopes in ((0, speeds), (n, stages)))
         A = march.accelerations(march.t + tau, Q, V)
-        end = states[-1]
-        return Window(rule, march.t, H, march.q, march.v, A + _missing(march, A, H, end[:n], end[n:]), march.g, ())
-
-
-def _missing(march, A, H, q, v):
-    """What A lacks, a constant and a slope over a window, to end in the state (q, v)."""
-    rule = march.rule
-    speed = (v - march.v) / H - A @ rule.w
-    place = (q - march.q - H * march.v) / H**2 - A @ rule.b2 - speed / 2
-    return speed[:, None] - 6 * place[:, None] * (2 * rule.c - 1)
+        return ended(Window(rule, march.t, H, march.q, march.v, A, march.g, ()), states[-1, :n], states[-1, n:])

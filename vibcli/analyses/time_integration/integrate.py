@@ -121,8 +121,9 @@ def _marched(march, stops, events, explicit):
     march.begin(stops.after(march.t, until))
     while march.t < until:
         limit, instant, which = stops.after(march.t, until), None, ()
-        if explicit is not None and explicit.pay(march, limit):
-            explicit.follow(march, limit)
+        paying = next((windows for windows in explicit if windows.pay(march, limit)), None)
+        if paying is not None:
+            paying.follow(march, limit)
         else:
             window = march.advance(limit)
             instant, which = _event(march, window, limit)

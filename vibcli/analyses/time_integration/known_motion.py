@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.analyses.time_integration.agreement import Shared
 from vibcli.analyses.time_integration.deviations import deviations
-from vibcli.analyses.time_integration.integrate import BALANCED, MANY, Unbalanced, solved, solved_again
+from vibcli.analyses.time_integration.integrate import BALANCED, Unbalanced, solved, solved_again
 from vibcli.analyses.time_integration.prepared_motion import PreparedMotion
 
 if TYPE_CHECKING:
@@ -18,7 +18,8 @@ if TYPE_CHECKING:
 
 ASKED = 1e-9            # unless another accuracy is
 FINE, FINEST = 1e-12, 1e-13     # the error of a step that is tried in the end; that of the finest motions
-SPARE = 0.1             # of the error that may be left where a step is tightened
+ADDED = 4e3             # errors of a step, that add up to what is said of one of the motion
+SPARE, HOPELESS = 0.3, 1e-3     # of the error that may be left where a step is tightened; where the finest is tried
 
 
 def known_motion(configuration: "Configuration", until: float, initial: Mapping[str, float] | None = None,
@@ -26,7 +27,7 @@ def known_motion(configuration: "Configuration", until: float, initial: Mapping[
     """The Trajectory that `simulate` gives, as far as a second solution shares it. accuracy: up to where its error is
     less than that alone; None: to ASKED where floats have that, and as far as three digits are known."""
     motion, asked = PreparedMotion(configuration, until, initial), accuracy or ASKED
-    rtol = FINE if accuracy is None else max(accuracy / MANY, FINEST)
+    rtol = FINE if accuracy is None else max(accuracy / ADDED, FINEST)
     least = min(FINE, rtol)
     while True:
         try:
@@ -38,7 +39,8 @@ def known_motion(configuration: "Configuration", until: float, initial: Mapping[
             continue
         if shared.largest <= asked or not found.explicit:       # collocation takes its finest steps anyhow
             break
-        rtol = max(min(asked / shared.largest, 1.0) * SPARE * rtol, least)
+        part = asked / shared.largest
+        rtol = max(SPARE * part * rtol, least) if part > HOPELESS else least
     found.share(shared.beside(deviations(found, initial, motion.units)))
     return found
 

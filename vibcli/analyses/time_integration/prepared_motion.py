@@ -1,6 +1,6 @@
 """What all solutions of one motion share: the equations compiled, what drives them, where they start."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -11,6 +11,7 @@ from vibcli.analyses.time_integration.driven_places import driven_places
 from vibcli.analyses.time_integration.explicit_windows import ExplicitWindows, explicit
 from vibcli.analyses.time_integration.forcing_breaks import breaks
 from vibcli.analyses.time_integration.initial_state import start, vectors
+from vibcli.analyses.time_integration.series_windows import SeriesWindows
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.numeric_equations import NumericEquations
 from vibcli.mechanics.switching import Switching
@@ -44,12 +45,15 @@ class PreparedMotion:
         self.start = vectors(scene, places, speeds)
         self.switching = Switching(self.system, bounds, owners)
 
-    def explicit_windows(self, rtol: float, again: bool) -> ExplicitWindows | None:
-        """Windows from explicit steps whose errors are `rtol`, by longer ones where it is integrated `again`; None
-        where collocation is better."""
-        if rtol < FINE or self._explicit is None:
-            return None
-        return ExplicitWindows(self._explicit, self.system.n, PARTS[again] * rtol, rtol)
+    def explicit_windows(self, rtol: float, again: bool) -> "Sequence[ExplicitWindows | SeriesWindows]":
+        """Windows from explicit steps, those before others where they pay: of compiled series; of errors of `rtol`, by
+        longer steps where it is integrated `again`. None where collocation is better."""
+        if self._explicit is None:
+            return ()
+        series = SeriesWindows(self.system, self._explicit.work, again)
+        if rtol < FINE:
+            return (series,)
+        return series, ExplicitWindows(self._explicit, self.system.n, PARTS[again] * rtol, rtol)
 
     @cached_property
     def _explicit(self):

@@ -275,11 +275,13 @@ class March:
         if window.end:
             self._keep(window)
 
-    def take(self, window: Window, q: np.ndarray, v: np.ndarray) -> None:
-        """Keep a window that was found by itself, and move to its end, the state there."""
+    def take(self, window: Window, q: np.ndarray, v: np.ndarray, explicit: bool = False) -> None:
+        """Keep a window that was found by itself, and move to its end, the state there; explicit: by steps as coarse as
+        is asked."""
         self.count()
+        self.explicit |= explicit
         self.sizes.meet(window.values)
-        self.t, self.q, self.v, self.guess, self.explicit = window.start + window.length, q, v, None, True
+        self.t, self.q, self.v, self.guess = window.start + window.length, q, v, None
         self.sizes.move(q)
         self._keep(window)
 

@@ -9,9 +9,11 @@ from support.motions import DOUBLE, PENDULUM, problem
 
 import vibcli
 from vibcli.analyses.time_integration import integrate
+from vibcli.analyses.time_integration import known_motion as known_motions
 from vibcli.analyses.time_integration.explicit_windows import ExplicitWindows
 from vibcli.analyses.time_integration.known_motion import known_motion
 from vibcli.analyses.time_integration.time_stepping import March
+from vibcli.bench.asked_motions import links
 from vibcli.bench.trajectories import AT_100
 from vibcli.cli import run
 
@@ -165,6 +167,15 @@ def test_of_peaks_that_are_alike_the_first_is_the_largest(asked):
         t, value = signal.extreme(0.0, 20.0, sense)
         assert abs(t - expected) <= signal.error_of_time(t) + 1e-15
         assert abs(value - sense * float(2 * mpmath.asin(k))) <= signal.error(t)
+
+
+@pytest.mark.parametrize("asked", [1e-4, 1e-6])
+def test_of_many_links_what_is_asked_is_met_at_the_first_try(counts, monkeypatch, asked):
+    tries, solved = [], integrate.solved
+    monkeypatch.setattr(known_motions, "solved", lambda *args: tries.append(args[1]) or solved(*args))
+    start = {f"p{i + 1}": float(angle) for i, angle in enumerate(np.linspace(0.5, 0.25, 6))}
+    found = known_motion(problem(links(6)).configuration, 15.0, start, asked)
+    assert len(tries) == 1 and set(counts) == {"steps"} and found.shared.largest <= asked
 
 
 @pytest.mark.sweep

@@ -1,0 +1,86 @@
+"""Windows made of steps by Taylor series that are compiled (mechanics/compiled_series.py), of long smooth motions.
+
+A window is the polynomial through q̈ at Gauss's points, where the series know the state, which takes the state at its
+start to that at its end. It holds as many steps as it resolves.
+"""
+
+from math import sqrt
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from vibcli.analyses.time_integration.collocation_step import Window, ended
+from vibcli.mechanics.compiled_series import CompiledSeries, is_installed
+
+if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.time_stepping import March
+    from vibcli.mechanics.numeric_equations import NumericEquations
+
+PAYS = 14_000.0         # radians · √(operations for q̈), beyond which importing the engine and compiling take less
+AT_ONCE = 2_000         # steps
+FEW, MOST = 12, 64      # steps in a window, to begin with; where more fit, stability keeps them short: forces are stiff
+RESOLVED, LAST = 0.6, 3     # of the coefficients of a window, below which the next one is longer; those that are small
+TOLERANCES = 2.0**-52, 1e-18    # of a step: of the first solution, and of the second, by series of higher order
+
+
+class SeriesWindows:
+    """Of a system whose q̈ takes `work` operations; again: for a second solution."""
+
+    def __init__(self, system: "NumericEquations", work: int, again: bool):
+        self.system, self.work, self.tolerance = system, work, TOLERANCES[again]
+        self.given_up, self.most = False, FEW
+
+    def pay(self, march: "March", limit: float) -> bool:
+        """Is there an engine, and what is left up to an instant long enough for it?"""
+        long = (limit - march.t) * sqrt(self.work) > PAYS * march.sizes.radian
+        return long and not self.given_up and is_installed()
+
+    def follow(self, march: "March", limit: float) -> None:
+        """Go on to an instant, or to where forces have no value or are stiff: there they are given up."""
+        try:
+            series = CompiledSeries(self.system, march.t, [*march.q, *march.v], self.tolerance)
+        except (ImportError, ArithmeticError, ValueError):
+            self.given_up = True
+            return
+        while not self.given_up and limit - march.t > 1e-15 * limit:
+            ends, states = series.steps(limit, AT_ONCE)
+            if len(ends):
+                self._keep(march, np.append(march.t, ends), states)
+            self.given_up = not len(ends) or march.slow or self.most > MOST
+
+    def _keep(self, march, instants, states):
+        """Move on by windows, each of as many steps as it resolves; instants: their ends."""
+        while True:
+            cuts = np.unique([*range(0, len(instants), self.most), len(instants) - 1])
+            windows, ends = self._windows(march, instants[cuts], states)
+            unresolved = _unresolved(march, windows)
+            if self.most == 1 or not (unresolved[-LAST:] > 1).any():
+                break
+            self.most = max(3 * self.most // 4, 1)
+        for window, end in zip(windows, ends, strict=True):
+            march.take(window, *end)
+        used = np.flatnonzero(unresolved > 1)
+        if (used[-1] + 1 if len(used) else 1) < RESOLVED * len(unresolved):
+            self.most += self.most // 2 + 1
+
+    def _windows(self, march, instants, states):
+        """(the Windows between instants, (q, q̇) at their ends)."""
+        rule, n, starts, lengths = march.rule, len(march.q), instants[:-1], np.diff(instants)
+        times = (starts[:, None] + lengths[:, None] * rule.c).ravel()
+        Q, V = states(times).T.reshape(2, n, -1)
+        A = march.accelerations(times, Q, V)
+        march.sizes.meet(A)
+        for q in (Q.min(axis=1), Q.max(axis=1)):
+            march.sizes.move(q)
+        ends = [(march.q, march.v), *((row[:n], row[n:]) for row in states(instants[1:]))]
+        values = A.reshape(n, len(lengths), rule.points)
+        windows = [Window(rule, start, length, *before, A, march.g, ()) for start, length, before, A in
+                   zip(starts, lengths, ends[:-1], values.transpose(1, 0, 2), strict=True)]
+        return [ended(window, *end) for window, end in zip(windows, ends[1:], strict=True)], ends[1:]
+
+
+def _unresolved(march, windows):
+    """The coefficients of each order, relative to what need not be resolved."""
+    H = max(window.length for window in windows)
+    allowed = march.allowed(H, march.sizes.scale(H, 0.0 * march.v, 0.0 * march.v)[:, None])
+    return np.max([march.coefficients(window.length, window.values) / allowed for window in windows], axis=(0, 1))
