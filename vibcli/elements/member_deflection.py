@@ -2,7 +2,6 @@
 
 from typing import TYPE_CHECKING
 
-from vibcli.elements.graded_beam import graded_beam, plainly
 from vibcli.elements.loaded_rest import held_deflection
 from vibcli.elements.rest_shapes import deflection
 from vibcli.symbolic.antiderivatives import antiderivative
@@ -44,6 +43,8 @@ def _slack(scene, signal, piece):
 
 def _graded(scene, signal, piece):
     """Of a beam under a tension that varies along it."""
+    from vibcli.elements.graded_beam import graded_beam, plainly
+
     shares = plainly(scene, lambda: graded_beam(scene, *piece.numbers).shares(
         signal.order, signal.at, f"{signal.member.name}.{signal.number + 1}"))
     return scene.table.total([share * part for share, part in zip(shares, [*signal.ends, signal.weight(scene)],

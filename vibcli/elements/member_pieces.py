@@ -5,7 +5,6 @@ from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
-from vibcli.elements.graded_beam import graded_beam, plainly
 from vibcli.elements.member_springs import springs_across, springs_along
 
 if TYPE_CHECKING:
@@ -72,6 +71,8 @@ def add_across(segment: "MemberSegment", left: "Station", right: "Station", tens
 def add_graded(owner: str, segment: "MemberSegment", left: "Station", right: "Station", tension: "Node",
                gradient: "Node", scene: Any) -> "Node":
     """A piece of a beam whose tension has a gradient; its mean displacement across."""
+    from vibcli.elements.graded_beam import graded_beam, plainly
+
     ends, length = [*left.motions, *right.motions], right.place - left.place
 
     def found():

@@ -60,7 +60,9 @@ RESPONSE = [
          "most 10 periods; without either 10 periods, or two beats if that is more, at most 60 periods. That is "
          "counted from where the loads last change their form; where nothing vibrates nor decays, as long again. "
          "Periods are those of the modes that are shown and of the loads; loads that die out are followed until they "
-         "have fallen to 1/1000. With `motion: full` periods and decays are those of the modes alone."),
+         "have fallen to 1/1000. With `motion: full` periods are those of the modes alone, and loads are "
+         "followed for two of their longest periods where nothing grows; what takes 200 times as long as without loads "
+         "is refused."),
         ("digits", "Every value of a small motion has a bound of its error, and only digits that this supports are "
          "printed. Where the bound exceeds 1e-9 of the largest value up to there, as after millions of cycles, the "
          "value, extreme, zero or number of the steady state is found anew from the exact data, to 25 digits, if that "

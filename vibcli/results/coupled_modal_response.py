@@ -31,6 +31,10 @@ class CoupledModalResponse(ModalResponse):
         return count
 
     @property
+    def limit(self) -> int:
+        return 0
+
+    @property
     def _first(self):
         return self.most if self.most < 2 * FEWEST else 2 * FEWEST
 

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 LOW = 12            # damped modes that are looked for one by one
 LONGEST = 1_000     # steps of a million products
 MANY, MOST, SMALL = 2400, 600, 8        # modes at most of systems of few coordinates, and of others
+BLOCK = 4_096       # modes that are found together
+FINEST = 12_288     # modes of systems of few coordinates, by which what is asked to many digits is read
 
 
 class DampedModalResponse(ModalResponse):
@@ -21,6 +23,7 @@ class DampedModalResponse(ModalResponse):
 
     WORDS = "small oscillations about the equilibrium, by damped modes; what those left out add is estimated"
     estimated = True
+    _reached = 0
 
     def require(self) -> None:
         """NotByModes where the motion is not one of damped modes."""
@@ -65,6 +68,10 @@ class DampedModalResponse(ModalResponse):
             return 2 * FEWEST
         return MANY if len(self.matrices[0]) <= SMALL else MOST
 
+    @property
+    def limit(self) -> int:
+        return FINEST if self.most == MANY else 0
+
     def _found(self, count) -> "ModalMotion":
         import numpy as np
 
@@ -74,7 +81,9 @@ class DampedModalResponse(ModalResponse):
 
         modal, matrix = self.problem.modal, self._transfer.matrix
         with self.problem.work.task("the search for damped modes", LONGEST):
-            self._known.append(damped_series(self._known[-1], count))
+            for last in (*range(self._reached + BLOCK, count, BLOCK), count):
+                self._known.append(damped_series(self._known[-1], last))
+                self._reached = last
         series = self._known[-1]
         rigid = [[float(x) for x in mode.shape] for mode in modal.modes.shown() if mode.rigid]
         basis = DampedBasis(series, matrix, np.array(rigid).reshape(len(rigid), matrix.n), self._transfer.pieces)

@@ -14,8 +14,9 @@ if TYPE_CHECKING:
     from vibcli.results.modal_response import ModalResponse
 
 CLOSE = 1e-10       # of the largest value: a remainder that is small enough
-FINEST = 65_536     # modes in closed form
-BLOCK = 8_192       # modes that are found together
+FINEST = {True: 65_536, False: 32_768}      # modes in closed form, and of others
+MARGIN = 1.05       # modes more than a remainder needs
+BLOCK = 2_048       # modes that are found together
 
 
 def first_modes(modes: "Modes", count: int) -> list[Any]:
@@ -41,17 +42,27 @@ def enough(response: "ModalResponse", motion: "ModalMotion", output: "LinearOutp
 
 
 def finest(response: "ModalResponse", motion: "ModalMotion", output: "LinearOutput") -> "ModalMotion":
-    """The motion by as many modes in closed form as leave a small remainder, if these are not too many as it falls from
-    one doubling to the next; else the same."""
-    if not response.closed or 4 * motion.count > FINEST:
+    """The motion by as many modes as leave a small remainder, as it falls from one doubling to the next, or by the most
+    that are worth it; the same where more of them leave no less. Beyond closed forms displacements alone are."""
+    limit, count, share = response.limit, 2 * motion.count, 0.0
+    if not (response.closed or _is_displacement(output)):
         return motion
-    share, further = motion.left_share(output), response.motion(2 * motion.count).under(motion.reads)
-    less = further.left_share(output) if share > CLOSE else 0.0
-    while CLOSE < less < share:
-        doublings = ceil(log(less / CLOSE) / log(share / less))
-        if further.count << doublings > FINEST:
+    if count <= limit:
+        share = motion.left_share(output)
+    while share > CLOSE and motion.count < count:
+        try:
+            further = response.motion(count).under(motion.reads)
+            less = further.left_share(output)
+        except PhysicsError:        # frequencies that digits do not tell stand among so many
             break
+        if not less < share:
+            break
+        power = log(share / less) / log(further.count / motion.count)
         motion, share = further, less
-        further = response.motion(further.count << doublings).under(motion.reads)
-        less = further.left_share(output)
-    return further if less <= CLOSE < share else motion
+        count = min(ceil(MARGIN * motion.count * (share / CLOSE) ** (1 / power)), limit)
+    return motion
+
+
+def _is_displacement(output):
+    return not any((*output.v.values(), *output.a.values())) and all(
+        not place.along and not place.rates for place, factor in output.places.items() if factor)

@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from fractions import Fraction
 from functools import cached_property
-from math import log
+from math import log, tau
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, Unknown
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
 LOOK = 1.0          # seconds, to tell what rests for ever
 FOLLOWED, LOST = 12, 13         # digits that are offered beyond the horizon; those that are lost there
+SWINGS, LONGER = 2, 200         # swings of the slowest load that are looked at, as long as that is no longer so often
 SOON = 1e-3         # seconds, as far as a motion is followed of which the start alone is asked
 
 
@@ -173,17 +174,33 @@ class FullResponse(StatesInTime):
                 return self.trajectory(t or SOON)
         return self._trajectory
 
-    def lasting(self):
+    def _beside_loads(self, modes, damped):
+        """The duration of modes, of loads that change their form or die out, and of some swings of these where nothing
+        grows."""
+        from vibcli.analyses.excitation.load_times import load_times
         from vibcli.analyses.transient.duration import duration
 
+        problem = self.problem
+        loads = load_times(problem.scene, problem.numeric.floats, problem.work)
+        alone, found = duration(modes, damped, 0.0, []), duration(modes, damped, loads.last, [], loads.fading)
+        if loads.speeds and not any(mode.growth_rate for mode in (damped or modes)):
+            found = max(found, loads.last + SWINGS * tau / loads.speeds[0])
+        if found > LONGER * alone * problem.work.patience:
+            raise PhysicsError(f"loads are so late or slow that this motion would be followed up to t = {found:.4g} s, "
+                               f"{found / alone:.3g} times as long as without them", self._say_until())
+        return found
+
+    def _say_until(self):
+        return f"say until when: find: [{{response: {{until: {self.problem.spec.example('10 s')}}}}}]"
+
+    def lasting(self):
         self.problem.numeric.floats  # noqa: B018 - refused where parameters have none
         try:
             damped = self.problem.modal.damped
-            return duration(self.problem.modal.modes.shown(), damped and damped.shown(), 0.0, [])
+            modes = self.problem.modal.modes.shown(), damped and damped.shown()
         except PhysicsError:
-            until = self.problem.spec.example("10 s")
-            raise PhysicsError("it is not known how long this motion is to be looked at",
-                               f"say until when: find: [{{response: {{until: {until}}}}}]") from None
+            raise PhysicsError("it is not known how long this motion is to be looked at", self._say_until()) from None
+        return self._beside_loads(*modes)
 
     def by_quadrature(self, tree: NameRef | Power | Sum):
         """(period, relative error) of a coordinate of a conservative scene that has no other; else None."""

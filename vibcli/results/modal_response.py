@@ -5,7 +5,7 @@ from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
-from vibcli.results.enough_modes import enough, finest, first_modes
+from vibcli.results.enough_modes import FINEST, enough, finest, first_modes
 from vibcli.results.not_by_modes import CoupledModes, NotByModes, ShakenSupports
 from vibcli.results.response_of_members import ResponseOfMembers
 from vibcli.results.resting_shape import quartic_at_rest
@@ -85,6 +85,11 @@ class ModalResponse(ResponseOfMembers):
         """Is it a uniform member by itself, whose modes are known in closed form?"""
         return (not self._graded and self.natural.first(1)[0].motion.system is not None and len(self.placed) == 1
                 and not any(part.any() for part in self.matrices))
+
+    @property
+    def limit(self) -> int:
+        """By so many modes what is asked to many digits is read at most."""
+        return 0 if self._graded else 2 * FINEST[self.closed] // max(2, len(self.placed))
 
     def motion(self, count: int) -> "ModalMotion":
         """That of so many modes; a refusal is kept as a motion is."""

@@ -24,6 +24,7 @@ class ModalSignal(Signal):
     def __init__(self, motion: "ModalMotion", output: "LinearOutput", asked: tuple = (),
                  finest: "Callable | None" = None):
         self.modal, self.reads, self.work, self.asked, self._finest = motion, output, motion.work, asked, finest
+        self._tops: dict[tuple, tuple[ModalMotion, tuple[float, float]]] = {}
 
     def read_at(self, t: float) -> Signal:
         found = by_waves(self, self.asked, t)
@@ -56,7 +57,8 @@ class ModalSignal(Signal):
     def error_of_extreme(self, start: float, end: float, top: tuple[float, float], sense: int) -> float:
         from vibcli.analyses.continuous.modal_search import error_of_extreme
 
-        found = error_of_extreme(self.modal, self.reads, start, end, top, sense)
+        motion, known = self._tops.get((start, end, sense), (self.modal, top))
+        found = error_of_extreme(motion if known == top else self.modal, self.reads, start, end, top, sense)
         if found == inf:
             raise without_bound()
         return found
@@ -74,10 +76,22 @@ class ModalSignal(Signal):
 
     def extreme(self, start: float, end: float, sense: int) -> tuple[float, float]:
         """(instant, value) of the largest (sense 1) or smallest (−1) value."""
-        from vibcli.analyses.continuous.modal_search import extreme
-
         self.require_bound(end)
-        return extreme(self.modal, self.reads, start, end, sense)
+        if (start, end, sense) not in self._tops:
+            self._tops[start, end, sense] = self._top(start, end, sense)
+        return self._tops[start, end, sense][1]
+
+    def _top(self, start, end, sense):
+        """The motion that the extreme is read of, and it."""
+        from vibcli.analyses.continuous.fine_search import highest
+        from vibcli.analyses.continuous.modal_search import candidates, extreme
+
+        finest = self.modal if self._finest is None else self._finest(self.modal, self.reads)
+        found = None
+        if finest is not self.modal:
+            cells = candidates(self.modal, self.reads, start, end, sense)
+            found = highest(finest, self.reads, cells, self.modal.count, sense)
+        return (self.modal, extreme(self.modal, self.reads, start, end, sense)) if found is None else (finest, found)
 
     def zeros(self, start: float, end: float) -> list[float]:
         """Instants at which it passes or touches zero."""

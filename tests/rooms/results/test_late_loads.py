@@ -1,9 +1,15 @@
 """Extremes of members whose loads begin long after they would have been looked at: none is missed."""
 
+from pathlib import Path
+
+import numpy as np
 import pytest
 
 import vibcli
+from vibcli.analyses.excitation.load_times import load_times
+from vibcli.base.errors import PhysicsError
 
+TRIALS = Path(__file__).parents[2] / "trials"
 TIP = "points: {tip: {body: b, at: 2 m}}\nforces: {f: {at: tip, force: 10 N*%s}}\n"
 BAR = "bars: {b: {length: 2 m, EA: 4 MN, mass_per_length: 3 kg/m, left: clamped}}\n" + TIP
 BEAM = "beams: {b: {length: 2 m, EI: 4 kN*m^2, mass_per_length: 3 kg/m, left: clamped}}\n" + TIP
@@ -19,3 +25,40 @@ def test_a_load_that_begins_late(scene):
 
 def test_waves_of_a_load_that_begins_late():
     assert vibcli.loads(BAR % "step(t - 0.5 s)")["max(b.u(2 m))"].value == pytest.approx(1e-5, rel=1e-12)
+
+
+PENDULUM = """\
+parameters: {L: 1 m, m: 1 kg, g: 9.81 m/s^2}
+gravity: g
+bodies: {bob: {mass: m, at: [0, -L], pin: {at: [0, 0], by: phi}}}
+forces: {f: {at: bob, force: [1 N*%s, 0 N]}}
+motion: full
+"""
+
+
+@pytest.mark.parametrize(("load", "most"), [
+    ("step(t - 100 s)", 2 * np.arctan(1 / 9.81)),                           # F sin φ = m g (1 − cos φ)
+    ("sin(0.05 rad/s*t)", np.arctan(1 / 9.81) * (1 + 0.05 / np.sqrt(9.81))),      # at rest beside a free vibration
+    ("(1 - exp(-t/(40 s)))", np.arctan(1 / 9.81) * (1 + 1 / 40 / np.sqrt(9.81)))])
+def test_full_equations_under_loads_that_are_late_or_slow(load, most):
+    """A pendulum that is pushed aside, looked at as long as what pushes it."""
+    assert vibcli.loads(PENDULUM % load)["max(phi)"].value == pytest.approx(most, rel=3e-3)
+
+
+def test_full_equations_under_loads_that_are_too_slow_are_not_followed():
+    scene = vibcli.loads(PENDULUM % "sin(1e-5 rad/s*t)")
+    with pytest.raises(PhysicsError, match=r"would be followed up to t = 1.257e\+06 s, 6.26e\+04 times as long"):
+        scene["max(phi)"]
+    assert scene["phi(10 s)"].value == pytest.approx(np.arctan(1e-4 / 9.81), rel=5e-3)
+    assert vibcli.loads(PENDULUM % "sin(1e-5 rad/s*t)" + "find: [{response: {until: 30 s}}]\n")["max(phi)"].value > 0
+
+
+def test_of_what_has_no_form_that_is_told_which_is_within_it():
+    scene = vibcli.loads(PENDULUM % "(sin(t^2/(1 s^2)) + sqrt(2 + step(t - 7 s)*cos(3 rad/s*t)))")._problem
+    found = load_times(scene.scene, {"L": 1.0, "m": 1.0, "g": 9.81}, scene.work)
+    assert found.last == 7 and found.speeds == [3.0] and found.fading == 0
+
+
+def test_a_place_that_loops_give_is_no_function_of_the_time_alone():
+    scene = vibcli.load(TRIALS / "crank_driven_from_far.yaml")._problem
+    assert load_times(scene.scene, scene.numeric.floats, scene.work).speeds == [3.0]

@@ -60,7 +60,7 @@ def member_bounds(modal: "ModalAnalysis", asked: Any) -> RitzEstimates:
         natural, modes = list(modal.modes.first(len(shapes))), []
         for i, square in enumerate(squares):
             weights = [sum(mixed[k, i] * one[j] for k, one in enumerate(basis)) for j in range(len(shapes))]
-            if abs(square) <= mpmath.mpf(10) ** (10 - WORKING) * max(map(abs, squares)):
+            if abs(square) <= _nothing() * max(map(abs, squares)):
                 square = mpmath.mpf(0)
             shape = [sum(w * motion.get(q, 0) for w, motion in zip(weights, found.motions, strict=True))
                      for q in range(elements.n)]
@@ -69,9 +69,7 @@ def member_bounds(modal: "ModalAnalysis", asked: Any) -> RitzEstimates:
                                   [float(x) for x in shape], None if exact is None else float(exact),
                                   [float(x) for x in weights]))
         moved = [[float(motion.get(q, 0)) for q in range(elements.n)] for motion in found.motions]
-        M, K = ([[float(matrix[i, j]) for j in range(len(shapes))] for i in range(len(shapes))]
-                for matrix in (found.M, found.K))
-        return RitzEstimates(moved, M, K, modes)
+        return RitzEstimates(moved, _floats(found.M), _floats(found.K), modes)
 
 
 def _bounded(modal):
@@ -99,6 +97,17 @@ def _assumed(modal, written):
             place, amplitude = amplitude_of(modal, name, expression)
             amplitudes[place] = amplitude
     return AssumedShape(functions, amplitudes, where)
+
+
+def _nothing():
+    return mpmath.mpf(10) ** (10 - WORKING)
+
+
+def _floats(matrix):
+    """Rows of floats, those that are only rounding beside the diagonal being 0."""
+    n = range(len(matrix))
+    size = [mpmath.sqrt(abs(matrix[i, i])) for i in n]
+    return [[float(matrix[i, j]) if abs(matrix[i, j]) > _nothing() * size[i] * size[j] else 0.0 for j in n] for i in n]
 
 
 def _within(matrix, basis):

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
 LONGEST = 200       # steps down to where nothing grows as fast
 LADDER = 4.0        # steps in z up to where enough frequencies lie below,
+MANY, NARROW = 256, 1.1     # modes, whose first and last are looked for first: z within which they lie then
 RUNGS = 4           # so many at once where arrays cost no more than numbers
 SLACK = 1e4         # of counts that only have to part frequencies
 SWEEPS = 400
@@ -43,6 +44,7 @@ class KnownCounts:
         self.system, self.scale = system, system.scale
         self.met: set = set()
         self.z, self.below, self.above, self.held = [], np.zeros(0, int), np.zeros(0, int), np.zeros(0, int)
+        self._least = self._most = np.zeros(0, int)
 
     def add(self, z: Any) -> None:
         """Counts at further z."""
@@ -61,14 +63,14 @@ class KnownCounts:
         self.z = [z[i] for i in order]
         self.below, self.above, self.held = (np.append(old, new)[order] for old, new in (
             (self.below, below), (self.above, above), (self.held, held)))
+        self._least = np.minimum.accumulate(self.above[::-1])[::-1]     # of `above` from each z on
+        self._most = np.maximum.accumulate(self.below)                  # of `below` up to each z
 
     def bracket(self, index: int) -> Bracket | None:
         """The narrowest of the frequency of this index; None where J is not known far enough."""
-        low = np.flatnonzero(self.above < index)
-        high = np.flatnonzero(self.below >= index)
-        if not len(low) or not len(high):
+        i, j = int(self._least.searchsorted(index)) - 1, int(self._most.searchsorted(index))
+        if i < 0 or j == len(self.z):
             return None
-        i, j = int(low[-1]), int(high[0])
         return Bracket(self.z[i], self.z[j], int(self.above[i]), int(self.below[j]), self.held[i] != self.held[j])
 
 
@@ -122,9 +124,13 @@ def reached(counts: KnownCounts, first: int, last: int) -> None:
         steps = RUNGS if _in_arrays(counts.system) else 1
         counts.add([top * LADDER**k for k in range(steps)])
         top *= LADDER**steps
+    if last - first > MANY:
+        parted(counts, [first, last], lambda bracket: 0 < bracket.high < NARROW * bracket.low)
     if last - first > 4 and counts.below.max() > last // 2:
-        share = counts.system.numbers(np.linspace(0, 1, 3 * (last - first) + 1)[1:-1])
-        counts.add(counts.z[int(np.argmax(counts.below >= last))] * share * share)
+        top, low = counts.z[int(np.argmax(counts.below >= last))], counts.z[int(np.sum(counts.above < first)) - 1]
+        least = float(max(low / top, 0)) ** 0.5 if last - first > MANY else 0.0
+        share = counts.system.numbers(np.linspace(least, 1, 3 * (last - first) + 1)[1:-1])
+        counts.add(top * share * share)
 
 
 def _in_arrays(system):

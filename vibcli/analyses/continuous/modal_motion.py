@@ -107,17 +107,33 @@ class ModalMotion:
 
     def _on(self, read, stretch, tau, modes):
         """Without constants and channels, on one stretch."""
-        states = self.states
-        weights = read.states * stretch.free
-        chosen = np.flatnonzero((weights != 0) & (states.modes < (self.count if modes is None else modes)))
+        weights, rates = self._swings(read, stretch, modes)
         found = np.zeros(len(tau))
-        step = max(1, AT_ONCE // max(1, len(chosen)))
+        step = max(1, AT_ONCE // max(1, len(rates)))
         for i in range(0, len(tau), step):
-            found[i:i + step] = np.real(np.exp(np.outer(tau[i:i + step], states.rates[chosen])) @ weights[chosen])
+            found[i:i + step] = np.real(np.exp(np.outer(tau[i:i + step], rates)) @ weights)
+        return found + self._carried(read, stretch, tau)
+
+    def _swings(self, read, stretch, modes):
+        weights, states = read.states * stretch.free, self.states
+        chosen = np.flatnonzero((weights != 0) & (states.modes < (self.count if modes is None else modes)))
+        return weights[chosen], states.rates[chosen]
+
+    def _carried(self, read, stretch, tau):
+        found = self._driven(read, stretch, tau)
         for order in range(2):
             if read.rigid[order].any():
                 found += moved(self.modes.rigid_inputs, stretch, tau, order) @ read.rigid[order]
-        return found + self._driven(read, stretch, tau)
+        return found
+
+    def swings(self, output: "LinearOutput", stretch: FreeStretch, modes: int) -> tuple[np.ndarray, np.ndarray]:
+        """(c, λ) of the first modes, an output on a stretch being Re Σ c e^{λτ} beside `without_swings`."""
+        return self._swings(Read(self, output, 0), stretch, modes)
+
+    def without_swings(self, output: "LinearOutput", stretch: FreeStretch, t: np.ndarray) -> np.ndarray:
+        """What an output is at instants of a stretch but for free vibrations."""
+        return output.constant + self._carried(Read(self, output, 0), stretch, t - stretch.start) + self._direct(
+            output, t, 0)
 
     def _driven(self, read, stretch, tau):
         found = np.zeros(len(tau))

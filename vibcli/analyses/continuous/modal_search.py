@@ -31,18 +31,23 @@ ALIKE = 0.99                    # of a bound: no smaller
 def extreme(motion: "ModalMotion", output: "LinearOutput", start: float, end: float,
             sense: int) -> tuple[float, float]:
     """(t, value) of the largest (sense 1) or smallest (−1) value."""
+    cells = candidates(motion, output, start, end, sense)
+    values = sense * motion.values(output, cells)
+    best = cells[np.argsort(-values.max(axis=1))[:4]]
+    times = [top_between(lambda t: sense * motion.values(output, t), low, high) for low, high in best]
+    found = sense * motion.values(output, np.array(times))
+    return float(times[int(np.argmax(found))]), float(sense * found.max())
+
+
+def candidates(motion: "ModalMotion", output: "LinearOutput", start: float, end: float, sense: int) -> np.ndarray:
+    """The cells that may hold the largest (sense 1) or smallest (−1) value, whatever modes left out add, (…, 2)."""
     def high(cells, values, rest):
         if np.ptp(values) + 2 * rest <= LEVEL * np.abs(values).max():
             return np.arange(len(cells)) == 0
         tops = (sense * values).max(axis=1)
         return tops + BENT * bends(cells, values) >= tops.max() - 2 * rest
 
-    cells = _searched(motion, output, start, end, high)
-    values = sense * motion.values(output, cells)
-    best = cells[np.argsort(-values.max(axis=1))[:4]]
-    times = [top_between(lambda t: sense * motion.values(output, t), low, high) for low, high in best]
-    found = sense * motion.values(output, np.array(times))
-    return float(times[int(np.argmax(found))]), float(sense * found.max())
+    return _searched(motion, output, start, end, high)
 
 
 def error_of_extreme(motion: "ModalMotion", output: "LinearOutput", start: float, end: float,

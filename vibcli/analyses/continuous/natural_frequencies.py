@@ -31,8 +31,8 @@ WIDEST = 1e-9       # a bound that is not worth a proof
 SURE = 1e-12        # a relative bound that is good enough
 NOTHING = 256       # roundings of the largest, below which a part of a shape is zero
 DOUBTED = 0.5       # the bound of what counts do not prove
-WIDTHS = 1.3, 1.04, 1.001       # of z: from where on a Rayleigh quotient is tried
-NEAR_POLE = 0.02    # of the spacing of high frequencies, where a pole lies between
+WIDTHS = 1.3, 1.04, 1.001, 1.0      # of z: from where on a Rayleigh quotient is tried,
+NEXT, NEAR_POLE = 0.2, 0.02     # and of the spacing of high frequencies, which is about 4/n, last and by a pole
 MANY = 4            # brackets by a pole that are worth being served together
 TIGHT = 1 + 1e-6    # where there are several
 NIL = 2.0**-50      # of the largest tension: an end with less has none
@@ -88,7 +88,8 @@ def _ready(bracket, width):
     """Is a bracket narrow enough to leave counting?"""
     if not bracket.single:
         return _ratio(bracket) < TIGHT
-    return _ratio(bracket) < (1 + NEAR_POLE / (20 + bracket.above) if bracket.pole else width)
+    return _ratio(bracket) < 1 + max((NEAR_POLE if bracket.pole else NEXT) / (20 + bracket.above),
+                                     0.0 if bracket.pole else width - 1)
 
 
 def _ratio(bracket):

@@ -15,7 +15,6 @@ from vibcli.analyses.modal.method import ENCLOSED, IN_DIGITS, IN_FLOATS, choose
 from vibcli.analyses.modal.mode_numbers import Digits, NearestFloats, beyond, in_units
 from vibcli.analyses.modal.rigid_body_modes import rank
 from vibcli.analyses.modal.scaling import Scaling, mechanism, scaling
-from vibcli.analyses.modal.undamped_certified import EnclosedEigenvalues, enclosed
 from vibcli.base.errors import Inertless
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.precision import working_bits
@@ -23,6 +22,7 @@ from vibcli.numerics.precision import working_bits
 if TYPE_CHECKING:
     from fractions import Fraction
 
+    from vibcli.analyses.modal.undamped_certified import EnclosedEigenvalues
     from vibcli.analyses.modal.undamped_large import Approximate
 
 ENOUGH = 5e-13
@@ -132,8 +132,10 @@ def _loose(elements):
     return next(i for i in range(elements.n) if rank(elements.n, [*known, {i: 1.0}]) > rank(elements.n, known))
 
 
-def certain(elements: Any, scale: Scaling, zeros: int | None, precise: Callable | None) -> EnclosedEigenvalues:
+def certain(elements: Any, scale: Scaling, zeros: int | None, precise: Callable | None) -> "EnclosedEigenvalues":
     """Enclosed eigenvalues of the floats, or of more digits where their rounding shows."""
+    from vibcli.analyses.modal.undamped_certified import enclosed
+
     answer = enclosed(elements, scale, zeros)
     if precise is None:
         if elements.K_size:
@@ -150,6 +152,8 @@ def certain(elements: Any, scale: Scaling, zeros: int | None, precise: Callable 
 def undamped_digits(elements: Any, scale: Scaling, zeros: int | None, precise: Callable | None,
                     digits: int) -> list[Mode]:
     """The modes to `digits` correct digits, in numbers of mpmath."""
+    from vibcli.analyses.modal.undamped_certified import enclosed
+
     goal = working_bits(digits)
     if precise is None:
         return modes(enclosed(elements, scale, zeros, goal), scale, Digits)
@@ -188,7 +192,7 @@ def check_ties(elements: Any) -> None:
             raise mechanism(i)
 
 
-def modes(answer: EnclosedEigenvalues, scale: Scaling, numbers: type[Any]) -> list[Mode]:
+def modes(answer: "EnclosedEigenvalues", scale: Scaling, numbers: type[Any]) -> list[Mode]:
     """Mode objects of enclosed eigenvalues, in floats or mpmath's numbers."""
     bits = answer.bits
     powers = bits - np.broadcast_to(np.array(scale.coordinates)[:, None], answer.shapes.shape)

@@ -4,7 +4,6 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.mechanics.equilibrium.no_equilibrium import unbounded, unfinished
 
 if TYPE_CHECKING:
     from vibcli.mechanics.numeric_linearisation import Numbers
@@ -48,6 +47,7 @@ def is_balanced(numbers: "Numbers", terms: int = 8) -> bool:
 def find_equilibrium(numeric: "NumericSystem", start: Mapping[str, float]) -> Equilibrium:
     """The Equilibrium reached from `start` ({coordinate: float}); PhysicsError where V falls without bound."""
     from vibcli.mechanics.equilibrium.energy_descent import EnergyDescent
+    from vibcli.mechanics.equilibrium.no_equilibrium import unbounded, unfinished
 
     search = EnergyDescent(numeric, start)
     q = search.vector(start)

@@ -41,9 +41,9 @@ def _tell(problem, sheet, asked):
         return
     unit = as_printed(unit_of(problem.spec, asked))
     node = _in_letters(problem, asked, value)
-    sheet.write(Words(f"{as_printed(asked.text)}{':  ' * (node is not None)}"), *([] if node is None else [node]), *number(
-        value, "" if unit == "1" else unit), settles=asked.text, node=node, value=value, unit=unit,
-        uses=[sheet.last])
+    shown = [Words(as_printed(asked.text))] if node is None else [Words(f"{as_printed(asked.text)}:  "), node]
+    sheet.write(*shown, *number(value, "" if unit == "1" else unit), settles=asked.text, node=node, value=value,
+                unit=unit, uses=[sheet.last])
 
 
 def _in_letters(problem: "Problem", asked: "Expression", value: float) -> "Node | None":

@@ -1,6 +1,6 @@
 """Approximations of frequencies of members, against closed forms: Rayleigh 1877, Dunkerley 1894."""
 
-from math import sqrt
+from math import pi, sqrt
 
 import pytest
 from support.scenes import problem
@@ -64,3 +64,19 @@ def test_a_hanging_chain_has_a_free_end():
     assert found.members.elements[0][1][0] == pytest.approx(sqrt(1.5 * 9.81 / 1.2), rel=1e-12)
     assert found.dunkerley == pytest.approx(sqrt(9.81 / 1.2), rel=2e-3)
     assert found.dunkerley < found.omega < found.rayleigh
+
+
+def test_what_does_not_turn_and_what_two_shapes_do_not_share_is_zero():
+    """By half sines of a hinged beam: 5 w L⁴/384 + F L³/48 over w L³/24 + F L²/16, F = wL/2; K = π⁴n⁴EI/(2L³)."""
+    found = problem("""\
+        parameters: {L: 2 m, EI: 100 N*m^2, mu: 1 kg/m}
+        beams:
+          w: {length: L, EI: EI, mass_per_length: mu, left: pinned, right: pinned, attached: [{at: L/2, mass: mu*L/2}]}
+        find: [{ritz: {shapes: [{w.u: sin(pi*x/L)}, {w.u: sin(3*pi*x/L)}]}}]
+        """).modal
+    shape = found.result("estimates").deflection
+    assert shape["w.slope(L/2)"] == 0
+    assert shape["w.u(L/2)"] / shape["w.slope(0 m)"] == pytest.approx((5 / 192 + 1 / 48) / (1 / 24 + 1 / 32), rel=1e-5)
+    K = found.result("ritz").K
+    assert K[0][1] == K[1][0] == 0
+    assert [K[0][0], K[1][1]] == pytest.approx([pi**4 * 100 / 16, 81 * pi**4 * 100 / 16], rel=1e-15)

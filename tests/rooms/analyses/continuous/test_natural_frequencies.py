@@ -188,3 +188,20 @@ def test_a_bar_with_an_end_mass_has_ten_thousand_modes(tip):
             exact = mpmath.findroot(lambda x: mpmath.cos(x) - tip * x * mpmath.sin(x), mpmath.mpf(mode.omega))
             assert abs(mpmath.mpf(mode.omega) / exact - 1) <= mode.error < 1e-15
         assert round(mode.omega / math.pi) == mode.index - 1
+
+
+def test_two_thousand_modes_at_a_time_of_a_beam_that_is_clamped_and_heavy_at_its_tip():
+    """cos b cosh b + 1 = ½ b (sin b cosh b − cos b sinh b), at some of them, in floats alone; the k-th lies behind
+    (k − 1)π."""
+    modes = NaturalModes(FactoredSystem(2, [(0.5, {0: 1.0})], pieces=[placed(beam(), {}, {}, {0: 1.0}, {1: 1.0})]))
+    found = modes.numbered(2049, 4000)
+    assert set(modes._known) == {None}
+    for mode in found[::150]:
+        with mpmath.workdps(40):
+            def off(b):
+                return mpmath.cos(b) + mpmath.sech(b) - b / 2 * (mpmath.sin(b) - mpmath.cos(b) * mpmath.tanh(b))
+            b = mpmath.findroot(off, mpmath.sqrt(mode.omega))
+            assert abs(mpmath.mpf(mode.omega) / b**2 - 1) <= mode.error < 1e-14
+        assert int(b / mpmath.pi) == mode.index - 1
+    omega = np.array([mode.omega for mode in found])
+    assert np.abs(np.diff(np.sqrt(omega)) / np.pi - 1).max() < 1e-3

@@ -1,0 +1,94 @@
+"""The largest value of a motion by very many modes within what fewer of them leave open: windows of time on equidistant
+grids, twice as many modes at a time, each window as fine as its modes need and as narrow as those before left it."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from vibcli.analyses.continuous.modal_grid import TURN
+from vibcli.analyses.continuous.modal_search import BENT, bends, top_between
+from vibcli.numerics.sums_on_grids import sum_on_grid
+
+if TYPE_CHECKING:
+    from vibcli.analyses.continuous.modal_motion import ModalMotion
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+
+MOST, WINDOWS = 1 << 22, 32     # places of a level, and windows
+MIXED = 8           # terms by which decays differ within a window at most,
+ALIKE = 1e-13       # to this part of all amplitudes
+TOPS = 4            # cells that are searched for the top
+
+
+def highest(motion: "ModalMotion", output: "LinearOutput", cells: np.ndarray, known: int,
+            sense: int) -> tuple[float, float] | None:
+    """(t, value) of the largest (sense 1) or smallest (−1) value within the cells that `known` modes leave, (…, 2);
+    None where these are too many or too wide, or modes decay too differently."""
+    counts = [known << k for k in range(1, 32) if known << k < motion.count] + [motion.count]
+    values = np.zeros(0)
+    for count in counts:
+        windows = _windows(motion, cells)
+        step = TURN / float(np.abs(motion.states.rates[motion.states.modes < count]).max())
+        if windows is None or sum(high - low for low, high, _ in windows) > MOST * step:
+            return None
+        found = [_on_window(motion, output, window, step, count) for window in windows]
+        if any(one is None for one in found):
+            return None
+        cells, values = _left(found, sense)
+    best = cells[np.argsort(-values)[:TOPS]]
+    times = np.array([top_between(lambda t: sense * motion.values(output, t), low, high) for low, high in best])
+    tops = sense * motion.values(output, times)
+    return float(times[int(np.argmax(tops))]), float(sense * tops.max())
+
+
+def _windows(motion, cells):
+    """[(start, end, its stretch)], the narrowest gaps closed; None where stretches are too many."""
+    stretches = motion.stretches(float(cells[-1, 1]))
+    starts = np.array([one.start for one in stretches])
+    number = np.searchsorted(starts, cells.mean(axis=1), side="right") - 1
+    gaps, same = cells[1:, 0] - cells[:-1, 1], number[1:] == number[:-1]
+    if len(np.unique(number)) > WINDOWS:
+        return None
+    widest = np.sort(np.where(same, gaps, np.inf))[::-1][:WINDOWS - 1]
+    closed = same & (gaps <= (widest[-1] if len(widest) == WINDOWS - 1 else 0.0))
+    first = np.flatnonzero(np.append(True, ~closed))
+    last = np.append(first[1:], len(cells)) - 1
+    return [(float(cells[i, 0]), float(cells[j, 1]), stretches[number[i]]) for i, j in zip(first, last, strict=True)]
+
+
+def _on_window(motion, output, window, step, count):
+    """(cells, values at their ends, rest): by so many modes, rest being what the others can add; None where modes decay
+    too differently."""
+    low, high, stretch = window
+    places = max(3, int(np.ceil((high - low) / step)) + 1)
+    weights, rates = motion.swings(output, stretch, count)
+    tau = (high - low) / (places - 1) * np.arange(places)
+    swung = _swung(weights * np.exp(rates * (low - stretch.start)), rates, tau)
+    if swung is None:
+        return None
+    values = swung + motion.without_swings(output, stretch, low + tau)
+    cells = np.stack([low + tau[:-1], np.append(low + tau[1:-1], high)], axis=1)
+    return cells, np.stack([values[:-1], values[1:]], axis=1), motion.bound(output, low, modes=count)
+
+
+def _swung(weights, rates, tau):
+    """Re Σ c e^{λτ} on a grid, as e^{λτ} = e^{(σ + iω)τ} Σ ((Re λ − σ)τ)ᵏ/k!, σ being the slowest decay."""
+    sizes, slowest = np.abs(weights), float(rates.real.max(initial=-np.inf))
+    found, shares = np.zeros(len(tau)), np.ones(len(tau))
+    for k in range(MIXED):
+        found += shares * np.real(sum_on_grid(weights, rates.imag, tau[1], len(tau)))
+        weights = weights * (rates.real - slowest)
+        shares = shares * tau / (k + 1)
+        if np.abs(weights).sum() * shares[-1] <= ALIKE * sizes.sum():
+            return found * np.exp(slowest * tau)
+    return None
+
+
+def _left(found, sense):
+    """The cells that may hold the extreme, in order, and the larger value at their ends in that sense."""
+    least = max(float((sense * values).max()) - rest for _, values, rest in found)
+    kept = []
+    for cells, values, rest in found:
+        tops = (sense * values).max(axis=1)
+        chosen = tops + BENT * bends(cells, values) + rest >= least
+        kept.append((cells[chosen], tops[chosen]))
+    return np.concatenate([cells for cells, _ in kept]), np.concatenate([tops for _, tops in kept])
