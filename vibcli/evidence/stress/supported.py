@@ -9,7 +9,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from vibcli.base.errors import PhysicsError, SpecError
-from vibcli.check.tolerance import SHORT, digits_written, half_a_unit
+from vibcli.base.written_digits import SHORT, digits_written, half_a_unit
 from vibcli.language.given_values import decimal, number_and_unit
 from vibcli.quantities.expression import value_of
 from vibcli.quantities.quantity import COMPLEX, LEAPING, OF_STATE, kind_of
