@@ -8,7 +8,6 @@ from math import lcm
 from string import ascii_lowercase
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from vibcli.drawing.drawing import contents
 from vibcli.homework.exports.told import ToldBand, bands_told
 from vibcli.homework.roster import Student
 from vibcli.homework.sheets import student_sheet
@@ -97,7 +96,7 @@ def questions_of(course: "Course", handout: "Handout", number: int) -> Iterator[
         if own:
             end = f"-{BY_HAND}" if by_hand else ""
             yield ExportedQuestion(item + end, name + end, name, number + 1, handout.title, by_hand, sheet.question,
-                                   tuple(given), picture, _described(handout, picture),
+                                   tuple(given), picture, _described(picture),
                                    handout.document.files, own, handout.sentences, solution)
 
 
@@ -105,8 +104,8 @@ def _picture(handout):
     return next((block for section in handout.figure for block in section.blocks if isinstance(block, Picture)), None)
 
 
-def _described(handout, picture):
-    return f"{picture.caption}: {contents(handout.base.spec)}" if picture is not None else ""
+def _described(picture):
+    return f"{picture.caption}: {picture.about}" if picture is not None else ""
 
 
 def told(name: str, said: Mapping[str, str]) -> str:
