@@ -7,10 +7,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from support.scenes import problem_of
+from support.scenes import kept_instances_of, kept_problem_of
 
 from vibcli.base.errors import PhysicsError
-from vibcli.check.instances import Instances
 from vibcli.plots.braille import braille
 from vibcli.report.document import Report
 from vibcli.report.formats.text import render
@@ -27,11 +26,12 @@ WANTED = Wanted(points=40)
 
 def problems_of(path):
     """The scene and its cases; where a scene holds letters or choices, the same in numbers as well."""
-    scene = problem_of(path)
-    for problem in (scene, *(scene.case(name) for name in scene.spec.cases)):
+    scene = kept_problem_of(path)
+    for case in ("", *scene.spec.cases):
+        problem = scene.case(case) if case else scene
         if problem.numeric.has_free_symbols:
             yield problem
-        numeric = next(iter(Instances(problem)), None)
+        numeric = next(iter(kept_instances_of(path, case)), None)
         if numeric is not None:
             yield numeric
 

@@ -7,15 +7,13 @@ imports vibcli; the file's expected value is evaluated by a plain walk over its 
 import ast
 import random
 import re
-from functools import cache
 from importlib.util import module_from_spec, spec_from_file_location
 from itertools import islice
 from pathlib import Path
 
 import pytest
-from support.scenes import number, problem_of
+from support.scenes import kept_instances_of, kept_problem_of, number
 
-from vibcli.check.instances import Instances
 from vibcli.inverse import settled
 from vibcli.symbolic.syntax import QuantityRef
 
@@ -38,11 +36,6 @@ def derivation(path):
     return module
 
 
-@cache
-def scene(path):
-    return problem_of(path)
-
-
 def cases(problem, settle=False):
     """[(prefix of the keys, Problem)] of the scene and its cases; `settle`: with what the cases choose."""
     parts = [(f"{name}: ", problem.case(name)) for name in problem.spec.cases]
@@ -57,9 +50,9 @@ def keys_of(problem):
     return [plain(prefix + answer.asked.text) for prefix, part in cases(problem) for answer in part.spec.answers]
 
 
-def draws(problem):
+def draws(path):
     """The problem with numbers: itself, or with several sets of random positive values for its symbols."""
-    draws = Instances(problem)
+    draws = kept_instances_of(path)
     return list(islice(draws, draws.wanted))
 
 
@@ -144,7 +137,7 @@ def answers_of(draw):
 @pytest.mark.parametrize("path", PROBLEMS, ids=lambda path: path.stem)
 def test_answers_agree_with_the_derivation(path):
     """The derivation covers exactly the answers, and agrees; where it is spoiled, none of them agrees."""
-    for i, draw in enumerate(draws(scene(path))):
+    for i, draw in enumerate(draws(path)):
         found, asked = derived(path, draw), answers_of(draw)
         assert sorted(found) == sorted(key for key, *_ in asked)
         differ = sorted(key for key, part, answer in asked if not agrees(part, answer, found[key]))
@@ -157,7 +150,7 @@ def test_answers_agree_with_the_derivation(path):
 def test_how_many_were_compared():
     assert len(PROBLEMS) >= LEAST_FILES
     assert len({path.stem for path in PROBLEMS}) == len(PROBLEMS)
-    assert sum(len(keys_of(scene(path))) for path in PROBLEMS) >= LEAST_ANSWERS
+    assert sum(len(keys_of(kept_problem_of(path))) for path in PROBLEMS) >= LEAST_ANSWERS
 
 
 def test_every_derivation_belongs_to_a_problem():

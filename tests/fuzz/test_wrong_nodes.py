@@ -38,9 +38,9 @@ def replaced(node, path, new):
 
 
 def kinds():
-    """{kind of place: (scene, a place of this kind in it)}, the first of each."""
+    """{kind of place: (scene, a place of this kind in it)}, each in the shortest scene that has it."""
     found = {}
-    for path in SCENES:
+    for path in sorted(SCENES, key=lambda path: path.stat().st_size):
         whole = yaml.load(path.read_text(encoding="utf-8"), Loader=LOADER)
         for place, kind in places(whole):
             found.setdefault(kind, (path, whole, place))

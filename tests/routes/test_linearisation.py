@@ -9,10 +9,9 @@ time are left to the excitation.
 from pathlib import Path
 
 import pytest
-from support.scenes import kept_problem_of
+from support.scenes import kept_instances_of, kept_problem_of
 
 from vibcli.base.errors import PhysicsError, SpecError
-from vibcli.check.instances import Instances
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 from vibcli.mechanics.given_damping import given_numbers
 from vibcli.mechanics.lagrange import equation_of
@@ -29,9 +28,9 @@ FEWEST, LOOKED, COMPARED = 0.8, [], []
 
 def numeric_problems(path):
     scene = kept_problem_of(path)
-    for one in (scene, *(scene.case(name) for name in scene.spec.cases)):
+    for case in ("", *scene.spec.cases):
         try:
-            numeric = next(iter(Instances(one)), None)
+            numeric = next(iter(kept_instances_of(path, case)), None)
             found = numeric is not None and 0 < len(numeric.scene.q) <= MOST and numeric.configuration.equilibrium
         except (PhysicsError, SpecError):
             continue

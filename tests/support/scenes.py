@@ -4,6 +4,7 @@ import math
 from functools import cache
 from textwrap import dedent
 
+from vibcli.check.instances import Instances
 from vibcli.language.document.document import read, read_file
 from vibcli.quantities.expression import measure
 from vibcli.reader.read import read_spec
@@ -29,6 +30,13 @@ def problem_of(path):
 def kept_problem_of(path):
     """The same, one for all tests of a process: for those that only read what it finds."""
     return problem_of(path)
+
+
+@cache
+def kept_instances_of(path, case=""):
+    """Its Instances with numbers, of one of its cases where that is named; they, too, are the same for all tests."""
+    found = kept_problem_of(path)
+    return Instances(found.case(case) if case else found)
 
 
 def number(tree, names, functions=math):

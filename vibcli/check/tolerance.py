@@ -1,10 +1,10 @@
 """How far what is found may lie from the number that is expected: by its tolerance, by the digits written, or by
 rounding. This hangs on what is written alone, never on how well the result is known."""
 
-import re
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import Diagnostic, SpecError
+from vibcli.base.written_digits import SHORT, digits_written, half_a_unit
 from vibcli.quantities.expression import bounded, measure, value_of
 from vibcli.quantities.quantity import parts_that_cancel, quantity_of
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 EXACT, WIDEST, SMALL, EPSILON = 1e-9, 0.005, 1e-12, 2.0**-52
-SHORT, DOUBLE = 3, 17       # digits: fewer are exact; a float has at most so many
+DOUBLE = 17     # digits: a float has at most so many
 ULPS = {16: 16, 17: 16}     # of a float printed in full, its last digits are the rounding of whoever computed it
 
 
@@ -44,24 +44,6 @@ def _share(problem, rtol: "Expression"):
         raise SpecError([Diagnostic(rtol.where, f"the tolerance is {share:.6g}, expected 0 to 1",
                                     "write for example rtol: 0.5 %")])
     return share
-
-
-def _number(text):
-    """(digits before the point, after it, exponent) of a number as written."""
-    whole, fraction, exponent = re.match(r"\s*[-+]?\s*(\d*)\.?(\d*)(?:[eE]([-+]?\d+))?", text).groups()
-    return whole, fraction, int(exponent or 0)
-
-
-def digits_written(text: str) -> int:
-    """How many significant digits a number is written with; 0 of what is none."""
-    whole, fraction, _ = _number(text)
-    return len((whole + fraction).lstrip("0"))
-
-
-def half_a_unit(text: str) -> float:
-    """Half a unit of the last digit of a number as written."""
-    _, fraction, exponent = _number(text)
-    return 0.5 * 10.0 ** (exponent - len(fraction))
 
 
 def _small(problem, answer):

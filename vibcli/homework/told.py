@@ -36,13 +36,12 @@ def told(problem: "Problem") -> set[str]:
 
 def lettered(problem: "Problem") -> set[str]:
     """The parameters whose letters stand in the figure."""
-    from vibcli.drawing.drawing import draw
     from vibcli.notation.plain import plain
+    from vibcli.report.sections.illustrations import lettering
 
     words: set = set()
-    for primitive in draw(problem):
-        runs = getattr(primitive, "runs", ())
-        text = unicodedata.normalize("NFKC", "".join(run.text for run in runs))
+    for text in lettering(problem):
+        text = unicodedata.normalize("NFKC", text)
         words.update(WORD.findall(text), [text])
     return {name for name in problem.spec.parameters if unicodedata.normalize("NFKC", plain.symbol(name)) in words}
 

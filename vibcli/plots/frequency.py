@@ -84,9 +84,9 @@ def nyquist(Omega: Any, H: "Mapping[str, list[float] | np.ndarray]", unit: str, 
     factor, unit = readable(largest([h for values in H.values() for h in values]), unit_text(unit))
     curves = [Curve(label, tuple(h.real * factor for h in values), tuple(h.imag * factor for h in values))
               for label, values in H.items()]
+    points = [(min(range(len(Omega)), key=lambda i, to=to: abs(Omega[i] - to)), to)  # type: ignore[misc]
+              for to in _distinct(at)]
     for values in H.values():
-        points = [(min(range(len(Omega)), key=lambda i, to=to: abs(Omega[i] - to)), to)  # type: ignore[misc]
-                  for to in _distinct(at)]
         curves.append(Curve("", tuple(values[i].real * factor for i, _ in points),
                             tuple(values[i].imag * factor for i, _ in points), "markers",
                             tuple(f"{to:.4g} rad/s" for _, to in points)))

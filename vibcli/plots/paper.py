@@ -30,7 +30,7 @@ class Axis(NamedTuple):
 
     def place(self, value: float) -> float:
         """Where a value stands; None for one that has no place."""
-        return _place(value, self.log)
+        return _places((value,), self.log)[0]
 
     def value(self, place: float) -> float:
         """What stands at a place."""
@@ -98,19 +98,17 @@ def _shared(panels, ranges, i):
     return min(low for low, _ in group), max(high for _, high in group)
 
 
-def _place(value, log):
-    value = float(value)
+def _places(values, log):
+    """Where numbers stand on an axis; None where they stand nowhere."""
+    values = map(float, values)
     if log:
-        return math.log10(value) if 0 < value < math.inf else None
-    if abs(value) < SMALLEST:
-        return 0.0
-    return value if -LARGEST < value < LARGEST else None
+        return [math.log10(value) if 0 < value < math.inf else None for value in values]
+    return [0.0 if -SMALLEST < value < SMALLEST else value if -LARGEST < value < LARGEST else None for value in values]
 
 
 def _strokes(curve, panel):
     runs, run = [], []
-    for x, y in zip(curve.x, curve.y, strict=True):
-        x, y = _place(x, panel.x_log), _place(y, panel.y_log)
+    for x, y in zip(_places(curve.x, panel.x_log), _places(curve.y, panel.y_log), strict=True):
         if x is None or y is None:
             if run:
                 runs.append(run)

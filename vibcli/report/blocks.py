@@ -131,13 +131,14 @@ class Definitions(NamedTuple):
 
 class Picture(NamedTuple):
     """A picture: a short name for its file, the words that describe it, and draw("svg") or draw("pdf"), which gives
-    its bytes; `animated` gives those of an SVG for pages, if it moves. A section adds pictures only where
-    `report.pictures` is set; plain text leaves them out."""
+    its bytes; `animated` gives those of an SVG for pages, if it moves; `about`: what it holds, in words. A section adds
+    pictures only where `report.pictures` is set; plain text leaves them out."""
 
     name: str
     caption: str
     draw: Any
     animated: Any = None
+    about: str = ""
 
 
 class Refusal(NamedTuple):

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 from support.overlaps import crossed, touching
-from support.scenes import problem_of
+from support.scenes import kept_problem_of
 
 from vibcli.drawing.canvas.primitives import Circle, Polyline
 from vibcli.drawing.drawing import draw
@@ -19,7 +19,7 @@ MOST = 0.02
 @pytest.mark.sweep
 def test_words_and_arrows_of_problems_and_examples_touch_nothing():
     paths = sorted([*ROOT.glob("problems/[1-9]*/*.yaml"), *ROOT.glob("vibcli/examples/*.yaml")])
-    figures = {path.stem: draw(problem_of(path)) for path in paths}
+    figures = {path.stem: draw(kept_problem_of(path)) for path in paths}
     assert len(figures) > 300
     for check in (touching, crossed):
         found = {name: told for name, figure in figures.items() if (told := check(figure))}

@@ -4,10 +4,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from support.scenes import kept_problem_of
+from support.scenes import kept_instances_of
 
 from vibcli.base.errors import PhysicsError
-from vibcli.check.instances import Instances
 from vibcli.mechanics.inputs_outputs.forces_along_motion import ForcesAlong
 from vibcli.symbolic.evaluation import Floats, evaluate
 
@@ -31,7 +30,7 @@ def at_rest(one):
 @pytest.mark.sweep
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_of_a_scene_at_rest(path):
-    one = next(iter(Instances(kept_problem_of(path))), None)
+    one = next(iter(kept_instances_of(path)), None)
     try:
         statics = {} if one is None or one.scene.timed else {
             reaction.signal: reaction.value for reaction in one.configuration.reactions if reaction.value is not None}

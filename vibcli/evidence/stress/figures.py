@@ -5,7 +5,7 @@ from fractions import Fraction
 from functools import partial
 from typing import Any, NamedTuple
 
-from vibcli.check.tolerance import SHORT, digits_written, half_a_unit
+from vibcli.base.written_digits import SHORT, digits_written, half_a_unit
 from vibcli.evidence.stress.read_again import VALUE, replaced
 from vibcli.evidence.stress.rewritten import TOLD, decimal_of, with_numbers
 from vibcli.language.document.nodes import Mapping

@@ -9,7 +9,6 @@ from string import ascii_lowercase
 from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.drawing.drawing import contents
 from vibcli.homework.exports.setting import AsSet, SetInMathML, SetInTeX, html, running
 from vibcli.homework.exports.told import ToldBand, bands_told
 from vibcli.homework.roster import Student
@@ -109,7 +108,7 @@ def questions_of(course: "Course", handout: "Handout", number: int) -> Iterator[
         if own:
             end = f"-{BY_HAND}" if by_hand else ""
             yield ExportedQuestion(item + end, name + end, name, number + 1, handout.title, by_hand, sheet.question,
-                                   tuple(given), picture, _described(handout, picture),
+                                   tuple(given), picture, _described(picture),
                                    handout.document.files, own, handout.sentences, solution)
 
 
@@ -118,8 +117,8 @@ def picture_of(handout: "Handout") -> Picture | None:
     return next((block for section in handout.figure for block in section.blocks if isinstance(block, Picture)), None)
 
 
-def _described(handout, picture):
-    return f"{picture.caption}: {contents(handout.base.spec)}" if picture is not None else ""
+def _described(picture):
+    return f"{picture.caption}: {picture.about}" if picture is not None else ""
 
 
 def told(name: str, said: Mapping[str, str]) -> str:

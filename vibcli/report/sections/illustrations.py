@@ -20,6 +20,13 @@ def schematic(problem: "Problem", _: "Report") -> Iterator[Section]:
     yield from section("Figure", drawing("scene", "The scene as drawn", draw(problem), contents(problem.spec)))
 
 
+def lettering(problem: "Problem") -> list[str]:
+    """The texts that stand in the schematic."""
+    from vibcli.drawing.drawing import draw
+
+    return ["".join(run.text for run in getattr(primitive, "runs", ())) for primitive in draw(problem)]
+
+
 def mode_pictures(problem: "Problem", report: "Report") -> Iterator[Section]:
     """The shapes of the lowest modes on the scene at rest."""
     if problem.numeric.has_free_symbols:
@@ -73,4 +80,4 @@ def drawing(name: str, caption: str, primitives: Any, about: str = "") -> Pictur
     """A Picture of what is drawn."""
     from vibcli.drawing.canvas.files import data
 
-    return Picture(name, caption, partial(data, primitives, title=caption, about=about))
+    return Picture(name, caption, partial(data, primitives, title=caption, about=about), about=about)
