@@ -135,8 +135,8 @@ class ConditionSystem:
         return [misfit(pair, scale) for pairs, scale in zip(found, self.scales, strict=True) for pair in pairs]
 
     def settle_scales(self, places: Sequence[list[float]]) -> None:
-        """Where one side is zero at each place, now this one, now that, as of a single force that turns round, the
-        misfit is relative to the usual size of the other."""
+        """Where one side is zero at each place, this one or that, as of one force that turns round, the misfit is
+        relative to the usual size of the other."""
         found = [measured for measured in map(self.measured, places) if measured is not None]
         for i in range(len(self.conditions)):
             pairs = [measured[i][0] for measured in found if measured[i]]
