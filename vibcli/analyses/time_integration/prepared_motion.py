@@ -47,7 +47,7 @@ class PreparedMotion:
 
     def explicit_windows(self, rtol: float, again: bool) -> "Sequence[ExplicitWindows | SeriesWindows]":
         """Windows from explicit steps, those before others where they pay: of compiled series; of errors of `rtol`, by
-        longer steps where it is integrated `again`. None where collocation is better."""
+        longer steps where it is integrated `again`; none where collocation is better."""
         if self._explicit is None:
             return ()
         series = SeriesWindows(self.system, self._explicit.work, again)
