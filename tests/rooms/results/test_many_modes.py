@@ -4,11 +4,14 @@ largest of all: against series of their own, of 40,000 modes, which fall like n�
     φ = a cos bx + d sin bx + e^{−bx} + q e^{−b(1−x)},   S = φ‴(1)/b³,   S = −m b φ(1) or i (c/b) φ(1),   λ = i b²
 """
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 import vibcli
 
+PROBLEMS = Path(__file__).parents[3] / "problems"
 SCENE = """\
 parameters: {L: 1 m, EI: 1 N*m^2, mu: 1 kg/m}
 bodies: {base: {slide: 1 m*sin(2 rad/s*t)}}
@@ -72,3 +75,9 @@ def test_displacements_at_instants_and_the_largest_of_all(case):
     assert abs(top.value - series.at(0.6, at.value)) <= close
     near = at.value + np.concatenate([np.linspace(-1, 1, 10) * width for width in (1e-8, 1e-6, 1e-4, 1e-2)])
     assert max(series.at(0.6, t) for t in near[near > 0]) <= top.value + close
+
+
+def test_of_largest_values_that_are_equal_the_first_is_told():
+    """A rod that begins to hang by its weight, whose end moves furthest at 2L/c, 6L/c …"""
+    scene = vibcli.load(PROBLEMS / "8_continuous/rod_that_feels_its_weight_at_once.yaml")
+    assert scene["argmax(rod.u(L))"].value == pytest.approx(6 / np.sqrt(206e9 / 7850), rel=1e-6)

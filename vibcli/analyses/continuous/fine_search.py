@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vibcli.analyses.continuous.modal_grid import TURN
-from vibcli.analyses.continuous.modal_search import BENT, bends, top_between
+from vibcli.analyses.continuous.modal_search import BENT, bends, first_top
 from vibcli.numerics.sums_on_grids import sum_on_grid
 
 if TYPE_CHECKING:
@@ -16,7 +16,6 @@ if TYPE_CHECKING:
 MOST, WINDOWS = 1 << 22, 32     # places of a level, and windows
 MIXED = 8           # terms by which decays differ within a window at most,
 ALIKE = 1e-13       # to this part of all amplitudes
-TOPS = 4            # cells that are searched for the top
 
 
 def highest(motion: "ModalMotion", output: "LinearOutput", cells: np.ndarray, known: int,
@@ -24,7 +23,7 @@ def highest(motion: "ModalMotion", output: "LinearOutput", cells: np.ndarray, kn
     """(t, value) of the largest (sense 1) or smallest (−1) value within the cells that `known` modes leave, (…, 2);
     None where these are too many or too wide, or modes decay too differently."""
     counts = [known << k for k in range(1, 32) if known << k < motion.count] + [motion.count]
-    values = np.zeros(0)
+    values = room = np.zeros(0)
     for count in counts:
         windows = _windows(motion, cells)
         step = TURN / float(np.abs(motion.states.rates[motion.states.modes < count]).max())
@@ -33,11 +32,9 @@ def highest(motion: "ModalMotion", output: "LinearOutput", cells: np.ndarray, kn
         found = [_on_window(motion, output, window, step, count) for window in windows]
         if any(one is None for one in found):
             return None
-        cells, values = _left(found, sense)
-    best = cells[np.argsort(-values)[:TOPS]]
-    times = np.array([top_between(lambda t: sense * motion.values(output, t), low, high) for low, high in best])
-    tops = sense * motion.values(output, times)
-    return float(times[int(np.argmax(tops))]), float(sense * tops.max())
+        cells, values, room = _left(found, sense)
+    t, value = first_top(lambda t: sense * motion.values(output, t), cells, values, room)
+    return t, sense * value
 
 
 def _windows(motion, cells):
@@ -84,11 +81,12 @@ def _swung(weights, rates, tau):
 
 
 def _left(found, sense):
-    """The cells that may hold the extreme, in order, and the larger value at their ends in that sense."""
+    """The cells that may hold the extreme, in order, the larger value at their ends in that sense, and how far it rises
+    between them at most."""
     least = max(float((sense * values).max()) - rest for _, values, rest in found)
     kept = []
     for cells, values, rest in found:
-        tops = (sense * values).max(axis=1)
-        chosen = tops + BENT * bends(cells, values) + rest >= least
-        kept.append((cells[chosen], tops[chosen]))
-    return np.concatenate([cells for cells, _ in kept]), np.concatenate([tops for _, tops in kept])
+        tops, room = (sense * values).max(axis=1), BENT * bends(cells, values)
+        chosen = tops + room + rest >= least
+        kept.append((cells[chosen], tops[chosen], room[chosen]))
+    return tuple(np.concatenate(parts) for parts in zip(*kept, strict=True))

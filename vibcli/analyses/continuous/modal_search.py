@@ -21,6 +21,7 @@ FEW = 48                        # modes on a window
 MOST = 2_000                    # steps of 100,000 values
 BENT = 0.5                      # of the largest second difference beside it: how far a value rises between places
 NARROW = 40                     # sections of the last search
+TOPS, RUNS = 4, 16              # tops that are looked at by their height, and by their time
 LEVEL = 1e-12                   # of its size: what varies by less is at rest
 NEAR = 1e-10                    # of an extreme: a bound that is near enough
 WINDOWS, HALVES = 8, 40         # stretches whose beginnings are looked at apart, and times that these are halved
@@ -33,10 +34,24 @@ def extreme(motion: "ModalMotion", output: "LinearOutput", start: float, end: fl
     """(t, value) of the largest (sense 1) or smallest (−1) value."""
     cells = candidates(motion, output, start, end, sense)
     values = sense * motion.values(output, cells)
-    best = cells[np.argsort(-values.max(axis=1))[:4]]
-    times = [top_between(lambda t: sense * motion.values(output, t), low, high) for low, high in best]
-    found = sense * motion.values(output, np.array(times))
-    return float(times[int(np.argmax(found))]), float(sense * found.max())
+    t, value = first_top(lambda t: sense * motion.values(output, t), cells, values.max(axis=1),
+                         BENT * bends(cells, values))
+    return t, sense * value
+
+
+def first_top(curve: "Callable[[np.ndarray], np.ndarray]", cells: np.ndarray, tops: np.ndarray,
+              room: np.ndarray) -> tuple[float, float]:
+    """(t, value) of the largest value of a curve within cells in order, (…, 2), the first of equal ones; tops: the
+    larger value at the ends of each, room: how far the curve rises above it at most."""
+    number = np.cumsum(np.append(0, cells[1:, 0] != cells[:-1, 1]))     # of the run of cells without a gap
+    order = np.lexsort((-tops, number))
+    best = order[np.append(True, np.diff(number[order]) > 0)]           # the best of each run
+    likely = best[(tops + room)[best] >= tops.max()][:RUNS]
+    chosen = np.union1d(likely, best[np.argsort(-tops[best])[:TOPS]])
+    times = np.array([top_between(curve, low, high) for low, high in cells[chosen]])
+    found = curve(times)
+    first = int(np.argmax(found >= found.max() - LEVEL * np.abs(found).max()))
+    return float(times[first]), float(found[first])
 
 
 def candidates(motion: "ModalMotion", output: "LinearOutput", start: float, end: float, sense: int) -> np.ndarray:
