@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
 from vibcli.notation.numbers import figure
-from vibcli.notation.plain import lowered
 from vibcli.report.blocks import Heading, Name, Section, TableBlock, maths, paragraph, section, separated
 from vibcli.report.keys import Key
 from vibcli.report.sections.insight import ROWS, off, require_numbers
@@ -47,6 +46,8 @@ def _members(found):
     if lumped:
         yield Heading("One coordinate alone, the rest as at rest:")
         yield TableBlock(("", "mass", "of the member's", "stiffness", "ω [rad/s]", "error"), tuple(lumped))
+    from vibcli.notation.plain import lowered
+
     exact = found.members.exact
     rows = [(str(divisions), *_beside(omegas, exact)) for divisions, omegas in found.members.elements]
     if rows:
