@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 
-class MemberTransfer(NamedTuple):
+class LoadedMembers(NamedTuple):
     """The element data, and b, c, d by powers of s: {coordinate: number} of each, but for d numbers."""
 
     elements: "FactoredSystem"
@@ -29,7 +29,7 @@ class MemberTransfer(NamedTuple):
     d: list
 
 
-def transfer(problem: "Problem", signal: str, driver: str) -> MemberTransfer:
+def transfer(problem: "Problem", signal: str, driver: str) -> LoadedMembers:
     """Of a signal to a unit of an input, at the working precision; PhysicsError of members that lose energy."""
     configuration = PreciseConfiguration(problem.configuration)
     elements = problem.configuration.precise_system(mpmath.mp.dps)
@@ -39,17 +39,17 @@ def transfer(problem: "Problem", signal: str, driver: str) -> MemberTransfer:
     row, chosen = linear_row(configuration, signal), named_input(configuration, driver)
     if chosen.carried:
         raise PhysicsError("no reference is found of a load that turns with what is driven")
-    return MemberTransfer(elements, list(in_powers(configuration.with_inputs.columns, chosen.weights, chosen.turns)),
+    return LoadedMembers(elements, list(in_powers(configuration.with_inputs.columns, chosen.weights, chosen.turns)),
                           [row.q, row.v, row.a], [mpmath.mpmathify(x) for x in direct_part(row, chosen)])
 
 
-def in_floats(exact: MemberTransfer) -> MemberTransfer:
+def in_floats(exact: LoadedMembers) -> LoadedMembers:
     """The same in floats."""
     b, c = ([{i: float(x) for i, x in entries.items()} for entries in part] for part in (exact.b, exact.c))
-    return MemberTransfer(exact.elements.each(float), b, c, [float(x) for x in exact.d])
+    return LoadedMembers(exact.elements.each(float), b, c, [float(x) for x in exact.d])
 
 
-def at(exact: MemberTransfer, Omega: Any) -> Any:
+def at(exact: LoadedMembers, Omega: Any) -> Any:
     """H at s = iΩ."""
     s = mpmath.mpc(0, Omega)
     A = equations(exact.elements, mpmath.mpf(Omega) ** 2, s)

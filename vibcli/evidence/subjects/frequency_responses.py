@@ -37,15 +37,17 @@ def at_frequency(problem: "Problem", tree: QuantityRef) -> Subject:
         return 2 * mpmath.pi * found if cycles else found
 
     members = bool(problem.configuration.linear_system.pieces)
-    true = (member_responses if members else reference).value(problem, *tree.indices, Omega)
-    read: Any = complex
+    read: Callable = abs if tree.head == "transmissibility" else complex
+    with mpmath.workdps(30):
+        if members:
+            curve = member_responses.in_floats(member_responses.transfer(problem, *tree.indices))
+        else:
+            curve = reference.in_floats(reference.transfer(problem, *tree.indices))
+    signal, driver = tree.indices
+    true = (member_responses.value if members else reference.value)(problem, signal, driver, Omega)
     if tree.head == "transmissibility":
-        read = abs
         with mpmath.workdps(true.working):
             true = true._replace(values=[abs(true.values[0])])
-    with mpmath.workdps(30):
-        curve = (member_responses if members else reference).in_floats(
-            (member_responses if members else reference).transfer(problem, *tree.indices))
     return _subject(problem, tree, "member response" if members else "response", "frequency response at a frequency",
                     true, (curve, number_of(problem, tree.args[0]), read))
 
