@@ -3,7 +3,9 @@
 from collections.abc import Iterable, Sequence
 from functools import reduce
 from math import inf
-from typing import Any, NamedTuple
+from typing import Any
+
+from vibcli.base.named_tuple import NamedTuple
 
 
 class KeySummary(NamedTuple):

@@ -7,11 +7,12 @@ looked at over spans that each begin with a segment of the loads, those of the f
 slowest motion, or so many parts of two radians of the fastest, on each of which Gauss's rule is exact but for rounding.
 """
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.excitation.linear_output import LinearOutput
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -2,11 +2,12 @@
 function of the time alone in its expressions that is a sum of polynomials, exponentials and sines."""
 
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from vibcli.analyses.excitation.decompose import forcing_of
 from vibcli.analyses.transient.duration import fading
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.expression_graph import reachable
 
 if TYPE_CHECKING:

@@ -4,11 +4,12 @@ A (q, a) = (b, 0) with the matrix of reference/members.py at z = Ω² and with d
 """
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import mpmath
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.reference.members import START, equations, require_plain
 from vibcli.evidence.reference.settled import DIGITS, TrueValues, settled
 from vibcli.mechanics.inputs_outputs.inputs import direct_part, in_powers, named_input

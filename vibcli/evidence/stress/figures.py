@@ -3,8 +3,9 @@
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.written_digits import SHORT, digits_written, half_a_unit
 from vibcli.evidence.stress.read_again import VALUE, replaced
 from vibcli.evidence.stress.rewritten import TOLD, decimal_of, with_numbers
