@@ -7,23 +7,14 @@ from pathlib import Path
 from zipfile import ZipFile
 
 import pytest
-from support.homework_scenes import EIGHTEEN
+from support.homework_scenes import EIGHTEEN, LETTERS
 
 from vibcli.cli import run
 
 etree = pytest.importorskip("lxml.etree", reason="no lxml here: make peers")
 SCHEMAS = Path(os.environ.get("VIBCLI_SCHEMAS", ""))
 HOST = SCHEMAS / "www.imsglobal.org" / "xsd"
-LETTERS = """title: A <block> in "letters" & signs ]]> {{ $
-question: A block {m} on a spring {k}, 1 < 2 & 3.
-parameters: {m: {}, k: {}, n: 1}
-bodies: {block: {mass: n*m, slide: x}}
-springs: {s: {k: k, between: [ground, block]}}
-variants:
-  parameters: {n: [2, 3, 5]}
-  ask: {"omega[1]": , "equation[x]": }
-  without: [told]
-"""
+HOSTILE = LETTERS.replace("in letters", 'in <letters> & "signs" ]]> {{ $').replace("spring {k}.", "spring {k}, 1 < 2.")
 
 
 class Beside(etree.Resolver):
@@ -46,7 +37,7 @@ def schema(name):
 def package(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("vibcli.homework.paper.find_spec", lambda name: None)
-    for name, text in (("block", EIGHTEEN), ("letters", LETTERS)):
+    for name, text in (("block", EIGHTEEN), ("letters", HOSTILE)):
         Path(f"{name}.yaml").write_text(text, encoding="utf-8")
     Path("set.yaml").write_text("title: Week 3 & 4\nproblems: [block.yaml, letters.yaml]\n", encoding="utf-8")
     Path("salt").write_text("a secret text", encoding="utf-8")
