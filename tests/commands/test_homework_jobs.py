@@ -5,6 +5,7 @@ from concurrent.futures import Executor, Future
 
 import pytest
 from support.homework_scenes import EIGHTEEN as SCENE
+from support.homework_scenes import LETTERS
 
 from vibcli.api.source import file_source, problem_of
 from vibcli.base.errors import PhysicsError
@@ -17,17 +18,6 @@ from vibcli.homework.handout import Handout
 from vibcli.homework.paper import Pages
 from vibcli.homework.parts import solve_in_parts
 from vibcli.homework.roster import Student
-
-LETTERS = """title: A block in letters
-question: A block {m} on a spring {k}.
-parameters: {m: {}, k: {}, n: 1}
-bodies: {block: {mass: n*m, slide: x}}
-springs: {s: {k: k, between: [ground, block]}}
-variants:
-  parameters: {n: [2, 3, 5]}
-  ask: {"omega[1]": , "equation[x]": }
-  without: [told]
-"""
 
 
 @pytest.fixture

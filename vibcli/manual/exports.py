@@ -17,8 +17,8 @@ EXPORTS = [
         ("items", "A variant is an item with a name, `lever-17`, the same when it is written again: with it begins the "
          "question's name in Moodle and its title in Canvas, PrairieLearn shows it below the question, and in QTI it "
          "is the identifier. In the manifest it is a student with this id: `vibcli grade manifest.json "
-         "--student lever-17 --answer 'omega[1]=21.9'` says what `grade` gives, and by which band or mistake. A "
-         "variant whose number is a key of it is in no pool."),
+         "--student lever-17 --answer 'omega[1]=21.9'` says what `grade` gives and which mistake it sees; key, band "
+         "and what mistakes give stand there beside. A variant whose number is a key of it is in no pool."),
         ("bands", "The band of a key is that of `grade`, its edges included. Beyond it the bands of mistakes, cut "
          "where two meet, are wrong and tell the mistake by name; of two that give the same, either."),
         ("by hand", "Expressions and equations, which no system compares, are questions of their own that are marked "
@@ -53,7 +53,7 @@ EXPORTS = [
     ],
     "Tried (`make peers` in the sources): `moodle2amc` reads key and band of numerical questions; "
     "@citolab/qti-components marks each item of QTI in Chromium as `grade` does, and shows its MathML as plain "
-    "letters; packages for Canvas are built as those of `text2qti` are; the element of PrairieLearn marked 240 answers "
-    "as the model of it in the tests. Cloze questions, and import by Moodle, PrairieLearn and Canvas themselves, are "
-    "not tried.",
+    "letters; items, tests and manifests of QTI 2.1 are valid by its published schemas; packages for Canvas are built "
+    "as those of `text2qti` are; the element of PrairieLearn marked 240 answers as the model of it in the tests. Cloze "
+    "questions, and import by Moodle, PrairieLearn and Canvas themselves, are not tried.",
 ]
