@@ -81,6 +81,7 @@ def test_columns_are_aligned():
     assert len(lines) == 3 and lines[2].endswith("failed") and len(lines[2]) < 200
 
 
+@pytest.mark.sweep
 def test_missed_and_spurious_frequencies_of_members_are_seen(monkeypatch):
     found, seeds = members_counted.counted(4, 49), [49, 50, 51, 52]
     assert not found.wrong and len(found.ratios) == members_counted.MODES and max(found.ratios) <= 1

@@ -65,6 +65,7 @@ def test_every_method_that_can(scene, few, capsys, quantity, kind, others):
     assert min(point["error"] for point in points) < 1e-11
 
 
+@pytest.mark.sweep
 def test_curves_over_tolerances_fall(scene, few, capsys):
     found, = json.loads(out_of(capsys, scene, "--of", "x(0.5 s)", "--json").out)["compared"]
     for method in ("RK45", "DOP853", "LSODA", "odeint"):
@@ -72,6 +73,7 @@ def test_curves_over_tolerances_fall(scene, few, capsys):
         assert len(errors) == 3 and errors[0] > 10 * errors[1] > 100 * errors[2]
 
 
+@pytest.mark.sweep
 def test_peaks_by_grids(scene, capsys):
     found, = json.loads(out_of(capsys, scene, "--of", "peak[1](frf[x, F]).Omega", "--json").out)["compared"]
     grid = [point["error"] for point in found["points"] if point["method"] == "grid with parabolas"]
@@ -84,6 +86,7 @@ def test_other_values_and_cases(scene, capsys):
         assert found["compared"][0]["reference"]["digits"] == 47
 
 
+@pytest.mark.sweep
 def test_files_that_are_written(scene, tmp_path, capsys):
     paths = [tmp_path / name for name in ("curve.svg", "curve.png", "table.md", "table.txt")]
     options = [part for path in paths for part in ("-o", str(path))]

@@ -71,6 +71,7 @@ def test_packages_keys_and_marks(course, capsys):
     assert "3 of 3 points" in capsys.readouterr().out
 
 
+@pytest.mark.sweep
 def test_the_same_bytes_again_more_variants_beside_and_from_the_manifest(course):
     assert exported(*ALL, "--pool", "3") == 0 and exported(*ALL, "--pool", "3", out="again") == 0
     assert files(course / "out") == files(course / "again")

@@ -121,6 +121,7 @@ def test_a_set_with_parts(course, capsys):
         assert "set.yaml" not in capsys.readouterr().out
 
 
+@pytest.mark.sweep
 def test_a_number_of_one_problem_that_is_a_key_of_another(course):
     """Who would read 20.1 kg beside a key of 20.1 rad/s gets another variant."""
     (course / "one.yaml").write_text(SCENE.replace("{from: 1.2 kg, to: 3.2 kg, step: 0.4 kg}", "[2 kg]"),
@@ -196,6 +197,7 @@ def test_refusals_leave_nothing_behind(course, capsys):
     assert (course / "full" / "thesis.txt").read_text() == "mine"
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("fault", [KeyboardInterrupt, RuntimeError, MemoryError])
 def test_what_breaks_off_in_the_middle_leaves_the_folder_as_it_was(course, monkeypatch, fault):
     """Nothing where nothing was, and the old sheets where they are being replaced."""

@@ -54,6 +54,7 @@ def test_a_record_goes_out_with_the_sheet(course):
     assert files("again") == found
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("line, said", [("# tells a secret text", "the salt"), ("# the peak is {}", "the key"),
                                         ("0.7 0.1 # as at home", "")])
 def test_its_words_are_held_against_keys_and_salt(course, capsys, line, said):
@@ -65,6 +66,7 @@ def test_its_words_are_held_against_keys_and_salt(course, capsys, line, said):
     assert said in capsys.readouterr().err and not Path("other").exists()
 
 
+@pytest.mark.sweep
 def test_numbers_of_its_rows_are_no_keys(course):
     assert homework() == 0
     manifest = json.loads(files("out")["instructor/manifest.json"])
@@ -74,6 +76,7 @@ def test_numbers_of_its_rows_are_no_keys(course):
     assert homework(out="other") == 0
 
 
+@pytest.mark.sweep
 def test_two_files_of_one_name(course, capsys):
     for name, quake in (("one", QUAKE), ("two", QUAKE), ("three", QUAKE.replace("0.42", "0.52"))):
         (Path(name) / "data").mkdir(parents=True)

@@ -40,16 +40,19 @@ def tall():
     return a / (b / c + d) + e
 
 
+@pytest.mark.sweep
 def test_brackets_grow_with_the_fraction_within(tall, tmp_path):
     bracket, formula = first_sign(page(tall ** 2), tmp_path)
     assert bracket > 0.7 * formula
 
 
+@pytest.mark.sweep
 def test_brackets_stay_small_around_a_letter(tall, tmp_path):
     bracket, formula = first_sign(page("(a)² = ", tall), tmp_path)
     assert bracket < 0.5 * formula
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", ["5_forced/feeder_tray_driven_by_a_sawtooth", "8_continuous/cantilever_with_tip_mass"])
 def test_a_narrow_page_scrolls_within_its_boxes_alone(name, tmp_path):
     path = tmp_path / "r.html"

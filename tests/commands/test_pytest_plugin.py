@@ -33,6 +33,7 @@ def ran(course, *args):
     return course.runpytest_subprocess("-p", "no:vibcli", "-p", "vibcli.testing.plugin", *args)
 
 
+@pytest.mark.sweep
 def test_each_answer_is_a_test(course):
     found = ran(course, "-v")
     found.assert_outcomes(passed=6, failed=2)
@@ -41,17 +42,20 @@ def test_each_answer_is_a_test(course):
                                 "wrong.yaml:4: answer-differs: omega[[]1]: expected 3, found 2*"])
 
 
+@pytest.mark.sweep
 def test_some_are_chosen_and_the_first_failure_ends_it(course):
     ran(course, "-k", "twice").assert_outcomes(passed=2, deselected=6)
     ran(course, "-x", "wrong.yaml").assert_outcomes(failed=1)
     ran(course, "right.yaml::K[x,x]").assert_outcomes(passed=1)
 
 
+@pytest.mark.sweep
 def test_the_last_failures(course):
     ran(course)
     ran(course, "--lf").assert_outcomes(failed=2)
 
 
+@pytest.mark.sweep
 def test_in_several_processes(course):
     ran(course, "-n", "2").assert_outcomes(passed=6, failed=2)
 

@@ -579,6 +579,7 @@ def test_formats_import_nothing_heavy(scene, kind):
     assert not names & {"scipy", "sympy", "matplotlib"}
 
 
+@pytest.mark.sweep
 @pytest.mark.skipif(which("pdflatex") is None, reason="no LaTeX here")
 @pytest.mark.parametrize("scene", ["problems/7_forced_two_degrees/washing_machine_on_a_bench.yaml",
                                    "vibcli/examples/double_pendulum.yaml", "vibcli/examples/frequency_response.yaml"])

@@ -15,6 +15,7 @@ def test_a_family_is_a_table_and_a_sentence(capsys):
     assert "plain: scipy eigh" in out and "11 points of 1 family: 11 held; 0 bounds idle" in out
 
 
+@pytest.mark.sweep
 def test_as_data_what_is_not_finite_is_null(capsys):
     assert run(["stress", "--family", "double_eigenvalue", "--family", "mass_ratio", "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
@@ -22,6 +23,7 @@ def test_as_data_what_is_not_finite_is_null(capsys):
     assert found["counts"]["held"] == 28 and found["families"][1]["points"][-1]["knob"] == "1e20"
 
 
+@pytest.mark.sweep
 def test_pictures_stand_in_their_folder_and_are_not_replaced(tmp_path, capsys):
     folder = tmp_path / "new" / "pictures"
     assert run(["stress", "--family", "mass_ratio", "-o", str(folder)]) == 0

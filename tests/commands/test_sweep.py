@@ -63,6 +63,7 @@ def test_its_data(scene, capsys):
     assert one["unit"] == "rad/s" and one["branch"] == [2] * 3
 
 
+@pytest.mark.sweep
 def test_values_without_answer_are_gaps(scene, capsys):
     out = out_of(capsys, scene, "--over", "k1=-10 .. 10", "--of", "omega[1]", "--points", "5").out
     assert "ω₁: no value for k₁ = -10 … -5 N/m: mode 1 is unstable: it has a growth rate, no frequency." in out

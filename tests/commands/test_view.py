@@ -320,6 +320,7 @@ def test_other_commands_import_nothing_of_it():
 
 # in a browser
 
+@pytest.mark.sweep
 @NEEDED
 def test_a_browser_shows_the_page(tmp_path):
     with viewing(SCENE) as (_, port):
@@ -329,6 +330,7 @@ def test_a_browser_shows_the_page(tmp_path):
     assert "has ended" not in re.sub(r"(?s)<script.*?</script>", "", shown)
 
 
+@pytest.mark.sweep
 @NEEDED
 def test_a_browser_follows_the_file(tmp_path):
     """By the title of the tab, which the script of the page sets from what it fetches."""

@@ -144,6 +144,7 @@ def test_the_instant_of_a_maximum_is_bounded():
     assert abs(free["max(x)"].value - 0.05) <= free["max(x)"].error
 
 
+@pytest.mark.sweep
 def test_modes_and_equilibrium_are_those_of_the_command(capsys):
     path = EXAMPLES / "damped_absorber.yaml"
     model = vibcli.load(path)

@@ -46,6 +46,7 @@ PAIRS = {
 }
 
 
+@pytest.mark.sweep
 def test_a_flat_side_is_what_rolls_below_it():
     flat, round_ = problem(FLAT), problem(ROUND)
     for asked in ("omega[1]", "omega[2]", "M[phi,psi]", "K[phi,psi]", "K[psi,psi]"):

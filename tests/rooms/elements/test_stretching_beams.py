@@ -56,6 +56,7 @@ parameters: {{L: 1.2 m, mu: 1.5 kg/m}}
     assert found == pytest.approx(np.sort([*beam, *bar])[:12], rel=1e-11, abs=1e-6)
 
 
+@pytest.mark.sweep
 def test_stiff_beams_keep_their_length():
     kept = squares(PORTAL.format(EA=""), 4)
     differences = [squares(PORTAL.format(EA=f"EA: {EA} N, "), 4) / kept - 1 for EA in ("1e13", "1e14")]

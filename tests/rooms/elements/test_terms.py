@@ -31,6 +31,7 @@ def agree(scene, pairs):
         assert left == pytest.approx(right, rel=1e-9, abs=1e-9, nan_ok=True)
 
 
+@pytest.mark.sweep
 def test_a_force_is_the_slope_of_the_potential_and_takes_or_gives_what_is_stored_or_dissipated():
     seen = set()
     for scene, terms in connected():

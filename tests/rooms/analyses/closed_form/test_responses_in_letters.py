@@ -255,6 +255,7 @@ TUNED = """
 """
 
 
+@pytest.mark.sweep
 def test_absorber_chosen_by_its_fixed_points():
     """Den Hartog 1956, §3.3: ω₂/ω₁ = 1/(1 + μ); g² = (1 ± √(μ/(2 + μ)))/(1 + μ), √(1 + 2/μ) static deflections high."""
     found = settled(problem(TUNED % ("20 kg", "2 kg", "8000 N/m", "30 N*s/m", "50 N")))

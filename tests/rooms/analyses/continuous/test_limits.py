@@ -71,6 +71,7 @@ def test_a_member_whose_ends_are_held_has_all_its_modes_at_a_time(tension):
                for one, two in zip(held, joined, strict=True)) <= 1
 
 
+@pytest.mark.sweep
 def test_many_modes_of_a_chain_without_a_mass_have_the_zeros_of_bessel():
     chain = Piece(3.0, 0.0, 2.0 * 9.81 * 3.0, -2.0 * 9.81, 2.0, 0.0, 0.0)
     found = NaturalModes(FactoredSystem(0, pieces=[placed(chain, {}, {})])).numbered(1, 60)
@@ -80,6 +81,7 @@ def test_many_modes_of_a_chain_without_a_mass_have_the_zeros_of_bessel():
         assert abs(mode.omega / exact - 1) <= mode.error < 1e-14
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("mass", [1e-10, 1e-4, 1.0])
 def test_high_modes_of_a_chain_with_a_small_mass_keep_their_bounds_wherever_it_is_divided(mass):
     """Whose tension at the mass is but the difference of rounded ones."""

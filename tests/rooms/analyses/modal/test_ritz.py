@@ -127,6 +127,7 @@ def test_they_are_upper_bounds_and_all_shapes_together_give_the_frequencies():
     assert seen > 60 and together > 100
 
 
+@pytest.mark.sweep
 def test_a_massless_coordinate_follows_or_is_refused():
     """Of x with 1 kg, held over y, K = 4·(x − y)² + 2·y² is 4/3 at rest of y: shapes bound that."""
     matrices = "coordinates: [x, y]\nmatrices: {{M: [[1, 0], [0, 0]], K: [[4, -4], [-4, {}]]}}"
