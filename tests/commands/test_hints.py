@@ -85,7 +85,7 @@ def test_hints_name_options_of_the_command_that_prints_them():
             assert set(OPTION.findall(f"{message} {hint}")) <= OPTIONS[command], path.stem
 
 
-REPORTED = {"--digits", "--json", "--of", "--steps"}     # in answers to these, and in reports, which have them
+REPORTED = {"--digits", "--json", "--of", "--steps", "--strict"}     # in what these print
 
 
 @pytest.mark.sweep

@@ -66,7 +66,8 @@ class Students:
             if value is None:
                 value = np.array(self.values[i])
                 for j, weight in zip(self.rounding.uses[i], self.weights[i], strict=True):
-                    value = value * (found[j] / self.values[j]) ** weight
+                    some = self.values[j] != 0
+                    value = value * np.where(some, found[j] / np.where(some, self.values[j], 1.0), 1.0) ** weight
             rounds = self.draw.random(self.count) < 0.5 if i != end else False
             found.append(np.where(rounds, rounded(value, figures), value))
             letters |= dict.fromkeys(_head(line), found[-1])

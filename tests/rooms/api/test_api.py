@@ -111,7 +111,10 @@ def test_values_are_those_that_check_finds(path):
         if answer.value is None:        # a function of the state, found at a random one
             continue
         compared += 1
-        assert answer.value == verdict.found
+        if model._as_read.spec.in_full and not isinstance(verdict.found, bool):     # windows may begin elsewhere
+            assert abs(answer.value - verdict.found) <= answer.error
+        else:
+            assert answer.value == verdict.found
         assert 0 <= answer.error <= 1e-5 * abs(answer.value) + 1e-9      # the root of rounding, of an argmax
     assert compared or model._problem.numeric.has_free_symbols or not model._as_read.spec.answers
 

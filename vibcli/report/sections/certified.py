@@ -26,7 +26,7 @@ def require_all_digits(sections: "Sequence[Section]") -> None:
     for section in sections:
         for text in figures_of_fewer_digits(section)[:1]:
             raise PhysicsError(f"under '{section.title}' stands {text}: no more digits are within the bound of its "
-                               "error", "leave --strict out, or ask for more digits with --digits")
+                               "error", "leave --strict out")
 
 
 def require_rounding(problem: "Problem") -> None:

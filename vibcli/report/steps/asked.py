@@ -7,6 +7,7 @@ from vibcli.notation.as_printed import as_printed
 from vibcli.quantities.dimensions import unit_of
 from vibcli.quantities.expression import value_of
 from vibcli.quantities.in_letters import quantity_in_letters
+from vibcli.quantities.quantity import OF_STATE, quantity_of
 from vibcli.report.blocks import Words
 from vibcli.report.steps.characteristic import LONG
 from vibcli.report.steps.small import tidy
@@ -30,7 +31,9 @@ def tell_asked(problem: "Problem", sheet: WorkedSolution) -> None:
         return
     for one in rules.ask:
         tree = one.asked.tree
-        if tree.kind == "quantity" and tree.head not in BESIDE and one.asked.text not in told:
+        quantity = quantity_of(problem.spec, tree)
+        if quantity is not None and quantity.value is not None and quantity.kind not in OF_STATE and (
+                tree.head not in BESIDE and one.asked.text not in told):
             _tell(problem, sheet, one.asked)
 
 

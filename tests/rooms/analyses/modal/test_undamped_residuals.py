@@ -123,7 +123,7 @@ def test_no_integers_where_floats_suffice(monkeypatch):
     def refused(*_):
         raise AssertionError("integers")
 
-    monkeypatch.setattr("vibcli.analyses.modal.undamped.enclosed", refused)
+    monkeypatch.setattr("vibcli.analyses.modal.undamped_certified.enclosed", refused)
     problem = problem_of(text_source(scenes.pendulum(60)))
     assert len(problem.modal.modes) == 60
     with pytest.raises(AssertionError):
