@@ -211,4 +211,8 @@ def _solved(slopes, left):
     A, b = np.moveaxis(slopes, (0, 1), (-1, -2)), np.moveaxis(left, 0, -1)[..., None]
     usable = np.isfinite(A).all((-1, -2)) & np.isfinite(b).all((-1, -2))
     A = np.where(usable[..., None, None], A, np.eye(A.shape[-1]))
-    return np.moveaxis(np.where(usable[..., None, None], np.linalg.pinv(A) @ b, np.nan)[..., 0], -1, 0)
+    try:
+        x = np.linalg.solve(A, b)
+    except np.linalg.LinAlgError:       # one of them is singular
+        x = np.linalg.pinv(A) @ b
+    return np.moveaxis(np.where(usable[..., None, None], x, np.nan)[..., 0], -1, 0)
