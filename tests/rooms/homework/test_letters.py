@@ -207,6 +207,7 @@ def marker_quantities(out):
     return [key["quantity"] for key in manifest["problems"][0]["variants"][0]["keys"]]
 
 
+@pytest.mark.sweep
 def test_marks_of_expressions(handed):
     code, err, out = handed(ONE)
     assert code == 0, err

@@ -118,6 +118,7 @@ def test_a_band_is_the_99th_percentile_of_what_rounding_does(path):
             assert own or 0.8 <= np.quantile(off, 0.99) <= 1.2, key.text
 
 
+@pytest.mark.sweep
 def test_of_which_keys_no_line_tells_how():
     """As it tells their number alone; their band is half a per cent, and there are no more of them."""
     found = set()

@@ -258,6 +258,7 @@ def test_preferred_numbers():
         assert all(abs(x / 10**(k / count) - 1) < 0.0127 for k, x in enumerate(found))       # ISO 3
 
 
+@pytest.mark.sweep
 def test_bands_hold_what_students_round():
     """On the crank of the problems, by formulas written out here: J, ω and δ rounded on the way to ω_d and ζ."""
     path = PROBLEMS / "4_free_damped" / "bell_crank_dashpot.yaml"

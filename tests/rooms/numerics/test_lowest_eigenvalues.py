@@ -109,6 +109,7 @@ def test_a_ring_has_pairs():
     check(springs(n, [(i, (i + 1) % n) for i in range(n)]), masses(np.ones(n)), exact, 21, zeros=1)
 
 
+@pytest.mark.sweep
 def test_forty_that_coincide_are_all_counted():
     exact = np.repeat(np.arange(1, 76) ** 2.0, 40)
     check(springs(3000, [(i, GROUND) for i in range(3000)], exact), masses(np.ones(3000)), exact, 50, bound=4e-13)

@@ -29,6 +29,7 @@ def series():
     return moved
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("start", "which"), [("c.u: 0.1*x", 0), ("c.u': 0.1 s^-1*x", 1)])
 def test_a_free_lower_end_is_no_jump(start, which, series, monkeypatch):
     monkeypatch.setattr(modal_response, "FIRST", 32)        # modes of what has a varying tension

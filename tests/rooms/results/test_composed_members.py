@@ -78,6 +78,7 @@ def test_the_instant_at_which_two_waves_meet_is_as_uncertain_as_they_are(struck)
     assert 1e-6 <= at_pace(Off(), 1.0, 1, 1.0) <= 1e-5
 
 
+@pytest.mark.sweep
 def test_moments_after_a_jump_are_bounded_wherever_they_are_largest():
     scene = by_few(problem("""\
         parameters: {L: 1 m}

@@ -85,6 +85,7 @@ def test_a_smooth_push_at_a_damper_by_the_integral_of_bromwich():
     assert max(found.error(t) for t in TIMES) <= 1e-11 * max(expected)
 
 
+@pytest.mark.sweep
 def test_a_cantilever_let_go_at_its_damper():
     """u at rest is F/3 less what a step brings; its mean with a smooth weight by the same integral."""
     found = signal(DampedModalResponse, problem(TIP + "forces: {pull: {at: tip, force: 1 N}}\n"
@@ -99,6 +100,7 @@ def test_a_cantilever_let_go_at_its_damper():
     assert lowest == pytest.approx(found.values(np.linspace(time - 1e-3, time + 1e-3, 1001)).min(), abs=1e-12)
 
 
+@pytest.mark.sweep
 def test_two_members_alike_have_each_damped_mode_twice(monkeypatch):
     monkeypatch.setattr(damped_modal_response, "MANY", 300)
     leg = BEAM.replace("arm", "leg").split("beams:\n")[1] % "left: clamped, right: {c: 0.7 N*s/m}"

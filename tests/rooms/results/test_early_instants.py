@@ -53,6 +53,7 @@ def test_later_ones_are_those_of_a_motion_that_ends_soon(long_one):
         assert measured(long_one, text)[0] == pytest.approx(measured(short, text)[0], rel=1e-13)
 
 
+@pytest.mark.sweep
 def test_what_fronts_hide_goes_by_modes(long_one):
     found = long_one.response.signal(with_places(parse("rod.u(1.01 m)"), long_one.spec.members))
     assert found.read_at(0.5) is not found

@@ -63,6 +63,7 @@ class Series:
         return np.sin(2 * t) + 2 * (phi * own)[::-1].sum().real
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("case", [BARE, MASS, DAMPER])
 def test_displacements_at_instants_and_the_largest_of_all(case):
     more, *rest = case

@@ -47,6 +47,7 @@ def test_what_mixes_both_is_their_sum():
     assert both.error <= 2 * across.error
 
 
+@pytest.mark.sweep
 def test_parts_whose_fronts_are_many_are_found_by_modes_and_at_instants_by_waves():
     text = BEAM[:BEAM.index("find")].replace("PLACE", "[L, 0]").replace("FORCE", "['F*step(t)', 'P*step(t)']")
     model = loads(text)

@@ -35,6 +35,7 @@ def _beam(count):
     return omega, share, 8 / 12e3 + share * (1 / (omega**2 - SLOW**2) - 1 / omega**2).sum()
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("scene", "modes", "count"), [(BAR, _bar, 200), (BEAM, _beam, 40)])
 def test_the_largest_of_a_slow_swing(scene, modes, count):
     omega, share, steady = modes(count)
@@ -62,6 +63,7 @@ def test_as_slow_as_to_be_at_rest(scene, at_rest, load, most):
     assert found == pytest.approx(most * at_rest, rel=2e-3)
 
 
+@pytest.mark.sweep
 def test_slow_loads_along_what_also_bends_and_slow_supports():
     """What a tip is pulled along by does not move the modes that bend, the first ones; a base carries all."""
     along = vibcli.loads(PLANE.replace("[0 N, 10 N*%s]", "[10 N*%s, 0 N]") % "sin(0.01 rad/s*t)")

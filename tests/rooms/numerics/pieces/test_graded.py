@@ -123,6 +123,7 @@ def test_no_array_is_written_out(piece, monkeypatch):
     assert d == pytest.approx(stiffness_and_slope(piece, np.array([-1.0, -7.0, -40.0]))[0].astype(object), rel=1e-11)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("piece", [Piece(3.0, 0.0, 58.86, -19.62, 2.0, 0.0, 0.0),
                                    Piece(3.0, 50.0, 100.0, -19.62, 2.0, 0.0, 1.0)])
 def test_many_places_of_a_few_shapes_need_no_more_trees_than_one(piece, monkeypatch):
