@@ -142,17 +142,17 @@ class LineValues:
             for one in group[0].uses:
                 before |= dict.fromkeys(numbered.get(one, reach.get(one, {})))
             reach.setdefault(group[0].number, {}).update(before)
+            if all(line.node is None and line.vanishes is None for line in group):
+                continue
             if group[0].value == 0 and group[0].node is not None and group[0].node.is_zero:
                 self._still[_letter(group[0])] = 0.0
+            first = len(self.lines)
             if not self._take(group, before, by_letter):
                 continue
-            for line in group:
-                numbered.setdefault(line.number, []).append(self.number_of(line))
+            for i, line in enumerate(group, first):
+                numbered.setdefault(line.number, []).append(i)
                 if _letter(line) not in taken:
-                    by_letter[_letter(line)] = self.number_of(line)
-
-    def number_of(self, line: "WorkedLine") -> int:
-        return self.lines.index(line)
+                    by_letter[_letter(line)] = i
 
     def _take(self, group, before, by_letter):
         """Are the values of a line, or of those that are found together, known? Then they are taken."""
@@ -203,7 +203,7 @@ def _together(told):
             found[-1].append(line)
         else:
             found.append([line])
-    return [group for group in found if group[0].node is not None or group[0].vanishes is not None]
+    return found
 
 
 def _solved(slopes, left):

@@ -83,3 +83,9 @@ def test_what_no_search_finds_is_told_by_no_line(monkeypatch):
     assert all(share is not None for share in rounding.shares(keys, at))
     monkeypatch.setattr(LineValues, "_search", lambda self, group, known, near: np.full((len(group), 3), np.nan))
     assert rounding.shares(keys, at) == [None] * len(keys)
+
+
+def test_lines_follow_from_others_by_way_of_lines_without_numbers():
+    """The determinant of a double pendulum from the mass matrix, and that from the inertia about the hinge."""
+    known = LineValues(problem_named("double_pendulum_rods"))
+    assert known.number("J_O_upper") in known.uses[known.number("a2")]
