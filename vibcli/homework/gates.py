@@ -1,6 +1,6 @@
 """The gates of a variant with its keys: each gives the reason for which it is rejected, None where it passes."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
 from operator import ge, gt, le, lt
 from typing import TYPE_CHECKING, Any
@@ -9,12 +9,11 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.homework.bands import FIGURES, WIDEST, Band, KeyBand
 from vibcli.language.given_values import unit_of_text
 from vibcli.notation.numbers import figure, in_figures, plainly
-from vibcli.quantities.expression import value_of
 
 if TYPE_CHECKING:
     from vibcli.homework.keys import AnswerKey
+    from vibcli.language.reader import Expression
     from vibcli.reader.sections.variants import Requirement
-    from vibcli.results.problem import Problem
 
 HOLDS = {"<": lt, "<=": le, ">": gt, ">=": ge}
 LEAST, MOST = 1e-3, 1e5     # of a key in its unit
@@ -30,15 +29,15 @@ class Wrong(NamedTuple):
     value: Any
 
 
-def failed(problem: "Problem", require: "Sequence[Requirement]") -> "Requirement | None":
-    """The first comparison that a scene with numbers does not fulfil."""
-    return next((one for one in require
-                 if not HOLDS[one.sign](value_of(problem, one.left)[0], value_of(problem, one.right)[0])), None)
+def failed(value: "Callable[[Expression], tuple[float, float]]",
+           require: "Sequence[Requirement]") -> "Requirement | None":
+    """The first comparison that is not fulfilled; value(expression): (value, relative error bound)."""
+    return next((one for one in require if not HOLDS[one.sign](value(one.left)[0], value(one.right)[0])), None)
 
 
-def missed_by(problem: "Problem", one: "Requirement") -> float:
+def missed_by(value: "Callable[[Expression], tuple[float, float]]", one: "Requirement") -> float:
     """By how much the sides of a comparison differ, relative to them."""
-    left, right = value_of(problem, one.left)[0], value_of(problem, one.right)[0]
+    left, right = value(one.left)[0], value(one.right)[0]
     return abs(left - right) / (abs(left) + abs(right))
 
 

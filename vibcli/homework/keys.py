@@ -1,7 +1,8 @@
 """Keys: the quantities that are asked of a variant, in the units in which they are asked, and their values."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from decimal import Decimal
+from functools import partial
 from math import tau
 from typing import TYPE_CHECKING, Any
 
@@ -95,7 +96,10 @@ class AnswerKey(NamedTuple):
 
     def value(self, problem: "Problem", expression: "Expression | None" = None) -> tuple[float, float]:
         """(value, absolute error bound) in its unit of what is asked, or of another expression, in a scene."""
-        found, error = value_of(problem, expression or self.asked)
+        return self.in_unit(*value_of(problem, expression or self.asked))
+
+    def in_unit(self, found: float, error: float) -> tuple[float, float]:
+        """(value, absolute error bound) in its unit of (value, relative error bound) as quantities are found."""
         return found / self.factor, abs(error * found / self.factor)
 
     def found(self, problem: "Problem") -> Any:
@@ -112,8 +116,14 @@ class AnswerKey(NamedTuple):
     def mistaken(self, mistake: "KnownMistake", scene: "Problem", found: Any) -> Any:
         """What a mistake gives, in the scene that it takes for the right one, None where it does not concern it or has
         no such answer; found: the right answer."""
+        return self.mistaken_by(mistake, partial(value_of, scene), found)
+
+    def mistaken_by(self, mistake: "KnownMistake", value: "Callable[[Expression], tuple[float, float]]",
+                    found: Any) -> Any:
+        """The same; value(expression): (value, relative error bound) in that scene."""
         try:
-            return mistake.wrong(self.asked, self.unit, found[0], lambda expression: self.value(scene, expression)[0])
+            return mistake.wrong(self.asked, self.unit, found[0],
+                                 lambda expression: self.in_unit(*value(expression))[0])
         except (SpecError, PhysicsError):
             return None
 

@@ -1,15 +1,18 @@
 """Candidates with their solutions: those of which there is a scene with answers, of the kind that is required."""
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.homework.candidates import candidates
 from vibcli.homework.gates import failed, missed_by
+from vibcli.homework.grid_answers import GridAnswers
 from vibcli.homework.printed import with_printed
 from vibcli.homework.regime import Regime, regime
 from vibcli.language.given_values import GivenValue, giver, number_and_unit
+from vibcli.quantities.expression import value_of
 
 if TYPE_CHECKING:
     from vibcli.homework.keys import AnswerKey
@@ -39,7 +42,7 @@ class Candidate(NamedTuple):
     problem: "Problem | None"
     values: dict[str, GivenValue]
     found: list[Any]
-    wrong: dict[str, list[Any]]
+    wrong: dict[str, tuple[Any, ...]]
 
 
 class SolvedCandidates(NamedTuple):
@@ -64,15 +67,17 @@ def solve_candidates(problem: "Problem", rules: "VariantRules", keys: "Sequence[
     concerned = [(slip, [slip.concerns(key.asked, key.unit) for key in keys]) for slip in slips]
     variants = candidates(problem, rules, lambda one: with_printed(one, rules))
     count = rules.candidates if rules.sample is None else min(rules.sample, rules.candidates)
+    answers = GridAnswers.of(variants)
     with problem.work.task("the variants") as task:
-        for number, (place, scene) in enumerate(variants, 1):
+        for number, place in enumerate(variants.places, 1):
             task.step(number / count)
             values = variants.values_at(place)
-            one = _candidate(problem, rules, keys, kind, scene, values, concerned)
-            if isinstance(scene, Exception) or not isinstance(one, Candidate):
+            one = _candidate(problem, rules, keys, kind, answers, place, values, concerned)
+            if not isinstance(one, Candidate):
                 rejected.append(Rejected(place, values, *one))
             else:
-                kind, base = kind or regime(scene, counts_rests(problem)), base or scene
+                kind = kind or answers.regime(place, counts_rests(problem))
+                base = base or answers.scene(place)
                 found[place] = one
     return SolvedCandidates(found, rejected, base, variants.alone)
 
@@ -90,41 +95,31 @@ def own_scene(problem: "Problem", rules: "VariantRules") -> "tuple[Problem, Regi
             "value" not in problem.spec.parameters[name] for axis in rules.axes for name in axis):
         return None
     found = with_printed(problem, rules)
-    if "require" not in rules.without and (one := failed(found, rules.require)) is not None:
+    if "require" not in rules.without and (one := failed(partial(value_of, found), rules.require)) is not None:
         raise SpecError([Diagnostic(one.where, "the values of the file do not fulfil this", "give the scene itself "
                                     "values that a variant may have")])
     return found, regime(found, counts_rests(problem))
 
 
-def _candidate(problem, rules, keys, kind, scene, values, slips):
+def _candidate(problem, rules, keys, kind, answers, place, values, slips):
     """The Candidate; (gate, reason, by how much) of what it fails before its keys are looked at."""
-    if isinstance(scene, SpecError):
-        return SOLVED, scene.diagnostics[0].message, 0.0
-    if isinstance(scene, PhysicsError):
-        return SOLVED, scene.message, 0.0
+    value = partial(answers.value_of, place)
     try:
-        if "require" not in rules.without and (one := failed(scene, rules.require)) is not None:
-            return "require", f"not {one.text}", missed_by(scene, one)
+        if "require" not in rules.without and (one := failed(value, rules.require)) is not None:
+            return "require", f"not {one.text}", missed_by(value, one)
         if kind is not None and "regime" not in rules.without:
-            its = regime(scene, kind.rests is not None)
+            its = answers.regime(place, kind.rests is not None)
             if its != kind:
                 return "regime", kind.told(its), 0.0
-        found = [key.found(scene) for key in keys]
-        kept = scene if any(key.in_letters for key in keys) else None
-        wrong = {slip.name: mistaken(keys, slip, concerns, scene, found) for slip, concerns in slips}
-        return Candidate(kept, {**values, **_printed(problem, scene)}, found, wrong)
+        found = [answers.found(place, key) for key in keys]
+        kept = answers.scene(place) if any(key.in_letters for key in keys) else None
+        wrong = {slip.name: answers.mistaken(place, keys, slip, concerns, found) for slip, concerns in slips}
+        printed = _printed(problem, answers.scene(place)) if problem.spec.choices else {}
+        return Candidate(kept, {**values, **printed}, found, wrong)
+    except SpecError as error:
+        return SOLVED, error.diagnostics[0].message, 0.0
     except PhysicsError as error:
         return SOLVED, error.message, 0.0
-
-
-def mistaken(keys: "Sequence[AnswerKey]", mistake: "KnownMistake", concerns: Sequence[bool],
-             scene: "Problem | SpecError | PhysicsError", found: Sequence[Any]) -> list[Any]:
-    """What a mistake gives for each key in the scene that it takes for the right one, None where it does not concern it
-    or has no solution; found: the right answers."""
-    if isinstance(scene, Exception):
-        return [None] * len(keys)
-    return [key.mistaken(mistake, scene, right) if concerned else None
-            for key, right, concerned in zip(keys, found, concerns, strict=True)]
 
 
 def _printed(problem, found):

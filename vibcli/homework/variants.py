@@ -10,13 +10,14 @@ from vibcli.homework.bands import KeyBand
 from vibcli.homework.candidates import candidates
 from vibcli.homework.fresh_mistakes import require_same_mistakes
 from vibcli.homework.gates import Wrong, unreadable
+from vibcli.homework.grid_answers import GridAnswers
 from vibcli.homework.key_summary import KeySummary, summaries
 from vibcli.homework.keys import AnswerKey
 from vibcli.homework.leaks import numbers_in
 from vibcli.homework.mistakes import held_at, mistakes_of, own_values
 from vibcli.homework.printed import with_printed
 from vibcli.homework.routes import hold_against_closed_forms
-from vibcli.homework.solved import SOLVED, Rejected, mistaken, solve_candidates
+from vibcli.homework.solved import SOLVED, Rejected, solve_candidates
 from vibcli.homework.told import untold
 from vibcli.homework.unsolved import unsolved
 from vibcli.language.given_values import GivenValue, number_and_unit
@@ -167,22 +168,25 @@ def _model_mistakes(problem, rules, keys, mistakes, solved):
     for mistake in mistakes:
         if mistake.problem is not None:
             concerns = [mistake.concerns(key.asked, key.unit) for key in keys]
-            for place, scene in _scenes(problem, rules, mistake, solved):
-                one = solved[place]
-                one.wrong[mistake.name] = mistaken(keys, mistake, concerns, scene, one.found)
+            answers = _answers(problem, rules, mistake, solved)
+            for place, one in solved.items():
+                one.wrong[mistake.name] = answers.mistaken(place, keys, mistake, concerns, one.found)
 
 
-def _scenes(problem, rules, mistake, solved):
-    """(place, the scene that a mistake takes for the right one) of all candidates that are solved."""
+def _answers(problem, rules, mistake, solved):
+    """The GridAnswers of the scenes that a mistake takes for the right ones, of all candidates that are solved."""
     own = own_values(mistake, rules)
-    if problem.spec.choices:
-        for place, one in solved.items():
-            try:
-                yield place, with_printed(with_given(mistake.problem, {**one.values, **own}), rules)
-            except (SpecError, PhysicsError) as error:
-                yield place, error
-    else:
-        yield from candidates(mistake.problem, held_at(rules, own), lambda one: with_printed(one, rules), solved)
+    if not problem.spec.choices:
+        return GridAnswers.of(candidates(mistake.problem, held_at(rules, own), lambda one: with_printed(one, rules),
+                                         solved))
+
+    def scene_at(place):
+        try:
+            return with_printed(with_given(mistake.problem, {**solved[place].values, **own}), rules)
+        except (SpecError, PhysicsError) as error:
+            return error
+
+    return GridAnswers(scene_at)
 
 
 def _equal(keys, solved) -> "dict[Place, set[tuple[str, str]]]":

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.language.signals import coordinate_name
 from vibcli.quantities.modal import along, amplitude_as_asked, counted, in_letters, largest, of_shape, one_degree, ten
-from vibcli.quantities.quantity import COMPLEX, PERIOD, Declaration, as_asked, full_turn, rounded
+from vibcli.quantities.quantity import COMPLEX, PERIOD, Declaration, as_asked, full_turn, in_floats, rounded
 
 if TYPE_CHECKING:
     from vibcli.analyses.modal.damped_modes import DampedMode
@@ -43,7 +43,7 @@ def _of_damped(attribute, words):
             raise PhysicsError(f"damped mode {tree.indices[0]} has no {words}",
                                "see `vibcli frequencies` for what it has")
         error = max(one.bounds[attribute == "omega_d"] for one in pair)
-        return as_asked(problem, number), rounded(problem, float(error))
+        return as_asked(problem, number), rounded(problem, in_floats(problem, error))
     return value
 
 
@@ -52,16 +52,16 @@ _zeta = _of_damped("zeta", "damping ratio")
 
 def _decrement(problem, tree, args):
     zeta, error = _zeta(problem, tree, args)
-    if not zeta < 1:
+    if _pair(problem, tree)[0].omega_d is None:
         raise PhysicsError(f"damped mode {tree.indices[0]} does not oscillate: it has no logarithmic decrement",
                            f"ask for decay[{tree.indices[0]}]")
     left = (1 - zeta) * (1 + zeta)
-    return full_turn(problem) * zeta / left**0.5, 2 * error / float(left)
+    return full_turn(problem) * zeta / left**0.5, 2 * error / in_floats(problem, left)
 
 
 def _period(problem, tree, args):
     mode, number = _pair(problem, tree)[0], tree.indices[0]
-    if not mode.omega_d:
+    if mode.omega_d is None:
         raise PhysicsError(f"damped mode {number} does not oscillate: it has no period", f"ask for decay[{number}]")
     omega_d, error = _of_damped("omega_d", "period")(problem, tree, args)
     return full_turn(problem) / omega_d, rounded(problem, error)
@@ -141,17 +141,17 @@ def _eigenvalue_in_letters(problem, tree):
 
 QUANTITIES = {
     "zeta": Declaration(
-        "damping ratio of damped mode i, by ascending |λ|", "1", _zeta, ("mode",), size=ten, several=True,
+        "damping ratio of damped mode i, by ascending |λ|", "1", _zeta, ("mode",), size=ten, several=True, at_once=True,
         symbolic=in_letters(lambda m, c, k, omega, table: c / (2 * m * omega))),
     "omega_d": Declaration(
         "damped angular frequency of damped mode i", "rad/s", _of_damped("omega_d", "damped frequency"), ("mode",),
-        size=largest, several=True, symbolic=in_letters(_omega_d)),
+        size=largest, several=True, at_once=True, symbolic=in_letters(_omega_d)),
     "period_d": Declaration(
-        "period 2π/ω_d of damped mode i", "s", _period, ("mode",), several=True, kind=PERIOD,
+        "period 2π/ω_d of damped mode i", "s", _period, ("mode",), several=True, at_once=True, kind=PERIOD,
         symbolic=in_letters(lambda m, c, k, omega, table: 2 * table.pi / _omega_d(m, c, k, omega, table))),
     "decay": Declaration(
         "decay ζω of damped mode i: −Re λ, or −(λ₁ + λ₂)/2 where it is over-damped", "1/s",
-        _of_damped("decay", "decay"), ("mode",), size=largest, several=True),
+        _of_damped("decay", "decay"), ("mode",), size=largest, several=True, at_once=True),
     "eigenvalue": Declaration(
         "eigenvalue λ = −δ + i ω_d of damped mode i: use re, im, abs or arg of it; of an over-damped one j is 1 or 2, "
         "of its two real eigenvalues by ascending |λ|", "1/s", _eigenvalue, ("mode", "root"), kind=COMPLEX, spare=1,
@@ -161,5 +161,5 @@ QUANTITIES = {
         "moves being 1: use re, im, abs or arg of it", None, _shape, ("mode", "signal"), size=ten, kind=COMPLEX,
         dimension=of_shape),
     "decrement[]": Declaration("logarithmic decrement of damped mode i, 2πζ/√(1 − ζ²)", "1", _decrement, ("mode",),
-                               several=True),
+                               several=True, at_once=True),
 }

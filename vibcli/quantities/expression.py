@@ -103,11 +103,16 @@ def _real(value, expression, finite):
 
 def evaluated(problem: "Problem", expression: "Expression", values: Mapping[str, float]) -> float:
     """An expression, given {parameter, or quantity as it is written: value}."""
-    known = NODES.setdefault(problem.scene, {})
+    return evaluate([lowered_in(problem.scene, expression)], Floats, values)[0]
+
+
+def lowered_in(scene: "Scene", expression: "Expression") -> "Node":
+    """The node of an expression in the letters of a scene, each quantity being one."""
+    known = NODES.setdefault(scene, {})
     node = known.get(expression.tree)
     if node is None:
-        node = known[expression.tree] = lowered(expression, problem.scene.table, _symbols(problem.scene))
-    return evaluate([node], Floats, values)[0]
+        node = known[expression.tree] = lowered(expression, scene.table, _symbols(scene))
+    return node
 
 
 def argument_in(problem: "Problem", tree: Any, arithmetic: Any, values: Mapping[str, Any]) -> Any:

@@ -63,7 +63,7 @@ def _frequency(problem, tree, args):
 
 def _period(problem, tree, args):
     mode, number = _oscillating(problem, tree, "period"), tree.indices[0]
-    if not mode.omega:
+    if mode.rigid:
         raise PhysicsError(f"mode {number} is a rigid-body mode: it has no period", f"ask for omega[{number}]: 0 rad/s")
     return full_turn(problem) / as_asked(problem, mode.omega), rounded(problem, mode.error)
 
@@ -259,13 +259,13 @@ def in_letters(form: Callable) -> Callable:
 QUANTITIES = {
     "omega": Declaration(
         "natural angular frequency of mode i, the dampers left out", "rad/s", _omega, ("mode",), size=largest,
-        several=True, symbolic=in_letters(lambda m, c, k, omega, table: omega)),
+        several=True, at_once=True, symbolic=in_letters(lambda m, c, k, omega, table: omega)),
     "frequency": Declaration(
-        "natural frequency of mode i", "Hz", _frequency, ("mode",), size=largest, several=True,
+        "natural frequency of mode i", "Hz", _frequency, ("mode",), size=largest, several=True, at_once=True,
         symbolic=in_letters(lambda m, c, k, omega, table: omega / (2 * table.pi))),
     "period": Declaration(
         "period of mode i; period(x): of the motion of a signal", "s", _period, ("mode",), several=True,
-        kind=PERIOD, symbolic=in_letters(lambda m, c, k, omega, table: 2 * table.pi / omega)),
+        at_once=True, kind=PERIOD, symbolic=in_letters(lambda m, c, k, omega, table: 2 * table.pi / omega)),
     "growth_rate": Declaration(
         "growth rate of unstable mode i", "1/s", _growth_rate, ("mode",), size=largest, several=True),
     "mode": Declaration(

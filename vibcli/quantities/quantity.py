@@ -33,7 +33,12 @@ _ARGUMENTS = {"signal": "{x}", "time": "2 s", "amplitude": "10 cm", "deflection"
 
 def as_asked(problem: "Problem", x: Any) -> Any:
     """A real number as it is handed on: a float, one of mpmath's where the problem is asked for digits."""
-    return float(x) if problem.digits is None else x
+    return in_floats(problem, x) if problem.digits is None else x
+
+
+def in_floats(problem: "Problem", x: Any) -> Any:
+    """A float; of many scenes an array of them."""
+    return x if problem.many else float(x)
 
 
 def full_turn(problem: "Problem") -> Any:
@@ -67,7 +72,8 @@ class Declaration(NamedTuple):
     a whole response); `symbolic(problem, tree)`: its expression in the letters of a scene, NotInLetters where it is
     found in numbers; `size(problem, tree)`: the largest value of its kind, what its rounding is measured by.
     `indices`, `args`: the kinds of what stands in square and in round brackets, these left out perhaps where
-    `optional`, and of those `spare` at the end; `several`: a last index of its own says of which equilibrium."""
+    `optional`, and of those `spare` at the end; `several`: a last index of its own says of which equilibrium;
+    `at_once`: may `value` be asked of many scenes at once (quantities/at_once.py)?"""
 
     about: str
     unit: str | None = None
@@ -82,6 +88,7 @@ class Declaration(NamedTuple):
     optional: bool = False
     several: bool = False
     spare: int = 0
+    at_once: bool = False
 
     @property
     def own_unit(self) -> str | None:

@@ -46,7 +46,9 @@ class Problem:
     what counts its long work; `modal`: the parts of another Problem that this one shares; `choice`: what was chosen
     (inverse), where this is the scene with its solution, `earlier` being what it cost before; `end`: of a motion in
     time [s], where it is not that of the file; `signed`: have amplitudes a sign, so that a search sees where they
-    vanish?"""
+    vanish? many: are its numbers arrays (quantities/at_once.py)?"""
+
+    many = False
 
     def __init__(self, spec: "Spec", given: "Mapping[str, Fraction] | None" = None, work: "Work | None" = None,
                  modal: ModalAnalysis | None = None, choice: Any = None, earlier: Mapping[str, float] | None = None,

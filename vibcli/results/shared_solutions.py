@@ -43,25 +43,24 @@ class SharedSolution(NamedTuple):
 
 
 class SharedSolutions(NamedTuple):
-    """What arrays find at places, {place: its number}: modes, and where each rests; balanced: does it rest there?
-    linear: have those modes, too, that do not?"""
+    """What arrays find at places, {place: its number}: modes, and where each rests; known: at which, truths by number;
+    values: {parameter: number, or array}; undamped: does nothing damp?"""
 
     numbers: dict[Place, int]
     natural: StackedModes
     damped: StackedDamped
     rests: "Sequence[Equilibrium | None]"
-    balanced: np.ndarray
-    linear: bool
+    known: np.ndarray
+    values: "dict[str, Any]"
+    undamped: bool
 
     def at(self, place: Place) -> SharedSolution | None:
         """That of one place; None where arrays do not settle it."""
         i = self.numbers[place]
-        if not self.natural.settled[i] or not (self.balanced[i] or self.linear):
+        if not self.known[i]:
             return None
-        modes = self.natural.modes(i)
-        if not self.balanced[i] and not all(mode.omega for mode in modes):      # it rests nowhere
-            return None
-        return SharedSolution((modes, self.damped.modes(i) if self.damped.settled[i] else None), self.rests[i])
+        damped = self.damped.modes(i) if self.damped.settled[i] else None
+        return SharedSolution((self.natural.modes(i), damped), self.rests[i])
 
 
 def shared_solutions(base: "Problem", corners: "Mapping[Place, Problem]", blocks: Sequence[Block],
@@ -88,8 +87,9 @@ def shared_solutions(base: "Problem", corners: "Mapping[Place, Problem]", blocks
         matrices, rests = stacked_matrices(form, values, len(places)), [None] * len(places)
         balanced = matrices.balanced
     natural = StackedModes(matrices, bool(free))
+    rests_or_held = balanced | natural.held if base.system.is_linear else balanced
     known = SharedSolutions({place: i for i, place in enumerate(places)}, natural, StackedDamped(matrices, natural),
-                            rests, balanced, base.system.is_linear)
+                            rests, natural.settled & rests_or_held, values, not matrices.C_size.any())
     return known if all(_agrees(problem, known.at(corner)) for corner, problem in corners.items()) else None
 
 

@@ -7,6 +7,7 @@ whose corners are unlike is halved. What arrays do not settle is found as a scen
 
 from bisect import bisect_right
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +18,7 @@ from vibcli.symbolic.expression_graph import fingerprint
 if TYPE_CHECKING:
     from vibcli.mechanics.linearisation import Linearisation
     from vibcli.results.problem import Problem
+    from vibcli.results.shared_solutions import SharedSolutions
     from vibcli.scene.scene import Scene
 
 CORNERS = 9, 4, 3, 2       # along each axis of one, two, three, more of them
@@ -44,14 +46,17 @@ class Variants:
 
     def __iter__(self) -> "Iterator[tuple[Place, Problem | SpecError | PhysicsError]]":
         """(its place on each axis, its Problem or why there is none)."""
-        shared = self._shared()
         for place in self.places:
-            if place in shared and place not in self._drawn:
-                base, solutions = shared[place]
-                known = None if solutions is None else solutions.at(place)
-                yield place, base.sharing(self._exact(place), *(known or ()))
-            else:
-                yield place, self.alone(place)
+            yield place, self.scene(place)
+
+    def scene(self, place: Place) -> "Problem | SpecError | PhysicsError":
+        """The Problem of a place, which shares what it can, or why there is none."""
+        group = self._shared.get(place)
+        if group is None or place in self._drawn:
+            return self.alone(place)
+        base, solutions = self.groups[group]
+        known = None if solutions is None else solutions.at(place)
+        return base.sharing(self._exact(place), *(known or ()))
 
     def values_at(self, place: Place) -> dict[str, GivenValue]:
         """{parameter: its value} at a place."""
@@ -72,21 +77,37 @@ class Variants:
             self._drawn[place] = self.at(self.values_at(place))
         return self._drawn[place]
 
+    def is_drawn(self, place: Place) -> bool:
+        """Was it drawn by itself?"""
+        return place in self._drawn
+
     def _exact(self, place):
         return {name: value.exact for name, value in self.values_at(place).items()}
 
+    @property
+    def groups(self) -> "list[tuple[Problem, SharedSolutions | None]]":
+        """(a Problem whose expressions places share, what arrays find of these)."""
+        return self._solved[0]
+
+    @property
     def _shared(self):
-        """{place: (Problem whose expressions it shares, the SharedSolutions or None)}."""
+        """{place: number of its group}."""
+        return self._solved[1]
+
+    @cached_property
+    def _solved(self):
         if self.problem.spec.choices or self._has_letters:
-            return {}
+            return [], {}
         from vibcli.results.shared_solutions import shared_solutions
 
-        found: dict = {}
+        groups: list = []
+        numbers: dict = {}
         for base, blocks, places in self._groups():
             corners = {corner: self._drawn[corner] for block in blocks for corner in product(*block)}
             known = shared_solutions(base, corners, blocks, {place: self._exact(place) for place in places})
-            found |= dict.fromkeys(places, (base, known))
-        return found
+            numbers |= dict.fromkeys(places, len(groups))
+            groups.append((base, known))
+        return groups, numbers
 
     @property
     def _has_letters(self):

@@ -30,6 +30,8 @@ class StackedDamped:
 
     def __init__(self, matrices: "StackedMatrices", natural: "StackedModes"):
         self.settled, self._row = natural.settled.copy(), {}
+        self._decay = self._omega_d = self._size = self._errors = np.empty((0, matrices.C.shape[1]))
+        self._certain = np.empty(0, dtype=bool)
         places = np.flatnonzero(self.settled)
         if not len(places) or not matrices.C.any():
             self.settled[:] = False
@@ -43,10 +45,18 @@ class StackedDamped:
         """The DampedModes of the system with the number i, by ascending |λ|."""
         row, found = self._row[i], []
         for k in range(len(self._decay[row])):
-            decay, omega_d = float(self._decay[row, k]), float(self._omega_d[row, k])
-            omega = float(np.hypot(decay, omega_d))
+            decay, omega_d, omega = (float(one[row, k]) for one in (self._decay, self._omega_d, self._size))
             found.append(DampedMode(k + 1, complex(-decay, omega_d), omega, decay / omega, self._shapes[row, :, k],
                                     float(self._errors[row, k]), decay=decay))
+        return found
+
+    def swinging(self) -> np.ndarray:
+        """δ, ω_d, |λ| and the bound of the relative error of λ, each of all systems, a row each: NaN of those that are
+        not settled."""
+        found = np.full((4, len(self.settled), *self._decay.shape[1:]), np.nan)
+        certain, places = self._certain[:, None], list(self._row)
+        for one, part in zip(found, (self._decay, self._omega_d, self._size, self._errors), strict=True):
+            one[places] = np.where(certain, part, np.nan)
         return found
 
     def _solve(self, squares, shapes, C, C_size):
@@ -74,7 +84,7 @@ class StackedDamped:
         pull = np.linalg.norm(np.einsum("kij,kjm->kim", c, z) - 2 * self._decay[:, None, :] * z, axis=1)
         change = pull * blur + omega.max(1)[:, None] * blur**2
         rounding = EPSILON * (TERMS + 2 * n) * np.einsum("kim,kij,kjm->km", np.abs(z), c_size, np.abs(z))
-        size = np.hypot(self._decay, self._omega_d)
+        self._size = size = np.hypot(self._decay, self._omega_d)
         self._errors = (change + rounding) / size + EPSILON * TERMS
         leads = np.take_along_axis(q := shapes @ z, np.abs(q).argmax(1)[:, None, :], 1)
         self._shapes = q * np.abs(leads) / leads

@@ -34,6 +34,8 @@ class StackedModes:
         diagonal = np.einsum("kii->ki", M)
         finite = np.isfinite(M).all((1, 2)) & np.isfinite(K).all((1, 2)) & (diagonal > 0).all(1)
         self.settled, self._free = np.zeros(len(M), dtype=bool), free
+        self._squares = self._rates = self._bounds = np.empty((0, M.shape[1]))
+        self._certain = np.empty(0, dtype=bool)
         places = np.flatnonzero(finite)
         self._row = {int(place): row for row, place in enumerate(places)}
         if len(places):
@@ -45,11 +47,27 @@ class StackedModes:
         """The Modes of the system with the number i: those that grow first, then by ascending ω."""
         row = self._row[i]
         found = []
-        for k, (square, error) in enumerate(zip(self._squares[row].tolist(), self._errors[row].tolist(), strict=True)):
-            rate = abs(square)**0.5
+        for k, (square, rate, error) in enumerate(zip(self._squares[row].tolist(), self._rates[row].tolist(),
+                                                      self._bounds[row].tolist(), strict=True)):
             shape = self._shapes[row, :, k]
             rates = (None, rate) if square < 0 else (rate, None)
-            found.append(Mode(k + 1, *rates, shape, shape, 0.5 * error + EPSILON * (rate > 0)))
+            found.append(Mode(k + 1, *rates, shape, shape, error))
+        return found
+
+    def swinging(self) -> tuple[np.ndarray, np.ndarray]:
+        """(ω, bound of its relative error) of all systems, a row each: NaN of those that are not settled, and of what
+        does not oscillate."""
+        found, bounds = np.full((2, len(self.settled), *self._squares.shape[1:]), np.nan)
+        swings = self._certain[:, None] & (self._squares > 0)
+        places = list(self._row)
+        found[places], bounds[places] = np.where(swings, self._rates, np.nan), np.where(swings, self._bounds, np.nan)
+        return found, bounds
+
+    @property
+    def held(self) -> np.ndarray:
+        """N truths: has every mode of a system a frequency?"""
+        found = np.zeros(len(self.settled), dtype=bool)
+        found[list(self._row)] = (self._squares > 0).all(1)
         return found
 
     def settled_parts(self) -> tuple[np.ndarray, np.ndarray]:
@@ -79,6 +97,8 @@ class StackedModes:
         if self._free:
             rounding, sizes = self._at_rest(rounding, sizes, d)
         self._errors = np.divide(rounding, np.abs(self._squares), out=np.zeros_like(rounding), where=rounding > 0)
+        self._rates = np.sqrt(np.abs(self._squares))
+        self._bounds = 0.5 * self._errors + EPSILON * (self._rates > 0)
         order = (np.diff(self._squares, axis=1) > 0).all(1)
         symmetric = np.equal(K, K.transpose(0, 2, 1)).all((1, 2)) & np.equal(M, M.transpose(0, 2, 1)).all((1, 2))
         self._certain = (definite & order & symmetric & (self._errors <= SETTLED).all(1) & (blur <= SHAPED).all(1)

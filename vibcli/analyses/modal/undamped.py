@@ -31,6 +31,7 @@ EXACT = -math.inf
 EVALUATED = -51.0
 ESCALATE = 1e-13
 DIGITS = 60
+OSCILLATION = "oscillation"
 
 
 class Mode(NamedTuple):
@@ -65,7 +66,7 @@ def kind(growth: float | None, omega: float | None) -> str:
     """What a motion e^{(growth + i omega)t} is called; either number may be None for zero."""
     if growth and growth > 0:
         return "flutter" if omega else "divergence"
-    return "oscillation" if omega else "decay" if growth else "rigid"
+    return OSCILLATION if omega else "decay" if growth else "rigid"
 
 
 def undamped(elements: Any, precise: Callable | None = None, digits: int | None = None) -> list[Mode]:
