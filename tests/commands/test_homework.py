@@ -348,14 +348,24 @@ def test_marks_as_json(course, capsys):
     capsys.readouterr()
     manifest = json.loads((course / "out" / "instructor" / "manifest.json").read_text(encoding="utf-8"))
     number = manifest["students"][0]["sheets"][0]["variant"]
-    key = next(one for one in manifest["problems"][0]["variants"] if one["variant"] == number)["keys"][0]["value"]
+    key = next(one for one in manifest["problems"][0]["variants"] if one["variant"] == number)["keys"][0]
+    key, band = key["value"], key["band"]
     mine = ("grade", "out/instructor/manifest.json", "--student", "s1")
     assert run([*mine, "--answer", f"omega_d[1]={key:.4g}", "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     right, missing = found["marks"]
     assert (found["points"], found["of"]) == (2, 3) and right["verdict"] == "right" and missing["answer"] is None
     assert right == {"id": "s1", "problem": "block", "quantity": "omega_d[1]", "answer": f"{key:.4g}", "points": 2,
-                     "of": 2, "verdict": "right", "mistake": None, "said": None}
+                     "of": 2, "verdict": "right", "mistake": None, "said": None,
+                     "off": float(f"{key:.4g}") - key, "band": band, "unit": "rad/s"}
+    far = f"omega_d[1]={key + 1.5 * band!r}"
+    assert run([*mine, "--answer", far]) == 0
+    shown, said = capsys.readouterr().out, "no known mistake leads to this: it lies further from the key than its band"
+    assert f"({said} reaches, but not twice as far; off by +" in shown and " rad/s, allowed ± " in shown
+    (course / "answers.csv").write_text(f'id,"omega_d[1]"\ns1,{far.partition("=")[2]}\n', encoding="utf-8")
+    assert run(["grade", "out/instructor/manifest.json", "--csv", "answers.csv", "-o", "marks.csv"]) == 0
+    wrong, _ = csv.DictReader((course / "marks.csv").open(encoding="utf-8"))
+    assert wrong["said"].startswith(said) and not {"off", "band", "key"} & set(wrong)
     assert run([*mine, "--json", "-o", "marks.csv"]) == 2 and "choose one" in capsys.readouterr().err
 
 
