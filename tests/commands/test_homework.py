@@ -284,6 +284,13 @@ def test_manifests_that_were_edited(course, capsys):
     assert "leads out of the folder" in capsys.readouterr().err and not (course / "third").exists()
 
 
+def test_a_mistake_that_cannot_be_solved_hands_out_nothing(course, capsys):
+    (course / "block.yaml").write_text(SCENE + "  mistakes: {pole: {bodies: {block: {mass: -m}}}}\n", encoding="utf-8")
+    assert homework() == 3 and not (course / "out").exists()
+    said = capsys.readouterr().err
+    assert "block.yaml:12:20: error: the mistake 'pole' gives nothing in any variant: the mass is -1" in said
+
+
 @pytest.mark.parametrize("text, said", [
     ("omega_d[1],id\n5\n", "no id"), ("id,zeta[1],zeta[1]\ns1,1,2\n", "the column 'zeta[1]' stands twice"),
     ("id,zeta[1]\ns1,1,2\n", "has 3 cells"), ("id,zeta[1]\ns1,1\ns1,2\n", "stand in line 2 already"),

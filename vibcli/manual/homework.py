@@ -36,8 +36,9 @@ HOMEWORK = [
         ("mistakes", "those that `vibcli explain mistakes` lists, as far as they concern the scene, and parts of the "
          "scene, merged over it as cases are, and solved anew: `weight forgotten: {gravity: 0}`; wrong values by other "
          "quantities: `natural for damped: {answers: {\"omega_d[1]\": \"omega[1]\"}}`. What one gives a "
-         "parameter holds in all variants. One that leads to the key in every variant, or to nothing in any, is "
-         "told and left out; `damped for natural: off` switches one of the list off."),
+         "parameter holds in all variants. One that leads to the key in every variant is told and left out, and so is "
+         "one of the list that leads to nothing in any; one of the file that does is refused; `damped for natural: "
+         "off` switches one of the list off."),
         ("sample", "so many candidates of a larger grid, the same ones on every machine"),
         ("--jobs N", "Grids of more than 10,000 candidates are solved in equal parts of at most so many, N at a time, "
          "and so are the problems of a set; sheets and packages are made for at most 25 students or items at a "
