@@ -27,7 +27,8 @@ EXPORTS = [
          "takes numbers is attached. In Moodle each question holds its own copies, elsewhere those of a problem stand "
          "once."),
         ("again", "The same input gives the same bytes, and a second import replaces where a system does that by "
-         "names: PrairieLearn, QTI. Moodle and Canvas add what is imported: delete the category, or the quiz, first."),
+         "names: PrairieLearn, QTI; so do there problems of another set with the same names. Moodle and Canvas add "
+         "what is imported: delete the category, or the quiz, first."),
     ],
     "What differs from `grade`, by what the formats can do:",
     [
