@@ -105,6 +105,18 @@ def test_what_no_system_compares_is_marked_by_hand(course, capsys):
                for name in FORMATS)
 
 
+def test_a_problem_called_as_what_is_marked_by_hand_of_another(course):
+    """Each has a folder of its own."""
+    (course / "letters.yaml").write_text(LETTERS, encoding="utf-8")
+    (course / "letters-by-hand.yaml").write_text(SCENE, encoding="utf-8")
+    (course / "set.yaml").write_text("problems: [letters.yaml, letters-by-hand.yaml]\n", encoding="utf-8")
+    assert exported("--export", "prairielearn", "--pool", "2", file="set.yaml") == 0
+    folders = {path.name: path for path in (course / "out/instructor/prairielearn/questions").iterdir()}
+    other, = set(folders) - {"letters-by-hand"}
+    assert "pl-number-input" in (folders[other] / "question.html").read_text(encoding="utf-8")
+    assert "pl-manual-grading-only" in (folders["letters-by-hand"] / "question.html").read_text(encoding="utf-8")
+
+
 @pytest.mark.parametrize("options, code, said", [
     (["--export", "scorm", "--pool", "3"], 2, "'scorm' is not one of"),
     (["--export", "moodle"], 2, "--pool 40"), (["--pool", "3"], 2, "--export canvas"),

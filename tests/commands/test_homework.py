@@ -284,6 +284,13 @@ def test_manifests_that_were_edited(course, capsys):
     assert "leads out of the folder" in capsys.readouterr().err and not (course / "third").exists()
 
 
+def test_a_mistake_that_cannot_be_solved_hands_out_nothing(course, capsys):
+    (course / "block.yaml").write_text(SCENE + "  mistakes: {pole: {bodies: {block: {mass: -m}}}}\n", encoding="utf-8")
+    assert homework() == 3 and not (course / "out").exists()
+    said = capsys.readouterr().err
+    assert "block.yaml:12:20: error: the mistake 'pole' gives nothing in any variant: the mass is -1" in said
+
+
 @pytest.mark.parametrize("text, said", [
     ("omega_d[1],id\n5\n", "no id"), ("id,zeta[1],zeta[1]\ns1,1,2\n", "the column 'zeta[1]' stands twice"),
     ("id,zeta[1]\ns1,1,2\n", "has 3 cells"), ("id,zeta[1]\ns1,1\ns1,2\n", "stand in line 2 already"),
@@ -348,14 +355,24 @@ def test_marks_as_json(course, capsys):
     capsys.readouterr()
     manifest = json.loads((course / "out" / "instructor" / "manifest.json").read_text(encoding="utf-8"))
     number = manifest["students"][0]["sheets"][0]["variant"]
-    key = next(one for one in manifest["problems"][0]["variants"] if one["variant"] == number)["keys"][0]["value"]
+    key = next(one for one in manifest["problems"][0]["variants"] if one["variant"] == number)["keys"][0]
+    key, band = key["value"], key["band"]
     mine = ("grade", "out/instructor/manifest.json", "--student", "s1")
     assert run([*mine, "--answer", f"omega_d[1]={key:.4g}", "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     right, missing = found["marks"]
     assert (found["points"], found["of"]) == (2, 3) and right["verdict"] == "right" and missing["answer"] is None
     assert right == {"id": "s1", "problem": "block", "quantity": "omega_d[1]", "answer": f"{key:.4g}", "points": 2,
-                     "of": 2, "verdict": "right", "mistake": None, "said": None}
+                     "of": 2, "verdict": "right", "mistake": None, "said": None,
+                     "off": float(f"{key:.4g}") - key, "band": band, "unit": "rad/s"}
+    far = f"omega_d[1]={key + 1.5 * band!r}"
+    assert run([*mine, "--answer", far]) == 0
+    shown, said = capsys.readouterr().out, "no known mistake leads to this: it lies further from the key than its band"
+    assert f"({said} reaches, but not twice as far; off by +" in shown and " rad/s, allowed ± " in shown
+    (course / "answers.csv").write_text(f'id,"omega_d[1]"\ns1,{far.partition("=")[2]}\n', encoding="utf-8")
+    assert run(["grade", "out/instructor/manifest.json", "--csv", "answers.csv", "-o", "marks.csv"]) == 0
+    wrong, _ = csv.DictReader((course / "marks.csv").open(encoding="utf-8"))
+    assert wrong["said"].startswith(said) and not {"off", "band", "key"} & set(wrong)
     assert run([*mine, "--json", "-o", "marks.csv"]) == 2 and "choose one" in capsys.readouterr().err
 
 

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from vibcli.homework.marks import AnswerMark, Marker
 
 COLUMNS = "id", "problem", "quantity", "answer", "points", "of", "verdict", "mistake", "said"
+DIGITS = 3, 6, 10, 17           # as many as tell what is off from what is allowed
+FOR_WHO_MARKS = "off", "band", "unit"       # with the answer they tell the key: in no table, which is given back
 
 
 @click.command("grade")
@@ -124,12 +126,13 @@ def _table(marks: "Sequence[AnswerMark]") -> str:
 
 
 def _data(marks: "Sequence[AnswerMark]") -> str:
-    """{marks: [a mapping by COLUMNS], points, of}, null for a text that is empty."""
+    """{marks: [a mapping by COLUMNS and FOR_WHO_MARKS], points, of}, null for a text that is empty."""
     import json
 
     from vibcli.homework.marks import total
 
-    rows = [dict(zip(COLUMNS, (text if text != "" else None for text in one), strict=True)) for one in marks]
+    columns = COLUMNS + FOR_WHO_MARKS
+    rows = [dict(zip(columns, (text if text != "" else None for text in one), strict=True)) for one in marks]
     points, most = total(marks)
     return json.dumps({"marks": rows, "points": points, "of": most}, ensure_ascii=False, allow_nan=False, indent=1)
 
@@ -142,7 +145,19 @@ def _shown(marks: "Sequence[AnswerMark]") -> str:
     for one in marks:
         mark = click.style("✓", fg="green") if one.verdict == RIGHT else click.style("✗", fg="red")
         said = ": ".join(part for part in (one.mistake, one.said if one.said != one.mistake else "") if part)
+        said = "; ".join(part for part in (said, _off(one)) if part)
         lines.append(f"{mark} {one.quantity} = {escaped(one.answer) or '–'}: {one.verdict}, "
                      f"{one.points:g} of {one.of:g}" + (f" ({escaped(said)})" if said else ""))
     points, most = total(marks)
     return "\n".join([*lines, f"{points:g} of {most:g} points"])
+
+
+def _off(one):
+    """How far a wrong number lies from its key, and how far it may; '' of others."""
+    from vibcli.notation.numbers import figure
+
+    if one.off is None or abs(one.off) <= one.band:
+        return ""
+    texts = [(figure(abs(one.off), digits=digits), figure(one.band, digits=digits)) for digits in DIGITS]
+    off, band = next((pair for pair in texts if pair[0] != pair[1]), texts[-1])
+    return f"off by {'−' if one.off < 0 else '+'}{off} {one.unit}".rstrip() + f", allowed ± {band}"

@@ -168,13 +168,13 @@ def _course(path) -> "Course":
 def _handouts(course: "Course", patience: int, executor: "Executor | None") -> "list[Handout]":
     """The Handouts of its problems, all variants solved; with an executor several problems at a time."""
     from vibcli.homework.handout import Handout
+    from vibcli.homework.refusals import require_variants
 
     begun = [(one, *_begun(one, patience, executor)) for one in course.problems]
     handouts = []
     for one, text, under_way in begun:
         found = under_way.solved()
-        if not found.accepted:
-            raise PhysicsError("no variant is left", found.advice, Where(one.path, 1, 1, 0))
+        require_variants(found, under_way.document)
         handouts.append(Handout.of(one, found, under_way.document, text))
     return handouts
 

@@ -5,7 +5,7 @@ from typing import Any
 
 import click
 
-from vibcli.base.errors import Diagnostic, PhysicsError, SpecError, Where
+from vibcli.base.errors import Diagnostic, SpecError, Where
 from vibcli.cli.common import chosen, problem_in, scene_options, settings_in, source_of
 from vibcli.cli.output import print_scenes
 from vibcli.cli.reports import output_of, report_options
@@ -23,10 +23,12 @@ def command(file: str, settings: Sequence[str], case: Any, as_json: bool, patien
             rejected: bool, at_least: int | None, jobs: int, cluster: str | None, **report: Any) -> int:
     """Solve all variants of a problem, as its `variants:` says, and tell which of them pass the gates.
 
-    Exit code: 0, 1 where fewer than --at-least are accepted, 4 where none is: vibcli explain variants.
+    Exit code: 0, 1 where fewer than --at-least are accepted, 3 where a mistake of the file gives nothing, 4 where no
+    variant is left: vibcli explain variants.
     """
     from vibcli.homework.document import SceneDocument
     from vibcli.homework.parts import solve_in_parts
+    from vibcli.homework.refusals import require_variants
     from vibcli.report.wanted import Wanted
 
     output = output_of(file, as_json, **report)
@@ -36,13 +38,14 @@ def command(file: str, settings: Sequence[str], case: Any, as_json: bool, patien
     if problem.spec.get("variants") is None:
         where = Where(file, 1, 1, 0)
         raise SpecError([Diagnostic(where, "this scene says nothing of variants", _instead(problem))])
+    document = SceneDocument.of(source.node, source.file, case, given)
     with workers(jobs, cluster) as executor:
-        found = solve_in_parts(problem, SceneDocument.of(source.node, source.file, case, given), executor)
+        found = solve_in_parts(problem, document, executor)
     sections = ("variants", *["variant_table"] * table, *["rejected_variants"] * rejected)
     code = print_scenes([(name, problem)], lambda problem: sections, output, timings, data=("variants",),
                         wanted=Wanted(variants=found))
-    if not code and not found.accepted:
-        raise PhysicsError("no variant is left", found.advice)
+    if not code:
+        require_variants(found, document)
     return code or int(at_least is not None and len(found.accepted) < at_least)
 
 

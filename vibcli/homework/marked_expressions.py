@@ -11,8 +11,10 @@ from vibcli.base.spelling import nearest
 from vibcli.check.instances import Instances
 from vibcli.check.verdicts import expected_node, proportional, worst_place
 from vibcli.homework import RIGHT, UNREADABLE, WRONG
+from vibcli.homework.equation_reasons import of_terms
 from vibcli.homework.formula_keys import agreements
 from vibcli.homework.in_letters import LONGEST, answer_of, expression_of
+from vibcli.homework.reasons import NOT_EQUAL, NOT_PROPORTIONAL
 from vibcli.homework.terms import alike, fitted
 from vibcli.language.dimension_check import TIMED
 from vibcli.language.reader import Expression, Reader
@@ -29,6 +31,8 @@ if TYPE_CHECKING:
 SIGNS = str.maketrans({"−": "-", "–": "-", "×": "*", "⋅": "*", "·": "*", "’": "'", "′": "'", "″": "''", "√": "sqrt"})
 RAISED = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+")
 DIGITS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻₀₁₂₃₄₅₆₇₈₉", "0123456789-0123456789")
+SLIPS = [("its sign", "-1"), *((f"a factor of {words}", factor) for words, factor in (
+    ("2", "2"), ("1/2", "1/2"), ("4", "4"), ("1/4", "1/4"), ("2π", "2*pi"), ("1/(2π)", "1/(2*pi)")))]
 DOTS = {"\u0307": "'", "\u0308": "''"}
 
 
@@ -46,13 +50,13 @@ def marked(problem: "Problem", key: Mapping[str, Any], text: str) -> tuple[str, 
         return UNREADABLE, "", reason
     try:
         is_right, mistake = _compared(problem, asked, key, given)
+        if is_right or mistake:
+            return RIGHT if is_right else WRONG, mistake, ""
+        return WRONG, "", _misfit(problem, asked, given) or _reason(problem, asked, key, given)
     except SpecError as error:
         return UNREADABLE, "", error.diagnostics[0].message
     except PhysicsError as error:
         return UNREADABLE, "", error.message
-    if is_right:
-        return RIGHT, "", ""
-    return WRONG, mistake, "" if mistake else _misfit(problem, asked, given)
 
 
 def typed(text: str) -> str:
@@ -125,3 +129,16 @@ def _misfit(problem, asked, given):
     reader = Reader(members=problem.spec.members)
     checked(problem.spec, reader, Answer(asked, Expression(given.scalar, given.tree), None))
     return reader.diagnostics[0].message if reader.diagnostics else ""
+
+
+def _reason(problem, asked, key, given):
+    """Why an answer is wrong to which no known mistake leads."""
+    if "terms" in key:
+        return of_terms(fitted(problem, asked, given, key["terms"]), key["terms"], key["band"])
+    if kind_of(problem.spec, asked.tree) == EQUATION:
+        return NOT_PROPORTIONAL
+    texts = [f"({factor})*({key['formula']})" for _, factor in SLIPS]
+    found = (_in_letters(problem, asked, given, texts) if kind_of(problem.spec, asked.tree) in OF_STATE else
+             agreements(problem, [(expression_of(text), given) for text in texts]))
+    but = next((words for (words, _), leads in zip(SLIPS, found, strict=True) if leads), None)
+    return NOT_EQUAL if but is None else f"the expression is right but for {but}"

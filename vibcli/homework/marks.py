@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.spelling import nearest
 from vibcli.homework import MISSING, RIGHT, UNREADABLE, WRONG
-from vibcli.homework.given_answers import read_answer
+from vibcli.homework.given_answers import GivenAnswer, read_answer
+from vibcli.homework.reasons import of_number
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -17,7 +18,8 @@ COARSE = 0.01           # of an answer: half of its last figure, beyond which it
 
 class AnswerMark(NamedTuple):
     """The mark of one answer: whose, for which problem and quantity; the answer as written; points of how many; the
-    verdict; the mistake that it shows, '' of none; what to say."""
+    verdict; the mistake that it shows, '' of none; what to say, which tells no key; of a number how far it is from its
+    key, how far it may be, and the unit of both."""
 
     student: str
     problem: str
@@ -28,6 +30,9 @@ class AnswerMark(NamedTuple):
     verdict: str
     mistake: str = ""
     said: str = ""
+    off: float | None = None
+    band: float | None = None
+    unit: str = ""
 
 
 class Marker:
@@ -73,27 +78,24 @@ class Marker:
             yield AnswerMark(student, problem, key["quantity"], text, *self._marked(problem, variant, key, text))
 
     def _marked(self, problem, variant, key, text):
-        """(points, of, verdict, mistake, what to say) of an answer."""
+        """What an AnswerMark has behind the answer, the last three of a number alone."""
         most = key["points"]
         if not text:
             return 0.0, most, MISSING
-        if "value" not in key:
-            from vibcli.homework.marked_expressions import marked
+        if "value" in key:
+            return self._number_marked(problem, key, text)
+        from vibcli.homework.marked_expressions import marked
 
-            verdict, mistake, said = marked(self._scene(problem, variant), key, text)
-            return most * (verdict == RIGHT), most, verdict, mistake, said or self._sentence(problem, mistake)
-        given = read_answer(text, key["unit"])
+        verdict, mistake, said = marked(self._scene(problem, variant), key, text)
+        return most * (verdict == RIGHT), most, verdict, mistake, said or self._sentence(problem, mistake)
+
+    def _number_marked(self, problem, key, text):
+        given, most = read_answer(text, key["unit"]), key["points"]
         if given.value is None:
             return 0.0, most, UNREADABLE, "", given.reason
-        if is_within(given.value, key["value"], key["band"]):
-            if _counts(given.unit) | _counts(key["unit"]) == {CYCLES, RADIANS}:
-                return 0.0, most, WRONG, "", f"the number is right in {key['unit']}, but {given.unit} is written"
-            return most, most, RIGHT
-        half = given.half if given.half <= COARSE * abs(given.value) else 0.0
-        if is_within(given.value, key["value"], half):
-            return 0.0, most, WRONG, "", f"right as far as it goes, but {key['figures']} figures are asked"
-        mistake = mistake_near(given.value, half, key)
-        return 0.0, most, WRONG, mistake or "", self._sentence(problem, mistake)
+        verdict, mistake, said = judged(given, text, key)
+        far = given.value - key["value"], key["band"], key["unit"]
+        return most * (verdict == RIGHT), most, verdict, mistake, said or self._sentence(problem, mistake), *far
 
     def _sentence(self, problem, mistake):
         return self._problems[problem]["mistakes"].get(mistake, "")
@@ -105,6 +107,25 @@ class Marker:
         if name not in self._handouts:
             self._handouts[name] = handout_of(self._problems[name])
         return self._handouts[name].problem(variant - 1)
+
+
+def judged(given: GivenAnswer, text: str, key: Mapping[str, Any]) -> tuple[str, str, str]:
+    """(verdict, the mistake that it shows or '', where it shows none why it is wrong) of a number that was read from a
+    text."""
+    value, right, band = given.value, key["value"], key["band"]
+    unit = f"in {key['unit']}" if key["unit"] else "without a unit"
+    other = f"the number is right {unit}, but {given.unit} is written"
+    if is_within(value, right, band):
+        is_other = _counts(given.unit) | _counts(key["unit"]) == {CYCLES, RADIANS}
+        return (WRONG, "", other) if is_other else (RIGHT, "", "")
+    half = given.half if given.half <= COARSE * abs(value) else 0.0
+    if is_within(value, right, half):
+        return WRONG, "", f"right as far as it goes, but {key['figures']} figures are asked"
+    if (mistake := mistake_near(value, half, key)) is not None:
+        return WRONG, mistake, ""
+    if given.unit and is_within(read_answer(text, given.unit).value, right, band):
+        return WRONG, "", other
+    return WRONG, "", of_number(value, right, band)
 
 
 def _counts(unit):

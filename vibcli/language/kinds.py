@@ -190,7 +190,9 @@ class Many(NamedTuple):
         if not isinstance(node, Sequence) or not self.least <= len(node.items) <= self.most:
             if isinstance(node, Sequence):
                 count = {0: "an empty list", 1: "one item"}.get(len(node.items), f"{len(node.items)} items")
-                return reader.report(node.where, f"expected {self.wants}, found {count}")
+                wants = self.wants if self.named or self.least == self.most else (
+                    f"a list of {self.least} to {self.most} items")
+                return reader.report(node.where, f"expected {wants}, found {count}")
             one = isinstance(node, Scalar) and node.text.strip() and isinstance(self.kind, Choice)
             return reader.expected(node, self.wants, f"write [{node.text.strip()[:40]}]" if one else None)
         items = [self.kind.read(item, reader) for item in node.items]

@@ -85,9 +85,9 @@ class Reader:
 
 def _found(node):
     if isinstance(node, Mapping):
-        return "a mapping"
+        return "a mapping" if node.entries else "an empty mapping"
     if isinstance(node, Sequence):
-        return "a list"
+        return "a list" if node.items else "an empty list"
     return quoted(node.text) if node.text.strip() else "nothing"
 
 

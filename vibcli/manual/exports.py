@@ -27,7 +27,8 @@ EXPORTS = [
          "takes numbers is attached. In Moodle each question holds its own copies, elsewhere those of a problem stand "
          "once."),
         ("again", "The same input gives the same bytes, and a second import replaces where a system does that by "
-         "names: PrairieLearn, QTI. Moodle and Canvas add what is imported: delete the category, or the quiz, first."),
+         "names: PrairieLearn, QTI; so do there problems of another set with the same names. Moodle and Canvas add "
+         "what is imported: delete the category, or the quiz, first."),
     ],
     "What differs from `grade`, by what the formats can do:",
     [
@@ -53,7 +54,11 @@ EXPORTS = [
     ],
     "Tried (`make peers` in the sources): `moodle2amc` reads key and band of numerical questions; "
     "@citolab/qti-components marks each item of QTI in Chromium as `grade` does, and shows its MathML as plain "
-    "letters; items, tests and manifests of QTI 2.1 are valid by its published schemas; packages for Canvas are built "
-    "as those of `text2qti` are; the element of PrairieLearn marked 240 answers as the model of it in the tests. Cloze "
-    "questions, and import by Moodle, PrairieLearn and Canvas themselves, are not tried.",
+    "letters; the element of PrairieLearn marked 240 answers as the model of it in the tests; packages for Canvas are "
+    "built as those of `text2qti` are.",
+    "Held against published definitions: items, tests and manifests of QTI 2.1 are valid by its schemas. Quizzes for "
+    "Canvas are valid by the definition of QTI 1.2 but for `points_per_item`, which is Canvas's own, their settings by "
+    "what Canvas's schema says of a quiz, and their manifest by that of IMS content packages, but for its namespace. "
+    "For Moodle XML there is no schema: its questions hold only elements that Moodle's importer reads.",
+    "Not tried: cloze questions in another program, and import by Moodle, PrairieLearn and Canvas themselves.",
 ]

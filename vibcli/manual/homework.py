@@ -36,8 +36,9 @@ HOMEWORK = [
         ("mistakes", "those that `vibcli explain mistakes` lists, as far as they concern the scene, and parts of the "
          "scene, merged over it as cases are, and solved anew: `weight forgotten: {gravity: 0}`; wrong values by other "
          "quantities: `natural for damped: {answers: {\"omega_d[1]\": \"omega[1]\"}}`. What one gives a "
-         "parameter holds in all variants. One that leads to the key in every variant, or to nothing in any, is "
-         "told and left out; `damped for natural: off` switches one of the list off."),
+         "parameter holds in all variants. One that leads to the key in every variant is told and left out, and so is "
+         "one of the list that leads to nothing in any; one of the file that does is refused; `damped for natural: "
+         "off` switches one of the list off."),
         ("sample", "so many candidates of a larger grid, the same ones on every machine"),
         ("--jobs N", "Grids of more than 10,000 candidates are solved in equal parts of at most so many, N at a time, "
          "and so are the problems of a set; sheets and packages are made for at most 25 students or items at a "
@@ -67,10 +68,14 @@ HOMEWORK = [
     ],
     "`vibcli grade manifest.json` marks answers: `--student s1 --answer 'omega[1]=21.9 rad/s'` those of one, "
     "`--csv answers.csv -o marks.csv` those of all (columns `id`, `problem`, one for each quantity). Without a unit "
-    "the one that was asked is meant; decimal commas are read; a mistake that is known is named. Expressions and "
+    "the one that was asked is meant; decimal commas are read; a mistake that is known is named, and of another wrong "
+    "answer is said how it differs from the key: by its sign or a factor, by which term of an equation, else roughly. "
+    "How far it is off, and how far it may be, tells the key: that stands in the text and in `--json` (`off`, `band`), "
+    "not in the table, which may be given back. Expressions and "
     "equations are read as those of scenes are, also with ẍ, · and ²: `--answer 'omega[1]=sqrt(k/m)'`, `--answer "
     "\"equation[x]=2*x'' + 800*x = 0\"`. `--json` prints `marks` "
-    "with the columns of the table, `points` and `of`. The exit code is 0 whatever the marks are.",
+    "with the columns of the table, `off`, `band` and `unit`; `points` and `of`. The exit code is 0 whatever the marks "
+    "are.",
     "Cases do not inherit variants; a case may have its own (`--case`). All variants share one derivation where no "
     "sign of the drawing hangs on their values; twenty are held against the scene read anew from the printed values.",
 ]

@@ -196,7 +196,8 @@ def _sections(root, reader):
     for key, (key_node, value) in root.entries.items():
         before = len(reader.diagnostics)
         if key not in SECTIONS:
-            reader.report(key_node.where, f"unknown key {quoted(key)}", nearest(key, SECTIONS))
+            hint = "a set of problems is a file with the name set.yaml" if key == "problems" else nearest(key, SECTIONS)
+            reader.report(key_node.where, f"unknown key {quoted(key)}", hint)
         elif _is_empty(value) and not isinstance(SECTIONS[key][0], Text):
             reader.report(key_node.where, f"the section '{key}' is empty", "fill it in or leave it out")
         else:

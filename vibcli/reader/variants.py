@@ -131,6 +131,10 @@ def _axes(spec, reader, record):
             found = _values(spec, reader, name, values)
             axes += [{name: found}] if found else []
     rows = record.get("rows", [])
+    if not all(rows) or not (axes or rows or taken):
+        reader.report(record.where if all(rows) else record.place("rows"), "nothing is varied", "name parameters with "
+                      "their values, as in m: [1 kg, 2 kg]")
+        return axes
     for row in rows:
         first = next(iter(row.values())).where
         if set(row) != set(rows[0]):

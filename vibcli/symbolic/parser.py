@@ -94,6 +94,9 @@ class _Parser:
         if found == ",":
             raise ExpressionError(self.at, 1, "found ',' where the expression should go on or end",
                                   "decimals are written with a point: 0.5")
+        if found in "<>":
+            raise ExpressionError(self.at, 1, f"expected an expression, found a comparison with '{found}'",
+                                  "comparisons stand under `require` of `variants`")
         if word or found in "(" or found.isdigit():
             what = word.group() if word else found
             raise ExpressionError(self.at, len(what), f"expected an operator before {quoted(what)}", self._joined(what))

@@ -220,6 +220,9 @@ def test_marks_of_expressions(handed):
                           ("-sqrt(g/(2*a) + k/(3*m))", "sign"), ("sqrt(g/(2*a) + k/(3*m)*1.001)", "")):
         one = verdicts(out, omega=text)["omega[1]"]
         assert (one.verdict, one.mistake, one.points) == ("wrong", mistake, 0), text
+    for text, said in (("4*sqrt(g/(2*a) + k/(3*m))", "the expression is right but for a factor of 4"),
+                       ("sqrt(g/(2*a) + k/(4*m))", "at random values of its letters it is another than the key")):
+        assert said in verdicts(out, omega=text)["omega[1]"].said, text
     assert "expected an angular frequency" in verdicts(out, omega="k/m")["omega[1]"].said
     assert "no letter 'q'" in verdicts(out, omega="sqrt(q/m)")["omega[1]"].said
     for text in HOSTILE:
@@ -236,8 +239,10 @@ def test_marks_of_equations_and_energies_in_letters(handed):
     for text, mistake in (("φ̈ = -k/(3·m)·φ", "weight forgotten"), ("φ̈ = (g/(2·a) + k/(3·m))·φ", "")):
         one = verdicts(out, equation=text)["equation[phi]"]
         assert (one.verdict, one.mistake) == ("wrong", mistake), text
+        assert mistake or "at random values and motions it is no multiple of the key" in one.said
     assert verdicts(out, equation="phi''")["equation[phi]"].verdict == "unreadable"
     assert verdicts(out, T="3/2*m*a^2*phi'^2")["T"].verdict == "right"
+    assert verdicts(out, T="3*m*a^2*phi'^2")["T"].said == "the expression is right but for a factor of 2"
     one = verdicts(out, T="9/8*m*a^2*phi'^2")["T"]
     assert (one.verdict, one.mistake) == ("wrong", "particle for body (rod)")
 
@@ -250,12 +255,18 @@ def test_marks_of_equations_with_numbers(handed):
         factor = draw.choice((1.0, 1 / 3, 1 / 800, draw.uniform(0.01, 90)))
         m, c, k, F = (f"{factor * x:.3g}" for x in (3, 8, 800, 10))
         assert verdicts(out, equation=f"{m}*x'' + {c}*x' + {k}*x = {F}*sin(15*t)")["equation[x]"].points == 2
-    for text, mistake in (("3*x'' + 800*x = 10*sin(15*t)", "damper forgotten (d)"),
-                          ("3*x'' + 8*x' + 820*x = 10*sin(15*t)", ""), ("3*x'' + 8*x' + 800*x = 0", ""),
-                          ("3*x'' + 8*x' - 800*x = 10*sin(15*t)", ""), ("3*x'' + 8*x' + 800*x = 10*sin(14*t)", ""),
-                          ("3*x'' + 8*x' + 800*x + 2*x^3 = 10*sin(15*t)", "")):
+    other = "no known mistake leads to this: it is not made of the terms of the key"
+    for text, mistake, said in (
+            ("3*x'' + 800*x = 10*sin(15*t)", "damper forgotten (d)", None),
+            ("3*x'' + 8*x' + 820*x = 10*sin(15*t)", "", "the equation is right but for the term with x"),
+            ("3*x'' + 8*x' + 800*x = 0", "", "the equation is right but for the term with sin(15*t)"),
+            ("3*x'' + 8*x' - 800*x = 10*sin(15*t)", "", "the equation is right but for the sign of the term with x"),
+            ("4*x'' + 9*x' + 800*x = 10*sin(15*t)", "", "its coefficients are not to each other as those of the key"),
+            ("3*x'' + 8*x' + 800*x = 10*sin(14*t)", "", other),
+            ("3*x'' + 8*x' + 800*x + 2*x^3 = 10*sin(15*t)", "", other)):
         one = verdicts(out, equation=text)["equation[x]"]
         assert (one.verdict, one.mistake, one.points) == ("wrong", mistake, 0), text
+        assert one.said.endswith(said or ""), (text, one.said)
     for text in ("3 kg*x'' + 8 N*s/m*x' + 0.8 kN/m*x = 10 N*sin(15 rad/s*t)", "ẍ + 2.67*ẋ + 267*x = 3.33*sin(15*t)"):
         assert verdicts(out, equation=text)["equation[x]"].verdict == "right", text
     for text in HOSTILE:

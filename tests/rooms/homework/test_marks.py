@@ -1,5 +1,6 @@
 """Answers as students write them, their marks, and what no sheet may tell."""
 
+import random
 from math import pi
 
 import pytest
@@ -7,6 +8,7 @@ import pytest
 from vibcli.homework.given_answers import read_answer
 from vibcli.homework.leaks import leak, text_of_page
 from vibcli.homework.marks import Marker
+from vibcli.homework.reasons import of_number
 
 
 @pytest.mark.parametrize("text, unit, value", [
@@ -60,7 +62,7 @@ def test_marks():
     assert marks(omega="3.49 Hz") == [("wrong", 0, "Hz", "this is in Hz"), ("missing", 0, "", "")]
     assert marks(omega="22,6", zeta="12.5 kg") == [("wrong", 0, "weight", "the weight"), (
         "unreadable", 0, "", "'kg' measures something else than a pure number")]
-    assert marks(omega="-21.9")[0][:2] == ("wrong", 0)
+    assert marks(omega="-21.9")[0] == ("wrong", 0, "", "the number is right but for its sign")
 
 
 def test_cycles_are_no_radians():
@@ -73,8 +75,58 @@ def test_answers_of_fewer_figures_than_are_asked():
     """They are told so where they are right, and their mistake where they are not, as far as their last figure goes."""
     assert marks(zeta="12.5 %")[1] == ("wrong", 0, "", "right as far as it goes, but 4 figures are asked")
     assert marks(zeta="0.128")[1] == ("wrong", 0, "weight", "the weight")
-    assert marks(zeta="0.1280")[1] == ("wrong", 0, "", "")
-    assert marks(zeta="0.1")[1] == ("wrong", 0, "", "")
+    for text in ("0.1280", "0.1"):
+        assert marks(zeta=text)[1][:3] == ("wrong", 0, "") and "ten times as far" in marks(zeta=text)[1][3]
+
+
+BUT, UNKNOWN = "the number is right but for ", "no known mistake leads to this: it "
+WHY = [
+    ("2.191", BUT + "a factor of 1/10"), ("-2.19e4", BUT + "its sign and a factor of 1000"),
+    ("43.8", BUT + "a factor of 2"), ("137.6", BUT + "a factor of 2π"), ("0.382", BUT + "a factor of 1/(180/π)"),
+    ("21.9 rpm", "the number is right in rad/s, but rpm is written"),
+    ("22.1", UNKNOWN + "lies further from the key than its band reaches, but not twice as far"),
+    ("23", UNKNOWN + "lies further from the key than its band reaches, but not ten times as far"),
+    ("30", UNKNOWN + "lies more than ten times as far from the key as its band reaches"),
+    ("60", UNKNOWN + "is more than twice what is right"), ("5", UNKNOWN + "is less than half of what is right"),
+    ("-5", "no known mistake leads to this: sign and size differ from those of the key")]
+
+
+@pytest.mark.parametrize("text, said", WHY)
+def test_why_a_number_is_wrong_that_no_known_mistake_gives(text, said):
+    assert marks(omega=text)[0] == ("wrong", 0, "", said)
+
+
+def test_reasons_of_numbers_are_true_and_tell_no_key():
+    """What they say of sign, factor and distance holds; and of answers that are no multiple of it the key may be one
+    of many."""
+    draw, seen = random.Random("reasons"), set()
+    for _ in range(4000):
+        key, band = draw.choice((1, -1)) * 10 ** draw.uniform(-3, 5), 10 ** draw.uniform(-4, -1.7)
+        value = key * draw.choice((1, -1)) * draw.choice((1 + draw.uniform(-20, 20) * band, 10 ** draw.uniform(-4, 4)))
+        if abs(value - key) <= band * abs(key):
+            continue
+        said = of_number(value, key, band * abs(key))
+        if said.startswith(BUT):
+            factor = said.removeprefix(BUT).removeprefix("its sign").partition("a factor of ")[2] or "1"
+            sign = -1 if "sign" in said else 1
+            assert abs(sign * value / eval(factor.replace("2π", "tau").replace("π", "pi"), {"pi": pi, "tau": 2 * pi})
+                       - key) <= band * abs(key) * (1 + 1e-9)
+        else:
+            far, ratio = abs(value / key - 1) / band, value / key
+            holds = {"sign and size": ratio < 0, "more than twice": ratio > 2, "less than half": 0 < ratio < 0.5,
+                     "not twice": 1 < far <= 2, "not ten": 2 < far <= 10, "ten times as far from": far > 10}
+            name, = (words for words in holds if words in said)
+            assert holds[name]
+            seen.add(name)
+    assert len(seen) == 6
+    assert of_number(0.3, 0.0, 0.0) == UNKNOWN + "lies outside the band of the key"
+
+
+def test_how_far_a_number_is_off():
+    for text, off in (("22.1", 0.191), ("3.49 Hz", 3.49 - 21.909), ("21.9", -0.009)):
+        one, other = Marker(MANIFEST).marks("s1", "crank", {"omega_d[1]": text})
+        assert (one.off, one.band, one.unit) == (pytest.approx(off), 0.11, "rad/s")
+        assert (other.verdict, other.off, other.band) == ("missing", None, None)
 
 
 def test_edges_of_the_band():

@@ -38,6 +38,9 @@ class Scenery:
                       for name, record in (scene.spec.get("constraints") or {}).items() if "rope" in record}
         for number, found in enumerate(self.ties.implied):
             self.ropes[f"implied {number}"] = rope.implied(found, self.sketch, self.looks)
+        for cord in self.ties.cords:
+            self.ropes[cord.end.carrier] = rope.wound(cord, self.sketch)
+            self.bunches.append(connection.Bunch([cord.record], cord.wall, cord.end))
         box = extent(primitives(self, self.sketch)[0])
         left, top = (box[0], box[1] - BELOW) if box else (0.0, 0.0)
         every = rows.rows(scene)

@@ -29,6 +29,7 @@ def of(stage: "Scenery") -> "list[tuple[Run, ...]]":
     """The runs of each note."""
     spec, scene = stage.scene.spec, stage.scene
     shown = {edge.record.name for edge in rows.edges(scene) if _is_plain(edge, scene)}
+    shown |= {cord.record.name for cord in stage.ties.cords}
     found = []
     for record in spec.connections:
         if "stretch" in record and record.name not in shown:

@@ -16,6 +16,7 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression, Reference
     from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 TORN = ("the scene cannot be drawn: its places are not finite numbers", "look at the values of its parameters")
 
@@ -41,6 +42,16 @@ class DrawnFrame(NamedTuple):
 
     def turned(self, direction: tuple[float, float]) -> tuple[float, float]:
         return plane.turned(direction, self.angle)
+
+
+class CordEnd(NamedTuple):
+    """The end of a cord: its name among carriers, where it was drawn, the direction in which it moves away from there
+    as far as an expression says."""
+
+    carrier: str
+    drawn: tuple
+    direction: tuple
+    moved: "Node"
 
 
 STILL = DrawnFrame((0.0, 0.0), (0.0, 0.0), 0.0)
@@ -88,11 +99,20 @@ class Sketch:
         flat = evaluate([*nodes, *(node for _, node in lumps)], Floats, self.values)
         if not all(map(isfinite, flat)):
             raise PhysicsError(*TORN)
-        frames = {}
+        frames = {end.carrier: self._cord_end(end) for end in self.numbers.get("cords", ())}
         for i, name in enumerate(names):
             x0, y0, x, y, angle = flat[5 * i:5 * i + 5]
             frames[name] = DrawnFrame((x0 * self.scale, y0 * self.scale), (x * self.scale, y * self.scale), angle)
         return frames, dict(zip([name for name, _ in lumps], flat[5 * len(names):], strict=True))
+
+    def hold(self, end: CordEnd) -> None:
+        """Know the end of a cord as a carrier, here and in other positions."""
+        self.numbers.setdefault("cords", []).append(end)
+        self.frames[end.carrier] = self._cord_end(end)
+
+    def _cord_end(self, end):
+        moved, = evaluate([end.moved], Floats, self.values)
+        return DrawnFrame(end.drawn, plane.plus(end.drawn, end.direction, moved * self.scale), 0.0)
 
     def number(self, expression: "Expression") -> float:
         """The value of a field as drawn."""

@@ -3,7 +3,7 @@ carries, and the places at which anything is joined."""
 
 from typing import TYPE_CHECKING
 
-from vibcli.drawing.layout import implied, joined, plane
+from vibcli.drawing.layout import cords, implied, joined, plane
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
@@ -15,8 +15,8 @@ class Ties:
     """`radii`: {body: radii}, `toothed`: bodies in gears, `rims`: those with inner teeth, `arms`: bodies that carry
     gears, `pegs`: [(place, radius)] of pulleys without a body, `carried`: {body: places}, `surfaces`: {body: records},
     `slots`: {body: [(place, direction)]} of what slides along a body, `ends`: [(Attachment, Attachment)] of springs,
-    dampers and links, `implied`: ropes that are not named, `fastened`: what is on them, `hinges`: [Attachment] of pins
-    that are not named."""
+    dampers and links, `implied`: ropes that are not named, `fastened`: what is on them, `cords`: those that an element
+    without ends stretches, `hinges`: [Attachment] of pins that are not named."""
 
     def __init__(self, sketch: "Sketch"):
         self.radii, self.carried, self.surfaces, self.slots = {}, {}, {}, {}
@@ -40,6 +40,9 @@ class Ties:
         self.implied = []
         for rope in implied.ropes(sketch):
             self._implied(rope, sketch)
+        self.cords = cords.cords(sketch)
+        for cord in self.cords:
+            self._rim(cord.wheel, cord.radius)
 
     def _body(self, body, sketch):
         if body.name not in sketch.frames:

@@ -12,6 +12,7 @@ from vibcli.drawing.layout.sketch import Attachment, Sketch
 from vibcli.drawing.layout.ties import SIDES
 
 if TYPE_CHECKING:
+    from vibcli.drawing.layout.cords import Cord
     from vibcli.drawing.layout.implied import Implied
     from vibcli.drawing.symbols.look import Look
     from vibcli.language.reader import Record
@@ -91,6 +92,11 @@ def implied(found: "Implied", sketch: Sketch, looks: "Mapping[str, Look]") -> li
     sense = 1 if plane.across(side, plane.minus(offset, side)) > 0 else -1
     start = DrawnStop(wheel, found.radius, sense)
     return [start, _edge(DrawnStop(weight), start._replace(sense=-sense), looks)]
+
+
+def wound(cord: "Cord", sketch: Sketch) -> list[DrawnStop]:
+    """The Stops of a cord that a wheel winds up."""
+    return [DrawnStop(sketch.rim(cord.wheel), cord.radius, cord.sense), DrawnStop(cord.end)]
 
 
 def draw(chain: Sequence[DrawnStop], sketch: Sketch, role: str = "rope", closed: bool = False) -> list[Any]:

@@ -8,6 +8,7 @@ from math import lcm
 from string import ascii_lowercase
 from typing import TYPE_CHECKING
 
+from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.homework.exports.setting import AsSet, SetInMathML, SetInTeX, html, running
 from vibcli.homework.exports.told import ToldBand, bands_told
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
 
 NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_.-]{0,63}")
 BY_HAND = "by-hand"
+MADE = re.compile(rf".*-{BY_HAND}|q_.*-[0-9a-f]{{8}}", re.IGNORECASE | re.DOTALL)    # names that are given here
 
 
 class ExportedKey(NamedTuple):
@@ -83,11 +85,22 @@ def item_of(problem: str, number: int) -> str:
 
 
 def plain_name(name: str) -> str:
-    """A name of a problem as all systems take it: letters, digits, _ . and - of ASCII, a letter first."""
-    if NAME.fullmatch(name):
+    """A name of a problem as all systems take it: letters, digits, _ . and - of ASCII, a letter first. None is the name
+    of what is marked by hand of another problem, nor one that was made for another."""
+    if NAME.fullmatch(name) and not MADE.fullmatch(name):
         return name
     cleaned = re.sub(r"[^A-Za-z0-9_.-]+", "_", name)[:40]
     return f"q_{cleaned}-{blake2b(name.encode(), digest_size=4).hexdigest()}"
+
+
+def require_own_names(names: Sequence[str]) -> None:
+    """PhysicsError where two problems would have one name in a package, or two that differ in capitals alone."""
+    seen: dict[str, str] = {}
+    for name in names:
+        other = seen.setdefault(plain_name(name).casefold(), name)
+        if other != name:
+            raise PhysicsError(f"'{other}' and '{name}' would have one name in packages, {plain_name(name)}",
+                               "give one of the files another name")
 
 
 def questions_of(course: "Course", handout: "Handout", number: int) -> Iterator[ExportedQuestion]:

@@ -6,7 +6,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from vibcli.homework.exports import IN_TEX
-from vibcli.homework.exports.item import ExportedQuestion, item_of, picture_of, questions_of
+from vibcli.homework.exports.item import ExportedQuestion, item_of, picture_of, questions_of, require_own_names
 from vibcli.homework.exports.setting import MATHML, TEX
 from vibcli.homework.folder import INSTRUCTOR, key_files, of_instructor, require_no_leak
 from vibcli.homework.leaks import text_of_columns, text_of_page
@@ -32,6 +32,7 @@ def pool_files(course: "Course", handouts: "Sequence[Handout]", assigned: "Assig
                executor: Executor | None = None) -> Iterator[tuple[str, bytes]]:
     """(path in the folder, bytes) of every file, the executor making questions and keys where one is given; Leak where
     a question would tell a key. tell(part): how far it is."""
+    require_own_names([one.name for one in handouts])
     for handout in handouts:
         own = [sheet for _, sheets in assigned for sheet in sheets if sheet[0] is handout]
         for name, data in handout.document.files.items():

@@ -11,8 +11,9 @@ import pytest
 from support import course_systems
 from support.exported import manifest_key, on_disk, question, written
 
+from vibcli.base.errors import PhysicsError
 from vibcli.homework.exports.escaping import cdata
-from vibcli.homework.exports.item import item_of, plain_name, whole_weights
+from vibcli.homework.exports.item import item_of, plain_name, require_own_names, whole_weights
 
 WORDS = ["<b>bold</b> & \"quotes\" 'so'", "]]> ends", "{{ params.x }} and {{{x}}}", "costs $5 and $6$ or $$7$$",
          r"\(x\) and \[y\] \ alone", "a lone } brace {", "{1:SHORTANSWER:=trap}", "{2:NUMERICAL:=1:0}",
@@ -95,6 +96,20 @@ def test_names_of_items():
     found = [plain_name(name) for name in odd]
     assert len(set(found)) == len(odd) and all(re.fullmatch(r"[A-Za-z_][A-Za-z0-9_.-]*", name) for name in found)
     assert plain_name("a_b") == "a_b"
+
+
+def test_names_of_problems_never_meet():
+    """Neither that of what is marked by hand, nor one that was made, is taken by another problem."""
+    made = plain_name("b c")
+    names = ["block", "block-by-hand", "Block-By-Hand", "block-by-hand-by-hand", "b c", made, plain_name(made)]
+    groups = [plain_name(name) + end for name in names for end in ("", "-by-hand")]
+    assert len({group.casefold() for group in groups}) == len(groups)
+    require_own_names(names)
+    same = ["x" * 64 + number for number in ("43714", "100683")]       # of one hash
+    with pytest.raises(PhysicsError, match="would have one name in packages, q_x"):
+        require_own_names(same)
+    with pytest.raises(PhysicsError, match="'lever' and 'Lever' would have one name"):
+        require_own_names(["lever", "Lever"])
 
 
 def test_weights_are_whole_in_the_ratio_of_points():
