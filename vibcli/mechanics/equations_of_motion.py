@@ -38,6 +38,12 @@ class Dynamics(NamedTuple):
         """All expressions that the accelerations are made of."""
         return [*self.M.values(), *self.h, *self.slopes.values(), *self.bends]
 
+    def made_of(self, nodes: "Sequence[Node]") -> "Dynamics":
+        """The same with other expressions in the places of `nodes`."""
+        rest = iter(nodes)
+        return self._replace(M={pair: next(rest) for pair in self.M}, h=[next(rest) for _ in self.h],
+                             slopes={pair: next(rest) for pair in self.slopes}, bends=[next(rest) for _ in self.bends])
+
 
 def dynamics(scene: "Scene", redundant: Sequence[Any] = (), undamped: bool = False) -> Dynamics:
     """The Dynamics of a scene; `redundant`: names of constraints which follow from the others; undamped: Φ is left

@@ -49,7 +49,7 @@ class MotionSeries:
                 self._rows[row].append((column, name, not node.mask))
         right = source.add([*parts.h, *parts.bends])
         self.constants = list(source.constants)
-        self._text = self._written(source, right)
+        self._code = compile(f"def f(t0,T,start,K,constants,B):\n{self._written(source, right)}\n", "<series>", "exec")
         self.products = source.products + sum(not still for row in self._rows for _, _, still in row) + self.n
 
     def _written(self, source, right):
@@ -88,8 +88,7 @@ class MotionSeries:
         with mpmath.workprec(2 * bits):
             known = [fixed_point(x, bits) for x in evaluate(self.constants, multiprecision(), values)]
         space: dict[str, Any] = {"mul": mul, "inverse": inverse, **functions(bits)}
-        text = f"def f(t0,T,start,K,constants,B):\n{self._text}\n"
-        exec(compile(text, "<series>", "exec"), space)      # of slots alone
+        exec(self._code, space)     # of slots alone
         made, n = space["f"], self.n
 
         def series(t0: int, T: int, start: Sequence[int], order: int) -> Coefficients:

@@ -93,11 +93,15 @@ class SmoothPieces:
             self._instants[bits] = [self._refined(time, bits) for time in self.times]
         instants = self._instants[bits]
         number = sum(instant <= t for instant in instants)
-        key = self._piece(number), bits
-        if key not in self._compiled:
-            self._compiled[key] = key[0].with_bits(self.values(bits), bits)
         longest = fixed_point(self.until / PARTS, bits) if self._hidden else None
-        return self._compiled[key], instants[number] if number < len(instants) else None, longest
+        computed = self._computed(self._piece(number), t, bits)
+        return computed, instants[number] if number < len(instants) else None, longest
+
+    def _computed(self, piece, t, bits):
+        """The series of a piece that t lies in."""
+        if (piece, bits) not in self._compiled:
+            self._compiled[piece, bits] = piece.with_bits(self.values(bits), bits)
+        return self._compiled[piece, bits]
 
     def _piece(self, number):
         """The MotionSeries between two breaks."""
@@ -110,15 +114,8 @@ class SmoothPieces:
             nodes = substitute(nodes, instead)
         key = tuple(senses)
         if key not in self._pieces:
-            self._pieces[key] = MotionSeries(self.scene, self._with_nodes(nodes))
+            self._pieces[key] = MotionSeries(self.scene, self.parts.made_of(nodes))
         return self._pieces[key]
-
-    def _with_nodes(self, nodes):
-        """The parts, made of other expressions."""
-        parts, rest = self.parts, iter(nodes)
-        return parts._replace(M={pair: next(rest) for pair in parts.M}, h=[next(rest) for _ in parts.h],
-                              slopes={pair: next(rest) for pair in parts.slopes},
-                              bends=[next(rest) for _ in parts.bends])
 
     def _on_one_side(self, part, middle):
         """What stands for a part in a piece with this middle."""

@@ -7,6 +7,7 @@ with numbers from the element data and the start as the file gives it; both are 
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import mpmath
@@ -17,6 +18,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.reference.blows import Blows, blows, without_impulses
 from vibcli.evidence.reference.features import SignalAlongSteps, extreme, value
+from vibcli.evidence.reference.records import PiecesOfRecords, driving_records, strikes
 from vibcli.evidence.reference.settled import TrueValues, settled
 from vibcli.evidence.reference.taylor_steps import TaylorSteps
 from vibcli.mechanics.equations_of_motion import Dynamics
@@ -57,7 +59,9 @@ class Motion(NamedTuple):
 
     def steps(self, until: Fraction, digits: int, work: Any, spent: float = WORK) -> TaylorSteps:
         """It, followed to an instant."""
-        pieces = SmoothPieces(self.scene, self.parts, self.values, self.floats, float(until) * (1 + 1e-12), work)
+        records = driving_records(self.scene, self.parts.nodes())
+        pieces = (partial(PiecesOfRecords, records) if records else SmoothPieces)(
+            self.scene, self.parts, self.values, self.floats, float(until) * (1 + 1e-12), work)
         return TaylorSteps(pieces, self.start, until, digits, spent, self.blows)
 
 
@@ -70,7 +74,7 @@ def small(problem: "Problem") -> Motion:
         raise PhysicsError("the equilibrium is known to the digits of floats: no reference is found")
     if configuration.linear_system.massless:
         raise PhysicsError("no reference is found of motions in which coordinates have no inertia")
-    (drive, struck), table, known = without_impulses(_drive(problem)), scene.table, {}
+    (drive, struck), table, known = without_impulses(scene, _drive(problem)), scene.table, {}
     letters = {(part, i, j): table.parameter(f"{part}[{i};{j}]", positive=False)
                for part in "MCK" for i in range(n) for j in range(n)}
 
@@ -142,6 +146,8 @@ def full(problem: "Problem") -> Motion:
     from vibcli.results.motion_in_series import MotionInSeries
 
     exact = MotionInSeries(problem)
+    if any(map(strikes, driving_records(exact.scene, exact.parts.nodes()))):
+        raise PhysicsError("no reference is found of full motions that rates of records strike")
     return Motion(exact.scene, exact.parts, exact.values, exact.start, problem.numeric.floats, FULL, False)
 
 

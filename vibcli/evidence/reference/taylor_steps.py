@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 SPARE = 64              # bits below the digits asked for
 LAST = 3                # coefficients that have to be small
+ROUNDED = 16            # bits, of fixed points: what is no larger may be rounding alone
 SHORTER, LONGER = 0.5, 1.25
 SHORTEST = 1e-30        # of the motion
 
@@ -94,7 +95,7 @@ class TaylorSteps:
         largest = [max(size, *map(abs, row)) for size, row in zip(sizes, rows, strict=True)]
         least = max(largest) >> self.accuracy
         left = [max(size, least).bit_length() - max(map(abs, row[-LAST:])).bit_length()
-                for size, row in zip(largest, rows, strict=True) if any(row[-LAST:])]
+                for size, row in zip(largest, rows, strict=True) if max(map(abs, row[-LAST:])) >> ROUNDED]
         return min(left, default=self.accuracy + self.order) - self.accuracy
 
     def summed(self, row: Sequence[int], step: TaylorStep, t: int) -> int:

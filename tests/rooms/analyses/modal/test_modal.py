@@ -219,6 +219,48 @@ def test_rounding_of_preloads_is_bounded_and_escalated():
     assert max(mode.error for mode in modes) <= 1e-13
 
 
+class CancellingRow(Cancelling):
+    """Forty masses in a row whose K, of both signs, is left of preloads 1e14 times as large."""
+
+    n = 40
+    sums = tuple((1e14, 2.5 * math.cos(3.0 * i) + 1.0, -1e14) for i in range(n))
+
+    def entries(self, number):
+        k = {(i, i): sum(map(number, terms)) for i, terms in enumerate(self.sums)}
+        size = {(i, i): sum(abs(number(x)) for x in terms) for i, terms in enumerate(self.sums)}
+        ties = {pair: number(-0.75) for i in range(self.n - 1) for pair in ((i, i + 1), (i + 1, i))}
+        return k | ties, size | {pair: -x for pair, x in ties.items()}
+
+    def floats(self):
+        k, size = self.entries(float)
+        return FactoredSystem(self.n, [(1.0, {i: 1.0}) for i in range(self.n)], K=k, K_size=size)
+
+    def precise(self, dps):
+        with mpmath.workdps(dps):
+            k, size = self.entries(mpmath.mpf)
+            inertias = [(mpmath.mpf(1), {i: mpmath.mpf(1)}) for i in range(self.n)]
+            return FactoredSystem(self.n, inertias, K=k, K_size=size)
+
+
+def test_forty_preloaded_coordinates_have_as_many_unstable_modes_as_k_has_negative_eigenvalues():
+    row = CancellingRow()
+    honest = undamped(row.floats())
+    modes = undamped(row.floats(), precise=row.precise)
+    with mpmath.workdps(40):
+        K = mpmath.zeros(row.n)
+        for (i, j), x in row.entries(mpmath.mpf)[0].items():
+            K[i, j] = x
+        squares = sorted(mpmath.eigsy(K, eigvals_only=True))
+    signs = [(-1) ** (mode.omega is None) for mode in modes]
+    assert sum(sign < 0 for sign in signs) == sum(x < 0 for x in squares) > 5
+    for found in (honest, modes):
+        pairs = zip(found, squares, strict=True)
+        assert all(mode.rigid or abs(rate(mode) - mpmath.sqrt(abs(x))) <= mode.error * mpmath.sqrt(abs(x))
+                   for mode, x in pairs)
+    assert not any(mode.rigid for mode in modes)
+    assert max(mode.error for mode in modes) <= 1e-13 < max(mode.error for mode in honest)
+
+
 def rescaled(elements, a, b, c):
     """Masses in units 2^-a, lengths 2^-b, times 2^-c: odd coordinates are angles, all springs are along lines."""
     def row(entries):
