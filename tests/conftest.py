@@ -43,3 +43,13 @@ def pytest_collection_finish():
     gc.collect()
     gc.freeze()
     gc.set_threshold(100_000, 50, 100)
+
+
+@pytest.fixture
+def scene(tmp_path):
+    """What writes a scene to a file and gives its path."""
+    def write(text):
+        path = tmp_path / "scene.yaml"
+        path.write_text(text, encoding="utf-8")
+        return str(path)
+    return write

@@ -7,6 +7,7 @@ from decimal import Decimal
 from pathlib import Path
 
 import pytest
+from support.motions import DOUBLE
 
 from vibcli.cli import run
 
@@ -299,16 +300,7 @@ def test_nothing_is_printed_where_there_is_no_answer(ask, command):
     assert ask("bodies: {b: {mass: 1 kg, wrong: 3}}", command, code=3) is None
 
 
-CHAOS = """
-parameters: {m: 1 kg, L: 1 m, g: 9.81 m/s^2}
-gravity: g
-points: {P: {body: upper, at: [0, -L]}}
-bodies:
-  upper: {mass: m, at: [0, -L], pin: {at: [0, 0], by: p}}
-  lower: {mass: m, at: [0, -2*L], pin: {at: P, by: r}}
-motion: full
-initial: {p: 3 rad, r: 2 rad}
-"""
+CHAOS = DOUBLE + "motion: full\ninitial: {p: 3 rad, r: 2 rad}\n"
 
 
 @pytest.mark.sweep

@@ -3,17 +3,10 @@
 import json
 
 import pytest
+from support.homework_scenes import BY_STRETCH as SCENE
 
 from vibcli.cli import run
 
-SCENE = """title: A block
-question: A block {m} on a spring {k} and a damper {c}.
-parameters: {m: 2 kg, k: 800 N/m, c: 8 N*s/m}
-bodies: {block: {mass: m, slide: x}}
-springs: {s: {k: k, stretch: x}}
-dampers: {d: {c: c, stretch: x}}
-answers: {"omega_d[1]": 19.90 rad/s}
-"""
 GRID = """variants:
   parameters: {m: {from: 1 kg, to: 3 kg, step: 0.5 kg}, k: [600 N/m, 800 N/m]}
   require: ["omega[1] < 24 rad/s"]

@@ -35,15 +35,6 @@ find: [{equilibria: all}]
 """
 
 
-@pytest.fixture
-def scene(tmp_path):
-    def write(text):
-        path = tmp_path / "scene.yaml"
-        path.write_text(text)
-        return str(path)
-    return write
-
-
 def test_steps_count_for_the_tasks_around():
     work = Work()
     with work.task("outer", 10) as outer:

@@ -7,12 +7,12 @@ import sys
 import pytest
 import yaml
 from support.counting import calls
-from support.documents import SCENE
+from support.documents import SCENE, plain
 
 from vibcli.base import decoding
 from vibcli.base.diagnostics import render
 from vibcli.base.errors import Diagnostic
-from vibcli.language.document.document import Mapping, Scalar, Sequence, read
+from vibcli.language.document.document import Mapping, Scalar, read
 
 MOST_CALLS = 10**5
 DATA = SCENE.encode()
@@ -24,14 +24,6 @@ def read_text(text):
 
 def found(text):
     return [(d.where.line, d.where.column, d.message) for d in read_text(text)[1]]
-
-
-def plain(node):
-    if isinstance(node, Scalar):
-        return node.text
-    if isinstance(node, Sequence):
-        return [plain(item) for item in node.items]
-    return {key: plain(value) for key, (_, value) in node.entries.items()}
 
 
 def nested(depth):

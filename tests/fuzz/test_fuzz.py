@@ -6,10 +6,9 @@ import json
 import random
 from pathlib import Path
 
-from support.hostile_texts import EXTREMES, SAME
+from support.hostile_texts import EXTREMES, SAME, require_told
 
 from vibcli.base import units
-from vibcli.base.diagnostics import render
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.base.work import Work
 from vibcli.check.verdicts import check
@@ -81,10 +80,7 @@ def try_scene(root, problems):
         for verdict in check(Problem(spec, work=Work(PATIENCE))):
             json.dumps([verdict.expected, verdict.found], allow_nan=False)
     except SpecError as error:
-        assert error.diagnostics
-        for diagnostic in error.diagnostics:
-            assert diagnostic.message
-            assert render(diagnostic, []).replace("\n", "").isprintable()
+        require_told(error)
         return "invalid"
     except PhysicsError as error:
         assert error.message

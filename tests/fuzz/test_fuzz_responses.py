@@ -4,9 +4,8 @@ a refusal escapes, and all data are finite."""
 import json
 import random
 
-from support.hostile_texts import EXTREMES, SAME
+from support.hostile_texts import EXTREMES, SAME, require_told
 
-from vibcli.base.diagnostics import render
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.check.verdicts import check
 from vibcli.language.document.document import read
@@ -112,10 +111,7 @@ def outcome(text):
         for verdict in check(problem):
             json.dumps([verdict.expected, verdict.found], allow_nan=False)
     except SpecError as error:
-        assert error.diagnostics
-        for diagnostic in error.diagnostics:
-            assert diagnostic.message
-            assert render(diagnostic, []).replace("\n", "").isprintable()
+        require_told(error)
         return "invalid"
     except PhysicsError as error:
         assert error.message

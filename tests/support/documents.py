@@ -1,4 +1,6 @@
-"""A scene file with one of everything that a reader meets."""
+"""A scene file with one of everything that a reader meets, and what is read as plain lists and mappings."""
+
+from vibcli.language.document.document import Scalar, Sequence
 
 SCENE = """\
 title: "Mass: on a spring"
@@ -15,3 +17,11 @@ question: >
   What is
   asked
 """
+
+
+def plain(node):
+    if isinstance(node, Scalar):
+        return node.text
+    if isinstance(node, Sequence):
+        return [plain(item) for item in node.items]
+    return {key: plain(value) for key, (_, value) in node.entries.items()}

@@ -7,6 +7,8 @@ bodies: {block: {mass: m, slide: x}}
 springs: {s: {k: k, between: [ground, block]}}
 dampers: {d: {c: c, between: [ground, block]}}
 """
+BY_STRETCH = BLOCK.replace("between: [ground, block]", "stretch: x") + """answers: {"omega_d[1]": 19.90 rad/s}
+"""
 EIGHTEEN = BLOCK + """variants:
   parameters: {m: {from: 1.2 kg, to: 3.2 kg, step: 0.4 kg}, k: [620 N/m, 820 N/m, 1.1 kN/m]}
   ask: {"omega_d[1]": {unit: rad/s, points: 2}, "zeta[1]": }

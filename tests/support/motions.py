@@ -13,6 +13,12 @@ bodies:
   bob: {mass: m, at: [0, -L], pin: {at: [0, 0], by: phi}}
 """
 
+DUFFING = """
+parameters: {m: 2 kg, k: 80 N/m, b: 500 N/m^3}
+bodies: {block: {mass: m, slide: x}}
+springs: {s: {law: k*d + b*d^3, between: [ground, block]}}
+"""
+
 DOUBLE = """
 parameters: {m: 1 kg, L: 1 m, g: 9.81 m/s^2}
 gravity: g

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from vibcli.bench import scenes
+from vibcli.bench.trajectories import DOUBLE
 
 FOLDER = Path(__file__).parent / "evidence"
 LONG = 24.0             # s for the runs of one comparison
@@ -29,17 +30,7 @@ bodies: {a: {mass: 1 kg, slide: x}}
 springs: {s: {k: 100 N/m, between: [ground, a]}}
 forces: {F: {at: a, force: 1 N*cos(10.001 rad/s*t)}}
 """
-SWINGING = """\
-title: A double pendulum that swings widely
-parameters: {m: 1 kg, L: 1 m, g: 9.81 m/s^2}
-gravity: g
-points: {P: {body: a, at: [0, -L]}}
-bodies:
-  a: {mass: m, at: [0, -L], pin: {at: [0, 0], by: p}}
-  b: {mass: m, at: [0, -2*L], pin: {at: P, by: r}}
-initial: {p: 60 deg, r: 80 deg}
-motion: full
-"""
+SWINGING = f"title: A double pendulum that swings widely{DOUBLE}initial: {{p: 60 deg, r: 80 deg}}\nmotion: full\n"
 BEAM = "beams: {arm: {length: 2 m, EI: 4 kN*m^2, mass_per_length: 3 kg/m, left: clamped, attached: [{at: 2 m, " \
        "mass: 3 kg}]}}\n"
 KEPT = {        # {name: (title, scene, what is asked)}

@@ -237,8 +237,7 @@ REMARKS: dict[str, Any] = {
         "Ropes are taken to be taut: one that would have to push in equilibrium is told.",
     ],
     "force": [
-        "Components are those along the fixed axes; with `carrier` they turn with that body, from the drawn position "
-        "on.",
+        "Components are along the fixed axes; with `carrier` they turn with that body, from the drawn position on.",
         "Loads with the time `t` drive the scene and leave its equilibrium alone; constant ones, and those of "
         "coordinates, shift it. Each summand is one or the other, as it is written: of `F0 + F1*sin(W*t)` the first "
         "is constant, `F0*(1 - cos(W*t))` is in time as a whole. A load of velocities damps: `value: -c*x'`.",

@@ -19,7 +19,7 @@ those of the first.
 """
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from itertools import compress
 from typing import TYPE_CHECKING, Any
 
@@ -146,6 +146,10 @@ class Refusal(NamedTuple):
 
     message: str
     hint: str | None
+
+    def told(self, escaped: Callable[[str], str]) -> str:
+        """Its message, and its hint in brackets, where `escaped` writes a text as it is to be shown."""
+        return escaped(self.message) + (f" ({escaped(self.hint)})" if self.hint else "")
 
 
 class Section(NamedTuple):

@@ -18,10 +18,83 @@ BENDING = "abs", "sign", "ramp", "step", "min", "max"
 FRONT = 1e-12       # relative: how far the instant of a front may be off
 
 
+def _at_front(signal, t):
+    import numpy as np
+
+    return bool((np.abs(signal.fronts(t) - t) <= FRONT * t).any())
+
+
+def _of_instant(signal, t, order):
+    """The error of an instant between fronts by difference quotients, in the pace of its series there."""
+    from vibcli.results.composed_errors import at_pace
+
+    if not t or _at_front(signal, t):
+        return FRONT * t
+    return at_pace(signal, t, order, N / float(_along(signal, 0.0, t).lengths[-1]))
+
+
+def _before(signal, t: float) -> float | None:
+    """Its value before an instant at which it leaps, else None."""
+    import numpy as np
+
+    at = np.array([t])
+    before, after = float(signal.values_before(at)[0]), float(signal.values(at)[0])
+    rounding = 4 * signal.error(t) + FRONT * max(abs(before), abs(after))
+    return before if t > 0 and abs(before - after) > rounding else None
+
+
+def _sampled(signal, times: "np.ndarray") -> "np.ndarray":
+    """Its values; where two samples stand at one instant, the first is that before it."""
+    import numpy as np
+
+    signal.require_bounded(times[-1])
+    found = signal.values(times)
+    first = np.flatnonzero(times[:-1] == times[1:])
+    found[first] = signal.values_before(times[first])
+    return found
+
+
+def _along(signal, start, end) -> "Stretches":
+    from vibcli.analyses.continuous.travelling_waves_search import stretches
+
+    signal.require_bounded(end)
+    return stretches(signal.values, signal.breaks(end), start, end, signal.work)
+
+
+def _extreme(signal, start: float, end: float, sense: int) -> tuple[float, float]:
+    """(instant, value) of the largest (sense 1) or smallest (−1) value, at a front that before it or after it."""
+    from vibcli.analyses.continuous.travelling_waves_search import extreme
+
+    return extreme(_along(signal, start, end), sense, signal.error(end))
+
+
+def _zeros(signal, start: float, end: float) -> list[float]:
+    """Instants at which it passes, touches or leaps over zero."""
+    from vibcli.analyses.continuous.travelling_waves_search import zeros
+
+    return zeros(_along(signal, start, end), end).tolist()
+
+
+def _leaps(signal, end: float) -> list[tuple[float, float, float]]:
+    """[(instant, value before, value after)] of its fronts."""
+    import numpy as np
+
+    at = signal.fronts(end)
+    at = at[(at > 0) & (at <= end)]
+    before, after = signal.values_before(at), signal.values(at)
+    size = np.abs(after).max(initial=0.0)
+    found: list[tuple[float, float, float]] = []
+    for t, one, other in zip(at.tolist(), before.tolist(), after.tolist(), strict=True):
+        if abs(one - other) > 4 * signal.error(t) + FRONT * size and not (found and t - found[-1][0] <= FRONT * t):
+            found.append((t, one, other))
+    return found
+
+
 class WaveSignal(Signal):
     """A linear output of a WaveMotion."""
 
     KIND = "a motion that is followed by travelling waves"
+    sampled, before, leaps, extreme, zeros = _sampled, _before, _leaps, _extreme, _zeros
 
     def __init__(self, waves: "WaveMotion", output: "LinearOutput"):
         self.waves, self.reads, self.work = waves, output, waves.work
@@ -31,15 +104,6 @@ class WaveSignal(Signal):
 
     def values_before(self, times: "np.ndarray") -> "np.ndarray":
         return self.waves.values(self.reads, times, before=True)
-
-    def sampled(self, times: "np.ndarray") -> "np.ndarray":
-        return _both(self, times)
-
-    def before(self, t: float) -> float | None:
-        return _before(self, t)
-
-    def leaps(self, end: float) -> list[tuple[float, float, float]]:
-        return _leaps(self, end)
 
     def breaks(self, end: float) -> "np.ndarray":
         """The instants up to an end between which it is smooth, ascending."""
@@ -67,14 +131,6 @@ class WaveSignal(Signal):
 
         return FRONT * t if _at_front(self, t) else of_passage(self.waves, self.reads, t)
 
-    def extreme(self, start: float, end: float, sense: int) -> tuple[float, float]:
-        """(instant, value) of the largest (sense 1) or smallest (−1) value, at a front that before it or after it."""
-        return _extreme(self, start, end, sense)
-
-    def zeros(self, start: float, end: float) -> list[float]:
-        """Instants at which it passes, touches or leaps over zero."""
-        return _zeros(self, start, end)
-
     def final(self) -> float:
         """Its value where all is at rest, if waves that die out have left it so; else it is not found."""
         import numpy as np
@@ -93,6 +149,7 @@ class ComposedOfWaves(ComposedSignal):
 
     KIND = "a signal composed of others that waves bring"
     signals: Any
+    sampled, before, leaps, extreme, zeros = _sampled, _before, _leaps, _extreme, _zeros
 
     def fronts(self, end: float) -> "np.ndarray":
         import numpy as np
@@ -121,21 +178,6 @@ class ComposedOfWaves(ComposedSignal):
     def values_before(self, times: "np.ndarray") -> "np.ndarray":
         return self.composed(times, {name: part.values_before(times) for name, part in self.signals.items()})
 
-    def sampled(self, times: "np.ndarray") -> "np.ndarray":
-        return _both(self, times)
-
-    def before(self, t: float) -> float | None:
-        return _before(self, t)
-
-    def leaps(self, end: float) -> list[tuple[float, float, float]]:
-        return _leaps(self, end)
-
-    def extreme(self, start: float, end: float, sense: int) -> tuple[float, float]:
-        return _extreme(self, start, end, sense)
-
-    def zeros(self, start: float, end: float) -> list[float]:
-        return _zeros(self, start, end)
-
     def error_of_time(self, t: float) -> float:
         return _of_instant(self, t, 1)
 
@@ -145,70 +187,3 @@ class ComposedOfWaves(ComposedSignal):
     def final(self) -> float:
         """It is not found: waves are followed up to an instant."""
         raise PhysicsError(f"the limit of {self.KIND} is not found", "ask for its value at a late instant")
-
-
-def _at_front(signal, t):
-    import numpy as np
-
-    return bool((np.abs(signal.fronts(t) - t) <= FRONT * t).any())
-
-
-def _of_instant(signal, t, order):
-    """The error of an instant between fronts by difference quotients, in the pace of its series there."""
-    from vibcli.results.composed_errors import at_pace
-
-    if not t or _at_front(signal, t):
-        return FRONT * t
-    return at_pace(signal, t, order, N / float(_along(signal, 0.0, t).lengths[-1]))
-
-
-def _before(signal, t):
-    import numpy as np
-
-    at = np.array([t])
-    before, after = float(signal.values_before(at)[0]), float(signal.values(at)[0])
-    rounding = 4 * signal.error(t) + FRONT * max(abs(before), abs(after))
-    return before if t > 0 and abs(before - after) > rounding else None
-
-
-def _both(signal, times):
-    import numpy as np
-
-    signal.require_bounded(times[-1])
-    found = signal.values(times)
-    first = np.flatnonzero(times[:-1] == times[1:])
-    found[first] = signal.values_before(times[first])
-    return found
-
-
-def _along(signal, start, end) -> "Stretches":
-    from vibcli.analyses.continuous.travelling_waves_search import stretches
-
-    signal.require_bounded(end)
-    return stretches(signal.values, signal.breaks(end), start, end, signal.work)
-
-
-def _extreme(signal, start, end, sense):
-    from vibcli.analyses.continuous.travelling_waves_search import extreme
-
-    return extreme(_along(signal, start, end), sense, signal.error(end))
-
-
-def _zeros(signal, start, end):
-    from vibcli.analyses.continuous.travelling_waves_search import zeros
-
-    return zeros(_along(signal, start, end), end).tolist()
-
-
-def _leaps(signal, end):
-    import numpy as np
-
-    at = signal.fronts(end)
-    at = at[(at > 0) & (at <= end)]
-    before, after = signal.values_before(at), signal.values(at)
-    size = np.abs(after).max(initial=0.0)
-    found: list[tuple[float, float, float]] = []
-    for t, one, other in zip(at.tolist(), before.tolist(), after.tolist(), strict=True):
-        if abs(one - other) > 4 * signal.error(t) + FRONT * size and not (found and t - found[-1][0] <= FRONT * t):
-            found.append((t, one, other))
-    return found

@@ -3,9 +3,8 @@
 import re
 from collections import Counter
 
-import yaml
-
 from . import doors
+from .as_yaml import scene_of
 from .scene_text import displacements
 
 # what changes no number, asks for numbers, or is drawn by a door and not in a scene; members and `damping`, which have
@@ -39,7 +38,7 @@ class Catalogue:
 
     def of_scene(self, text):
         """{kind: 1} of what a scene holds."""
-        scene = yaml.load(text, yaml.BaseLoader)
+        scene = scene_of(text)
         found = set(self._held("scene", self.schema, scene))
         found |= {f"{name}()" for name in re.findall(r"(\w+)\(", text) if name in self.functions}
         found |= {"ag() record" for name in scene.get("records", {}) if f"{name}(" in text}

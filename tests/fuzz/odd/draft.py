@@ -2,18 +2,11 @@
 
 import re
 
-import yaml
+from .as_yaml import text_of
 
 UNITS = {"m": (("m", 1), ("cm", 100), ("mm", 1000)), "kg": (("kg", 1),), "N/m": (("N/m", 1), ("kN/m", 1e-3),
          ("N/mm", 1e-3)), "N": (("N", 1),), "rad": (("rad", 1), ("deg", 57.29577951308232)),
          "s": (("s", 1), ("ms", 1e3))}
-
-
-class Plain(yaml.SafeDumper):
-    """Without anchors: what stands twice is written twice."""
-
-    def ignore_aliases(self, data):
-        return True
 
 
 class Draft:
@@ -72,7 +65,7 @@ class Draft:
                                for given in (self.parameters, self.records))
         sections = {"records": records, **sections}
         kept = {key: value for key, value in {"parameters": parameters, **sections}.items() if value or value == 0}
-        return yaml.dump(kept, Dumper=Plain, sort_keys=False, default_flow_style=None, width=1000, allow_unicode=True)
+        return text_of(kept)
 
     def write(self, path):
         """The scene as a file, its records beside it."""

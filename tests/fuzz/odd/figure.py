@@ -8,9 +8,9 @@ import ast
 from collections import namedtuple
 
 import numpy as np
-import yaml
 
 from . import jets, ties, words, written
+from .as_yaml import scene_of
 from .bodies import body_of
 from .places import Bodies, length
 from .scene_text import displacements, merged
@@ -26,7 +26,7 @@ class Figure(Texts):
     """A scene in numbers. `given`: texts of parameters instead of those of the file; `folder`: that of its records."""
 
     def __init__(self, text, case=None, given=(), literal=floating, folder=None):
-        super().__init__(merged(yaml.load(text, yaml.BaseLoader), case), given, literal, folder)
+        super().__init__(merged(scene_of(text), case), given, literal, folder)
         self.gives = {}             # {body: number of the first variable} where supports give way
         self.held = {}              # {damper: force of its dry friction}
         self._coordinates()

@@ -6,10 +6,10 @@ import re
 import unicodedata
 
 import numpy as np
-import yaml
 from support import formulas, typeset
 
 from . import doors, mechanics, words
+from .as_yaml import scene_of, text_of
 
 MOST = 2                # coordinates
 GREEK = "phi", "alpha", "beta", "sigma", "lambda"
@@ -21,14 +21,14 @@ def closed_forms(comparison):
 
     if len(comparison.q) > MOST or comparison.figure.statics or len(comparison.figure.coordinates) > MOST:
         return
-    scene = yaml.load(comparison.text, yaml.BaseLoader)
+    scene = scene_of(comparison.text)
     dice, given = random.Random(comparison.text), {}
     for name, text in scene.get("parameters", {}).items():
         size, _, unit = text.partition(" ")
         given[name] = f"{float(size) * dice.uniform(0.97, 1.03):.6g} {unit}"
     scene["parameters"] = {name: {"unit": text.partition(" ")[2], "sign": "positive"} for name, text in given.items()}
     path = comparison.path.with_name("letters.yaml")
-    path.write_text(yaml.safe_dump(scene, sort_keys=False, default_flow_style=None, width=1000), encoding="utf-8")
+    path.write_text(text_of(scene), encoding="utf-8")
     told = doors.data("solve", path)
     figure = figure_of(comparison.text, told["coordinates"], folder=comparison.path.parent, given=given)
 

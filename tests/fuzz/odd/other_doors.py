@@ -3,9 +3,9 @@
 import re
 
 import mpmath
-import yaml
 
 from . import doors, mechanics
+from .as_yaml import scene_of, text_of
 from .figure import Figure
 from .in_letters import closed_forms
 from .texts import precise
@@ -69,11 +69,11 @@ def values_told(comparison, style):
 
 def letters(comparison):
     """Every parameter without value in the file, given by --set."""
-    scene = yaml.load(comparison.text, yaml.BaseLoader)
+    scene = scene_of(comparison.text)
     given = scene.get("parameters", {})
     scene["parameters"] = {name: {"unit": text.partition(" ")[2], "sign": "any"} for name, text in given.items()}
     path = comparison.path.with_name("letters.yaml")
-    path.write_text(yaml.safe_dump(scene, sort_keys=False, default_flow_style=None, width=1000), encoding="utf-8")
+    path.write_text(text_of(scene), encoding="utf-8")
     options = [word for name, text in given.items() for word in ("--set", f"{name}={text}")]
     data = doors.data("frequencies", path, *options)
     same(comparison, data, "--set: ")
@@ -90,7 +90,7 @@ def same(comparison, data, door):
 
 def cases(comparison):
     """The scene as a case of one with another value of a parameter."""
-    scene = yaml.load(comparison.text, yaml.BaseLoader)
+    scene = scene_of(comparison.text)
     soft = [name for name in scene.get("parameters", {}) if re.match(r"[kqmJ]\d", name)]
     if not soft:
         return
@@ -99,7 +99,7 @@ def cases(comparison):
     scene["cases"] = {"as drawn": {"parameters": {name: scene["parameters"][name]}}}
     scene["parameters"][name] = f"{1.07 * float(size):.6g} {unit}"
     path = comparison.path.with_name("cases.yaml")
-    path.write_text(yaml.safe_dump(scene, sort_keys=False, default_flow_style=None, width=1000), encoding="utf-8")
+    path.write_text(text_of(scene), encoding="utf-8")
     same(comparison, doors.data("frequencies", path)["cases"]["as drawn"], "case: ")
 
 

@@ -1,18 +1,18 @@
 """The smallest scene that still comes to the same outcome: entries are taken out as long as they are not missed."""
 
-import yaml
+from .as_yaml import scene_of, text_of
 
 SECTIONS = ("forces", "dampers", "springs", "constraints", "initial", "points", "surfaces", "bodies")
 
 
 def smallest(text, outcome):
     """`outcome(text)`: a label, or None where all is well."""
-    wanted, scene = outcome(text), yaml.load(text, yaml.BaseLoader)
+    wanted, scene = outcome(text), scene_of(text)
     again = True
     while again:
         again = False
         for smaller in _smaller(scene):
-            written = yaml.safe_dump(smaller, sort_keys=False, default_flow_style=None, width=1000)
+            written = text_of(smaller)
             if outcome(written) == wanted:
                 scene, text, again = smaller, written, True
                 break

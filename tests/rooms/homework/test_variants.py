@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from support.homework_scenes import BY_STRETCH as BLOCK
 
 from vibcli.api.source import problem_of, text_source
 from vibcli.base.errors import SpecError
@@ -16,14 +17,6 @@ from vibcli.homework.variants import solve_variants
 from vibcli.reader.variants import preferred
 
 PROBLEMS = Path(__file__).parents[3] / "problems"
-BLOCK = """title: A block
-question: A block {m} on a spring {k} and a damper {c}.
-parameters: {m: 2 kg, k: 800 N/m, c: 8 N*s/m}
-bodies: {block: {mass: m, slide: x}}
-springs: {s: {k: k, stretch: x}}
-dampers: {d: {c: c, stretch: x}}
-answers: {"omega_d[1]": 19.90 rad/s}
-"""
 GRID = """variants:
   parameters:
     m: {from: 1 kg, to: 3 kg, step: 0.5 kg}

@@ -6,20 +6,12 @@ import subprocess
 import sys
 
 import pytest
-from support.documents import SCENE
+from support.documents import SCENE, plain
 
 from vibcli.base.diagnostics import render
 from vibcli.base.errors import Diagnostic, Where
 from vibcli.language.document import document
-from vibcli.language.document.document import Scalar, Sequence, read, read_file
-
-
-def plain(node):
-    if isinstance(node, Scalar):
-        return node.text
-    if isinstance(node, Sequence):
-        return [plain(item) for item in node.items]
-    return {key: plain(value) for key, (_, value) in node.entries.items()}
+from vibcli.language.document.document import Sequence, read, read_file
 
 
 def read_text(text):

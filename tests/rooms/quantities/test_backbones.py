@@ -4,23 +4,13 @@ import json
 
 import mpmath
 import pytest
-from support.motions import problem
+from support.motions import DUFFING, PENDULUM, problem
 
 from vibcli.api.values import given_expression
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.cli import run
 from vibcli.quantities.expression import measure
 
-DUFFING = """
-parameters: {m: 2 kg, k: 80 N/m, b: 500 N/m^3}
-bodies: {block: {mass: m, slide: x}}
-springs: {s: {law: k*d + b*d^3, between: [ground, block]}}
-"""
-PENDULUM = """
-parameters: {L: 0.8 m, g: 9.81 m/s^2, m: 2 kg}
-gravity: g
-bodies: {bob: {mass: m, at: [0, -L], pin: {at: [0, 0], by: phi}}}
-"""
 TWO_WELLS = """
 parameters: {m: 1 kg, k: 4 N/m, b: 100 N/m^3}
 bodies: {block: {mass: m, slide: x}}

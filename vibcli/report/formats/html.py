@@ -121,8 +121,7 @@ def _definitions(block, _):
 
 
 def _refusal(refusal, _):
-    hint = f" ({words(refusal.hint)})" if refusal.hint else ""
-    return f'<p class="refusal" role="note"><strong>Not found:</strong> {words(refusal.message)}{hint}</p>'
+    return f'<p class="refusal" role="note"><strong>Not found:</strong> {refusal.told(words)}</p>'
 
 
 def _picture(block, _):

@@ -111,8 +111,7 @@ def _definitions(block):
 
 
 def _refusal(refusal):
-    hint = f" ({escaped(refusal.hint)})" if refusal.hint else ""
-    return f"\\textbf{{Not found:}} {escaped(refusal.message)}{hint}\n"
+    return f"\\textbf{{Not found:}} {refusal.told(escaped)}\n"
 
 
 def _picture(block, place):

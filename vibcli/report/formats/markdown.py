@@ -118,8 +118,7 @@ def _definitions(block):
 
 
 def _refusal(refusal):
-    hint = f" ({escaped(refusal.hint)})" if refusal.hint else ""
-    return f"**Not found:** {escaped(refusal.message)}{hint}"
+    return f"**Not found:** {refusal.told(escaped)}"
 
 
 def _picture(block, place):

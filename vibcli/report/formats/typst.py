@@ -140,8 +140,7 @@ def _definitions(block):
 
 
 def _refusal(refusal):
-    hint = f" ({escaped(refusal.hint)})" if refusal.hint else ""
-    return f"*Not found:* {escaped(refusal.message)}{hint}\n"
+    return f"*Not found:* {refusal.told(escaped)}\n"
 
 
 def _picture(block, place):

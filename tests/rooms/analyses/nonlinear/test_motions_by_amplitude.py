@@ -3,21 +3,11 @@
 import mpmath
 import numpy as np
 import pytest
-from support.motions import problem
+from support.motions import DUFFING, PENDULUM, problem
 
 from vibcli.analyses.nonlinear import motions_by_amplitude as module
 from vibcli.api.values import given_expression
 
-DUFFING = """
-parameters: {m: 2 kg, k: 80 N/m, b: 500 N/m^3}
-bodies: {block: {mass: m, slide: x}}
-springs: {s: {law: k*d + b*d^3, between: [ground, block]}}
-"""
-PENDULUM = """
-parameters: {L: 0.8 m, g: 9.81 m/s^2, m: 2 kg}
-gravity: g
-bodies: {bob: {mass: m, at: [0, -L], pin: {at: [0, 0], by: phi}}}
-"""
 STOP = DUFFING.replace("b: 500 N/m^3", "b: 500 N/m, gap: 3 cm").replace("b*d^3", "b*ramp(d - gap)")
 HANGING = DUFFING.replace("slide: x", "slide: {along: [0, 1], by: x}, at: [0, 0]").replace(
     "[ground,", "[[0, 1 m],") + "gravity: 9.81 m/s^2\n"

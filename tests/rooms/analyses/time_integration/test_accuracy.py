@@ -24,15 +24,6 @@ ASKED = (1e-4, 1e-6, 1e-9, 1e-11)
 
 
 @pytest.fixture
-def scene(tmp_path):
-    def write(text):
-        path = tmp_path / "scene.yaml"
-        path.write_text(text)
-        return str(path)
-    return write
-
-
-@pytest.fixture
 def counts(monkeypatch):
     """{what: how often it was done}: windows by collocation, explicit steps."""
     found, advance, init = {}, March.advance, ExplicitWindows.__init__

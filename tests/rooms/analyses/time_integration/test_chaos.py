@@ -48,15 +48,6 @@ initial: {x: 0.8 m, y: 0.1 m}
 """
 
 
-@pytest.fixture
-def scene(tmp_path):
-    def write(text):
-        path = tmp_path / "scene.yaml"
-        path.write_text(text)
-        return str(path)
-    return write
-
-
 def agrees(text, true):
     """Is a printed number within two units of its last digit?"""
     text = text.replace("−", "-")
