@@ -7,10 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.analyses.modal.mode_sequence import Modes
-from vibcli.analyses.modal.undamped import OSCILLATION
 from vibcli.base.errors import PhysicsError
-from vibcli.base.named_tuple import NamedTuple
 from vibcli.quantities.expression import lowered_in
 from vibcli.quantities.quantity import about_which, declared, is_choice
 from vibcli.symbolic.array_arithmetic import Arrays
@@ -24,35 +21,6 @@ if TYPE_CHECKING:
     from vibcli.results.variants import Place, Variants
 
 
-class SwingingModes(NamedTuple):
-    """A natural mode of many scenes: ω and the bound of its relative error, arrays."""
-
-    index: int      # type: ignore[assignment]
-    omega: np.ndarray
-    error: np.ndarray
-    growth_rate: None = None
-    rigid: bool = False
-
-
-class SwingingDampedModes(NamedTuple):
-    """A damped mode of many scenes: δ, ω_d, |λ| and the bound of the relative error of λ, arrays."""
-
-    index: int      # type: ignore[assignment]
-    decay: np.ndarray
-    omega_d: np.ndarray
-    omega: np.ndarray
-    error: np.ndarray
-
-    @property
-    def zeta(self) -> np.ndarray:
-        return self.decay / self.omega
-
-    @property
-    def bounds(self) -> tuple[np.ndarray, np.ndarray]:
-        """Of the relative errors of δ and ζ, and of ω_d."""
-        return self.error * self.omega / self.decay, self.error * self.omega / self.omega_d
-
-
 class ManyScenes:
     """What quantities that may be asked at once look at in a Problem, of scenes that share the expressions of one."""
 
@@ -60,13 +28,8 @@ class ManyScenes:
 
     def __init__(self, base: "Problem", solutions: "SharedSolutions"):
         self.spec, self.scene, self.floats, self.modal = base.spec, base.scene, solutions.values, self
-        natural = solutions.natural.swinging()
-        self.known = solutions.known
-        self.modes = Modes([SwingingModes(k + 1, *columns)  # type: ignore[misc]
-                            for k, columns in enumerate(np.stack(natural, 1).T)])
-        self.damped = None if solutions.undamped else Modes(
-            [SwingingDampedModes(k + 1, *columns)           # type: ignore[misc]
-             for k, columns in enumerate(solutions.damped.swinging().transpose(2, 0, 1))])
+        self.known, self.modes = solutions.known, solutions.natural.swinging()
+        self.damped = None if solutions.undamped else solutions.damped.swinging()
 
     def oscillates(self) -> np.ndarray:
         """Where all modes do, those with dampers too: truths."""
@@ -128,7 +91,7 @@ class AnswersAtOnce:
         found: dict[Place, Any] = {}
         for numbers, scenes in self._groups:
             swings = scenes.oscillates().tolist()
-            kinds = (OSCILLATION,) * len(scenes.modes), (OSCILLATION,) * len(scenes.damped or ())
+            kinds = tuple(mode.kind for mode in scenes.modes), tuple(mode.kind for mode in scenes.damped or ())
             found |= {place: kinds for place, i in numbers.items() if swings[i]}
         return found
 

@@ -13,6 +13,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vibcli.analyses.modal.damped_modes import DampedMode
+from vibcli.analyses.modal.mode_sequence import Modes
+from vibcli.analyses.modal.undamped import OSCILLATION
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.analyses.modal.stacked_modes import StackedModes
@@ -23,6 +26,26 @@ TERMS = 8               # roundings of a term and its sum, a few of each
 SETTLED = 1e-12         # relative error of decay and ω_d
 ALIKE = 1e-9            # relative difference of |λ|, below which their order is not told
 WEAK, STRONG = 1e-9, 0.999      # damping ratios between which a mode is told here
+
+
+class SwingingDampedModes(NamedTuple):
+    """A damped mode of many systems: δ, ω_d, |λ| and the bound of the relative error of λ, arrays."""
+
+    index: int      # type: ignore[assignment]
+    decay: np.ndarray
+    omega_d: np.ndarray
+    omega: np.ndarray
+    error: np.ndarray
+    kind: str = OSCILLATION
+
+    @property
+    def zeta(self) -> np.ndarray:
+        return self.decay / self.omega
+
+    @property
+    def bounds(self) -> tuple[np.ndarray, np.ndarray]:
+        """Of the relative errors of δ and ζ, and of ω_d."""
+        return self.error * self.omega / self.decay, self.error * self.omega / self.omega_d
 
 
 class StackedDamped:
@@ -50,14 +73,13 @@ class StackedDamped:
                                     float(self._errors[row, k]), decay=decay))
         return found
 
-    def swinging(self) -> np.ndarray:
-        """δ, ω_d, |λ| and the bound of the relative error of λ, each of all systems, a row each: NaN of those that are
-        not settled."""
-        found = np.full((4, len(self.settled), *self._decay.shape[1:]), np.nan)
-        certain, places = self._certain[:, None], list(self._row)
-        for one, part in zip(found, (self._decay, self._omega_d, self._size, self._errors), strict=True):
-            one[places] = np.where(certain, part, np.nan)
-        return found
+    def swinging(self) -> Modes:
+        """The damped modes of all systems at once, NaN in those that are not settled."""
+        found, places = np.full((4, len(self.settled), *self._decay.shape[1:]), np.nan), list(self._row)
+        found[:, places] = np.where(self._certain[:, None], (self._decay, self._omega_d, self._size, self._errors),
+                                    np.nan)
+        return Modes([SwingingDampedModes(k + 1, *columns)      # type: ignore[misc]
+                      for k, columns in enumerate(found.transpose(2, 0, 1))])
 
     def _solve(self, squares, shapes, C, C_size):
         count, n = squares.shape

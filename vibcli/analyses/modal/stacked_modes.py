@@ -13,7 +13,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from vibcli.analyses.modal.undamped import Mode
+from vibcli.analyses.modal.mode_sequence import Modes
+from vibcli.analyses.modal.undamped import OSCILLATION, Mode
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.mechanics.stacked_matrices import StackedMatrices
@@ -23,6 +25,17 @@ TERMS = 8               # roundings of a term and its sum, a few of each
 SETTLED, SHAPED = 2e-13, 1e-12      # relative error of ω, and of shapes
 APART = 1e-4            # relative gap of frequencies
 LEFT = 1e-9             # of the largest amplitude: what rounding may leave
+
+
+class SwingingModes(NamedTuple):
+    """A mode of many systems, in each of which it oscillates: ω and the bound of its relative error, arrays."""
+
+    index: int      # type: ignore[assignment]
+    omega: np.ndarray
+    error: np.ndarray
+    growth_rate: None = None
+    rigid: bool = False
+    kind: str = OSCILLATION
 
 
 class StackedModes:
@@ -54,14 +67,13 @@ class StackedModes:
             found.append(Mode(k + 1, *rates, shape, shape, error))
         return found
 
-    def swinging(self) -> tuple[np.ndarray, np.ndarray]:
-        """(ω, bound of its relative error) of all systems, a row each: NaN of those that are not settled, and of what
-        does not oscillate."""
-        found, bounds = np.full((2, len(self.settled), *self._squares.shape[1:]), np.nan)
-        swings = self._certain[:, None] & (self._squares > 0)
-        places = list(self._row)
-        found[places], bounds[places] = np.where(swings, self._rates, np.nan), np.where(swings, self._bounds, np.nan)
-        return found, bounds
+    def swinging(self) -> Modes:
+        """The modes of all systems at once, NaN in those that are not settled, or where one does not oscillate."""
+        found = np.full((2, len(self.settled), *self._squares.shape[1:]), np.nan)
+        swings, places = self._certain[:, None] & (self._squares > 0), list(self._row)
+        found[:, places] = np.where(swings, (self._rates, self._bounds), np.nan)
+        return Modes([SwingingModes(k + 1, *columns)        # type: ignore[misc]
+                      for k, columns in enumerate(found.transpose(2, 0, 1))])
 
     @property
     def held(self) -> np.ndarray:
