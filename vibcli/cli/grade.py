@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from vibcli.homework.marks import AnswerMark, Marker
 
 COLUMNS = "id", "problem", "quantity", "answer", "points", "of", "verdict", "mistake", "said"
-DIGITS = 3, 6, 10, 17           # as many as tell what is off from what is allowed
 FOR_WHO_MARKS = "off", "band", "unit"       # with the answer they tell the key: in no table, which is given back
 
 
@@ -145,19 +144,8 @@ def _shown(marks: "Sequence[AnswerMark]") -> str:
     for one in marks:
         mark = click.style("✓", fg="green") if one.verdict == RIGHT else click.style("✗", fg="red")
         said = ": ".join(part for part in (one.mistake, one.said if one.said != one.mistake else "") if part)
-        said = "; ".join(part for part in (said, _off(one)) if part)
+        said = "; ".join(part for part in (said, one.far) if part)
         lines.append(f"{mark} {one.quantity} = {escaped(one.answer) or '–'}: {one.verdict}, "
                      f"{one.points:g} of {one.of:g}" + (f" ({escaped(said)})" if said else ""))
     points, most = total(marks)
     return "\n".join([*lines, f"{points:g} of {most:g} points"])
-
-
-def _off(one):
-    """How far a wrong number lies from its key, and how far it may; '' of others."""
-    from vibcli.notation.numbers import figure
-
-    if one.off is None or abs(one.off) <= one.band:
-        return ""
-    texts = [(figure(abs(one.off), digits=digits), figure(one.band, digits=digits)) for digits in DIGITS]
-    off, band = next((pair for pair in texts if pair[0] != pair[1]), texts[-1])
-    return f"off by {'−' if one.off < 0 else '+'}{off} {one.unit}".rstrip() + f", allowed ± {band}"

@@ -8,11 +8,13 @@ from vibcli.base.spelling import nearest
 from vibcli.homework import MISSING, RIGHT, UNREADABLE, WRONG
 from vibcli.homework.given_answers import GivenAnswer, read_answer
 from vibcli.homework.reasons import of_number
+from vibcli.notation.numbers import figure
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
 CYCLES, RADIANS = "Hz", "rad"       # are read as numbers of the unit that is asked: one for the other is a mistake
+DIGITS = 3, 6, 10, 17   # as many as tell what is off from what is allowed
 COARSE = 0.01           # of an answer: half of its last figure, beyond which it tells nothing
 
 
@@ -33,6 +35,15 @@ class AnswerMark(NamedTuple):
     off: float | None = None
     band: float | None = None
     unit: str = ""
+
+    @property
+    def far(self) -> str:
+        """How far a wrong number lies from its key, and how far it may, in words; '' of others."""
+        if self.off is None or self.band is None or abs(self.off) <= self.band:
+            return ""
+        texts = [(figure(abs(self.off), digits=digits), figure(self.band, digits=digits)) for digits in DIGITS]
+        off, band = next((pair for pair in texts if pair[0] != pair[1]), texts[-1])
+        return f"off by {'−' if self.off < 0 else '+'}{off} {self.unit}".rstrip() + f", allowed ± {band}"
 
 
 class Marker:
