@@ -191,7 +191,7 @@ def _begun(one: "CourseProblem", patience: int, executor: "Executor | None") -> 
         try:
             problem = given.case(problem, one.case)
         except ValueError as error:
-            raise SpecError([Diagnostic(Where(one.path, 1, 1, 0), str(error))]) from None
+            raise SpecError([Diagnostic(one.where or Where(one.path, 1, 1, 0), f"{one.path}: {error}")]) from None
     if problem.spec.get("variants") is None:
         raise SpecError([Diagnostic(Where(one.path, 1, 1, 0), "this scene says nothing of variants",
                                     "give values under variants: parameters")])
