@@ -146,11 +146,28 @@ def test_a_variant_whose_item_names_its_key_is_in_no_pool(course, capsys):
     (course / f"{named}.yaml").write_text(SCENE, encoding="utf-8")
     capsys.readouterr()
     assert exported("--export", "qti21", "--pool", "18", file=f"{named}.yaml", out="more") == 4
-    assert f"has {len(those)} variants whose number is no key of theirs" in (said := capsys.readouterr().err)
+    assert f"has {len(those)} variants that by chance tell no key of their own" in (said := capsys.readouterr().err)
     assert f"ask for --pool {len(those)}" in said and not (course / "more").exists()
     assert exported("--export", "qti21", "--pool", str(len(those)), file=f"{named}.yaml", out="more") == 0
     problem, = json.loads((course / "more/instructor/manifest.json").read_text(encoding="utf-8"))["problems"]
     assert [one["variant"] for one in problem["variants"]] == those and len(those) < 18
+
+
+def test_a_variant_whose_question_tells_its_key_by_chance_is_in_no_pool(course, capsys):
+    """At as many figures as the question has, which its band does not reach."""
+    exact = SCENE.replace("points: 2}", "points: 2, rtol: 0.01 %}")
+    (course / "exact.yaml").write_text(exact, encoding="utf-8")
+    assert exported("--export", "qti21", "--pool", "18", file="exact.yaml") == 0
+    problem, = json.loads((course / "out/instructor/manifest.json").read_text(encoding="utf-8"))["problems"]
+    keys = [one["keys"][0] for one in problem["variants"]]
+    number = next(number for key in keys if abs((number := round(key["value"], 1)) - key["value"]) > 5 * key["band"])
+    (course / "warm.yaml").write_text(exact.replace("A block {m}", f"In a room at {number} °C a block {{m}}"),
+                                      encoding="utf-8")
+    assert exported("--export", "qti21", "--pool", "18", file="warm.yaml", out="more") == 4
+    assert "variants that by chance tell no key of their own" in capsys.readouterr().err
+    assert exported("--export", "qti21", "--pool", "12", file="warm.yaml", out="more") == 0
+    problem, = json.loads((course / "more/instructor/manifest.json").read_text(encoding="utf-8"))["problems"]
+    assert all(abs(one["keys"][0]["value"] - number) > 0.05 for one in problem["variants"])
 
 
 def test_a_question_that_tells_a_key_is_not_exported(course, capsys):

@@ -284,6 +284,12 @@ def test_manifests_that_were_edited(course, capsys):
     assert "leads out of the folder" in capsys.readouterr().err and not (course / "third").exists()
 
 
+def test_a_case_that_is_none_is_told_in_the_set(course, capsys):
+    (course / "set.yaml").write_text("problems: [{file: block.yaml, case: stif}]\n", encoding="utf-8")
+    assert homework(file="set.yaml") == 3 and not (course / "out").exists()
+    assert "set.yaml:1:31: error: block.yaml: the file has no case 'stif'" in capsys.readouterr().err
+
+
 def test_a_mistake_that_cannot_be_solved_hands_out_nothing(course, capsys):
     (course / "block.yaml").write_text(SCENE + "  mistakes: {pole: {bodies: {block: {mass: -m}}}}\n", encoding="utf-8")
     assert homework() == 3 and not (course / "out").exists()

@@ -101,7 +101,7 @@ def _pool(course: "Course", handouts: "list[Handout]", folder: Path, force: bool
     numbers = [_pooled(course, one, salt, count, attempt) for one in handouts]
     for one, those in zip(handouts, numbers, strict=True):
         if len(those) < count:
-            named = " whose number is no key of theirs" * (len(those) < one.accepted)
+            named = " that by chance tell no key of their own" * (len(those) < one.accepted)
             raise PhysicsError(f"{one.name} has {amount(len(those), 'variant')}{named}, and a pool of {count} is asked "
                                "for", f"ask for --pool {min(map(len, numbers))}, or widen the ranges")
     assigned = [sheet for one, those in zip(handouts, numbers, strict=True) for sheet in of_pool(one, those)]
@@ -110,7 +110,8 @@ def _pool(course: "Course", handouts: "list[Handout]", folder: Path, force: bool
 
 
 def _pooled(course, handout, salt, count, attempt):
-    """The numbers of the variants of a pool: none whose item would by its name tell a key."""
+    """The numbers of the variants of a pool: none whose item would by chance tell a key of it; where all do, any, which
+    are refused with that."""
     from vibcli.homework.assignment import pooled
     from vibcli.homework.coincidences import Coincidences
     from vibcli.homework.exports.item import item_of
@@ -121,7 +122,8 @@ def _pooled(course, handout, salt, count, attempt):
         words = f"{course.title} ; {course.course} ; {course.due} ; {item_of(handout.name, number)}"
         return not coincidences.found(words, (), handout, number)
 
-    return pooled(salt, handout.name, handout.accepted, count, attempt, suits)
+    return (pooled(salt, handout.name, handout.accepted, count, attempt, suits)
+            or pooled(salt, handout.name, handout.accepted, count, attempt))
 
 
 def _write_pool(folder, force, course, handouts, assigned, attempt, salt, formats, executor):
@@ -191,7 +193,7 @@ def _begun(one: "CourseProblem", patience: int, executor: "Executor | None") -> 
         try:
             problem = given.case(problem, one.case)
         except ValueError as error:
-            raise SpecError([Diagnostic(Where(one.path, 1, 1, 0), str(error))]) from None
+            raise SpecError([Diagnostic(one.where or Where(one.path, 1, 1, 0), f"{one.path}: {error}")]) from None
     if problem.spec.get("variants") is None:
         raise SpecError([Diagnostic(Where(one.path, 1, 1, 0), "this scene says nothing of variants",
                                     "give values under variants: parameters")])

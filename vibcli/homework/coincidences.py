@@ -1,4 +1,5 @@
-"""Numbers on a sheet that by chance are keys of another of its problems: who would get both gets another variant."""
+"""Numbers on a sheet that by chance are keys of it, of the same problem or another: who would get them gets another
+variant."""
 
 import unicodedata
 from typing import TYPE_CHECKING
@@ -21,9 +22,10 @@ class Coincidences:
         self._known: dict[tuple[str, int], tuple[Told, tuple[float, ...]]] = {}
 
     def found(self, words: str, taken: "Iterable[tuple[Handout, int]]", handout: "Handout", number: int) -> bool:
-        """Would a sheet with these words and problems tell a key of a variant, or this one a key of theirs?"""
+        """Would a sheet with these words and problems tell a key of a variant, or this one a key of its own or of
+        theirs?"""
         told, keys = self._variant(handout, number)
-        if _meet(_numbers(words), keys):
+        if _meet(_numbers(words), keys) or _meet(told, keys):
             return True
         return any(_meet(theirs, keys) or _meet(told, their_keys)
                    for theirs, their_keys in (self._variant(*one) for one in taken))

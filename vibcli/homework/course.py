@@ -3,6 +3,7 @@
 import os
 from typing import TYPE_CHECKING
 
+from vibcli.base.enumeration import amount
 from vibcli.base.errors import Diagnostic, SpecError, Where
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.spelling import nearest
@@ -40,12 +41,13 @@ ELEMENT = Element(
 
 class CourseProblem(NamedTuple):
     """A problem of a course: its name, stable and of its own; its file, a case of that or None; its points, None where
-    its quantities say."""
+    its quantities say; where a set names the case."""
 
     name: str
     path: str
     case: str | None = None
     points: int | None = None
+    where: Where | None = None
 
 
 class CoursePart(NamedTuple):
@@ -97,8 +99,9 @@ def _part(path, record):
     if os.path.isdir(full):
         found = _folder(full, record.get("pick"), name, points)
         if found.pick > len(found.problems):
-            raise SpecError([Diagnostic(record.place("pick"), f"{found.pick} problems of {len(found.problems)}",
-                                        "pick fewer")])
+            count = amount(len(found.problems), "problem")
+            said = f"each is to get {found.pick}, and this folder has {count}"
+            raise SpecError([Diagnostic(record.place("pick"), said, f"pick at most {len(found.problems)}")])
         return found
     if "pick" in record:
         raise SpecError([Diagnostic(record.place("pick"), "'pick' is for a folder of problems", "leave it out")])
@@ -108,7 +111,7 @@ def _part(path, record):
         raise SpecError([Diagnostic(where, f"there is no file '{name}'", hint)])
     case = record.get("case")
     label = _stem(full) + (f"-{_safe(case)}" if case else "")
-    return CoursePart((CourseProblem(label, full, case, points),), 1)
+    return CoursePart((CourseProblem(label, full, case, points, record.place("case") if case else None),), 1)
 
 
 def _folder(path, pick, name, points):

@@ -20,13 +20,15 @@ class Regime(NamedTuple):
 
     def told(self, other: "Regime") -> str:
         """How another one differs from it, in words."""
+        if other.refusal is not None and self.refusal is None:
+            return other.refusal
         for name, one, its in (("modes without dampers", self.natural, other.natural),
                                ("damped modes", self.damped, other.damped)):
             if one != its:
-                return f"{name}: {_counted(its)}, and of the scene as it stands {_counted(one)}"
+                return f"{name}: {_counted(its)}, where the scene itself has {_counted(one)}"
         if self.rests != other.rests:
-            return f"{other.rests} equilibria, and of the scene as it stands {self.rests}"
-        return other.refusal or "the scene as it stands has no modes"
+            return f"{other.rests} equilibria, where the scene itself has {self.rests}"
+        return other.refusal or "the scene itself has no modes"
 
 
 def regime(problem: "Problem", rests: bool) -> Regime:

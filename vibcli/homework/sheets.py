@@ -6,6 +6,7 @@ from string import ascii_lowercase
 from typing import TYPE_CHECKING
 
 from vibcli.base.enumeration import listed
+from vibcli.homework.wording import question_in_words, signal_in_words
 from vibcli.notation.as_printed import as_printed
 from vibcli.notation.numbers import figure
 from vibcli.notation.plain import plain
@@ -30,6 +31,8 @@ if TYPE_CHECKING:
     from vibcli.homework.roster import Student
     from vibcli.results.problem import Problem
 
+MARKED = "Only what this table asks is marked."
+
 
 def student_sheet(course: "Course", student: "Student", problems: "Sequence[tuple[Handout, int]]") -> list[Document]:
     """The Documents of a student's sheet: its head, and each problem with the figure, its values and what is asked;
@@ -42,7 +45,7 @@ def student_sheet(course: "Course", student: "Student", problems: "Sequence[tupl
 
 def _question(number, handout, variant):
     problem = handout.problem(variant)
-    asked = Report(problem).document().question
+    asked = question_in_words(problem.spec, Report(problem).document().question)
     return Document(f"{number}. {handout.title}", None, asked, (
         *handout.figure, *_values(problem, handout), *_asked(handout, handout.variants[variant])))
 
@@ -63,20 +66,21 @@ def _asked(handout, variant):
     rows = []
     for number, (key, points, one) in enumerate(zip(handout.keys, handout.points, variant.keys, strict=True)):
         quantity = quantity_of(handout.base.spec, key.asked.tree)
-        about = _about(quantity, key.asked.tree, key.text) if quantity else "this expression"
+        about = _about(handout.base.spec, quantity, key.asked.tree, key.text) if quantity else "this expression"
         rows.append((f"({ascii_lowercase[number]})", about, key.text, as_printed(key.unit) or "–",
                      one.figures, figure(points, digits=3)))
     table = TableBlock(("", "what", "written as", "unit", "figures", "points"), tuple(rows))
-    return section("Asked", table, *map(paragraph, dict.fromkeys(key.form for key in handout.keys if key.form)))
+    forms = dict.fromkeys(key.form for key in handout.keys if key.form)
+    return section("Asked", table, *map(paragraph, [*forms, MARKED]))
 
 
-def _about(quantity, tree, text):
+def _about(spec, quantity, tree, text):
     """What a quantity is, in words, with the number of its mode and the name of what moves."""
     about = re.split("[;:,]", quantity.about)[0]
     head, _, inner = text.removesuffix(")").partition("(")
     signal, at = (head, inner) if "at an instant" in about else (inner, "")
     if signal:
-        about = about.replace("a signal", plain.symbol(signal) if signal.isidentifier() else signal)
+        about = about.replace("a signal", signal_in_words(spec, signal))
         about = about.replace("an instant", at)
     if tree.indices:
         number = f"mode {tree.indices[0]}"
@@ -97,7 +101,7 @@ def key_sheet(handout: "Handout", number: int) -> Document:
              for key, one in zip(handout.keys, variant.keys, strict=True) for wrong in one.wrong]
     mistakes = TableBlock(("mistake", "quantity", "gives", "what to say"), tuple(wrong)) if wrong else None
     return Document(f"{handout.title} — variant {number + 1}", problem.spec.get("source"),
-                    Report(problem).document().question, (
+                    question_in_words(problem.spec, Report(problem).document().question), (
         *section("Key", TableBlock(("quantity", "answer", "unit", "band", "points"), tuple(rows))),
         *handout.solution(number), *section("Mistakes", mistakes)))
 

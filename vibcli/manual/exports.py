@@ -18,7 +18,8 @@ EXPORTS = [
          "question's name in Moodle and its title in Canvas, PrairieLearn shows it below the question, and in QTI it "
          "is the identifier. In the manifest it is a student with this id: `vibcli grade manifest.json "
          "--student lever-17 --answer 'omega[1]=21.9'` says what `grade` gives and which mistake it sees; key, band "
-         "and what mistakes give stand there beside. A variant whose number is a key of it is in no pool."),
+         "and what mistakes give stand there beside. A variant that would by chance tell a key, by a "
+         "value, a number in its question or its own number, is in no pool."),
         ("bands", "The band of a key is that of `grade`, its edges included. Beyond it the bands of mistakes, cut "
          "where two meet, are wrong and tell the mistake by name; of two that give the same, either."),
         ("by hand", "Expressions and equations, which no system compares, are questions of their own that are marked "

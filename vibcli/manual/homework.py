@@ -57,8 +57,8 @@ HOMEWORK = [
         ("roster", "a CSV file with a heading: `id`, and perhaps `name`"),
         ("who gets what", "In the order of the roster each the first variant still free in a permutation of their own, "
          "made of hashes of the salt, the problem, the id and `--attempt`: none share while variants last, and who is "
-         "added at the end changes nobody's sheet. A variant is passed over for a student on whose sheet another "
-         "problem would tell its key by chance. `--distinct` refuses where students would share."),
+         "added at the end changes nobody's sheet. A variant is passed over for a student on whose sheet its "
+         "key would stand by chance, in its own problem or another. `--distinct` refuses where students would share."),
         ("files", "A record or table from which a problem takes numbers lies with the sheets under its own name, and "
          "stands in the manifest."),
         ("leaks", "No student's file tells a key at three or more figures, the text of one that is an expression or "

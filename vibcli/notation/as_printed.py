@@ -8,6 +8,7 @@ from vibcli.notation.plain import plain
 TOKENS = re.compile(r"(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>[^\W\d]\w*)|(?P<power>\^\s*-?\d+(?!\.))"
                     r"|(?P<times>\s*\*\s*)|(?P<minus>-)|(?P<other>.)", re.DOTALL)
 DEGREES = re.compile(r"(?<=\d) deg\b")
+MICRO = {"um": "µm", "us": "µs", "uN": "µN"}
 SUPERSCRIPT = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 
@@ -25,7 +26,7 @@ def as_printed(text: str, names: Collection[str] = ()) -> str:
             part = "−"
         elif kind == "name" and part == "sqrt":
             part = "√"
-        elif kind == "name" and part in known:
-            part = plain.symbol(part)
+        elif kind == "name":
+            part = plain.symbol(part) if part in known else MICRO.get(part, part)
         found.append(part)
     return "".join(found)

@@ -99,7 +99,8 @@ def test_rosters(tmp_path):
     ("problems: [{file: a.yaml}, {file: a.yaml}]", "stands twice"), ("problems: [{fil: a.yaml}]", "unknown key 'fil'"),
     ("problems: [{file: a.yaml}, {file: caps/A.yaml}]", "'a' and 'A' differ in capitals alone"),
     ("problems: [{file: a.yaml, pick: 2}]", "'pick' is for a folder"),
-    ("problems: [{file: more, pick: 3}]", "3 problems of 1"), ("problems: [{file: /etc/x.yaml}]", "by its way")])
+    ("problems: [{file: more, pick: 3}]", "this folder has 1 problem"),
+    ("problems: [{file: /etc/x.yaml}]", "by its way")])
 def test_sets_that_are_none(tmp_path, text, said):
     (tmp_path / "a.yaml").write_text("title: a\n")
     for name in ("more/b", "caps/A"):

@@ -169,7 +169,7 @@ class TwoDegrees:
 
 def _weighted(node, value, squared):
     """Parts of node·value, or node·value²; of the node alone where that is 1."""
-    return [node] if value == 1 else [Factor(node), f"·{_bracketed(value)}" + "²" * squared]
+    return [node] if value == 1 else [_bracketed(value) + "²" * squared + "·", Factor(node)]
 
 
 def _bracketed(value):

@@ -1,0 +1,52 @@
+"""Words of sheets as they are set: numbers with their units on one line, Greek letters, signals without names of the
+file that the sheet does not show."""
+
+import re
+from typing import TYPE_CHECKING, Any
+
+from vibcli.notation.plain import GREEK, plain
+from vibcli.symbolic.syntax import NameRef
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from vibcli.language.spec import Spec
+
+TOGETHER = "\N{NO-BREAK SPACE}"
+QUANTITY = re.compile(r"[−-]?\d[\d.,]*(?:e[+-]?\d+)? \S+")
+WORD = re.compile(r"[^\W\d_]+\d*")
+PARTS = "stretch", "force", "power"
+NAMED_BY = "k", "c", "b", "torsion"
+
+
+def question_in_words(spec: "Spec", parts: "Sequence[Any]") -> "tuple[Any, ...]":
+    """The parts of a question, in which Greek names of the scene are letters, and no quoted value is broken."""
+    greek = {name: plain.symbol(name) for name in (*spec.parameters, *spec.coordinates)
+             if re.sub(r"\d+$", "", name) in GREEK}
+    return tuple(_set(part, greek) if isinstance(part, str) else part for part in parts)
+
+
+def _set(text, greek):
+    if QUANTITY.fullmatch(text):
+        return text.replace(" ", TOGETHER)
+    return WORD.sub(lambda word: greek.get(word[0], word[0]), text)
+
+
+def signal_in_words(spec: "Spec", text: str) -> str:
+    """A signal as a sheet names it: the stretch of the spring k, the force on the ground."""
+    if text.isidentifier():
+        return plain.symbol(text)
+    name, _, part = text.partition(".")
+    if text == "ground.force":
+        return "the force on the ground"
+    record = spec.connection(name)
+    if record is None or part not in PARTS:
+        return text
+    return f"the {part} of the {record.element.name} {next(_letters(record), name)}"
+
+
+def _letters(record) -> "Iterator[str]":
+    """The letter that stands beside an element in the figure."""
+    for key in NAMED_BY:
+        if isinstance(getattr(record.get(key), "tree", None), NameRef):
+            yield plain.symbol(record[key].tree.name)
