@@ -1,4 +1,4 @@
-"""`make fuzz` guided by what code is reached: each kind takes its first bytes and others, and says where it cannot be."""
+"""`make fuzz` guided by what code is reached: what its kinds begin with, and where it cannot be done."""
 
 import importlib.util
 

@@ -29,6 +29,12 @@ bodies: {a: {mass: 1 kg, slide: x}}
 springs: {s: {k: 100 N/m, between: [ground, a]}}
 forces: {F: {at: a, force: 1 N*cos(10.001 rad/s*t)}}
 """
+RESONANT = """\
+title: A steady push at resonance
+bodies: {a: {mass: 1 kg, slide: x}, b: {mass: 2 kg, slide: y}}
+springs: {s: {k: 500 N/m, between: [ground, a]}, t: {k: 400 N/m, between: [a, b]}}
+forces: {F: {at: a, force: 1 N*cos(10 rad/s*t)}}
+"""
 SWINGING = """\
 title: A double pendulum that swings widely
 parameters: {m: 1 kg, L: 1 m, g: 9.81 m/s^2}
@@ -48,6 +54,7 @@ KEPT = {        # {name: (title, scene, what is asked)}
     "heavily_damped": ("Eigenvalues: a dashpot that all but holds a mass", HEAVY, "eigenvalue[1]"),
     "sharp_peak": ("Frequency response: a sharp peak", ABSORBER, "peak[2](frf[x, F]).value"),
     "thousand_periods": ("Linear response: 1,000 periods, detuned by 1e-4", DETUNED, "x(628 s)"),
+    "at_resonance": ("Linear response: exactly at resonance, two degrees", RESONANT, "y(60 s)"),
     "double_pendulum": ("Nonlinear: a double pendulum, 5 s", SWINGING, "r(5 s)"),
     "cantilever": ("Members: a cantilever with a mass at its tip", BEAM, "omega[1]"),
 }
