@@ -3,7 +3,8 @@
     python tests/fuzz/guided.py COUNT SEED [KIND ...]
 
 The kinds: documents are bytes to be read, expressions texts within them, solve whole scenes of which every stage is
-asked. They begin with the shortest scenes that are shipped, or with pieces of expressions, each kind in a process of its own; what escapes is told with its bytes.
+asked. They begin with the shortest scenes that are shipped, or with pieces of expressions, each kind in a process of
+its own; what escapes is told with its bytes.
 """
 
 import importlib.util

@@ -16,7 +16,7 @@ HELD = 1.0          # error over bound
 
 
 def rows(runs: Any) -> list[Any]:
-    """Two rows of each comparison: its time, the nearest plain method being the baseline, and its error over its bound."""
+    """Of each comparison its time, beside that of the nearest plain method, and its error over its bound."""
     return [row for name in KEPT for row in _rows(name, runs)]
 
 
@@ -33,7 +33,7 @@ def _rows(name, runs):
 
 
 def main() -> None:
-    """Child process: print ours and the plain method with the least error of a comparison, the fastest of equal ones."""
+    """Child process: print ours and the plain method with the least error, the fastest of equal ones."""
     import sys
 
     from vibcli.api.source import problem_of, text_source
