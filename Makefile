@@ -1,6 +1,7 @@
 # make solve: install into .venv and solve a problem.  make lint: style and types.  make bench: speed and error.
 # make quick: lint and tests without sweeps: one problem a chapter, one case of each test of rooms and commands.
 # make fuzz: 100,000 mutated files, expressions and scenes of each kind, which takes hours: make fuzz COUNT=1000 SEED=7.
+# Then as many that atheris guides by the code they reach, where it can be installed.
 # make peers: packages for course systems, read by programs that are not ours.
 # make test: everything that must hold, as CI runs it; style and types are checked beside the tests.
 PYTHON ?= python3
@@ -57,7 +58,9 @@ bench: $(BIN)/vibcli
 	$(BIN)/python -m vibcli.bench
 
 fuzz: $(BIN)/pytest
+	-$(INSTALL) -e ".[fuzz]"
 	$(BIN)/python tests/fuzz/many.py $(COUNT) $(SEED) documents expressions texts nodes scenes
+	$(BIN)/python tests/fuzz/guided.py $(COUNT) $(SEED)
 
 clean:
 	rm -rf .venv build *.egg-info

@@ -9,7 +9,7 @@ from click.testing import CliRunner
 
 from vibcli import bench
 from vibcli.bench import __main__ as command
-from vibcli.bench import members_counted, peers, shipped
+from vibcli.bench import capabilities, members_counted, peers, shipped
 from vibcli.bench.processes import answer, costs, python
 from vibcli.bench.rows import HEAD, Failure, Timing, aligned, exponent
 
@@ -53,6 +53,17 @@ def test_a_part_that_fails_is_a_row_and_the_rest_is_printed(monkeypatch):
     assert "growth: RuntimeError: ValueError: no such thing" in lines[2] and lines[2].endswith("failed")
     done = CliRunner().invoke(command.main, ["--json", "--only", "files"])
     assert done.exit_code == 0 and json.loads(done.stdout)[0]["kept"]
+
+
+def test_a_capability_stands_beside_the_nearest_plain_method_and_one_that_is_not_compared_says_why(monkeypatch):
+    ours = {"method": "vibcli", "with": "", "ms": 2.0, "error": 3e-16, "bound": 1e-15}
+    plain = {"method": "odeint", "with": "1e-09", "ms": 8.0, "error": 4e-9}
+    told = iter([{**ours, "plain": plain}, {**ours, "error": 2e-15, "plain": None}, {"why": "no reference"}])
+    monkeypatch.setattr(capabilities, "answer", lambda *_: json.dumps(next(told)))
+    (time, error), (alone, broken), (failed,) = (capabilities._rows("cantilever", 3) for _ in range(3))
+    assert time.ratio == 0.25 and time.baseline == "odeint 1e-09, error 4.0e-09" and error.kept
+    assert alone.ratio is None and not broken.kept
+    assert failed.cells()[0].endswith("no reference") and not failed.kept
 
 
 def test_an_interrupt_keeps_the_parts_that_are_done(monkeypatch):

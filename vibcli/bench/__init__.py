@@ -10,6 +10,7 @@ PARTS = {
     "linkage": "deriving closed linkages",
     "files": "many files checked in one process, and in two",
     "accuracy": "errors of frequencies",
+    "capabilities": "run time and true error, capability by capability",
     "sparse": "the lowest modes of very many masses",
     "frequency_responses": "frequency responses of many degrees",
     "records": "motions under long measured records",

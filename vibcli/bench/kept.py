@@ -30,6 +30,12 @@ bodies: {a: {mass: 1 kg, slide: x}}
 springs: {s: {k: 100 N/m, between: [ground, a]}}
 forces: {F: {at: a, force: 1 N*cos(10.001 rad/s*t)}}
 """
+RESONANT = """\
+title: A steady push at resonance
+bodies: {a: {mass: 1 kg, slide: x}, b: {mass: 2 kg, slide: y}}
+springs: {s: {k: 500 N/m, between: [ground, a]}, t: {k: 400 N/m, between: [a, b]}}
+forces: {F: {at: a, force: 1 N*cos(10 rad/s*t)}}
+"""
 SWINGING = f"title: A double pendulum that swings widely{DOUBLE}initial: {{p: 60 deg, r: 80 deg}}\nmotion: full\n"
 BEAM = "beams: {arm: {length: 2 m, EI: 4 kN*m^2, mass_per_length: 3 kg/m, left: clamped, attached: [{at: 2 m, " \
        "mass: 3 kg}]}}\n"
@@ -39,6 +45,7 @@ KEPT = {        # {name: (title, scene, what is asked)}
     "heavily_damped": ("Eigenvalues: a dashpot that all but holds a mass", HEAVY, "eigenvalue[1]"),
     "sharp_peak": ("Frequency response: a sharp peak", ABSORBER, "peak[2](frf[x, F]).value"),
     "thousand_periods": ("Linear response: 1,000 periods, detuned by 1e-4", DETUNED, "x(628 s)"),
+    "at_resonance": ("Linear response: exactly at resonance, two degrees", RESONANT, "y(60 s)"),
     "double_pendulum": ("Nonlinear: a double pendulum, 5 s", SWINGING, "r(5 s)"),
     "cantilever": ("Members: a cantilever with a mass at its tip", BEAM, "omega[1]"),
 }

@@ -86,10 +86,14 @@ def _node(problem, motion, tree) -> Any:
             motion, found = with_output(problem, motion, name + "'" * primes)
             return found
         if isinstance(part, QuantityRef) or scene is not problem.scene:
-            raise PhysicsError("a reference is found of coordinates and their rates alone")
+            raise PhysicsError("of this motion a reference is found of coordinates and their rates alone")
         from vibcli.mechanics.signals import moving
 
-        return moving(problem.system, name, primes)
+        try:
+            return moving(problem.system, name, primes)
+        except PhysicsError:
+            raise PhysicsError("of full motions a reference is found of coordinates, places, energies, and of the "
+                               "forces of springs and dampers alone") from None
 
     node = lower(tree, scene.table, symbol)
     return motion, node
