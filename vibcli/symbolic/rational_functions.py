@@ -34,6 +34,7 @@ class Quotients:
         self.field = self.ring.to_field()
         *gens, self.unknown = self.field.gens
         self._gens = dict(zip(self.atoms, gens, strict=True)) | {(self.symbol, ONE): self.unknown}
+        self._factored: dict = {}
 
     def number(self, value: Fraction | int):
         return self.field(self.ring.domain(value.numerator, value.denominator))
@@ -88,9 +89,13 @@ class Quotients:
         return Fraction(int(value.numerator), int(value.denominator))
 
     def factors(self, polynomial: Any):
-        """(rational, [(irreducible factor, multiplicity)]) of a polynomial of the ring."""
-        whole = polynomial.ring.domain(1), [(polynomial, 1)]
-        return within(CALLS, polynomial.factor_list, whole)
+        """(rational, [(irreducible factor, multiplicity)]) of a polynomial of the ring; each is factored once."""
+        if polynomial not in self._factored:
+            found = within(CALLS, polynomial.factor_list, None)
+            if found is None:
+                return polynomial.ring.domain(1), [(polynomial, 1)]
+            self._factored[polynomial] = found
+        return self._factored[polynomial]
 
     def cleared(self, elements: Sequence[Any]) -> tuple[list[dict[tuple[Any, ...], Any]], dict[tuple[int, ...], Any]]:
         """(polynomials, denominator): elements of the field over a common denominator."""

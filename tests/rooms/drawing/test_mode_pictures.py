@@ -7,8 +7,9 @@ from pathlib import Path
 import pytest
 from support.scenes import kept_problem_of, problem, problem_of
 
+from vibcli.analyses.continuous import mode_fields
 from vibcli.base.errors import PhysicsError
-from vibcli.drawing import vibration
+from vibcli.drawing import animation, vibration
 from vibcli.drawing.canvas.primitives import Polygon, Polyline
 from vibcli.drawing.layout import compose, plane
 from vibcli.drawing.symbols import mode_shape
@@ -109,3 +110,15 @@ def test_arrows_are_as_long_as_the_mode_tells(name):
         tips = [part.points[0][0] for part in parts if isinstance(part, Polygon)]
         told = [(start, way / max(map(abs, ways)) * vibration.LUMPED) for start, way in zip(starts, ways, strict=True)]
         assert tips == pytest.approx([start + length for start, length in told if abs(length) > 2.0])
+
+
+def test_the_shape_of_a_member_is_found_once_for_all_frames(monkeypatch):
+    asked, shape_along = [], mode_fields.shape_along
+
+    def counting(pieces, places):
+        asked.append(places)
+        return shape_along(pieces, places)
+
+    monkeypatch.setattr(mode_fields, "shape_along", counting)
+    frames, _, _ = animation.of_mode(problem_of(ROOT / "problems/8_continuous/hanging_chain.yaml"), 1)
+    assert len(frames) >= 36 and 1 <= len(asked) <= 6

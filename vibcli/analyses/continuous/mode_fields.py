@@ -109,7 +109,11 @@ class ModeFields:
         return found
 
     def displacements(self, member: str, places: Sequence[float]) -> np.ndarray:
-        """u at places of a member, in floats."""
+        """u at places of a member, in floats: found once for all frames that show it there."""
+        return self._kept(self._displaced, (member, *places))
+
+    def _displaced(self, asked):
+        member, *places = asked
         return shape_along(self._in_floats(member), places)[:, 0]
 
     def largest(self, member: str) -> tuple[Any, Any]:
