@@ -30,7 +30,7 @@ def enough(response: "ModalResponse", motion: "ModalMotion", output: "LinearOutp
     """The motion by so many modes that the remainder of an output is small, or by the most."""
     while 2 * motion.count <= response.most:
         try:
-            if motion.left_share(output) <= CLOSE:
+            if not motion.shows_more(output, CLOSE) and motion.left_share(output) <= CLOSE:
                 break
         except TooSlow:
             pass

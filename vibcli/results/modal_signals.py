@@ -38,9 +38,7 @@ class ModalSignal(Signal):
 
     def require_bound(self, t: float, order: int = 0) -> None:
         """NoBound where what the modes left out add has no bound."""
-        import numpy as np
-
-        if np.isinf(self.modal.bound(self.reads, t, order)):
+        if not self.modal.is_bounded(self.reads, t, order):
             raise without_bound()
 
     def error(self, t: float) -> float:

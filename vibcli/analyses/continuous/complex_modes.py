@@ -53,7 +53,7 @@ class DampedBasis(ModeBasis):
             self.shapes[:, numbers] = group.shapes[:, :matrix.n].T
             for place, one in enumerate(in_floats(group.pieces)):
                 home, part = on_part(self.placed, one, numbers, one.piece.reaction(self.rates[numbers]), group.shapes,
-                                     group.motions.get(place))
+                                     group.bends.get(place))
                 self.parts[home].append(part)
 
 

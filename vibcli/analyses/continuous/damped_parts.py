@@ -117,7 +117,7 @@ class DampedPart(PartWithModes):
         roots = distinct(np.concatenate([rates, found[abs(found) > radius * (1 - ALIKE * 0.01)]]))
         values, errors, groups = polished(divisions, roots)
         return RootsOfPart(values, errors, [
-            ShapesOf(self.numbered(one.pieces), one.numbers, self.placed(one.shapes), one.motions) for one in groups])
+            ShapesOf(self.numbered(one.pieces), one.numbers, self.placed(one.shapes), one.bends) for one in groups])
 
     def _undamped(self, radius, top):
         """iω without dampers: each root but those of strong dampers has its own near it."""

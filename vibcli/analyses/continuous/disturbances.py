@@ -140,13 +140,21 @@ class Disturbances:
 
     def bound(self, output: "LinearOutput", t: float, order: int = 0) -> float:
         """Of what modes that are not counted add to the order-th rate of an output at an instant."""
-        return sum(self._of(part, own, t, order) for part, own in self.modes.parts.split(output))
+        return self._total(output, t, order, self.modes.reach)
 
-    def _of(self, part, output, t, order):
+    def bounds(self, output: "LinearOutput", t: float, order: int = 0) -> bool:
+        """Is that bound finite, as what places show tells that has no sum?"""
+        return self._total(output, t, order, self.modes.reaches) < inf
+
+    def _total(self, output, t, order, reach):
+        return sum(self._of(part, own, t, order, reach) for part, own in self.modes.parts.split(output))
+
+    def _of(self, part, output, t, order, reach):
         found = inf
         for gained in (0, GAINED) if self.damping.even else (0,):
             sizes = self._until(self.sizes(part), t, gained)
-            found = min(found, sum(self._of_rate(output, rate, rate + order, sizes, gained) for rate in range(3)))
+            found = min(found, sum(self._of_rate(output, rate, rate + order, sizes, gained, reach)
+                                   for rate in range(3)))
         return found
 
     def _until(self, sizes, t, gained):
@@ -165,7 +173,7 @@ class Disturbances:
             each = np.where(sizes[:count] == 0, 0.0, damping.grown * left[:, None, None] * sizes[:count])
         return np.nan_to_num(each, nan=inf, posinf=inf).sum(axis=0)
 
-    def _of_rate(self, output, own, rate, sizes, gained):
+    def _of_rate(self, output, own, rate, sizes, gained, reach):
         if not self.modes.reads(output, own):
             return 0.0
         found, more = 0.0, rate - 1 if rate > 1 else 0
@@ -173,7 +181,7 @@ class Disturbances:
             return inf
         for h in np.flatnonzero(sizes.any(axis=1)).tolist():
             ways = [(1.0, h + gained - rate), *([(self.slow, h)] if h == 2 and rate == 1 and self.slow < inf else [])]
-            found += min(_product(factor * float(size), self.modes.reach(output, left - power, own))
+            found += min(_product(factor * float(size), reach(output, left - power, own))
                          for factor, left in ways for power, size in zip(POWERS, sizes[h], strict=True))
         return found * (1 + self.damping.double) ** more
 

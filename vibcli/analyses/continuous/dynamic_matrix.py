@@ -44,14 +44,15 @@ class PieceStack:
         self.piece = Piece(*(np.array([[float(getattr(one.piece, name))] for one in placed]) for name in Piece._fields))
         self.beta = np.array([[float(one.retardation)] for one in placed])
 
-    def stiffness(self, s: np.ndarray, steep: bool) -> tuple[np.ndarray, np.ndarray | None]:
-        """(d, dd/ds if it is `steep`), each (m, m, pieces, N); real where s is imaginary and nothing drags."""
+    def stiffness(self, s: np.ndarray, steep: bool, bent: bool = True) -> tuple[np.ndarray, np.ndarray | None]:
+        """(d, dd/ds if it is `steep`), each (m, m, pieces, N); real where s is imaginary and nothing drags; not `bent`:
+        without what bends short pieces as cantilevers."""
         piece, factor = self.piece, (1 + self.beta * s) if self.beta.any() else 1.0
         kappa = retarded_reaction(piece, s, self.beta)
         if not steep and not self.short:
             return np.moveaxis(stiffness(piece, kappa), (-2, -1), (0, 1)) * factor, None
         found = stiffness_and_slope(piece, kappa)
-        found = in_relative_motions(piece, kappa, *found) if self.short else found
+        found = in_relative_motions(piece, kappa, *found, bent) if self.short else found
         d, slope = (np.moveaxis(part, (-2, -1), (0, 1)) for part in found)
         if not steep:
             return d * factor, None
@@ -139,13 +140,9 @@ class DynamicMatrix:
         """A row over the coordinates of the scene as one over those of D."""
         return row if self.relative is None or not self.relative.rows else self.relative.row(row)
 
-    def in_scene(self, shapes: np.ndarray) -> "tuple[Sequence[PlacedPiece], np.ndarray, dict[int, np.ndarray]]":
-        """Pieces as they are given, shapes (…, n) over the coordinates of D as ones over those of these, and u₀, θ₀, w,
-        ψ of short pieces, {number of a piece: (…, 4)}."""
-        short = self.relative.short if self.relative is not None else {}
-        return self._given[1], shapes @ self.to_scene.T, {number: np.stack(
-            [sum((x * shapes[..., i] for i, x in row.items()), 0 * shapes[..., 0]) for row in rows], axis=-1)
-            for number, rows in short.items()}
+    def in_scene(self, shapes: np.ndarray) -> "tuple[Sequence[PlacedPiece], np.ndarray]":
+        """Pieces as they are given, and shapes (…, n) over the coordinates of D as ones over those of these."""
+        return self._given[1], shapes @ self.to_scene.T
 
     @property
     def to_scene(self) -> np.ndarray:
@@ -156,8 +153,9 @@ class DynamicMatrix:
         """Has a piece relative coordinates?"""
         return self.relative is not None and number in self.relative.short
 
-    def at(self, s: np.ndarray, steep: bool = False, loaded: bool = True) -> "EvaluatedMatrix":
-        """D, and D′ if it is `steep`, at each s: (N,); not `loaded`: without the columns of loads along members."""
+    def at(self, s: np.ndarray, steep: bool = False, loaded: bool = True, bent: bool = True) -> "EvaluatedMatrix":
+        """D, and D′ if it is `steep`, at each s: (N,); not `loaded`: without the columns of loads along members, not
+        `bent`: without what bends short pieces as cantilevers."""
         away = self.leaves(s)
         D, slope = self._polynomial(s, steep, away)
         K, C, M = (np.abs(np.diagonal(part))[:, None] for part in self.polynomial)
@@ -166,7 +164,7 @@ class DynamicMatrix:
             lost = np.where(away, np.abs(s) * np.abs(np.diagonal(self.damping_left))[:, None], lost)
         size, excess, ends = K + lost + np.abs(s) ** 2 * M, np.zeros(len(s)), []
         for stack, Z in zip(self.stacks, self.impedances, strict=True):
-            d, steeper = stack.stiffness(s, steep)
+            d, steeper = stack.stiffness(s, steep, bent)
             D = D.astype(np.result_type(D, d), copy=False)
             excess = np.maximum(excess, stack.excess(d, s))
             ends.append((d, steeper))

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix
+from vibcli.analyses.continuous.short_pieces import bends
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.relative import relative_fields, told
@@ -44,8 +45,8 @@ class ExactTransfer:
 
     def at(self, output: "LinearOutput", s: np.ndarray) -> np.ndarray:
         """(channels, number of s): the output, its constant and channels left out, for a unit e^{st} on each."""
-        p, T = self._moved(s), self._near.to_scene
-        x = np.tensordot(T, p, 1)
+        p, bent = self._moved(s)
+        x = np.tensordot(self._near.to_scene, p, 1)
         found = np.zeros(x.shape[1:], complex)
         for power, part in enumerate((output.q, output.v, output.a)):
             for i, factor in part.items():
@@ -57,27 +58,26 @@ class ExactTransfer:
             for channel, drive in enumerate(self.driven, self.n):
                 if drive.piece == place.piece:
                     ends[channel, :, drive.end] += 1.0
-            values = self._field(place, s, p, ends)[..., place.along]
+            values = self._field(place, s, bent.get(place.piece), ends)[..., place.along]
             for channel, spread in enumerate(self.spread, self.n + len(self.driven)):
                 values[channel] += spread.between(one, s, place.x, place.along)
             found += factor * s**place.rates * values
         return found
 
-    def _field(self, place, s, p, ends):
+    def _field(self, place, s, bent, ends):
         """u and its derivatives at a place, (channels, number of s, order)."""
         one = self.pieces[place.piece].piece
         kappa = one.reaction(s)
         found = fields(one, kappa, ends, place.x)
-        rows = self._near.relative.short.get(place.piece) if self._near.relative is not None else None
-        if rows is None or any(drive.piece == place.piece for drive in self.driven):
+        if bent is None or any(drive.piece == place.piece for drive in self.driven):
             return found
-        motions = np.stack([sum(x * p[i] for i, x in row.items()) + 0 * p[0] for row in rows], axis=-1)
         long = told(one, kappa)
-        found[:, long] = relative_fields(one, kappa[long], motions[:, long], np.full(kappa[long].shape, place.x))
+        found[:, long] = relative_fields(one, kappa[long], bent[:, long], np.full(kappa[long].shape, place.x))
         return found
 
     def _moved(self, s):
-        """(n, channels, number of s): the coordinates of D."""
+        """The coordinates of D, (n, channels, number of s), and u₀, θ₀, F, P of short pieces, {number: (channels,
+        number of s, 4)}."""
         forces = np.zeros((len(s), self.n, self.channels), complex)
         forces[:, range(self.n), range(self.n)] = 1.0
         for channel, drive in enumerate(self.driven, self.n):
@@ -93,9 +93,10 @@ class ExactTransfer:
                     for i, v in row.items():
                         forces[:, i, channel] += v * put[:, a]
         if not self.n:
-            return np.zeros((0, self.channels, len(s)), complex)
-        D, T = np.moveaxis(self._near.at(s).D, -1, 0), self._near.to_scene
-        return np.moveaxis(np.linalg.solve(D, T.T @ forces), 0, -1)
+            return np.zeros((0, self.channels, len(s)), complex), {}
+        D, loads = np.moveaxis(self._near.at(s).D, -1, 0), self._near.to_scene.T @ forces
+        p = np.linalg.solve(D, loads)
+        return np.moveaxis(p, 0, -1), bends(self._near, np.moveaxis(p, -1, 0), s, np.moveaxis(loads, -1, 0))
 
     def at_rest(self, q: np.ndarray) -> np.ndarray:
         """The forces that hold coordinates q at rest: D(0) q."""

@@ -32,6 +32,8 @@ EPSILON = 2.0**-52
 POINTS, INSIDE = 24, 8.0        # of the circle, and how far inside the poles that are left it lies
 AT_ONCE = 2_000_000             # exponentials at a time
 KEPT = 8                        # strokes whose parts are remembered
+FIRST = 8                       # stretches on which it is looked how large an output becomes
+OCTAVE = 64.0                   # times what is left out, an octave of amplitudes that fall as ω⁻³ at the most shows
 
 
 class Read:
@@ -213,6 +215,12 @@ class ModalMotion:
         rest = self._uncounted(read, stretch, t)
         return rest if modes is None else rest + float(self._amplitudes(read, stretch)[modes:].sum())
 
+    def is_bounded(self, output: "LinearOutput", t: float, order: int = 0) -> bool:
+        """Is that bound finite?"""
+        self.stretches(float(t))
+        quick = self._disturbances is not None and self._disturbances.bounds(output, t, order)
+        return quick or self.bound(output, t, order) < inf
+
     def left(self, output: "LinearOutput", start: float, t: float, modes: int) -> float:
         """What those counted beyond the first `modes` can add from an instant on, on the stretch from `start`."""
         read, states = Read(self, output, 0), self.states
@@ -231,12 +239,22 @@ class ModalMotion:
     def left_share(self, output: "LinearOutput") -> float:
         """The remainder as a share of how large the output becomes on the first stretches, the largest."""
         read, found = Read(self, output, 0), 0.0
-        for stretch in self.stretches(0.0)[:8]:
+        for stretch in self.stretches(0.0)[:FIRST]:
             tau = np.linspace(0, 2 * np.pi / (self.slowest or 1.0), 65)
             most = float(np.abs(self._on(read, stretch, tau, 64)).max())
             left = self._uncounted(read, stretch, stretch.start)
             found = max(found, left / most if most else inf if left else 0.0)
         return found
+
+    def shows_more(self, output: "LinearOutput", share: float) -> bool:
+        """Does the last octave of the modes that are counted show so much of an output on its first stretches that the
+        share which is left out is surely larger?"""
+        read, last = Read(self, output, 0), self.count // 2
+        for stretch in self.stretches(0.0)[:FIRST]:
+            sizes = self._amplitudes(read, stretch)
+            if sizes[last:].sum() > OCTAVE * share * sizes.sum():
+                return True
+        return False
 
     def _amplitudes(self, read, stretch):
         """That of each mode on a stretch, in order of frequency."""

@@ -15,7 +15,13 @@ from vibcli.analyses.continuous.short_pieces import relative_coordinates
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.piece import Piece
-from vibcli.numerics.pieces.relative import relative_fields, relative_stiffness, told
+from vibcli.numerics.pieces.relative import (
+    cantilever,
+    leaning,
+    relative_fields,
+    relative_stiffness,
+    told,
+)
 from vibcli.numerics.pieces.stiffness import stiffness
 
 if TYPE_CHECKING:
@@ -30,33 +36,35 @@ PLACED = 2.0**-51   # of a place, which is rounded as the difference of two
 
 class ModesOnPart(NamedTuple):
     """What modes number `modes` do on a part of a piece, from `start` of the piece on: κ of each, (modes,), and their
-    end values, (modes, order); motions: u₀, θ₀, w, ψ of a short piece of a beam, (modes, 4)."""
+    end values, (modes, order); bends: u₀, θ₀, F, P of a short piece of a beam, (modes, 4)."""
 
     modes: np.ndarray
     start: float
     piece: Piece
     kappa: np.ndarray
     ends: np.ndarray
-    motions: np.ndarray | None = None
+    bends: np.ndarray | None = None
 
     def along(self, x: "float | np.ndarray") -> np.ndarray:
         """u and its derivatives at the distance x from the start of the whole piece, (…, modes, order)."""
         y = np.clip(np.asarray(x, float)[..., None] - self.start, 0.0, self.piece.length)
         found = fields(self.piece, self.kappa, self.ends, y)
-        if self.motions is None:
+        if self.bends is None:
             return found
         long = told(self.piece, self.kappa)
-        found[..., long, :] = relative_fields(self.piece, self.kappa[long], self.motions[long],
+        found[..., long, :] = relative_fields(self.piece, self.kappa[long], self.bends[long],
                                               np.broadcast_to(y, found.shape[:-1])[..., long])
         return found
 
     def forces(self) -> np.ndarray:
         """Those that its ends need, (modes, order)."""
         found = np.einsum("kab,kb->ka", stiffness(self.piece, self.kappa), self.ends)
-        if self.motions is None:
+        if self.bends is None:
             return found
         long = told(self.piece, self.kappa)
-        own = np.einsum("kab,kb->ka", relative_stiffness(self.piece, self.kappa[long])[0], self.motions[long])
+        d, bends = relative_stiffness(self.piece, self.kappa[long], False)[0], self.bends[long]
+        own = np.einsum("kab,kb->ka", d, leaning(self.piece, bends))
+        own[:, 2:] += bends[:, 2:]
         own[:, 0] -= own[:, 2]
         own[:, 1] -= self.piece.length * own[:, 2] + own[:, 3]
         found[long] = own
@@ -82,7 +90,7 @@ class ModeBasis:
     def _divide(self, numbers, motions):
         """Adds the ModesOnParts of modes whose pieces are divided in the same way."""
         shapes = np.array([[float(x) for x in motion.shape] for motion in motions])
-        left = _motions(motions)
+        left = _bends(motions)
         for place, one in enumerate(in_floats(motions[0].system.ordered)):
             kappa = one.piece.foundation - one.piece.inertia * self.squares[numbers]
             home, part = on_part(self.placed, one, numbers, kappa, shapes, left.get(place))
@@ -132,21 +140,20 @@ def in_floats(placed: "Sequence[PlacedPiece]") -> "list[PlacedPiece]":
 
 
 def on_part(placed: "Sequence[PlacedPiece]", one: "PlacedPiece", numbers: np.ndarray, kappa: np.ndarray,
-            shapes: np.ndarray, motions: np.ndarray | None = None) -> tuple[int, ModesOnPart]:
+            shapes: np.ndarray, bends: np.ndarray | None = None) -> tuple[int, ModesOnPart]:
     """What modes do on a piece, a part of one of those placed, and the number of that; shapes (modes, coordinates)."""
     home = max((p for p, whole in enumerate(placed) if whole.owner == one.owner
                 and whole.start <= one.start + INSIDE * one.piece.length), key=lambda p: placed[p].start)
     ends = np.stack([shapes @ _row(row, shapes.shape[1]) for row in one.rows], axis=-1)
-    return home, ModesOnPart(numbers, one.start - placed[home].start, one.piece, kappa, ends, motions)
+    return home, ModesOnPart(numbers, one.start - placed[home].start, one.piece, kappa, ends, bends)
 
 
-def _motions(motions):
-    """u₀, θ₀, w, ψ of short pieces, {place of the piece: (modes, 4)}; from shapes in more digits where there are."""
+def _bends(motions):
+    """u₀, θ₀, F, P of short pieces, {place of the piece: (modes, 4)}; from shapes in more digits where there are."""
     system = motions[0].system
     if motions[0].relative is not None:
-        shapes = np.array([motion.relative for motion in motions])
-        return {place: np.stack([shapes @ _row(row, system.n) for row in rows], axis=-1)
-                for place, rows in system.short.items()}
+        return system.bends(np.array([float(motion.z) for motion in motions]),
+                            np.array([motion.relative for motion in motions]))
     if system.digits is None:
         return {}
     from vibcli.analyses.continuous.mode_source import working
@@ -158,7 +165,7 @@ def _motions(motions):
             u, turn, end, last = ([sum(x * motion.shape[i] for i, x in row.items()) for motion in motions]
                                   for row in one.rows)
             away = [b - a - one.piece.length * slope for a, slope, b in zip(u, turn, end, strict=True)]
-            found[number] = np.array([u, turn, away, np.subtract(last, turn)], float).T
+            found[number] = np.array([u, turn, *(cantilever(one.piece) @ [away, np.subtract(last, turn)])], float).T
     return found
 
 

@@ -12,6 +12,7 @@ from vibcli.analyses.continuous.argument_count import sizes
 from vibcli.analyses.continuous.counting import GUARD, SLACK
 from vibcli.analyses.continuous.damped_roots import GIVEN
 from vibcli.analyses.continuous.dynamic_matrix import BLOWN, SHARES
+from vibcli.analyses.continuous.short_pieces import bends
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.fixed_point import count_floats
 
@@ -29,18 +30,18 @@ ENTRIES = 2**19         # of matrices that are held at once
 
 class ShapesOf(NamedTuple):
     """Roots of which the same pieces move: their numbers, and x over the coordinates of the rows of these, (roots, n);
-    motions: u₀, θ₀, w, ψ of short ones, {place among the pieces: (roots, 4)}."""
+    bends: u₀, θ₀, F, P of short ones, {place among the pieces: (roots, 4)}."""
 
     pieces: "Sequence[PlacedPiece]"
     numbers: np.ndarray
     shapes: np.ndarray
-    motions: "Mapping[int, np.ndarray]" = MappingProxyType({})
+    bends: "Mapping[int, np.ndarray]" = MappingProxyType({})
 
     def among(self, numbers: np.ndarray, count: int) -> "ShapesOf":
         """Those of the first `count` roots, which are numbered anew."""
         kept = numbers < count
-        motions = {place: own[kept] for place, own in self.motions.items()}
-        return ShapesOf(self.pieces, numbers[kept], self.shapes[kept], motions)
+        bends = {place: own[kept] for place, own in self.bends.items()}
+        return ShapesOf(self.pieces, numbers[kept], self.shapes[kept], bends)
 
 
 def settled_from(divisions: "Divisions", starts: np.ndarray, inner: np.ndarray) -> np.ndarray:
@@ -174,12 +175,18 @@ def polished(divisions: Divisions, s: np.ndarray) -> tuple[np.ndarray, np.ndarra
         spread = abs(found).sum(axis=1) ** 2
         felt = (abs(found) * given[at_own]).sum(axis=1) ** 2
         errors[place] = UNIT * ((SLACK * GUARD * spread + GIVEN * felt) / abs(steep) / abs(values[place]) + 4)
-        pieces, shapes, motions = matrix.in_scene(units[at_own] * found / np.sqrt(steep)[:, None])
-        groups.append(ShapesOf(pieces, place, shapes, motions))
+        p = units[at_own] * found / np.sqrt(steep)[:, None]
+        groups.append(ShapesOf(*_placed(matrix, place, p, s[at][at_own])))
     values = np.where(abs(values.imag) <= 2 * errors * abs(values), values.real, values)
     order = np.argsort(abs(values), kind="stable")
     place = np.argsort(order)
     return values[order], errors[order], [one._replace(numbers=place[one.numbers]) for one in groups]
+
+
+def _placed(matrix, numbers, p, s):
+    """What a ShapesOf is of."""
+    pieces, shapes = matrix.in_scene(p)
+    return pieces, numbers, shapes, bends(matrix, p, s)
 
 
 def _apart(x, D, slope, size):

@@ -44,14 +44,15 @@ class PieceGroup:
         self._sources = np.array([source for entry in self._entries for source in share[entry]], int)
         self._factors = np.array([[x] for entry in self._entries for x in share[entry].values()], kind)
 
-    def add(self, z: np.ndarray, found: np.ndarray, sizes: np.ndarray, slope: np.ndarray) -> None:
-        """Adds Sᵀ d S to `found`, the magnitudes of its terms to `sizes`, Sᵀ ∂d/∂s² S to `slope`, for each z."""
+    def add(self, z: np.ndarray, found: np.ndarray, sizes: np.ndarray, slope: np.ndarray, bent: bool = True) -> None:
+        """Adds Sᵀ d S to `found`, the magnitudes of its terms to `sizes`, Sᵀ ∂d/∂s² S to `slope`, for each z; not
+        `bent`: without what bends short pieces as cantilevers."""
         if not len(self._entries):
             return
         kappa = self.stacked.foundation - self.stacked.inertia * z
         d, d_slope = stiffness_and_slope(self.stacked, kappa)
         if self.short:
-            d, d_slope = in_relative_motions(self.stacked, kappa, d, d_slope)
+            d, d_slope = in_relative_motions(self.stacked, kappa, d, d_slope, bent)
         terms = self._terms(d)
         found[self._entries] += np.add.reduceat(terms, self._starts, axis=0)
         sizes[self._entries] += np.add.reduceat(abs(terms), self._starts, axis=0)

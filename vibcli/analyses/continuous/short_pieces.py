@@ -3,7 +3,11 @@ that the left end points along. With q = T p a piece of length l then has the ro
 
     u₀, θ₀, w, ψ      u_l = u₀ + θ₀ l + w,   θ_l = θ₀ + ψ      w and ψ in the places of u_l and θ_l among p,
 
-and D(s), congruent to what it was and with the same determinant, holds 12 EI/l³ beside w alone.
+and D(s), congruent to what it was and with the same determinant, holds 12 EI/l³ beside w alone. Where the right end is
+held, its left end leaves the line of the right one, w = −w′ − l ψ′, ψ = −ψ′; where nothing moves it as a rigid body the
+coordinates stay as they are.
+
+What bends it as a cantilever, F and P, is what all else leaves: R x = (w, ψ), Rᵀ (F, P) = f − D₀ p, D₀ without that.
 """
 
 from collections.abc import Collection, Mapping, Sequence
@@ -12,9 +16,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.numerics.pieces.relative import SHORT
+from vibcli.numerics.pieces.relative import SHORT, cantilever
 
 if TYPE_CHECKING:
+    from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix
     from vibcli.mechanics.factored_system import PlacedPiece
 
 PART = 1 / 16       # of the longest piece of a member: what is shorter is short
@@ -41,27 +46,94 @@ class RelativeCoordinates(NamedTuple):
                 found[i, j] = x
         return found
 
+    def bends(self, pieces: "Sequence[PlacedPiece]", p: np.ndarray, left: np.ndarray) -> dict[int, np.ndarray]:
+        """{number of a short piece: u₀, θ₀, F, P (…, 4)} of what moves by p, (…, n); left: f − D₀ p."""
+        return {number: _bends(pieces[number].piece, rows, p, left, self._alone(number))
+                for number, rows in self.short.items()}
+
+    def _alone(self, number):
+        """The coordinates of w and ψ of a piece; none where they bend others too."""
+        own, others = ({i for rows in parts for row in rows[2:] for i in row} for parts in (
+            [self.short[number]], [rows for k, rows in self.short.items() if k != number]))
+        return sorted(own) if own.isdisjoint(others) else []
+
+
+def bends(matrix: "DynamicMatrix", p: np.ndarray, s: np.ndarray,
+          loads: np.ndarray | float = 0.0) -> dict[int, np.ndarray]:
+    """u₀, θ₀, F, P of short pieces, {number of a piece: (…, N, 4)}, where D(s) p = loads, p: (…, N, n)."""
+    if matrix.relative is None or not matrix.relative.short:
+        return {}
+    left = loads - np.einsum("ijs,...sj->...si", matrix.at(s, loaded=False, bent=False).D, p)
+    found = matrix.relative.bends(matrix.pieces, p, left)
+    for number, own in found.items():
+        own[..., 2:] /= (1 + float(matrix.pieces[number].retardation) * s)[:, None]
+    return found
+
+
+def _bends(piece, rows, p, left, alone):
+    u, turn, w, psi = (sum((x * p[..., i] for i, x in row.items()), 0 * p[..., :1].sum(axis=-1)) for row in rows)
+    S = cantilever(piece)
+    if alone:
+        R = np.array([[row.get(i, 0.0) for i in alone] for row in rows[2:]])
+        of_left = np.linalg.inv(R).T if len(alone) == 2 else S @ R / (R.T @ S @ R)      # Rᵀ S R is scaled too badly
+        F, P = np.moveaxis(left[..., alone] @ of_left.T, -1, 0)
+    else:
+        F, P = (a * w + b * psi for a, b in S)
+    return np.stack([u, turn, F, P], axis=-1)
+
 
 def relative_coordinates(pieces: "Sequence[PlacedPiece]", kept: Collection[int] = ()) -> RelativeCoordinates:
-    """Those of all pieces that are short and whose right ends move freely; kept: coordinates that stay as they are."""
+    """Those of all pieces that are short and of which an end moves freely, or none of both as a rigid body; kept:
+    coordinates that stay as they are."""
+    numbers = list(_short(pieces))
     rows: dict[int, dict] = {}
-    short = {}
-    for number in _short(pieces):
-        placed = pieces[number]
-        own = [next(iter(row.items())) if len(row) == 1 else (-1, 0.0) for row in placed.rows[2:]]
-        (i, _), (j, _) = own
-        if i == j or any(at < 0 or at in kept or at in rows or x != 1 for at, x in own):
-            continue
-        left = [_over(rows, row) for row in placed.rows[:2]]
-        if any(at in row for row in left for at in (i, j)):
-            continue
-        line = _sum(left[0], left[1], float(placed.piece.length))
-        new = {i: _sum({i: 1.0}, line, 1.0), j: _sum({j: 1.0}, left[1], 1.0)}
-        rows = {at: _over(new, row) for at, row in rows.items()} | new
-        short[number] = placed.rows[:2]
+    own: dict[int, tuple] = {}
+    for mirrored in (True, False):
+        for number in reversed(numbers) if mirrored else numbers:
+            found = None if number in own else _turned(pieces[number], mirrored, kept, rows)
+            if found is not None:
+                new, own[number] = found
+                rows = {at: _over(new, row) for at, row in rows.items()} | new
     ends = [tuple(_over(rows, row) for row in placed.rows) for placed in pieces]
-    return RelativeCoordinates(rows, {number: (*(_over(rows, row) for row in left), *(
-        {next(iter(row)): 1.0} for row in pieces[number].rows[2:])) for number, left in short.items()}, ends)
+    short = {number: (*ends[number][:2], *own[number]) for number in own}
+    for number in numbers:
+        if number not in own and _stays(ends[number]):
+            u, turn, end, last = ends[number]
+            line = _sum(u, turn, float(pieces[number].piece.length))
+            short[number] = u, turn, _sum(end, line, -1.0), _sum(last, turn, -1.0)
+    return RelativeCoordinates(rows, short, ends)
+
+
+def _turned(placed, mirrored, kept, rows):
+    """({coordinate of the end that moves freely: its row over p}, the rows of w and ψ over p): of the right end, or
+    mirrored of the left one where the right one does not move so."""
+    left, right = placed.rows[:2], placed.rows[2:]
+    if mirrored and _freely(right, kept, rows):
+        return None
+    base, moving = (right, left) if mirrored else (left, right)
+    if not _freely(moving, kept, rows):
+        return None
+    (i, j), length = (next(iter(row)) for row in moving), float(placed.piece.length)
+    u, turn = (_over(rows, row) for row in base)
+    if {i, j} & {*u, *turn}:
+        return None
+    line = _sum(u, turn, -length if mirrored else length)
+    own = ({i: -1.0, j: -length}, {j: -1.0}) if mirrored else ({i: 1.0}, {j: 1.0})
+    return {i: _sum({i: 1.0}, line, 1.0), j: _sum({j: 1.0}, turn, 1.0)}, own
+
+
+def _freely(end, kept, rows):
+    """Has an end coordinates of its own, which are what they were?"""
+    places = [i for row in end for i in row]
+    return (len(set(places)) == 2 and all([*row.values()] == [1] for row in end)
+            and not any(i in kept or i in rows for i in places))
+
+
+def _stays(ends):
+    """Does no motion of a piece as a rigid body go with end values that move by themselves? Then two do at most."""
+    places = [i for row in ends for i in row]
+    both = ends[0] and ends[2]
+    return all(len(row) < 2 for row in ends) and len(places) == len(set(places)) < 3 and not both
 
 
 def _short(pieces):

@@ -16,7 +16,7 @@ import numpy as np
 from vibcli.analyses.continuous.piece_groups import PieceGroup
 from vibcli.analyses.continuous.refinement import divided
 from vibcli.analyses.continuous.short_pieces import relative_coordinates
-from vibcli.numerics.sparse_elimination import Elimination, Pattern
+from vibcli.numerics.sparse_elimination import Elimination, Pattern, product
 
 if TYPE_CHECKING:
     from vibcli.mechanics.factored_system import PlacedPiece
@@ -111,13 +111,14 @@ class ContinuousSystem:
 
         return mp.mpf(value)
 
-    def dynamic_stiffness(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def dynamic_stiffness(self, z: np.ndarray, bent: bool = True) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """For each z the entries of D, the magnitudes added in them, and the entries of −∂D/∂z = ∂D/∂s², the inertia
-        that a motion has at this frequency: arrays (entries of the pattern, number of z)."""
+        that a motion has at this frequency: arrays (entries of the pattern, number of z); not `bent`: without what
+        bends short pieces as cantilevers."""
         (k, m), (k_size, m_size) = self._constant, self._sizes
         found, sizes, slope = k - m * z, k_size + m_size * abs(z), m + 0 * z
         for group in self.groups:
-            group.add(z, found, sizes, slope)
+            group.add(z, found, sizes, slope, bent)
         if self._turning is not None:
             omega = self._root(z)
             found = found + 1j * self._turning * omega
@@ -171,10 +172,13 @@ class ContinuousSystem:
         """The pieces in the order of `held`, over the coordinates of the scene."""
         return [self._given[2][k] for k in self._order]
 
-    @property
-    def short(self) -> dict[int, tuple]:
-        """{place among those: the rows of u₀, θ₀, w, ψ over the coordinates of D} of short pieces."""
-        return {place: self.pieces[k].rows for place, k in enumerate(self._order) if self.is_short(k)}
+    def bends(self, z: np.ndarray, shapes: np.ndarray) -> dict[int, np.ndarray]:
+        """u₀, θ₀, F, P of short pieces in modes, {place in that order: (modes, 4)}; shapes: (modes, n), over the
+        coordinates of D."""
+        if self.near is None:
+            return {}
+        left = -product(self.pattern, self.dynamic_stiffness(z, False)[0], shapes.T).T
+        return {self._order.index(k): own for k, own in self.near.bends(self.pieces, shapes, left).items()}
 
 
 def continuous_system(elements: Any, digits: int | None = None) -> ContinuousSystem:

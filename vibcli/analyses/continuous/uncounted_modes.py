@@ -7,13 +7,14 @@ modes. They are finite where 2p > (2k + 1)/m·2: of waves ω ~ β^(m/2), of whic
 with mass they are so at p = 0, Σ φ φᵀ = M⁻¹ over all modes, as of loads along members (Parseval).
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.analyses.continuous.divided_pieces import divided_at
-from vibcli.analyses.continuous.tail_sums import grid, tail_sum, without_first
+from vibcli.analyses.continuous.tail_sums import CLOSE, grid, tail_sum, without_first
 from vibcli.analyses.continuous.uncoupled_parts import uncoupled_parts
 from vibcli.analyses.continuous.unit_responses import UnitLoads, motions_squared, overlaps
 from vibcli.numerics.pieces.graded import mirrored
@@ -34,6 +35,19 @@ SINGULAR = 1e-10    # of the largest mass that coordinates have together: what i
 INSIDE, BESIDE = 1e-12, 1e-4    # of a length: how near to an end is at the end, and beside it
 
 
+class PartRead:
+    """What is read of the rate-th rates of modes: begins: the power from which on sums of it are finite, square: Σ c²
+    or inf, motions: R, found as it is asked for."""
+
+    def __init__(self, rate: int, begins: float, square: float, find: "Callable[[], np.ndarray]"):
+        self.rate, self.begins, self.square, self._find = rate, begins, square, find
+
+    @cached_property
+    def motions(self) -> np.ndarray:
+        """(σ, 1, 1)."""
+        return self._find()
+
+
 class UncountedModes:
     """Those beyond a ModeBasis. K, M: without the pieces; inputs (modes, channels): b of the first modes, of the
     coordinates, of `driven` ends and of loads `spread` along members behind them; rates: 2ζω of the first modes."""
@@ -44,7 +58,7 @@ class UncountedModes:
         self.pieces = [one._replace(piece=one.piece._replace(drag=0.0)) for one in basis.placed]
         self.highest = float(np.sqrt(np.abs(basis.squares).max(initial=0.0)))
         self.driven, self.sigma = list(driven), grid(self.highest)
-        self._reads: dict[Any, list[tuple[int, np.ndarray, float, float]]] = {}
+        self._reads: dict[Any, list[PartRead]] = {}
         self._sizes: dict[Any, float] = {}
         self.parts = uncoupled_parts(K, M, self.pieces, basis.shapes)
         self.inverse = inverse_where_massive(M)
@@ -121,17 +135,23 @@ class UncountedModes:
         """√(Σ c²/ω²ᵖ) of what an output reads of the rate-th rates of modes."""
         key = _key(output), power, rate
         if key not in self._sizes:
-            self._sizes[key] = sum(float(np.sqrt(self.sums(R, power, begins)[0, 0] if power > 0 else square if not power
-                                                 else np.inf)) for own, R, begins, square in self._read(output)
-                                   if own == rate)
+            self._sizes[key] = sum(float(np.sqrt(self.sums(part.motions, power, part.begins)[0, 0] if power > 0 else
+                                                 part.square if not power else np.inf))
+                                   for part in self._read(output) if part.rate == rate)
         return self._sizes[key]
+
+    def reaches(self, output: "LinearOutput", power: float, rate: int) -> float:
+        """1 where the same is finite, which needs no sums, else inf."""
+        finite = all(power > max(part.begins, 0.0) + CLOSE if power > 0 else not power and part.square < np.inf
+                     for part in self._read(output) if part.rate == rate)
+        return 1.0 if finite else np.inf
 
     def reads(self, output: "LinearOutput", rate: int) -> bool:
         """Does an output read the rate-th rates of modes?"""
-        return any(own == rate for own, *_ in self._read(output))
+        return any(part.rate == rate for part in self._read(output))
 
     def _read(self, output):
-        """[(rate, R, power from which on sums are finite, Σ c² or inf)] of the parts of an output."""
+        """The parts of an output."""
         key = _key(output)
         if key not in self._reads:
             found = []
@@ -139,12 +159,15 @@ class UncountedModes:
                 if any(part.values()):
                     row = np.array([part.get(i, 0.0) for i in range(len(self.K))])
                     first = self.basis.shapes.T @ row
-                    R = self.left(self.pieces, UnitLoads(row[:, None], {}), first[:, None])
-                    found.append((rate, R, max(self.begins[i] for i, x in part.items() if x), self._square(row, first)))
-            found += [(place.rates, self._at_place(place) * x**2, self._begins(place), self._at_end(place) * x**2)
-                      for place, x in output.places.items() if x]
+                    found.append(PartRead(rate, max(self.begins[i] for i, x in part.items() if x),
+                                          self._square(row, first), partial(self._of_row, row, first)))
+            found += [PartRead(place.rates, self._begins(place), self._at_end(place) * x**2,
+                               partial(self._at_place, place, x)) for place, x in output.places.items() if x]
             self._reads[key] = found
         return self._reads[key]
+
+    def _of_row(self, row, first):
+        return self.left(self.pieces, UnitLoads(row[:, None], {}), first[:, None])
 
     def _square(self, row, first):
         """Σ c² of coordinates, inf where one has no mass."""
@@ -174,15 +197,15 @@ class UncountedModes:
             row[i] = x
         return self._square(row, self.basis.field(place.piece, place.x, place.along))
 
-    def _at_place(self, place: "FieldPoint"):
-        """R of u or of a derivative within a piece. Next to an end, where a part would be too stiff beside all else,
-        what is seen is no more than twice what both the end and a place further off show together."""
+    def _at_place(self, place: "FieldPoint", factor: float):
+        """R of a factor of u or of a derivative within a piece. Next to an end, where a part would be too stiff beside
+        all else, what is seen is no more than twice what both the end and a place further off show together."""
         length = self.pieces[place.piece].piece.length
         near = min(place.x, length - place.x)
         if not INSIDE * length < near < BESIDE * length:
-            return self._at_one(place)
+            return self._at_one(place) * factor**2
         ends = (0.0, BESIDE * length) if place.x < length / 2 else (length, (1 - BESIDE) * length)
-        return 2 * sum(self._at_one(place._replace(x=x)) for x in ends)
+        return 2 * sum(self._at_one(place._replace(x=x)) for x in ends) * factor**2
 
     def _at_one(self, place):
         pieces, k, n, one = list(self.pieces), place.piece, len(self.K), self.pieces[place.piece]

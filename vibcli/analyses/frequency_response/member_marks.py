@@ -25,13 +25,20 @@ DAMPINGS, EVEN, EACH = (0.003, 0.05, 0.2, 0.7), 40, 8      # where damped poles 
 
 class Marks:
     """modal: the ModalAnalysis of a scene, its elements; shared: the row of the place that load and signal have in
-    common, else None."""
+    common, else None; scene: a MemberTransfer of the scene that has the poles of all its responses, where those of this
+    one are no others."""
 
-    __slots__ = ("_held", "_modal", "shared")
+    __slots__ = ("_held", "_modal", "scene", "shared")
 
-    def __init__(self, modal: "ModalAnalysis", shared: "Mapping[int, float] | None"):
-        self._modal, self.shared = modal, shared
+    def __init__(self, modal: "ModalAnalysis", shared: "Mapping[int, float] | None",
+                 scene: "MemberTransfer | None" = None):
+        self._modal, self.shared, self.scene = modal, shared, scene
         self._held: Any = None
+
+    @property
+    def changed(self) -> "Marks":
+        """Of the scene with other dampers."""
+        return Marks(self._modal, self.shared)
 
     def natural(self, low: float, high: float) -> "list[Mode]":
         """The modes without dampers that oscillate, with low ≤ ω ≤ high."""

@@ -102,7 +102,8 @@ class MemberTransfer(FrequencyResponseFunction):
         return step
 
     def poles(self, low: float = 0.0, high: float = math.inf) -> np.ndarray:
-        return self._found(member_marks.poles, low, high)
+        scene = self.marks.scene
+        return self._found(member_marks.poles, low, high) if scene is None else scene.poles(low, high)
 
     def zeros(self, low: float = 0.0, high: float = math.inf) -> np.ndarray:
         return self._found(member_marks.zeros, low, high)
@@ -116,7 +117,7 @@ class MemberTransfer(FrequencyResponseFunction):
     @property
     def without_damping(self) -> "MemberTransfer":
         """The same without dampers and drag."""
-        return MemberTransfer(self.system.without_damping(), self.marks, self.order)
+        return MemberTransfer(self.system.without_damping(), self.marks.changed, self.order)
 
     def endless(self, low: float = 0.0, high: float = math.inf) -> list[np.ndarray]:
         places = [taking_part(self, ascending(self.poles(low, high).imag)), self.zeros(low, high).imag]
@@ -129,7 +130,7 @@ class MemberTransfer(FrequencyResponseFunction):
         return Omega * error_of(self.marks.natural(0.5 * Omega, 1.5 * Omega), Omega)
 
     def with_damper(self, other: Any, c: float) -> "MemberTransfer":
-        return MemberTransfer(self.system.mixed(other.system, c), self.marks, self.order)
+        return MemberTransfer(self.system.mixed(other.system, c), self.marks.changed, self.order)
 
     def felt(self, other: Any) -> float:
         one, two = self.system.matrix.polynomial, other.system.matrix.polynomial

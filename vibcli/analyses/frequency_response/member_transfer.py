@@ -83,4 +83,15 @@ def _still(configuration: "Configuration", signal: "SignalName", given: MemberIn
     kept = inputs if modal.member_damping is None else None
     system = MemberSystem(dynamic_matrix(elements, pieces, size, spread_inputs(configuration, given.weights), kept),
                           inputs, given, output)
-    return MemberTransfer(system, Marks(modal, system.shared()), order)
+    if modal.poles_of_responses is None:
+        modal.poles_of_responses = _of_scene(modal, kept)
+    return MemberTransfer(system, Marks(modal, system.shared(), modal.poles_of_responses), order)
+
+
+def _of_scene(modal, kept):
+    """What has the poles of all responses of a scene, and no output."""
+    opened = modal.configuration.with_inputs
+    elements, n = opened.elements, len(opened.scene.q)
+    system = MemberSystem(dynamic_matrix(elements, kept=kept), range(opened.n, n), MemberInput({}),
+                          MemberOutput(({}, {}, {})))
+    return MemberTransfer(system, Marks(modal, None))

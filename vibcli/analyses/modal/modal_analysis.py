@@ -39,6 +39,7 @@ class ModalAnalysis:
         self.numeric, self.system, self.spec = configuration.numeric, configuration.system, configuration.spec
         self.work, self.costs = configuration.work, configuration.costs
         self._results, self._scales, self._fields = {}, {}, {}
+        self.poles_of_responses: Any = None     # a MemberTransfer, once one of members has been asked for
 
     @cached_property
     def scene(self) -> "Scene":

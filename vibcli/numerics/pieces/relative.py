@@ -4,6 +4,9 @@
 
 As d of u₀, θ₀, u_l, θ_l it holds 12 B/l³ in every entry, beside which nothing else is left; here what moves as a rigid
 body feels κ and N alone. The bⱼ are integrals of Legendre's polynomials, bᵢ″ bⱼ″ orthonormal, and are eliminated.
+
+w and ψ are small differences, of which u‴ = (6 l ψ − 12 w)/l³ is one again: it is told by the force and the moment that
+bend it as a cantilever, w = F l³/3B + P l²/2B, ψ = F l²/2B + P l/B, u‴ = −F/B. These its neighbours tell.
 """
 
 from functools import cache
@@ -55,11 +58,14 @@ def told(piece: "Piece", kappa: np.ndarray) -> np.ndarray:
         return (np.abs(kappa) * piece.length**4 <= SHORT * piece.bending) & (force <= SHORT * piece.bending)
 
 
-def relative_stiffness(piece: "Piece", kappa: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(d, ∂d/∂κ), each (…, 4, 4), of the motions u₀, θ₀, w, ψ; of doubles."""
+def relative_stiffness(piece: "Piece", kappa: np.ndarray, bent: bool = True) -> tuple[np.ndarray, np.ndarray]:
+    """(d, ∂d/∂κ), each (…, 4, 4), of the motions u₀, θ₀, w, ψ; not `bent`: without what bends it as a cantilever; of
+    doubles."""
     L, M = np.asarray(np.broadcast_arrays(piece.length, kappa)[0])[..., None, None], _integrals()[-1]
-    whole, moved = _moved(piece, kappa)
-    d = whole[..., :4, :4] + np.swapaxes(whole[..., 4:, :4], -1, -2) @ moved[..., 4:, :]
+    stiff, rest, moved = _moved(piece, kappa)
+    d = rest[..., :4, :4] + np.swapaxes(rest[..., 4:, :4], -1, -2) @ moved[..., 4:, :]
+    if bent:
+        d = d + stiff[..., :4, :4]
     slope = L * (np.swapaxes(moved, -1, -2) @ (M @ moved))
     turn = np.ones((*d.shape[:-2], 4))
     turn[..., 1::2] = L[..., 0]
@@ -67,26 +73,42 @@ def relative_stiffness(piece: "Piece", kappa: np.ndarray) -> tuple[np.ndarray, n
 
 
 def _moved(piece, kappa):
-    """The stiffness of all functions, and what each does as u₀, θ₀ l, w and ψ l are 1, (…, functions, 4)."""
+    """What bending adds to the stiffness of all functions, and all else, and what each does as u₀, θ₀ l, w and ψ l are
+    1, (…, functions, 4)."""
     S, T, T_along, M = _integrals()
     L, B, N, n, kappa = (np.asarray(x)[..., None, None] for x in np.broadcast_arrays(
         piece.length, piece.bending, piece.tension, piece.gradient, kappa))
-    whole = (B / L**3) * S + (N / L) * T + n * T_along + (kappa * L) * M
-    inner = -np.linalg.solve(whole[..., 4:, 4:], whole[..., 4:, :4])
-    return whole, np.concatenate([np.broadcast_to(np.eye(4), (*inner.shape[:-2], 4, 4)), inner], axis=-2)
+    stiff, rest = (B / L**3) * S, (N / L) * T + n * T_along + (kappa * L) * M
+    inner = -np.linalg.solve((stiff + rest)[..., 4:, 4:], rest[..., 4:, :4])
+    return stiff, rest, np.concatenate([np.broadcast_to(np.eye(4), (*inner.shape[:-2], 4, 4)), inner], axis=-2)
 
 
-def relative_fields(piece: "Piece", kappa: np.ndarray, motions: np.ndarray, x: np.ndarray) -> np.ndarray:
-    """(u, u′, u″, u‴) at 0 ≤ x ≤ l of a piece in floats that moves by u₀, θ₀, w, ψ: motions (…, 4), as fields."""
+def cantilever(piece: "Piece") -> np.ndarray:
+    """(2, 2): F and P of w and ψ."""
+    L, B = piece.length, piece.bending
+    return np.array([[12 * B / L**3, -6 * B / L**2], [-6 * B / L**2, 4 * B / L]])
+
+
+def leaning(piece: "Piece", bends: np.ndarray) -> np.ndarray:
+    """u₀, θ₀, w, ψ of u₀, θ₀, F, P, (…, 4)."""
+    L, B, (u, turn, F, P) = piece.length, piece.bending, np.moveaxis(bends, -1, 0)
+    return np.stack([u, turn, L * L * (F * L / 3 + P / 2) / B, L * (F * L / 2 + P) / B], axis=-1)
+
+
+def relative_fields(piece: "Piece", kappa: np.ndarray, bends: np.ndarray, x: np.ndarray) -> np.ndarray:
+    """(u, u′, u″, u‴) at 0 ≤ x ≤ l of a piece in floats of which u₀, θ₀, F, P, (…, 4), are `bends`, as fields."""
     L = piece.length
-    parts = (_moved(piece, kappa)[1] @ (motions * [1.0, L, 1.0, L])[..., None])[..., 0]
+    parts = (_moved(piece, kappa)[2] @ (leaning(piece, bends) * [1.0, L, 1.0, L])[..., None])[..., 0]
     t = 2 * np.asarray(x) / L - 1
-    return np.stack([np.einsum("f...,...f->...", _values(t, order), parts) / L**order for order in range(4)], axis=-1)
+    found = [np.einsum("f...,...f->...", _values(t, order), parts) / L**order for order in range(3)]
+    bend = np.einsum("f...,...f->...", _values(t, 3)[4:], parts[..., 4:]) / L**3
+    return np.stack([*found, bend - bends[..., 2] / piece.bending], axis=-1)
 
 
-def in_relative_motions(piece: "Piece", kappa: np.ndarray, d: np.ndarray, slope: np.ndarray
+def in_relative_motions(piece: "Piece", kappa: np.ndarray, d: np.ndarray, slope: np.ndarray, bent: bool = True
                         ) -> tuple[np.ndarray, np.ndarray]:
-    """(d, ∂d/∂κ) of u₀, θ₀, u_l, θ_l as those of u₀, θ₀, w, θ_l − θ₀, of long waves without what rounds."""
+    """(d, ∂d/∂κ) of u₀, θ₀, u_l, θ_l as those of u₀, θ₀, w, θ_l − θ₀, of long waves without what rounds, and where they
+    are not `bent` as a cantilever without that."""
     turned = np.zeros((*np.broadcast_shapes(d.shape[:-2], np.shape(piece.length)), 4, 4))
     turned[..., range(4), range(4)] = turned[..., 2, 0] = turned[..., 3, 1] = 1.0
     turned[..., 2, 1] = piece.length
@@ -94,5 +116,5 @@ def in_relative_motions(piece: "Piece", kappa: np.ndarray, d: np.ndarray, slope:
     long = told(piece, kappa)[..., None, None]
     if long.any():
         found = [np.where(long, exact, part)
-                 for exact, part in zip(relative_stiffness(piece, kappa), found, strict=True)]
+                 for exact, part in zip(relative_stiffness(piece, kappa, bent), found, strict=True)]
     return tuple(found)

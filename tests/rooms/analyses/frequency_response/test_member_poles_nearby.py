@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from support.scenes import problem
 
+from vibcli.analyses.frequency_response import member_marks
 from vibcli.analyses.frequency_response.evaluate import frf
 
 STEPPED = """
@@ -62,3 +63,17 @@ def test_stepped_beam_with_attachments(c):
     with mpmath.workdps(60):
         for Omega, value, size in zip(asked, found, felt, strict=True):
             assert abs(value - tip(mpmath.mpc(0, Omega), c)) <= 4 * EPS * size, Omega
+
+
+def test_poles_of_a_scene_are_found_once_for_all_that_it_answers(monkeypatch):
+    def transfer(scene, signal):
+        return scene.frequency_response(signal, "drive").transfer
+
+    one, searched = problem(STEPPED % ", {at: 0.5 m, c: 2 N*s/m}"), []
+    find = member_marks.poles
+    monkeypatch.setattr(member_marks, "poles", lambda *given: searched.append(given) or find(*given))
+    responses = [transfer(one, signal) for signal in ("arm.u(1 m)", "arm.moment(0 m)", "arm.slope(0.6 m)'")]
+    assert len({tuple(response.poles(0.0, 50.0)) for response in responses}) == 1 == len(searched)
+    stronger = transfer(problem(STEPPED % ", {at: 0.5 m, c: 4 N*s/m}"), "arm.u(1 m)")
+    between = responses[0].with_damper(stronger, 0.5).poles(0.0, 50.0).real / responses[0].poles(0.0, 50.0).real
+    assert len(searched) == 2 and between == pytest.approx(1.5, rel=0.01)
